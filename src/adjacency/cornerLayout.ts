@@ -1,0 +1,29 @@
+/**
+ * The `corner` vertex layout: every triangle has three vertices of its own, and each carries the positions of all six
+ * adjacency vertices V0, V1, V2, Vα, Vβ, Vγ of its triangle (paper, figure 5). Own position and the two others of the
+ * triangle are stored relative to the corner, so that `position` stays what three.js expects; the shader turns them
+ * back into V0, V1, V2 with the corner id, which makes all three corners compute bit-identical frames.
+ *
+ * This table is read by the bake, the geometry, the shader assembly and the tests. All attributes but `position` lie
+ * interleaved, in this order, in one Float32Array of `CORNER_STRIDE` floats per corner.
+ */
+export const cornerLayout = [
+  /** xyz: position of the next corner of the triangle; w: the corner id k ∈ {0, 1, 2}. */
+  { name: 'cornerNext', itemSize: 4 },
+  /** Position of the previous corner of the triangle. */
+  { name: 'cornerPrevious', itemSize: 3 },
+  /**
+   * Vα, Vβ, Vγ: the vertex opposite to edge 0, 1, 2 in the neighbour across that edge. Where there is no neighbour
+   * (border, degenerate, or cut by the crease angle) it is the triangle's own opposite vertex: the neighbour then folds
+   * back onto the triangle, its normal is −N_c, and the blend factor −1 everywhere, which is "no contribution".
+   */
+  { name: 'oppositeAlpha', itemSize: 3 },
+  { name: 'oppositeBeta', itemSize: 3 },
+  { name: 'oppositeGamma', itemSize: 3 },
+] as const;
+
+/** Floats per corner in the interleaved buffer. */
+export const CORNER_STRIDE = 16;
+
+/** Bytes per triangle of `position` and the interleaved buffer together. */
+export const CORNER_BYTES_PER_TRIANGLE = 3 * (3 + CORNER_STRIDE) * 4;

@@ -1,0 +1,26 @@
+/**
+ * The corner conventions of the whole project, said once.
+ *
+ * corner = 3·triangle + k, k ∈ {0, 1, 2}. Edge k runs from corner k to corner (k+1) mod 3 and has the corner's number,
+ * so one integer names a corner and the directed edge that starts there. The neighbour α lies across edge 0, β across
+ * edge 1, γ across edge 2 (paper, figure 5). The twin of an edge is the same edge in the neighbouring triangle.
+ *
+ *        V2
+ *       /  \          edge 0: V0 → V1, neighbour α
+ *    γ /    \ β       edge 1: V1 → V2, neighbour β
+ *     /      \        edge 2: V2 → V0, neighbour γ
+ *   V0 ────── V1
+ *         α
+ */
+
+/** The twin of an edge that has none: a border. */
+export const NO_TWIN = -1;
+
+/** The triangle that owns `corner`. */
+export const triangleOf = (corner: number): number => (corner / 3) | 0;
+
+/** The corner after `corner` in its own triangle, which is also the end of the edge that starts at `corner`. */
+export const nextCorner = (corner: number): number => (corner % 3 === 2 ? corner - 2 : corner + 1);
+
+/** The corner before `corner` in its own triangle: the one opposite to the edge that starts at `corner`. */
+export const previousCorner = (corner: number): number => (corner % 3 === 0 ? corner + 2 : corner - 1);
