@@ -1,0 +1,50 @@
+// What the vertices computed for the triangles c, α, β, γ, as it stands at this fragment.
+struct HatchingParameters {
+  vec2 uv[TRIANGLE_COUNT];
+  vec4 weights; // f, clamped: c first
+};
+
+// A zero-area triangle has no normal; one towards the viewer is as good as any for the pixel it may still cover.
+vec3 safeNormalize(const in vec3 v) {
+  float squaredLength = dot(v, v);
+  return squaredLength > 0.0 ? v * inversesqrt(squaredLength) : vec3(0.0, 0.0, 1.0);
+}
+
+HatchingParameters readHatchingParameters() {
+  HatchingParameters h;
+  #if TECHNIQUE == TECHNIQUE_ADJACENCY
+    h.uv[0] = vStrokeUvCentralAlpha.xy;
+    h.uv[1] = vStrokeUvCentralAlpha.zw;
+    h.uv[2] = vStrokeUvBetaGamma.xy;
+    h.uv[3] = vStrokeUvBetaGamma.zw;
+    // −1 at the opposite vertex gives the slope of figure 7, it is no contribution to subtract. Clamping the vertices
+    // instead would stretch the support over the whole triangle.
+    h.weights = vec4(1.0, max(vBlendFactors, 0.0));
+  #else
+    h.uv[0] = vStrokeUv;
+    h.weights = vec4(1.0, 0.0, 0.0, 0.0);
+  #endif // TECHNIQUE
+  return h;
+}
+
+// N_t of the triangles c, α, β, γ in view space, turned towards the side that is seen. three has turned smoothNormal.
+mat4x3 readToneNormals(const in vec3 smoothNormal, const in float faceDirection) {
+  #ifdef DOUBLE_SIDED
+    float side = faceDirection;
+  #elif defined(FLIP_SIDED)
+    float side = -1.0;
+  #else
+    float side = 1.0;
+  #endif // DOUBLE_SIDED
+  #if TONE_NORMAL == TONE_NORMAL_SMOOTH
+    return mat4x3(smoothNormal, smoothNormal, smoothNormal, smoothNormal);
+  #elif TECHNIQUE == TECHNIQUE_ADJACENCY
+    return mat4x3(
+      safeNormalize(vFaceNormals[0]) * side, safeNormalize(vFaceNormals[1]) * side,
+      safeNormalize(vFaceNormals[2]) * side, safeNormalize(vFaceNormals[3]) * side
+    );
+  #else
+    vec3 n = safeNormalize(vFaceNormal) * side;
+    return mat4x3(n, n, n, n);
+  #endif // TONE_NORMAL
+}

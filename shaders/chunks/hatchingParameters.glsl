@@ -1,0 +1,21 @@
+// Algorithms 1 and 2: for one vertex, the hatching parameters H = (s, t, f) of the triangles c, α, β, γ.
+
+uniform mat3 strokeTransform; // H(s, t) → texture coordinates: rotation, then scale, then offset
+uniform float creaseCosine; // cos of the angle between normals from which neighbours no longer blend
+
+// Texture coordinates of `vertex` in the frame (T, B, N) of a triangle with normal n and barycentre `centre`.
+// Algorithm 2 projects the vertex into the plane of the triangle first. T and B lie in that plane, so V'·T = V·T and
+// V'·B = V·B, and there is nothing to project.
+vec2 strokeCoordinates(
+  const in vec3 vertex, const in vec3 n, const in vec3 centre, const in mat4 objectToView, const in mat3 viewToObject
+) {
+  vec3 bitangent = lightBitangent(n, (objectToView * vec4(centre, 1.0)).xyz, viewToObject);
+  vec3 tangent = cross(bitangent, n);
+  return (strokeTransform * vec3(dot(vertex, tangent), dot(vertex, bitangent), 1.0)).xy;
+}
+
+// Algorithm 2's f at the vertices shared with a neighbour: N_c·N_t, with the crease angle moved to zero.
+float sharedBlendFactor(const in vec3 centralNormal, const in vec3 neighbourNormal) {
+  float cosine = dot(centralNormal, neighbourNormal);
+  return max((cosine - creaseCosine) / (1.0 - creaseCosine), -1.0);
+}

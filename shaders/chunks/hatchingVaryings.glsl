@@ -1,0 +1,10 @@
+// From vertex to fragment. Face normals are equal at the three corners of a triangle, so they need no `flat`.
+#if TECHNIQUE == TECHNIQUE_ADJACENCY
+  varying vec4 vStrokeUvCentralAlpha; // (u, v) in the frame of c, then of α
+  varying vec4 vStrokeUvBetaGamma; // (u, v) in the frame of β, then of γ
+  varying vec3 vBlendFactors; // f of α, β, γ; may be negative: clamped per fragment, after interpolation
+  varying mat4x3 vFaceNormals; // of c, α, β, γ, view space
+#else
+  varying vec2 vStrokeUv;
+  varying vec3 vFaceNormal; // view space
+#endif // TECHNIQUE

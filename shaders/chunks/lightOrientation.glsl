@@ -1,0 +1,90 @@
+// The direction from which a surface with normal n is lit, in its tangent plane: B of Algorithm 1.
+//
+// With one light it is exactly the projected direction to the light. Several lights are averaged as directions known
+// up to sign (a structure tensor, i.e. vectors of the doubled angle): lights from opposite sides reinforce each other
+// instead of cancelling, and a light in line with the normal has no say. The sign follows the weighted sum of the
+// lights, which with one light is the sign of the paper.
+#include <lights_pars_begin>
+
+// three declares luminance() for fragment shaders only; these are its Rec. 709 weights.
+float lightLuminance(const in vec3 rgb) {
+  return dot(rgb, vec3(0.2126, 0.7152, 0.0722));
+}
+
+struct LightOrientation {
+  vec3 n;
+  vec3 e1, e2; // orthonormal basis of the tangent plane
+  vec2 tensor; // Σ w (lx² − ly², 2 lx ly)
+  vec2 sum; // Σ w l
+  float weight; // Σ w
+};
+
+// Below this squared sine of the angle between light and normal, the light gives no direction.
+#define PARALLEL_SQUARED_SINE 1e-8
+// What a light weighs where it does not reach: a cone or a terminator must not leave strokes without a direction.
+#define UNLIT_WEIGHT 1e-4
+
+void addLight(inout LightOrientation o, const in vec3 toLight, const in vec3 arriving, const in vec3 emitted) {
+  vec2 l = vec2(dot(toLight, o.e1), dot(toLight, o.e2));
+  float facing = max(dot(toLight, o.n) + 0.05, 0.0);
+  float w = lightLuminance(arriving) * facing + UNLIT_WEIGHT * lightLuminance(emitted);
+  o.tensor += w * vec2(l.x * l.x - l.y * l.y, 2.0 * l.x * l.y);
+  o.sum += w * l;
+  o.weight += w;
+}
+
+// n: unit normal, object space. viewPosition: where the direction to a positional light is taken, view space.
+// viewToObject: linear part of the inverse of the model-view matrix.
+vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject) {
+  LightOrientation o;
+  o.n = n;
+  o.e1 = anyTangent(n);
+  o.e2 = cross(n, o.e1);
+  o.tensor = vec2(0.0);
+  o.sum = vec2(0.0);
+  o.weight = 0.0;
+
+  IncidentLight light;
+#if NUM_DIR_LIGHTS > 0
+  for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
+    getDirectionalLightInfo(directionalLights[i], light);
+    addLight(o, normalize(viewToObject * light.direction), light.color, directionalLights[i].color);
+  }
+#endif // NUM_DIR_LIGHTS
+#if NUM_SUN_LIGHTS > 0
+  for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
+    getSunLightInfo(sunLights[i], light);
+    addLight(o, normalize(viewToObject * light.direction), light.color, sunLights[i].color);
+  }
+#endif // NUM_SUN_LIGHTS
+#if NUM_POINT_LIGHTS > 0
+  for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
+    getPointLightInfo(pointLights[i], viewPosition, light);
+    addLight(o, normalize(viewToObject * light.direction), light.color, pointLights[i].color);
+  }
+#endif // NUM_POINT_LIGHTS
+#if NUM_SPOT_LIGHTS > 0
+  for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
+    getSpotLightInfo(spotLights[i], viewPosition, light);
+    addLight(o, normalize(viewToObject * light.direction), light.color, spotLights[i].color);
+  }
+#endif // NUM_SPOT_LIGHTS
+#if NUM_HEMI_LIGHTS > 0 && NUM_DIR_LIGHTS == 0 && NUM_SUN_LIGHTS == 0 && NUM_POINT_LIGHTS == 0 && NUM_SPOT_LIGHTS == 0
+  // A sky alone still has an up; beside a real light it is only fill.
+  for (int i = 0; i < NUM_HEMI_LIGHTS; i++) {
+    vec3 sky = hemisphereLights[i].skyColor;
+    addLight(o, normalize(viewToObject * hemisphereLights[i].direction), sky, sky);
+  }
+#endif // NUM_HEMI_LIGHTS
+
+  float amplitude = length(o.tensor);
+  // L ∥ N: the lit pole is white and the unlit one black, so any tangent will do. Negated, so that NaN ends here too.
+  if (!(amplitude > PARALLEL_SQUARED_SINE * o.weight)) return o.e1;
+
+  // Half of the doubled angle without trigonometry, from the side on which nothing cancels.
+  vec2 b = o.tensor.x >= 0.0
+    ? vec2(amplitude + o.tensor.x, o.tensor.y)
+    : vec2(o.tensor.y, amplitude - o.tensor.x);
+  b = normalize(dot(b, o.sum) < 0.0 ? -b : b);
+  return b.x * o.e1 + b.y * o.e2;
+}

@@ -1,0 +1,14 @@
+// The tonal art map: RGBA layers that overlap by one tone, so that both hatch images of any tone lie in one texel and
+// a triangle costs one fetch (src/tam/packHatchImages.ts writes them).
+
+uniform highp sampler2DArray tonalArtMap;
+uniform float tonalArtMapTones;
+
+// Darkness ∈ [0, 1] of the hatch at uv: the two neighbouring hatch images interpolated by tone. Derivatives of uv choose
+// the level, so call it in uniform control flow.
+float sampleTonalArtMap(const in vec2 uv, const in float tone) {
+  float x = tone * (tonalArtMapTones - 1.0);
+  float layer = clamp(floor(x / 3.0), 0.0, max(ceil((tonalArtMapTones - 1.0) / 3.0) - 1.0, 0.0));
+  vec4 weights = max(1.0 - abs(x - 3.0 * layer - vec4(0.0, 1.0, 2.0, 3.0)), 0.0);
+  return dot(1.0 - texture(tonalArtMap, vec3(uv, layer)), weights);
+}

@@ -1,0 +1,17 @@
+// Unit normal of a triangle, counter-clockwise outward (Algorithm 1, line 1); zero for a triangle without area.
+vec3 triangleNormal(const in vec3 a, const in vec3 b, const in vec3 c) {
+  vec3 ab = b - a;
+  vec3 ac = c - a;
+  // Tiny or huge triangles would underflow or overflow in the squared length of the product.
+  float size = max(max3(abs(ab)), max3(abs(ac)));
+  vec3 n = size > 0.0 ? cross(ab / size, ac / size) : vec3(0.0);
+  float squaredLength = dot(n, n);
+  return squaredLength > 0.0 ? n * inversesqrt(squaredLength) : vec3(0.0);
+}
+
+// A unit vector perpendicular to n, built on the coordinate axis that n leans to least.
+vec3 anyTangent(const in vec3 n) {
+  vec3 a = abs(n);
+  vec3 axis = a.x <= a.y && a.x <= a.z ? vec3(1.0, 0.0, 0.0) : a.y <= a.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+  return normalize(axis - n * dot(n, axis));
+}

@@ -1,0 +1,66 @@
+// Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the fragment shader stage.
+#include "conventions"
+#include "hatchingVaryings"
+
+uniform vec3 diffuse;
+uniform float opacity;
+uniform vec3 ink;
+uniform vec3 paper;
+
+varying vec3 vViewPosition;
+
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+
+#include "hatchingFragmentParameters"
+#include "radiance"
+#include "tone"
+#include "tonalArtMap"
+#include "hatch"
+#include "debugViews"
+
+void main() {
+  vec4 diffuseColor = vec4(diffuse, opacity);
+  #include <clipping_planes_fragment>
+  #include <logdepthbuf_fragment>
+  #include <map_fragment>
+  #include <color_fragment>
+  #include <alphamap_fragment>
+
+  // Texture derivatives are taken before anything may discard.
+  HatchingParameters parameters = readHatchingParameters();
+
+  #include <normal_fragment_begin>
+  HatchingSurface material = HatchingSurface(readToneNormals(normal, faceDirection), vec4(0.0));
+  ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  #include <lights_fragment_begin>
+  addIndirectRadiance(material);
+  vec4 tone = toneFromRadiance(material.radiance);
+
+  float darkness = hatch(parameters, tone);
+  #include <alphatest_fragment>
+  #include <alphahash_fragment>
+  vec3 outgoingLight = mix(paper * diffuseColor.rgb, ink, darkness);
+  #if DEBUG_VIEW != DEBUG_VIEW_NONE
+    outgoingLight = debugColor(parameters, tone);
+  #endif // DEBUG_VIEW
+
+  #include <opaque_fragment>
+  #include <tonemapping_fragment>
+  #include <colorspace_fragment>
+  #include <fog_fragment>
+  #include <premultiplied_alpha_fragment>
+  #include <dithering_fragment>
+}

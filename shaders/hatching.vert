@@ -1,0 +1,52 @@
+// Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the geometry shader stage.
+#include "conventions"
+#include "hatchingVaryings"
+
+varying vec3 vViewPosition;
+
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+
+#include "adjacencyPrimitive"
+#include "triangleGeometry"
+#include "lightOrientation"
+#include "hatchingParameters"
+
+void main() {
+  #include <uv_vertex>
+  #include <color_vertex>
+  #include <morphinstance_vertex>
+  #include <morphcolor_vertex>
+  #include <batching_vertex>
+
+  #include <beginnormal_vertex>
+  #include <morphnormal_vertex>
+  #include <skinbase_vertex>
+  #include <skinnormal_vertex>
+  #include <defaultnormal_vertex>
+  #include <normal_vertex>
+
+  #include <begin_vertex>
+  #include <morphtarget_vertex>
+  #include <skinning_vertex>
+  #include <project_vertex>
+  #include <logdepthbuf_vertex>
+  #include <clipping_planes_vertex>
+
+  vViewPosition = -mvPosition.xyz;
+
+  #include <worldpos_vertex>
+  #include <shadowmap_vertex>
+  #include <fog_vertex>
+
+  #include "emitHatchingParameters"
+}

@@ -1,0 +1,266 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  Color,
+  type ColorRepresentation,
+  type Group,
+  Material,
+  type MaterialParameters,
+  Matrix3,
+  type Object3D,
+  type Scene,
+  ShaderMaterial,
+  type Texture,
+  UniformsLib,
+  UniformsUtils,
+  Vector2,
+  type WebGLRenderer,
+} from 'three';
+import { cornerLayout } from '../adjacency/cornerLayout.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { blankTonalArtMap } from './blankTonalArtMap.js';
+import { hatchingFragmentShader, hatchingVertexShader } from './hatchingShaders.js';
+import {
+  DEBUG_VIEWS,
+  type DebugView,
+  type HatchingTechnique,
+  TECHNIQUES,
+  TONE_MODELS,
+  TONE_NORMALS,
+  type ToneModel,
+  type ToneNormal,
+} from './shaderConventions.js';
+
+/** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
+export interface HatchingMaterialOptions {
+  /** The hatch images. The material does not own it: dispose of it yourself. Without one the surface stays paper. */
+  tonalArtMap: TonalArtMap | null;
+  /** Default `adjacency`. Changing it builds another program. */
+  technique: HatchingTechnique;
+  /** Size of the strokes: tiles of the tonal art map per unit of object space. Default 3. */
+  strokeScale: number;
+  /**
+   * Direction of the strokes: radians, counter-clockwise about the normal. 0 (default) draws them tangent to the light,
+   * π/2 towards it (paper, figure 14).
+   */
+  strokeRotation: number;
+  /** Shift of the strokes along T and B, in tiles. Default (0, 0). */
+  strokeOffset: Vector2;
+  /** Default `lambert`. Changing it builds another program. */
+  toneModel: ToneModel;
+  /** Number of bands of the `toon` tone model, from 2. Default 4. */
+  toneSteps: number;
+  /** Exponent of the highlight of the `phong` tone model. Default 30. */
+  shininess: number;
+  /** Default `face`, as in the paper. Changing it builds another program. */
+  toneNormal: ToneNormal;
+  /**
+   * Radians in (0, π]. The blend with a neighbour fades out as the angle between the two normals reaches this. Default
+   * π/2, the paper's rule. Only `adjacency` blends.
+   */
+  creaseAngle: number;
+  /** Default `none`. Changing it builds another program. */
+  debugView: DebugView;
+  /** Colour of the strokes. Default black. */
+  ink: ColorRepresentation;
+  /** Colour of the ground between strokes, multiplied by the surface colour. Default white. */
+  paper: ColorRepresentation;
+  /** Surface colour. Default white. */
+  color: ColorRepresentation;
+  /** Surface colour map, multiplied by `color`. */
+  map: Texture | null;
+  /** Opacity map (green channel), as three's own. */
+  alphaMap: Texture | null;
+}
+
+export type HatchingMaterialParameters = MaterialParameters &
+  Partial<HatchingMaterialOptions> & {
+    fog?: boolean;
+    wireframe?: boolean;
+    clipping?: boolean;
+    lights?: boolean;
+  };
+
+const geometriesWarnedOf = new WeakSet<BufferGeometry>();
+
+/**
+ * Hatches a surface: strokes lie in it, turn with the light and grow denser in the shade. An implementation of Suarez,
+ * Belhadj and Boyer, "GPU real time hatching", 2013.
+ *
+ * Takes the scene's lights, shadows and fog. One DirectionalLight of intensity π and no other light gives the paper's
+ * N·L. Draws geometry from `prepareHatchingGeometry()`.
+ *
+ * Every property may be set at any time and counts from the next frame on; those that build another program say so.
+ */
+export class HatchingMaterial extends ShaderMaterial {
+  readonly isHatchingMaterial: boolean = true;
+  override readonly type: string = 'HatchingMaterial';
+
+  tonalArtMap: TonalArtMap | null = null;
+  strokeScale = 3;
+  strokeRotation = 0;
+  readonly strokeOffset = new Vector2();
+  toneSteps = 4;
+  shininess = 30;
+  creaseAngle = Math.PI / 2;
+  readonly ink = new Color(0x000000);
+  readonly paper = new Color(0xffffff);
+  readonly color = new Color(0xffffff);
+  map: Texture | null = null;
+  alphaMap: Texture | null = null;
+
+  /** @throws Error if `technique`, `toneModel`, `toneNormal` or `debugView` is none of the known names. */
+  constructor(parameters?: HatchingMaterialParameters) {
+    super({
+      uniforms: UniformsUtils.merge([
+        UniformsLib.lights,
+        UniformsLib.fog,
+        {
+          alphaMap: { value: null },
+          alphaMapTransform: { value: new Matrix3() },
+          alphaTest: { value: 0 },
+          creaseCosine: { value: 0 },
+          diffuse: { value: null },
+          ink: { value: null },
+          map: { value: null },
+          mapTransform: { value: new Matrix3() },
+          opacity: { value: 1 },
+          paper: { value: null },
+          shininess: { value: 0 },
+          strokeTransform: { value: new Matrix3() },
+          tonalArtMap: { value: null },
+          tonalArtMapTones: { value: 2 },
+          toneSteps: { value: 0 },
+        },
+      ]),
+      defines: {
+        TECHNIQUE: TECHNIQUES.indexOf('adjacency'),
+        TONE_MODEL: TONE_MODELS.indexOf('lambert'),
+        TONE_NORMAL: TONE_NORMALS.indexOf('face'),
+        DEBUG_VIEW: DEBUG_VIEWS.indexOf('none'),
+      },
+      vertexShader: hatchingVertexShader,
+      fragmentShader: hatchingFragmentShader,
+      lights: true,
+      fog: true,
+      clipping: true,
+    });
+    this.setValues(parameters);
+    this.#writeUniforms();
+  }
+
+  get technique(): HatchingTechnique {
+    return TECHNIQUES[this.defines.TECHNIQUE as number]!;
+  }
+
+  set technique(value: HatchingTechnique) {
+    this.#define('TECHNIQUE', 'technique', TECHNIQUES, value);
+  }
+
+  get toneModel(): ToneModel {
+    return TONE_MODELS[this.defines.TONE_MODEL as number]!;
+  }
+
+  set toneModel(value: ToneModel) {
+    this.#define('TONE_MODEL', 'toneModel', TONE_MODELS, value);
+  }
+
+  get toneNormal(): ToneNormal {
+    return TONE_NORMALS[this.defines.TONE_NORMAL as number]!;
+  }
+
+  set toneNormal(value: ToneNormal) {
+    this.#define('TONE_NORMAL', 'toneNormal', TONE_NORMALS, value);
+  }
+
+  get debugView(): DebugView {
+    return DEBUG_VIEWS[this.defines.DEBUG_VIEW as number]!;
+  }
+
+  set debugView(value: DebugView) {
+    this.#define('DEBUG_VIEW', 'debugView', DEBUG_VIEWS, value);
+  }
+
+  override onBeforeRender(
+    _renderer: WebGLRenderer,
+    _scene: Scene,
+    _camera: Camera,
+    geometry: BufferGeometry,
+    _object: Object3D,
+    _group: Group,
+  ): void {
+    if (geometry.attributes[cornerLayout[0].name] === undefined && !geometriesWarnedOf.has(geometry)) {
+      geometriesWarnedOf.add(geometry);
+      console.error(
+        `HatchingMaterial: geometry "${geometry.name || geometry.uuid}" has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.`,
+      );
+    }
+    this.#writeUniforms();
+  }
+
+  override copy(source: this): this {
+    // Not ShaderMaterial's copy: that clones every texture among the uniforms, and each clone would be uploaded again.
+    Material.prototype.copy.call(this, source);
+    this.fog = source.fog;
+    this.lights = source.lights;
+    this.clipping = source.clipping;
+    this.wireframe = source.wireframe;
+    this.wireframeLinewidth = source.wireframeLinewidth;
+    this.defines = { ...source.defines };
+
+    this.tonalArtMap = source.tonalArtMap;
+    this.strokeScale = source.strokeScale;
+    this.strokeRotation = source.strokeRotation;
+    this.strokeOffset.copy(source.strokeOffset);
+    this.toneSteps = source.toneSteps;
+    this.shininess = source.shininess;
+    this.creaseAngle = source.creaseAngle;
+    this.ink.copy(source.ink);
+    this.paper.copy(source.paper);
+    this.color.copy(source.color);
+    this.map = source.map;
+    this.alphaMap = source.alphaMap;
+    this.#writeUniforms();
+    return this;
+  }
+
+  /** Properties are plain values; this is the one place that brings them to the shader. Allocates nothing. */
+  #writeUniforms(): void {
+    const u = this.uniforms;
+    u.diffuse!.value = this.color;
+    u.opacity!.value = this.opacity;
+    u.alphaTest!.value = this.alphaTest;
+    u.ink!.value = this.ink;
+    u.paper!.value = this.paper;
+    u.shininess!.value = this.shininess;
+    u.toneSteps!.value = this.toneSteps;
+    u.creaseCosine!.value = Math.cos(this.creaseAngle);
+    u.tonalArtMap!.value = this.tonalArtMap?.texture ?? blankTonalArtMap();
+    u.tonalArtMapTones!.value = this.tonalArtMap?.tones ?? 2;
+
+    // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
+    const cos = Math.cos(this.strokeRotation) * this.strokeScale;
+    const sin = Math.sin(this.strokeRotation) * this.strokeScale;
+    u.strokeTransform!.value.set(cos, -sin, this.strokeOffset.x, sin, cos, this.strokeOffset.y, 0, 0, 1);
+
+    writeTexture(this.map, u.map!, u.mapTransform!);
+    writeTexture(this.alphaMap, u.alphaMap!, u.alphaMapTransform!);
+  }
+
+  #define<Name extends string>(define: string, property: string, names: readonly Name[], value: Name): void {
+    const index = names.indexOf(value);
+    if (index === -1) {
+      throw new Error(`HatchingMaterial.${property}: "${value}" is not known; use one of ${names.join(', ')}.`);
+    }
+    if (this.defines[define] === index) return;
+    this.defines[define] = index;
+    this.needsUpdate = true;
+  }
+}
+
+function writeTexture(texture: Texture | null, uniform: { value: unknown }, transform: { value: Matrix3 }): void {
+  uniform.value = texture;
+  if (texture === null) return;
+  if (texture.matrixAutoUpdate) texture.updateMatrix();
+  transform.value.copy(texture.matrix);
+}

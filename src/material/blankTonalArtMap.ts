@@ -1,0 +1,12 @@
+import { DataArrayTexture } from 'three';
+
+let blank: DataArrayTexture | undefined;
+
+/** One white texel for materials that have no tonal art map yet: all tones are paper. Shared and kept for good. */
+export function blankTonalArtMap(): DataArrayTexture {
+  if (blank === undefined) {
+    blank = new DataArrayTexture(new Uint8Array([255, 255, 255, 255]), 1, 1, 1);
+    blank.needsUpdate = true;
+  }
+  return blank;
+}

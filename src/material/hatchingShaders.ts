@@ -1,0 +1,37 @@
+import adjacencyPrimitive from '../../shaders/chunks/adjacencyPrimitive.glsl?raw';
+import debugViews from '../../shaders/chunks/debugViews.glsl?raw';
+import emitHatchingParameters from '../../shaders/chunks/emitHatchingParameters.glsl?raw';
+import hatch from '../../shaders/chunks/hatch.glsl?raw';
+import hatchingFragmentParameters from '../../shaders/chunks/hatchingFragmentParameters.glsl?raw';
+import hatchingParameters from '../../shaders/chunks/hatchingParameters.glsl?raw';
+import hatchingVaryings from '../../shaders/chunks/hatchingVaryings.glsl?raw';
+import lightOrientation from '../../shaders/chunks/lightOrientation.glsl?raw';
+import radiance from '../../shaders/chunks/radiance.glsl?raw';
+import tonalArtMap from '../../shaders/chunks/tonalArtMap.glsl?raw';
+import tone from '../../shaders/chunks/tone.glsl?raw';
+import triangleGeometry from '../../shaders/chunks/triangleGeometry.glsl?raw';
+import fragmentSource from '../../shaders/hatching.frag?raw';
+import vertexSource from '../../shaders/hatching.vert?raw';
+import { resolveIncludes } from './resolveIncludes.js';
+import { conventionsChunk, cornerAttributesChunk } from './shaderConventions.js';
+
+const chunks = {
+  adjacencyPrimitive,
+  conventions: conventionsChunk,
+  cornerAttributes: cornerAttributesChunk,
+  debugViews,
+  emitHatchingParameters,
+  hatch,
+  hatchingFragmentParameters,
+  hatchingParameters,
+  hatchingVaryings,
+  lightOrientation,
+  radiance,
+  tonalArtMap,
+  tone,
+  triangleGeometry,
+};
+
+/** Our chunks resolved; three resolves its own when it compiles. */
+export const hatchingVertexShader: string = resolveIncludes(vertexSource, chunks);
+export const hatchingFragmentShader: string = resolveIncludes(fragmentSource, chunks);

@@ -1,0 +1,51 @@
+import { cornerLayout } from '../adjacency/cornerLayout.js';
+
+/** How strokes are laid on the surface; the order is the number the shader knows them by. */
+export const TECHNIQUES = ['triangle', 'adjacency'] as const;
+/**
+ * - `triangle`: Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper, figure 4a).
+ * - `adjacency`: Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).
+ */
+export type HatchingTechnique = (typeof TECHNIQUES)[number];
+
+export const TONE_MODELS = ['lambert', 'halfLambert', 'phong', 'toon'] as const;
+/**
+ * How light becomes tone (paper, section 3.4 and figure 9).
+ * - `lambert`: N·L.
+ * - `halfLambert`: (N·L / 2 + 1/2)², which reaches round to the side turned away.
+ * - `phong`: Lambert plus a highlight (R·V)^shininess.
+ * - `toon`: Lambert in `toneSteps` hard bands, each of them one tone.
+ */
+export type ToneModel = (typeof TONE_MODELS)[number];
+
+export const TONE_NORMALS = ['face', 'smooth'] as const;
+/** The normal tone is computed from: that of the flat triangle, as in the paper, or the interpolated vertex normal. */
+export type ToneNormal = (typeof TONE_NORMALS)[number];
+
+export const DEBUG_VIEWS = ['none', 'blendFactors', 'tone', 'frames'] as const;
+/**
+ * - `blendFactors`: the contributions of α, β, γ as red, green, blue (figure 8).
+ * - `tone`: the wanted tone as grey.
+ * - `frames`: a checker in the stroke coordinates of the triangle itself.
+ */
+export type DebugView = (typeof DEBUG_VIEWS)[number];
+
+const constantCase = (name: string) => name.replace(/([A-Z])/g, '_$1').toUpperCase();
+
+const numbered = (prefix: string, names: readonly string[]) =>
+  names.map((name, index) => `#define ${prefix}_${constantCase(name)} ${index}`).join('\n');
+
+/** The names TypeScript and GLSL share, as defines. Which of them is chosen is a define of the material. */
+export const conventionsChunk = [
+  numbered('TECHNIQUE', TECHNIQUES),
+  numbered('TONE_MODEL', TONE_MODELS),
+  numbered('TONE_NORMAL', TONE_NORMALS),
+  numbered('DEBUG_VIEW', DEBUG_VIEWS),
+  // The triangles c, α, β, γ, or c alone.
+  '#if TECHNIQUE == TECHNIQUE_ADJACENCY\n#define TRIANGLE_COUNT 4\n#else\n#define TRIANGLE_COUNT 1\n#endif // TECHNIQUE',
+].join('\n');
+
+/** Declarations of the attributes of the `corner` layout. */
+export const cornerAttributesChunk = cornerLayout
+  .map(({ name, itemSize }) => `attribute vec${itemSize} ${name};`)
+  .join('\n');

@@ -1,0 +1,124 @@
+import {
+  AmbientLight,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  FrontSide,
+  HemisphereLight,
+  type Light,
+  LinearSRGBColorSpace,
+  Mesh,
+  OrthographicCamera,
+  PerspectiveCamera,
+  PointLight,
+  Scene,
+  SpotLight,
+  Vector2,
+  WebGLRenderer,
+} from 'three';
+import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import type { ReferenceLight } from '../reference/hatchingReference.js';
+import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps } from './analyticMaps.js';
+import type { HatchingSpec } from './hatchingSpec.js';
+
+const maps = new Map<AnalyticMapName, TonalArtMap>();
+
+function analyticMap(name: AnalyticMapName): TonalArtMap {
+  let map = maps.get(name);
+  if (map === undefined) {
+    const { size, darkness } = analyticMaps[name];
+    const images = Array.from({ length: ANALYTIC_TONES }, (_, tone) => {
+      const image = new Uint8Array(size * size);
+      for (let row = 0; row < size; row++) {
+        for (let column = 0; column < size; column++) {
+          const value = darkness(tone, (column + 0.5) / size, (row + 0.5) / size);
+          image[row * size + column] = Math.round(255 * (1 - value));
+        }
+      }
+      return [image];
+    });
+    map = TonalArtMap.fromHatchImages({ size, images });
+    maps.set(name, map);
+  }
+  return map;
+}
+
+function makeLight(light: ReferenceLight, scene: Scene): Light {
+  const color = new Color().setRGB(...light.color, LinearSRGBColorSpace);
+  const made = {
+    ambient: () => new AmbientLight(color),
+    hemisphere: () => new HemisphereLight(color, new Color().setRGB(...(light.groundColor ?? [0, 0, 0]))),
+    directional: () => new DirectionalLight(color),
+    point: () => new PointLight(color, 1, light.distance ?? 0, light.decay ?? 2),
+    spot: () => new SpotLight(color, 1, light.distance ?? 0, light.angle, light.penumbra, light.decay ?? 2),
+  }[light.type]();
+  if (light.position) made.position.fromArray(light.position);
+  if (made instanceof DirectionalLight || made instanceof SpotLight) {
+    made.target.position.fromArray(light.target ?? [0, 0, 0]);
+    scene.add(made.target);
+  }
+  scene.add(made);
+  return made;
+}
+
+const renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
+renderer.outputColorSpace = LinearSRGBColorSpace;
+document.body.append(renderer.domElement);
+
+/** Renders one picture and returns its pixels, RGBA, bottom row first. */
+async function renderHatching(spec: HatchingSpec): Promise<number[]> {
+  const source = new BufferGeometry();
+  source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
+  if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
+  source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
+  const geometry = await prepareHatchingGeometry(source);
+
+  const { ink, paper, color, strokeOffset, ...material } = spec.material;
+  const hatching = new HatchingMaterial({
+    ...material,
+    strokeOffset: new Vector2(...strokeOffset),
+    tonalArtMap: analyticMap(spec.map),
+    side: spec.doubleSided ? DoubleSide : FrontSide,
+    ...spec.extra,
+  });
+  hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);
+  hatching.paper.setRGB(...(paper as [number, number, number]), LinearSRGBColorSpace);
+  hatching.color.setRGB(...(color as [number, number, number]), LinearSRGBColorSpace);
+
+  const scene = new Scene();
+  scene.background = new Color(0x00ff00);
+  const lights = spec.lights.map((light) => makeLight(light, scene));
+  const mesh = new Mesh(geometry, hatching);
+  mesh.matrixAutoUpdate = false;
+  mesh.matrix.fromArray(spec.matrixWorld);
+  mesh.frustumCulled = false;
+  scene.add(mesh);
+
+  const camera = spec.orthographic ? new OrthographicCamera() : new PerspectiveCamera();
+  camera.matrixAutoUpdate = false;
+  camera.matrix.fromArray(spec.camera.view).invert();
+  camera.projectionMatrix.fromArray(spec.camera.projection);
+  camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+
+  renderer.setSize(spec.width, spec.height, false);
+  renderer.render(scene, camera);
+  const gl = renderer.getContext();
+  const pixels = new Uint8Array(spec.width * spec.height * 4);
+  gl.readPixels(0, 0, spec.width, spec.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  const error = gl.getError();
+  if (error !== gl.NO_ERROR) throw new Error(`WebGL error ${error}`);
+
+  for (const light of lights) light.dispose();
+  geometry.dispose();
+  hatching.dispose();
+  return [...pixels];
+}
+
+declare global {
+  interface Window {
+    renderHatching: typeof renderHatching;
+  }
+}
+window.renderHatching = renderHatching;

@@ -1,0 +1,24 @@
+import type { HatchingMaterialParameters } from 'three-hatching';
+import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
+import type { ReferenceCamera } from '../reference/rasterizeReference.js';
+import type { AnalyticMapName } from './analyticMaps.js';
+
+/** A picture to render, as plain data: what the test page and the reference both understand. */
+export interface HatchingSpec {
+  width: number;
+  height: number;
+  /** xyz per vertex. */
+  positions: number[];
+  /** xyz per vertex, if the mesh has normals of its own. */
+  normals?: number[];
+  indices: number[];
+  matrixWorld: number[];
+  camera: ReferenceCamera;
+  orthographic?: boolean;
+  lights: ReferenceLight[];
+  material: Omit<ReferenceMaterial, 'ink' | 'paper' | 'color'> & { ink: number[]; paper: number[]; color: number[] };
+  map: AnalyticMapName;
+  doubleSided?: boolean;
+  /** Further parameters of the material, given to setValues. */
+  extra?: HatchingMaterialParameters;
+}

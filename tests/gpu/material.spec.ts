@@ -1,0 +1,203 @@
+import { mat4 } from 'gl-matrix';
+import { expect, test } from '../browser/test.js';
+import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
+import { cube, type PlainMesh, sheet, toFloat, torus, trianglesOf } from '../reference/meshes.js';
+import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
+import { referenceAdjacency, type Vec3 } from '../reference/referenceAdjacency.js';
+import { ANALYTIC_TONES, analyticMaps } from './analyticMaps.js';
+import type { HatchingSpec } from './hatchingSpec.js';
+import { loadBunny } from './loadBunny.js';
+
+const SIZE = 224;
+
+const identity = [...mat4.create()];
+const rotated = [...mat4.fromRotation(mat4.create(), 0.9, [1, 2, -0.5])!];
+const placed = [
+  ...mat4.scale(
+    mat4.create(),
+    mat4.translate(mat4.create(), rotated as unknown as mat4, [0.1, -0.15, 0.2]),
+    [0.8, 0.8, 0.8],
+  ),
+];
+const mirrored = [...mat4.scale(mat4.create(), rotated as unknown as mat4, [-1, 1, 1])];
+
+const eye: Vec3 = [0.9, 0.8, 3];
+const perspective = {
+  view: [...mat4.lookAt(mat4.create(), eye, [0, 0, 0], [0, 1, 0])],
+  projection: [...mat4.perspective(mat4.create(), 0.75, 1, 0.1, 20)],
+};
+const orthographic = {
+  view: perspective.view,
+  projection: [...mat4.ortho(mat4.create(), -1.2, 1.2, -1.2, 1.2, 0.1, 20)],
+};
+
+const white = (intensity: number): Vec3 => [intensity, intensity, intensity];
+const directional: ReferenceLight = { type: 'directional', color: white(Math.PI), position: [1, 1.5, 2] };
+const point: ReferenceLight = { type: 'point', color: white(9), position: [1.2, 1.1, 1.7], distance: 6, decay: 2 };
+const spot: ReferenceLight = {
+  type: 'spot',
+  color: white(5),
+  position: [-0.8, 1.4, 2],
+  target: [0.1, 0, 0],
+  angle: 0.45,
+  penumbra: 0.6,
+  decay: 0,
+};
+const ambient: ReferenceLight = { type: 'ambient', color: white(0.5) };
+const hemisphere: ReferenceLight = {
+  type: 'hemisphere',
+  color: [0.9, 1.2, 1.6],
+  groundColor: [0.4, 0.3, 0.2],
+  position: [0.1, 1, 0.2],
+};
+const redSide: ReferenceLight = { type: 'directional', color: [2, 0.3, 0.2], position: [-2, 0.4, 1] };
+
+const defaults: ReferenceMaterial = {
+  technique: 'adjacency',
+  toneModel: 'lambert',
+  toneSteps: 4,
+  shininess: 30,
+  toneNormal: 'face',
+  strokeScale: 1.7,
+  strokeRotation: 0.4,
+  strokeOffset: [0.13, 0.37],
+  creaseAngle: Math.PI / 2,
+  ink: [0, 0, 0],
+  paper: [1, 1, 1],
+  color: [1, 1, 1],
+};
+
+interface Case {
+  name: string;
+  mesh: PlainMesh | (() => PlainMesh);
+  lights?: ReferenceLight[];
+  material?: Partial<ReferenceMaterial>;
+  matrixWorld?: number[];
+  map?: HatchingSpec['map'];
+  doubleSided?: boolean;
+  orthographic?: boolean;
+}
+
+const meshes = { cube, torus, sheet, bunny: loadBunny };
+const lights = { directional: [directional], point: [point], spot: [spot] };
+
+const cases: Case[] = [
+  // Every mesh, light and technique, with both maps.
+  ...Object.entries(meshes).flatMap(([meshName, mesh]) =>
+    Object.entries(lights).flatMap(([lightName, list]) =>
+      (['triangle', 'adjacency'] as const).flatMap((technique) =>
+        (['smooth', 'constantPerTone'] as const).map((map) => ({
+          name: `${meshName}, ${lightName}, ${technique}, ${map} map`,
+          mesh,
+          lights: list,
+          material: { technique },
+          map,
+          doubleSided: meshName === 'sheet',
+        })),
+      ),
+    ),
+  ),
+  { name: 'rotated, moved and scaled object', mesh: loadBunny, matrixWorld: placed, lights: [point] },
+  { name: 'rotated object under a directional light', mesh: torus, matrixWorld: rotated },
+  { name: 'mirrored object', mesh: loadBunny, matrixWorld: mirrored },
+  { name: 'mirrored object, point light', mesh: torus, matrixWorld: mirrored, lights: [point] },
+  {
+    name: 'back side of a double-sided sheet',
+    mesh: sheet,
+    doubleSided: true,
+    matrixWorld: [...mat4.fromYRotation(mat4.create(), 2.6)],
+  },
+  { name: 'orthographic camera, phong', mesh: torus, orthographic: true, material: { toneModel: 'phong' } },
+  { name: 'ambient light beside a directional one', mesh: torus, lights: [ambient, directional] },
+  { name: 'hemisphere light beside a point light', mesh: torus, lights: [hemisphere, point] },
+  { name: 'hemisphere light alone', mesh: loadBunny, lights: [hemisphere] },
+  { name: 'two coloured directional lights', mesh: torus, lights: [directional, redSide] },
+  { name: 'directional, point and spot light together', mesh: loadBunny, lights: [redSide, point, spot] },
+  { name: 'half-Lambert', mesh: torus, material: { toneModel: 'halfLambert' } },
+  { name: 'phong', mesh: torus, material: { toneModel: 'phong', shininess: 12 } },
+  { name: 'toon', mesh: torus, material: { toneModel: 'toon', toneSteps: 3 } },
+  { name: 'crease angle of 30°', mesh: torus, material: { creaseAngle: Math.PI / 6 } },
+  {
+    name: 'ink, paper and colour',
+    mesh: torus,
+    material: { ink: [0.1, 0.02, 0.3], paper: [0.9, 0.8, 0.6], color: [0.5, 0.9, 0.7] },
+  },
+];
+
+function expected(spec: HatchingSpec): Map<number, Vec3> {
+  const triangles = trianglesOf(spec);
+  const neighbours = referenceAdjacency(triangles);
+  const fragments = rasterizeReference(triangles, spec.matrixWorld, spec.camera, SIZE, SIZE, !!spec.doubleSided);
+  const backward = mat4.invert(mat4.create(), spec.camera.view as unknown as mat4)!;
+  const reference = new HatchingReference({
+    matrixWorld: spec.matrixWorld,
+    eye: spec.orthographic ? ([backward[8], backward[9], backward[10]] as Vec3) : eye,
+    orthographic: !!spec.orthographic,
+    lights: spec.lights,
+    material: spec.material as ReferenceMaterial,
+    tones: ANALYTIC_TONES,
+    image: analyticMaps[spec.map].darkness,
+  });
+  return new Map(
+    interiorPixels(fragments, SIZE, SIZE).map((pixel) => {
+      const { triangle, barycentric, faceDirection } = fragments[pixel]!;
+      return [
+        pixel,
+        reference.shade(triangles[triangle]!, neighbours[triangle]!, barycentric, faceDirection, [0, 0, 1]),
+      ];
+    }),
+  );
+}
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/harness.html');
+  await page.waitForFunction(() => window.renderHatching !== undefined);
+});
+
+for (const { name, mesh, ...rest } of cases) {
+  test(`equals the double-precision reference: ${name}`, async ({ page }) => {
+    const { positions, indices } = typeof mesh === 'function' ? mesh() : mesh;
+    const spec: HatchingSpec = {
+      width: SIZE,
+      height: SIZE,
+      positions: toFloat(positions),
+      indices,
+      matrixWorld: rest.matrixWorld ?? identity,
+      camera: rest.orthographic ? orthographic : perspective,
+      orthographic: !!rest.orthographic,
+      lights: rest.lights ?? [directional],
+      material: { ...defaults, ...rest.material },
+      map: rest.map ?? 'smooth',
+      doubleSided: !!rest.doubleSided,
+    };
+    const pixels = await page.evaluate((s) => window.renderHatching(s), spec);
+    const reference = expected(spec);
+    expect(reference.size, 'interior pixels').toBeGreaterThan(4000);
+
+    let sum = 0;
+    let near = 0;
+    const values = new Set<number>();
+    for (const [pixel, rgb] of reference) {
+      let worst = 0;
+      for (let channel = 0; channel < 3; channel++) {
+        const actual = pixels[4 * pixel + channel]!;
+        values.add(actual);
+        worst = Math.max(worst, Math.abs(actual - 255 * rgb[channel]!));
+      }
+      sum += worst;
+      if (worst <= 4) near++;
+    }
+    const mean = sum / reference.size;
+    const share = near / reference.size;
+    test
+      .info()
+      .annotations.push({
+        type: 'error',
+        description: `mean ${mean.toFixed(3)}/255, ${(100 * share).toFixed(2)} % within 4/255`,
+      });
+    console.log(`  ${name}: mean ${mean.toFixed(3)}, within ${(100 * share).toFixed(2)} %`);
+    expect(values.size, 'a picture of more than one colour').toBeGreaterThan(2);
+    expect(mean, 'mean absolute error of 255').toBeLessThanOrEqual(0.75);
+    expect(share, 'share of pixels within 4/255').toBeGreaterThanOrEqual(0.99);
+  });
+}
