@@ -1,0 +1,36 @@
+import { defineConfig } from '@playwright/test';
+import { launchOptions } from './tests/browser/launchOptions.mjs';
+
+/** An uncommon port, so that a playground somebody left open is never mistaken for the code under test. */
+const port = Number(process.env.HATCH_PORT ?? 41730);
+
+export default defineConfig({
+  testDir: 'tests',
+  testMatch: '**/*.spec.ts',
+  outputDir: 'tests/output/playwright',
+  globalSetup: './tests/browser/globalSetup.ts',
+  forbidOnly: !!process.env.CI,
+  // Software rendering uses every core by itself; more browsers at once only wait for each other.
+  workers: 1,
+  retries: 0,
+  timeout: 120_000,
+  expect: { timeout: 15_000 },
+  reporter: [['list'], ['json', { outputFile: 'tests/output/playwright.json' }]],
+  use: {
+    baseURL: `http://127.0.0.1:${port}/`,
+    viewport: { width: 1000, height: 700 },
+    deviceScaleFactor: 1,
+    launchOptions: await launchOptions(),
+    screenshot: 'only-on-failure',
+    trace: 'off',
+  },
+  projects: ['gpu', 'visual', 'e2e', 'consumers'].map((name) => ({ name, testDir: `tests/${name}` })),
+  webServer: {
+    command: `npx vite --mode test --host 127.0.0.1 --port ${port} --strictPort`,
+    url: `http://127.0.0.1:${port}/tests/browser/blank.html`,
+    reuseExistingServer: false,
+    stdout: 'ignore',
+    stderr: 'pipe',
+    timeout: 120_000,
+  },
+});

@@ -1,0 +1,7 @@
+import { describeRenderer } from './describeRenderer.mjs';
+
+/** Prints once per run who draws the pixels, and fails the run when nobody does. */
+export default async function globalSetup(): Promise<void> {
+  const { browser, renderer } = await describeRenderer();
+  console.log(`Chromium ${browser}, ${renderer}`);
+}

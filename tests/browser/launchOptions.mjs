@@ -1,0 +1,36 @@
+import { findChromium } from './findChromium.mjs';
+
+/** Chromium's flags per rasteriser. SwiftShader draws the goldens; llvmpipe is a second opinion (needs libegl1 and libgl1-mesa-dri). */
+const rasterisers = {
+  swiftshader: ['--use-angle=swiftshader'],
+  llvmpipe: ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'],
+  gpu: ['--use-gl=angle', '--ignore-gpu-blocklist'],
+};
+
+/** Chromium speaks to its maker's hosts unless told not to; on a closed network that only costs time. */
+const quiet = [
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--disable-quic',
+  '--no-first-run',
+];
+
+/**
+ * Playwright's launch options for the Chromium found here.
+ *
+ * The path found is kept in HATCH_CHROMIUM, so that the processes a test runner starts do not search again.
+ *
+ * @param {keyof typeof rasterisers} rasteriser - from HATCH_RASTERISER if not given; SwiftShader by default.
+ */
+export async function launchOptions(rasteriser = process.env.HATCH_RASTERISER ?? 'swiftshader') {
+  const flags = rasterisers[rasteriser];
+  if (!flags) {
+    const known = Object.keys(rasterisers).join(', ');
+    throw new Error(`launchOptions: no rasteriser "${rasteriser}"; HATCH_RASTERISER takes ${known}.`);
+  }
+  const { executablePath } = await findChromium();
+  process.env.HATCH_CHROMIUM = executablePath;
+  // Chromium's sandbox does not work for root; there Playwright leaves it off, as it does by default elsewhere.
+  return { executablePath, chromiumSandbox: false, args: [...flags, ...quiet] };
+}
