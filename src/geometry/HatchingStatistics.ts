@@ -1,0 +1,11 @@
+import type { EdgeCounts } from '../adjacency/buildTriangleAdjacency.js';
+
+/** What a prepared geometry carries as `userData.hatching`. */
+export interface HatchingStatistics extends EdgeCounts {
+  /** Triangles drawn, degenerate ones included. */
+  triangles: number;
+  /** The vertex layout. */
+  layout: 'corner';
+  /** Bytes of all vertex and morph data of the prepared geometry. */
+  bytes: number;
+}

@@ -1,0 +1,42 @@
+import type { BufferGeometry } from 'three';
+import { isInstanced } from './vertexAttributes.js';
+
+/**
+ * Throws a TypeError or RangeError if `geometry` is not one whose vertex data can be read. Returns the beginning of all
+ * further messages about it: the function and the geometry by its name.
+ */
+export function checkGeometry(geometry: BufferGeometry): string {
+  if (!geometry?.isBufferGeometry) {
+    throw new TypeError(
+      `prepareHatchingGeometry: expected a THREE.BufferGeometry, got ${kindOf(geometry)}. For a mesh pass mesh.geometry.`,
+    );
+  }
+  const label = `prepareHatchingGeometry: the geometry${geometry.name ? ` "${geometry.name}"` : ''}`;
+  const { position } = geometry.attributes;
+  if (!position) {
+    throw new TypeError(`${label} has no attribute "position". Set one with three floats per vertex.`);
+  }
+  for (const [name, attribute] of [...Object.entries(geometry.attributes), ...morphTargets(geometry)]) {
+    if (!attribute.array) {
+      throw new TypeError(
+        `${label}: the data of attribute "${name}" is not in memory (a GLBufferAttribute, or freed after upload). Pass a geometry whose arrays are still there.`,
+      );
+    }
+    if (!isInstanced(attribute) && attribute.count < position.count) {
+      throw new RangeError(
+        `${label}: attribute "${name}" has ${attribute.count} entries, but there are ${position.count} positions. Give each vertex one entry, or delete the attribute.`,
+      );
+    }
+  }
+  return label;
+}
+
+const morphTargets = ({ morphAttributes }: BufferGeometry) =>
+  Object.entries(morphAttributes).flatMap(([name, targets]) =>
+    (targets ?? []).map((target, i) => [`${name}, morph target ${i}`, target] as const),
+  );
+
+function kindOf(value: unknown): string {
+  if (value === null || typeof value !== 'object') return String(value);
+  return (value as { type?: string }).type ?? value.constructor?.name ?? 'an object';
+}

@@ -1,0 +1,74 @@
+import { BufferAttribute, type BufferGeometry, Float16BufferAttribute, type InterleavedBufferAttribute } from 'three';
+import { cornerLayout } from '../adjacency/cornerLayout.js';
+import type { VertexWords, Words } from '../adjacency/expandPerCorner.js';
+
+/** An attribute as three.js has them in a geometry. */
+export type VertexAttribute = BufferAttribute | InterleavedBufferAttribute;
+
+/** An attribute that the prepared geometry keeps, one entry per corner. */
+export interface KeptAttribute {
+  name: string;
+  /** Whether it is a target of `morphAttributes[name]` instead of `attributes[name]`. */
+  isMorphTarget: boolean;
+  attribute: VertexAttribute;
+}
+
+const layoutNames = new Set<string>(cornerLayout.map(({ name }) => name));
+
+/** Whether the attribute has one entry per instance, not per vertex. */
+export const isInstanced = (attribute: VertexAttribute): boolean =>
+  'isInstancedBufferAttribute' in attribute ||
+  ('data' in attribute && 'isInstancedInterleavedBuffer' in attribute.data);
+
+/** Everything per vertex but the position and what the bake writes itself (when a prepared geometry is prepared again). */
+export function keptAttributes(geometry: BufferGeometry): KeptAttribute[] {
+  const kept: KeptAttribute[] = [];
+  for (const [name, attribute] of Object.entries(geometry.attributes)) {
+    if (name === 'position' || layoutNames.has(name) || isInstanced(attribute)) continue;
+    kept.push({ name, isMorphTarget: false, attribute });
+  }
+  for (const [name, targets] of Object.entries(geometry.morphAttributes)) {
+    for (const attribute of targets ?? []) kept.push({ name, isMorphTarget: true, attribute });
+  }
+  return kept;
+}
+
+/** Copies an attribute, de-interleaved but otherwise bit by bit, as words of its component size. */
+export function extractWords(attribute: VertexAttribute): VertexWords {
+  const { count, itemSize } = attribute;
+  const source = wordsOf(attribute.array);
+  const perElement = source.length / attribute.array.length;
+  const wordsPerVertex = itemSize * perElement;
+  if (!('data' in attribute)) return { words: source.slice(0, count * wordsPerVertex), wordsPerVertex };
+
+  const stride = attribute.data.stride * perElement;
+  const offset = attribute.offset * perElement;
+  const words = new (source.constructor as new (length: number) => Words)(count * wordsPerVertex);
+  for (let vertex = 0; vertex < count; vertex++) {
+    for (let i = 0; i < wordsPerVertex; i++) words[vertex * wordsPerVertex + i] = source[vertex * stride + offset + i]!;
+  }
+  return { words, wordsPerVertex };
+}
+
+/** The same memory, seen as words of the component size, or pairs of 32 bits for doubles. */
+function wordsOf(array: ArrayBufferView & { BYTES_PER_ELEMENT: number }): Words {
+  const buffer = array.buffer as ArrayBuffer;
+  if (array.BYTES_PER_ELEMENT === 1) return new Uint8Array(buffer, array.byteOffset, array.byteLength);
+  if (array.BYTES_PER_ELEMENT === 2) return new Uint16Array(buffer, array.byteOffset, array.byteLength / 2);
+  return new Uint32Array(buffer, array.byteOffset, array.byteLength / 4);
+}
+
+/** Makes an attribute from expanded words: of the type, normalisation and use of `source`. */
+export function attributeFromWords(source: VertexAttribute, words: Words): BufferAttribute {
+  const { itemSize, normalized } = source;
+  const ArrayType = source.array.constructor as new (buffer: ArrayBuffer) => Float32Array;
+  const array = new ArrayType(words.buffer);
+  // three.js keeps half floats as Uint16 and tells them apart by the class. Given a buffer, it takes it over.
+  const attribute =
+    'isFloat16BufferAttribute' in source
+      ? new Float16BufferAttribute(words.buffer as unknown as ArrayLike<number>, itemSize, normalized)
+      : new BufferAttribute(array, itemSize, normalized);
+  attribute.name = source.name;
+  if ('gpuType' in source) attribute.gpuType = source.gpuType;
+  return attribute;
+}

@@ -1,0 +1,38 @@
+import { type FromWorker, packError, type ToWorker } from './protocol.js';
+import { runSliced } from './runSliced.js';
+import { taskNamed } from './tasks.js';
+
+/** The worker's side: unpack, run in slices (so that several requests take turns and aborts are heard), pack. */
+
+/** The two members of a worker's global scope that are used; TypeScript's DOM types describe a window. */
+interface WorkerScope {
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+  postMessage(message: FromWorker, transfer?: Transferable[]): void;
+}
+
+const scope = globalThis as unknown as WorkerScope;
+const running = new Map<number, AbortController>();
+
+scope.onmessage = ({ data }) => {
+  if (data.type === 'abort') running.get(data.id)?.abort();
+  else void run(data);
+};
+
+async function run({ id, task: name, request }: Extract<ToWorker, { type: 'run' }>): Promise<void> {
+  const controller = new AbortController();
+  running.set(id, controller);
+  try {
+    const task = taskNamed(name);
+    const result = await runSliced(task.run(request), {
+      signal: controller.signal,
+      onProgress: (progress) => scope.postMessage({ type: 'progress', id, progress }),
+    });
+    scope.postMessage({ type: 'done', id, result }, task.resultBuffers(result));
+  } catch (error) {
+    if (!controller.signal.aborted) scope.postMessage({ type: 'failed', id, error: packError(error) });
+  } finally {
+    running.delete(id);
+  }
+}
+
+scope.postMessage({ type: 'ready' });

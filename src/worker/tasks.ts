@@ -1,0 +1,31 @@
+import { bake, bakeRequestBuffers, bakeResultBuffers } from '../adjacency/bake.js';
+import { generateHatchImages } from '../tam/generateHatchImages.js';
+
+/** A long computation that the worker offers. Requests and results are plain data. */
+interface Task<Request, Result> {
+  /** Yields its progress in [0, 1] every few milliseconds of work. */
+  run(request: Request): Generator<number, Result, void>;
+  /** The buffers that travel with the request without being copied: the sender loses them. */
+  requestBuffers(request: Request): ArrayBuffer[];
+  /** The buffers that travel back with the result without being copied. */
+  resultBuffers(result: Result): ArrayBuffer[];
+}
+
+const task = <Request, Result>(definition: Task<Request, Result>): Task<Request, Result> => definition;
+
+/** Every task of the worker, by name. The client and the worker read this one table. */
+export const tasks = {
+  bake: task({ run: bake, requestBuffers: bakeRequestBuffers, resultBuffers: bakeResultBuffers }),
+  generateHatchImages: task({
+    run: generateHatchImages,
+    requestBuffers: () => [],
+    resultBuffers: ({ images }) => images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer)),
+  }),
+};
+
+export type TaskName = keyof typeof tasks;
+export type TaskRequest<Name extends TaskName> = Parameters<(typeof tasks)[Name]['run']>[0];
+export type TaskResult<Name extends TaskName> = Parameters<(typeof tasks)[Name]['resultBuffers']>[0];
+
+/** The entry of `name`, seen without its types: these are checked where a task is run (`runTask`). */
+export const taskNamed = (name: TaskName): Task<unknown, unknown> => tasks[name] as unknown as Task<unknown, unknown>;
