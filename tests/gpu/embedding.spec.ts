@@ -1,0 +1,512 @@
+import { expect, test } from '../browser/test.js';
+
+/** The material inside other people's scenes: every feature of three it must not break, one test each. */
+
+const SIZE = 96;
+
+const at = (pixels: number[], x: number, y: number) => pixels.slice(4 * (y * SIZE + x), 4 * (y * SIZE + x) + 3);
+const centre = (pixels: number[]) => at(pixels, SIZE / 2, SIZE / 2);
+const isGround = (rgb: number[]) => rgb[0] === 0 && rgb[1] === 255 && rgb[2] === 0;
+const covered = (pixels: number[]) => {
+  let count = 0;
+  for (let i = 0; i < pixels.length; i += 4) if (!isGround(pixels.slice(i, i + 3))) count++;
+  return count;
+};
+/** Largest difference of any channel of any pixel. */
+const difference = (a: number[], b: number[]) => a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i]!)), 0);
+const differing = (a: number[], b: number[], tolerance: number) => {
+  let count = 0;
+  for (let i = 0; i < a.length; i += 4) {
+    if ([0, 1, 2].some((c) => Math.abs(a[i + c]! - b[i + c]!) > tolerance)) count++;
+  }
+  return count;
+};
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+test('an InstancedMesh gives the pixels of separate meshes, whatever the instance matrix', async ({ page }) => {
+  const [separate, instanced] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(0.4, 0.2, 12, 20), { tonalArtMap: stripedMap() });
+    const matrices = [
+      new THREE.Matrix4().makeRotationX(0.7).setPosition(-0.7, 0.3, 0),
+      new THREE.Matrix4()
+        .makeRotationY(1.1)
+        .scale(new THREE.Vector3(0.8, 0.8, 0.8))
+        .setPosition(0.6, -0.3, 0.2),
+    ];
+    const meshes = matrices.map((matrix) => {
+      const one = new THREE.Mesh(mesh.geometry, mesh.material);
+      one.applyMatrix4(matrix);
+      return one;
+    });
+    const instancedMesh = new THREE.InstancedMesh(mesh.geometry, mesh.material, 2);
+    matrices.forEach((matrix, i) => {
+      instancedMesh.setMatrixAt(i, matrix);
+    });
+    return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), instancedMesh))];
+  });
+  expect(covered(separate!)).toBeGreaterThan(800);
+  // Rounding differs between the two ways, and on a hard stripe a rounding shows.
+  expect(differing(separate!, instanced!, 8)).toBeLessThan(0.01 * covered(separate!));
+});
+
+test('a BatchedMesh gives the pixels of separate meshes', async ({ page }) => {
+  const [separate, batched] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const { geometry, material } = await hatchedMesh(new THREE.SphereGeometry(0.5, 16, 12));
+    const matrices = [
+      new THREE.Matrix4().makeRotationX(0.7).setPosition(-0.7, 0.3, 0),
+      new THREE.Matrix4().makeRotationY(1.1).setPosition(0.6, -0.3, 0.2),
+    ];
+    const meshes = matrices.map((matrix) => {
+      const one = new THREE.Mesh(geometry, material);
+      one.applyMatrix4(matrix);
+      return one;
+    });
+    const batch = new THREE.BatchedMesh(2, geometry.attributes.position!.count, 0, material);
+    const id = batch.addGeometry(geometry);
+    for (const matrix of matrices) batch.setMatrixAt(batch.addInstance(id), matrix);
+    return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), batch))];
+  });
+  expect(covered(separate!)).toBeGreaterThan(800);
+  expect(differing(separate!, batched!, 8)).toBeLessThan(0.01 * covered(separate!));
+});
+
+test('receives shadows, and casts them', async ({ page }) => {
+  const [lit, shaded] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const floor = await hatchedMesh(new THREE.PlaneGeometry(3, 3));
+    const blocker = await hatchedMesh(new THREE.BoxGeometry(0.5, 0.5, 0.2));
+    // Beside the line of sight, so that the camera sees the floor where the shadow falls.
+    blocker.position.set(1.2, 0, 1.2);
+    const light = sun(Math.PI, [3, 0, 3]);
+    light.shadow.camera.near = 0.1;
+    light.shadow.camera.far = 12;
+    const renderer = makeRenderer();
+    renderer.shadowMap.enabled = true;
+    const scene = sceneOf(floor, blocker, light);
+    const without = pixelsOf(scene, renderer);
+    light.castShadow = true;
+    blocker.castShadow = true;
+    floor.receiveShadow = true;
+    return [without, pixelsOf(scene, renderer)];
+  });
+  expect(centre(lit!)[0]).toBeGreaterThan(150);
+  expect(centre(shaded!)[0]).toBeLessThan(10);
+});
+
+test('does not receive a shadow it is told not to', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const floor = await hatchedMesh(new THREE.PlaneGeometry(3, 3));
+    const blocker = await hatchedMesh(new THREE.BoxGeometry(0.5, 0.5, 0.2));
+    blocker.position.set(1.2, 0, 1.2);
+    blocker.castShadow = true;
+    const light = sun(Math.PI, [3, 0, 3]);
+    light.castShadow = true;
+    const renderer = makeRenderer();
+    renderer.shadowMap.enabled = true;
+    return pixelsOf(sceneOf(floor, blocker, light), renderer);
+  });
+  expect(centre(pixels)[0]).toBeGreaterThan(150);
+});
+
+for (const kind of ['point', 'spot'] as const) {
+  test(`receives the shadow of a ${kind} light`, async ({ page }) => {
+    const pixels = await page.evaluate(async (kind) => {
+      const { THREE, hatchedMesh, sceneOf, pixelsOf, makeRenderer } = window.toolkit;
+      const floor = await hatchedMesh(new THREE.PlaneGeometry(3, 3));
+      const blocker = await hatchedMesh(new THREE.BoxGeometry(0.5, 0.5, 0.2));
+      blocker.position.set(1.2, 0, 1.2);
+      blocker.castShadow = true;
+      floor.receiveShadow = true;
+      const light =
+        kind === 'point' ? new THREE.PointLight(0xffffff, 5, 0, 0) : new THREE.SpotLight(0xffffff, 5, 0, 0.6, 0.5, 0);
+      light.position.set(3, 0, 3);
+      light.castShadow = true;
+      const renderer = makeRenderer();
+      renderer.shadowMap.enabled = true;
+      return pixelsOf(sceneOf(floor, blocker, light), renderer);
+    }, kind);
+    expect(centre(pixels)[0]).toBeLessThan(10);
+    expect(at(pixels, 14, 48)[0]).toBeGreaterThan(80);
+  });
+}
+
+test('lights may be added, switched off and removed between frames', async ({ page }) => {
+  const frames = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const floor = await hatchedMesh(new THREE.PlaneGeometry(3, 3));
+    const scene = sceneOf(floor);
+    const frame = () => pixelsOf(scene, renderer);
+    const dark = frame();
+    const light = sun(Math.PI / 2, [0, 0, 1]);
+    scene.add(light);
+    const half = frame();
+    const ambient = new THREE.AmbientLight(0xffffff, Math.PI / 4);
+    scene.add(ambient);
+    const more = frame();
+    light.visible = false;
+    const ambientOnly = frame();
+    scene.remove(ambient);
+    return [dark, half, more, ambientOnly, frame()];
+  });
+  expect(frames.map((pixels) => centre(pixels)[0])).toEqual([0, 128, 191, 64, 0].map((x) => expect.closeTo(x, -0.3)));
+});
+
+test('fog hides what is far', async ({ page }) => {
+  const [with_, without] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+    const scene = sceneOf(mesh, sun());
+    scene.fog = new THREE.Fog(0x0000ff, 1, 3);
+    const foggy = pixelsOf(scene);
+    mesh.material.fog = false;
+    mesh.material.needsUpdate = true;
+    return [foggy, pixelsOf(scene)];
+  });
+  expect(centre(with_!)).toEqual([0, 0, 255]);
+  expect(centre(without!)[0]).toBeGreaterThan(100);
+});
+
+test('clipping planes cut, of the renderer and of the material', async ({ page }) => {
+  const [global, local] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+    const scene = sceneOf(mesh, sun());
+    const plane = new THREE.Plane(new THREE.Vector3(1, 0, 0), 0);
+    const renderer = makeRenderer();
+    renderer.clippingPlanes = [plane];
+    const global = pixelsOf(scene, renderer);
+    renderer.clippingPlanes = [];
+    renderer.localClippingEnabled = true;
+    mesh.material.clippingPlanes = [plane];
+    return [global, pixelsOf(scene, renderer)];
+  });
+  for (const pixels of [global!, local!]) {
+    expect(isGround(at(pixels, 30, 48))).toBe(true);
+    expect(isGround(at(pixels, 66, 48))).toBe(false);
+  }
+});
+
+for (const depth of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) {
+  test(`hides and is hidden rightly with ${depth}`, async ({ page }) => {
+    const pixels = await page.evaluate(async (depth) => {
+      const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const hatched = await hatchedMesh(new THREE.PlaneGeometry(1, 2));
+      hatched.position.set(-0.2, 0, 0);
+      const plain = (x: number, z: number) => {
+        const mesh = new THREE.Mesh(
+          new THREE.PlaneGeometry(0.6, 0.6),
+          new THREE.MeshBasicMaterial({ color: 0xff0000 }),
+        );
+        mesh.position.set(x, 0, z);
+        return mesh;
+      };
+      const scene = sceneOf(hatched, plain(-0.7, -0.001), plain(0.2, 0.001), sun(Math.PI, [0, 0, 1]));
+      return pixelsOf(scene, makeRenderer({ [depth]: true }));
+    }, depth);
+    // Left the plain square stands a hair behind the hatched one, right a hair before it.
+    expect(at(pixels, 33, 48)).toEqual([255, 255, 255]);
+    expect(at(pixels, 53, 48)).toEqual([255, 0, 0]);
+  });
+}
+
+test('colour space and tone mapping are the renderer’s', async ({ page }) => {
+  const [linear, srgb, mapped, target] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, makeCamera, SIZE } = window.toolkit;
+    const scene = sceneOf(await hatchedMesh(new THREE.PlaneGeometry(2, 2)), sun(Math.PI / 2, [0, 0, 1]));
+    const renderer = makeRenderer();
+    const linear = pixelsOf(scene, renderer);
+    renderer.outputColorSpace = THREE.SRGBColorSpace;
+    const srgb = pixelsOf(scene, renderer);
+    const renderTarget = new THREE.WebGLRenderTarget(SIZE, SIZE);
+    renderer.setRenderTarget(renderTarget);
+    renderer.render(scene, makeCamera());
+    const bytes = new Uint8Array(SIZE * SIZE * 4);
+    renderer.readRenderTargetPixels(renderTarget, 0, 0, SIZE, SIZE, bytes);
+    renderer.setRenderTarget(null);
+    renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+    renderer.toneMapping = THREE.ReinhardToneMapping;
+    return [linear, srgb, pixelsOf(scene, renderer), [...bytes]];
+  });
+  expect(centre(linear!)[0]).toBeCloseTo(128, -0.3);
+  expect(centre(srgb!)[0]).toBeCloseTo(188, -0.3);
+  // Reinhard: x / (1 + x) of one half.
+  expect(centre(mapped!)[0]).toBeCloseTo(85, -0.3);
+  expect(centre(target!)[0]).toBeCloseTo(128, -0.3);
+});
+
+test('colour, vertex colours and a colour map multiply the paper', async ({ page }) => {
+  const [color, vertexColor, mapped] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const light = sun(Math.PI, [0, 0, 1]);
+    const show = async (parameters: object, geometry = new THREE.PlaneGeometry(2, 2)) =>
+      pixelsOf(sceneOf(await hatchedMesh(geometry, parameters), light.clone()));
+    const coloured = new THREE.PlaneGeometry(2, 2);
+    coloured.setAttribute('color', new THREE.BufferAttribute(new Float32Array(12).fill(0.25), 3));
+    const texture = new THREE.DataTexture(new Uint8Array([255, 0, 0, 255, 0, 0, 255, 255]), 2, 1);
+    texture.needsUpdate = true;
+    return [
+      await show({ color: new THREE.Color(0.5, 1, 0.25) }),
+      await show({ vertexColors: true, color: new THREE.Color(1, 1, 0) }, coloured),
+      await show({ map: texture }),
+    ];
+  });
+  expect(centre(color!)).toEqual([128, 255, 64]);
+  expect(centre(vertexColor!)).toEqual([64, 64, 0]);
+  expect(at(mapped!, 30, 48)).toEqual([255, 0, 0]);
+  expect(at(mapped!, 66, 48)).toEqual([0, 0, 255]);
+});
+
+test('a colour map obeys its own transform', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const map = new THREE.DataTexture(new Uint8Array([255, 0, 0, 255, 0, 0, 255, 255]), 2, 1);
+    map.wrapS = THREE.RepeatWrapping;
+    map.offset.x = 0.5;
+    map.needsUpdate = true;
+    return pixelsOf(sceneOf(await hatchedMesh(new THREE.PlaneGeometry(2, 2), { map }), sun(Math.PI, [0, 0, 1])));
+  });
+  expect(at(pixels, 30, 48)).toEqual([0, 0, 255]);
+});
+
+test('opacity, alpha map and alpha test', async ({ page }) => {
+  const [half, masked, tested] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const show = async (parameters: object) =>
+      pixelsOf(sceneOf(await hatchedMesh(new THREE.PlaneGeometry(2, 2), parameters), sun(Math.PI, [0, 0, 1])));
+    const alphaMap = new THREE.DataTexture(new Uint8Array([0, 255, 0, 255, 0, 0, 0, 255]), 2, 1);
+    alphaMap.needsUpdate = true;
+    return [
+      await show({ transparent: true, opacity: 0.5 }),
+      await show({ transparent: true, alphaMap }),
+      await show({ alphaTest: 0.5, alphaMap }),
+    ];
+  });
+  expect(centre(half!)).toEqual([128, 255, 128]);
+  for (const pixels of [masked!, tested!]) {
+    expect(at(pixels, 30, 48)).toEqual([255, 255, 255]);
+    expect(isGround(at(pixels, 66, 48))).toBe(true);
+  }
+});
+
+test('groups draw with their own materials', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const source = new THREE.PlaneGeometry(2, 2, 2, 1);
+    source.clearGroups();
+    source.addGroup(0, 6, 1);
+    source.addGroup(6, 6, 0);
+    const tonalArtMap = greyMap();
+    const materials = [0xff0000, 0x0000ff].map((color) => new HatchingMaterial({ tonalArtMap, color }));
+    const mesh = new THREE.Mesh(await prepareHatchingGeometry(source), materials);
+    return pixelsOf(sceneOf(mesh, sun(Math.PI, [0, 0, 1])));
+  });
+  expect(at(pixels, 30, 48)).toEqual([0, 0, 255]);
+  expect(at(pixels, 66, 48)).toEqual([255, 0, 0]);
+});
+
+test('front, back and both sides are shaded by the side that is seen', async ({ page }) => {
+  const brightness = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, SIZE } = window.toolkit;
+    const results: number[][] = [];
+    for (const side of [THREE.FrontSide, THREE.BackSide, THREE.DoubleSide]) {
+      for (const toneNormal of ['face', 'smooth'] as const) {
+        for (const turned of [0, Math.PI]) {
+          const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2), { side, toneNormal });
+          mesh.rotation.y = turned;
+          const pixels = pixelsOf(sceneOf(mesh, sun(Math.PI, [0, 0, 1])));
+          results.push(pixels.slice(4 * (SIZE / 2) * (SIZE + 1), 4 * (SIZE / 2) * (SIZE + 1) + 3));
+        }
+      }
+    }
+    return results;
+  });
+  const [lit, ground] = [
+    [255, 255, 255],
+    [0, 255, 0],
+  ];
+  expect(brightness).toEqual([lit, ground, lit, ground, ground, lit, ground, lit, lit, lit, lit, lit]);
+});
+
+test('a transparent double-sided mesh draws both its sides', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.BoxGeometry(1, 1, 1), {
+      side: THREE.DoubleSide,
+      transparent: true,
+      opacity: 0.5,
+    });
+    return pixelsOf(sceneOf(mesh, sun(Math.PI, [0, 0, 1])));
+  });
+  // The inside of the back wall faces the light: white over green, and white again.
+  expect(centre(pixels)).toEqual([191, 255, 191]);
+});
+
+test('clone and copy draw the same picture', async ({ page }) => {
+  const [original, cloned, copied] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(0.6, 0.3, 12, 24), {
+      tonalArtMap: stripedMap(),
+      strokeScale: 2,
+      strokeRotation: 0.3,
+      technique: 'triangle',
+      ink: 'darkred',
+    });
+    const scene = sceneOf(mesh, sun());
+    const original = pixelsOf(scene, renderer);
+    const textures = renderer.info.memory.textures;
+    mesh.material = mesh.material.clone();
+    const cloned = pixelsOf(scene, renderer);
+    mesh.material = new HatchingMaterial().copy(mesh.material);
+    const copied = pixelsOf(scene, renderer);
+    if (renderer.info.memory.textures !== textures) throw new Error('a clone uploaded its map again');
+    return [original, cloned, copied];
+  });
+  expect(difference(original!, cloned!)).toBe(0);
+  expect(difference(original!, copied!)).toBe(0);
+});
+
+test('two renderers on one page share geometry, material and map', async ({ page }) => {
+  const [a, b] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(0.6, 0.3, 12, 24), { tonalArtMap: stripedMap() });
+    const scene = sceneOf(mesh, sun());
+    return [pixelsOf(scene, makeRenderer()), pixelsOf(scene, makeRenderer())];
+  });
+  expect(covered(a!)).toBeGreaterThan(800);
+  expect(difference(a!, b!)).toBe(0);
+});
+
+test('several materials and a plain one share a scene', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const left = await hatchedMesh(new THREE.PlaneGeometry(0.5, 1), { color: 'red', technique: 'triangle' });
+    const right = await hatchedMesh(new THREE.PlaneGeometry(0.5, 1), { color: 'blue', toneModel: 'toon' });
+    const plain = new THREE.Mesh(new THREE.PlaneGeometry(0.5, 1), new THREE.MeshLambertMaterial());
+    left.position.x = -0.7;
+    right.position.x = 0.7;
+    return pixelsOf(sceneOf(left, plain, right, sun(Math.PI, [0, 0, 1])));
+  });
+  expect(at(pixels, 25, 48)).toEqual([255, 0, 0]);
+  expect(centre(pixels)).toEqual([255, 255, 255]);
+  expect(at(pixels, 71, 48)).toEqual([0, 0, 255]);
+});
+
+test('dispose gives everything back', async ({ page }) => {
+  const [during, after] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.BoxGeometry());
+    pixelsOf(sceneOf(mesh, sun()), renderer);
+    const count = () => [
+      renderer.info.memory.geometries,
+      renderer.info.memory.textures,
+      renderer.info.programs!.length,
+    ];
+    const during = count();
+    mesh.geometry.dispose();
+    mesh.material.tonalArtMap!.dispose();
+    mesh.material.dispose();
+    return [during, count()];
+  });
+  expect(Math.min(...during!.slice(0, 1))).toBeGreaterThan(0);
+  expect(after![0]).toBe(0);
+  expect(after![1]).toBeLessThan(during![1]!);
+  expect(after![2]).toBeLessThan(during![2]!);
+});
+
+test('a slider does not recompile, and a frame allocates no textures or geometries', async ({ page }) => {
+  const [programs, calls] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12));
+    const light = sun();
+    const scene = sceneOf(mesh, light);
+    pixelsOf(scene, renderer);
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    let compiled = 0;
+    let uploaded = 0;
+    for (const name of ['compileShader', 'linkProgram'] as const) {
+      const call = gl[name].bind(gl) as (x: WebGLShader & WebGLProgram) => void;
+      gl[name] = (x: WebGLShader & WebGLProgram) => {
+        compiled++;
+        call(x);
+      };
+    }
+    for (const name of ['bufferData', 'texSubImage3D', 'texSubImage2D'] as const) {
+      const call = (gl[name] as (...args: unknown[]) => void).bind(gl);
+      (gl as unknown as Record<string, unknown>)[name] = (...args: unknown[]) => {
+        uploaded++;
+        call(...args);
+      };
+    }
+    for (let i = 0; i < 5; i++) {
+      mesh.material.strokeScale = 2 + i;
+      mesh.material.strokeRotation = i;
+      mesh.material.strokeOffset.x = i / 5;
+      mesh.material.ink.setRGB(i / 5, 0, 0);
+      mesh.material.toneSteps = 2 + i;
+      mesh.material.creaseAngle = 0.2 + i / 5;
+      light.position.x = i;
+      renderer.render(scene, new THREE.PerspectiveCamera());
+    }
+    return [compiled, uploaded];
+  });
+  expect(programs).toBe(0);
+  expect(calls).toBe(0);
+});
+
+test('an unprepared geometry is named in the console, once', async ({ page, pageProblems }) => {
+  await page.evaluate(() => {
+    const { THREE, HatchingMaterial, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const geometry = new THREE.BoxGeometry();
+    geometry.name = 'crate';
+    const renderer = makeRenderer();
+    const scene = sceneOf(new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap: greyMap() })), sun());
+    pixelsOf(scene, renderer);
+    pixelsOf(scene, renderer);
+  });
+  const problems = pageProblems.splice(0);
+  expect(problems).toHaveLength(1);
+  expect(problems[0]).toContain('geometry "crate" has no triangle adjacency');
+});
+
+test('without a map the surface stays paper', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    return pixelsOf(
+      sceneOf(await hatchedMesh(new THREE.PlaneGeometry(2, 2), { tonalArtMap: null, paper: 'gold' }), sun()),
+    );
+  });
+  expect(centre(pixels)[0]).toBe(255);
+  expect(centre(pixels)[2]).toBe(0);
+});
+
+test('degenerate, tiny, huge and far meshes give no NaN and no error', async ({ page }) => {
+  const counts = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const results: number[][] = [];
+    for (const scale of [1e-6, 1e-3, 1e3, 1e6]) {
+      const geometry = new THREE.SphereGeometry(1, 16, 12).scale(scale, scale, scale);
+      const mesh = await hatchedMesh(geometry, { tonalArtMap: stripedMap(), strokeScale: 2 / scale, ink: 'blue' });
+      mesh.scale.setScalar(1 / scale);
+      const pixels = pixelsOf(sceneOf(mesh, sun()));
+      const seen = new Set<string>();
+      for (let i = 0; i < pixels.length; i += 4) seen.add(pixels.slice(i, i + 3).join());
+      results.push([seen.size, pixels.filter((_, i) => i % 4 === 1 && pixels[i + 1] === 255).length]);
+    }
+    return results;
+  });
+  for (const [colours, inked] of counts) {
+    expect(colours).toBeGreaterThan(2);
+    expect(inked).toBeGreaterThan(500);
+  }
+});

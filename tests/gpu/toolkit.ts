@@ -1,0 +1,101 @@
+/** What the embedding tests build their scenes from, as a global, since a test's own code runs inside `evaluate`. */
+import * as THREE from 'three';
+import {
+  HatchingMaterial,
+  type HatchingMaterialParameters,
+  prepareHatchingGeometry,
+  TonalArtMap,
+} from 'three-hatching';
+
+const SIZE = 96;
+
+/** Tones that are flat greys: image k is all of darkness k / 4. Pixels then show tone alone. */
+function greyMap(): TonalArtMap {
+  return TonalArtMap.fromHatchImages({
+    size: 4,
+    images: [0, 1, 2, 3, 4].map((k) => [new Uint8Array(16).fill(Math.round(255 * (1 - k / 4)))]),
+  });
+}
+
+/** Hard vertical stripes: 0 and 255 across u, the same for every tone but the blank one. */
+function stripedMap(): TonalArtMap {
+  const stripes = Uint8Array.from({ length: 64 * 64 }, (_, i) => (i % 16 < 8 ? 0 : 255));
+  return TonalArtMap.fromHatchImages({
+    size: 64,
+    images: [[new Uint8Array(64 * 64).fill(255)], ...[1, 2, 3].map(() => [stripes])],
+  });
+}
+
+function makeRenderer(parameters: THREE.WebGLRendererParameters = {}): THREE.WebGLRenderer {
+  const renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true, ...parameters });
+  renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+  renderer.setSize(SIZE, SIZE, false);
+  document.body.append(renderer.domElement);
+  return renderer;
+}
+
+function sun(intensity = Math.PI, position: [number, number, number] = [1, 1.5, 2]): THREE.DirectionalLight {
+  const light = new THREE.DirectionalLight(0xffffff, intensity);
+  light.position.set(...position);
+  return light;
+}
+
+function makeCamera(): THREE.PerspectiveCamera {
+  const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);
+  camera.position.set(0, 0, 4);
+  return camera;
+}
+
+/** A scene on a green ground with the given things in it. */
+function sceneOf(...things: THREE.Object3D[]): THREE.Scene {
+  const scene = new THREE.Scene();
+  scene.background = new THREE.Color(0x00ff00);
+  scene.add(...things);
+  return scene;
+}
+
+async function hatchedMesh(
+  geometry: THREE.BufferGeometry,
+  parameters: HatchingMaterialParameters = {},
+): Promise<THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>> {
+  return new THREE.Mesh(
+    await prepareHatchingGeometry(geometry),
+    new HatchingMaterial({ tonalArtMap: greyMap(), ...parameters }),
+  );
+}
+
+/** Renders and returns RGBA, bottom row first. */
+function pixelsOf(
+  scene: THREE.Scene,
+  renderer: THREE.WebGLRenderer = makeRenderer(),
+  camera: THREE.Camera = makeCamera(),
+): number[] {
+  renderer.render(scene, camera);
+  const gl = renderer.getContext();
+  const pixels = new Uint8Array(SIZE * SIZE * 4);
+  gl.readPixels(0, 0, SIZE, SIZE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return [...pixels];
+}
+
+const toolkit = {
+  THREE,
+  HatchingMaterial,
+  prepareHatchingGeometry,
+  TonalArtMap,
+  SIZE,
+  greyMap,
+  stripedMap,
+  makeRenderer,
+  makeCamera,
+  sun,
+  sceneOf,
+  hatchedMesh,
+  pixelsOf,
+};
+
+declare global {
+  interface Window {
+    toolkit: typeof toolkit;
+  }
+}
+window.toolkit = toolkit;

@@ -1,0 +1,144 @@
+import { Color, DoubleSide, ShaderChunk, ShaderLib, Texture, Vector2 } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { HatchingMaterial, type HatchingMaterialParameters } from '../../../src/material/HatchingMaterial.js';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+
+const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]) });
+
+afterEach(() => vi.restoreAllMocks());
+
+describe('HatchingMaterial', () => {
+  test('can be made without parameters, with the documented defaults', () => {
+    const material = new HatchingMaterial();
+    expect(material.isHatchingMaterial).toBe(true);
+    expect(material.type).toBe('HatchingMaterial');
+    expect(material).toMatchObject({
+      technique: 'adjacency',
+      toneModel: 'lambert',
+      toneNormal: 'face',
+      debugView: 'none',
+      strokeScale: 3,
+      strokeRotation: 0,
+      tonalArtMap: null,
+    });
+    expect(material.paper.getHex()).toBe(0xffffff);
+    expect(material.ink.getHex()).toBe(0x000000);
+  });
+
+  test('takes parameters the way three does', () => {
+    const material = new HatchingMaterial({
+      tonalArtMap: map,
+      technique: 'triangle',
+      ink: '#112233',
+      strokeOffset: new Vector2(0.25, 0.5),
+      side: DoubleSide,
+      opacity: 0.5,
+    });
+    expect(material.technique).toBe('triangle');
+    expect(material.ink.equals(new Color('#112233'))).toBe(true);
+    expect(material.strokeOffset.toArray()).toEqual([0.25, 0.5]);
+    expect(material.side).toBe(DoubleSide);
+    expect(material.uniforms.tonalArtMap!.value).toBe(map.texture);
+    expect(material.uniforms.opacity!.value).toBe(0.5);
+  });
+
+  test('warns of a parameter it does not know', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    new HatchingMaterial({ strokeScales: 2 } as HatchingMaterialParameters);
+    expect(warn.mock.calls.flat().join(' ')).toContain('strokeScales');
+  });
+
+  test.each(['technique', 'toneModel', 'toneNormal', 'debugView'] as const)('refuses an unknown %s', (property) => {
+    const material = new HatchingMaterial();
+    const before = material[property];
+    expect(() => {
+      (material as unknown as Record<string, string>)[property] = 'nonsense';
+    }).toThrow(`HatchingMaterial.${property}: "nonsense" is not known; use one of`);
+    expect(material[property]).toBe(before);
+  });
+
+  test('asks for another program only where the shader changes', () => {
+    const material = new HatchingMaterial({ tonalArtMap: map });
+    const { version } = material;
+    material.strokeScale = 7;
+    material.strokeRotation = 1;
+    material.strokeOffset.set(0.1, 0.2);
+    material.toneSteps = 6;
+    material.shininess = 5;
+    material.creaseAngle = 1;
+    material.ink.set('red');
+    material.technique = 'adjacency';
+    expect(material.version).toBe(version);
+    material.technique = 'triangle';
+    expect(material.version).toBe(version + 1);
+  });
+
+  test('clones to an equal material that shares textures and nothing else', () => {
+    const source = new HatchingMaterial({
+      tonalArtMap: map,
+      technique: 'triangle',
+      toneModel: 'toon',
+      toneSteps: 6,
+      toneNormal: 'smooth',
+      debugView: 'tone',
+      strokeScale: 5,
+      strokeRotation: 0.5,
+      strokeOffset: new Vector2(0.1, 0.2),
+      creaseAngle: 0.7,
+      shininess: 8,
+      ink: 'navy',
+      paper: 'ivory',
+      color: 'tan',
+      map: new Texture(),
+      alphaMap: new Texture(),
+      fog: false,
+      transparent: true,
+      opacity: 0.25,
+    });
+    const clone = source.clone();
+    expect(clone).toBeInstanceOf(HatchingMaterial);
+    for (const key of [
+      'tonalArtMap',
+      'technique',
+      'toneModel',
+      'toneSteps',
+      'toneNormal',
+      'debugView',
+      'strokeScale',
+      'strokeRotation',
+      'creaseAngle',
+      'shininess',
+      'map',
+      'alphaMap',
+      'fog',
+      'transparent',
+      'opacity',
+    ] as const) {
+      expect(clone[key], key).toBe(source[key]);
+    }
+    for (const key of ['ink', 'paper', 'color'] as const) {
+      expect(clone[key].equals(source[key]), key).toBe(true);
+      expect(clone[key]).not.toBe(source[key]);
+    }
+    expect(clone.strokeOffset.toArray()).toEqual([0.1, 0.2]);
+    expect(clone.uniforms).not.toBe(source.uniforms);
+    expect(clone.uniforms.tonalArtMap!.value).toBe(map.texture);
+    clone.technique = 'adjacency';
+    clone.ink.set('red');
+    expect(source.technique).toBe('triangle');
+    expect(source.ink.equals(new Color('navy'))).toBe(true);
+  });
+
+  test("leaves three's shader library alone", () => {
+    const chunks = Object.keys(ShaderChunk).join();
+    new HatchingMaterial();
+    expect(Object.keys(ShaderChunk).join()).toBe(chunks);
+    expect(ShaderLib).not.toHaveProperty('hatching');
+  });
+
+  test('two materials share no uniform object', () => {
+    const a = new HatchingMaterial();
+    const b = new HatchingMaterial();
+    for (const name of Object.keys(a.uniforms)) expect(a.uniforms[name], name).not.toBe(b.uniforms[name]);
+  });
+});

@@ -1,0 +1,24 @@
+import { describe, expect, test } from 'vitest';
+import { resolveIncludes } from '../../../src/material/resolveIncludes.js';
+
+describe('resolveIncludes', () => {
+  test('replaces our includes, nested ones too, and keeps the rest', () => {
+    const source = 'a\n  #include "outer"\nb';
+    const chunks = { outer: 'outer {\n#include "inner"\n}', inner: 'inner' };
+    expect(resolveIncludes(source, chunks)).toBe('a\nouter {\ninner\n}\nb');
+  });
+
+  test("leaves three's includes to three", () => {
+    expect(resolveIncludes('#include <common>\n', {})).toBe('#include <common>\n');
+  });
+
+  test('a chunk with a dollar sign arrives as it is', () => {
+    expect(resolveIncludes('#include "money"', { money: "$& $1 $'" })).toBe("$& $1 $'");
+  });
+
+  test('a missing chunk names itself and what there is', () => {
+    expect(() => resolveIncludes('#include "nothing"', { something: '' })).toThrow(
+      'resolveIncludes: there is no shader chunk "nothing"; known are something.',
+    );
+  });
+});
