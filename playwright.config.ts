@@ -26,7 +26,7 @@ export default defineConfig({
   },
   projects: ['gpu', 'visual', 'e2e', 'consumers'].map((name) => ({ name, testDir: `tests/${name}` })),
   webServer: {
-    command: `npx vite --mode test --host 127.0.0.1 --port ${port} --strictPort`,
+    command: `node node_modules/vite/bin/vite.js --mode test --host 127.0.0.1 --port ${port} --strictPort`,
     url: `http://127.0.0.1:${port}/tests/browser/blank.html`,
     reuseExistingServer: false,
     stdout: 'ignore',

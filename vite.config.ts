@@ -6,38 +6,41 @@ import { defineConfig, type UserConfig } from 'vite';
  * `--mode test` serves the pages of the browser tests: files are not watched, so that an edit in the middle of a run
  * cannot reload a page under test.
  */
-export default defineConfig(({ mode }): UserConfig => ({
-  // Relative, so that the built playground can lie in any folder of any host.
-  base: './',
-  resolve: {
-    alias: mode === 'use-build' ? {} : { 'three-hatching': fileURLToPath(new URL('./src/index.ts', import.meta.url)) },
-  },
-  assetsInclude: ['**/*.ply.gz'],
-  worker: { format: 'es' },
-  optimizeDeps: {
-    entries: ['index.html', 'tests/**/*.html', '!tests/output/**'],
-    // Named, because a dependency that is first met while a page runs makes the server reload that page.
-    include: [
-      'three',
-      'lil-gui',
-      ...[
-        'controls/OrbitControls.js',
-        'loaders/GLTFLoader.js',
-        'loaders/OBJLoader.js',
-        'loaders/MTLLoader.js',
-        'loaders/PLYLoader.js',
-        'loaders/STLLoader.js',
-        'loaders/DRACOLoader.js',
-        'libs/meshopt_decoder.module.js',
-        'utils/BufferGeometryUtils.js',
-        'utils/SkeletonUtils.js',
-        'geometries/TeapotGeometry.js',
-      ].map((path) => `three/addons/${path}`),
-    ],
-  },
-  build: { outDir: 'dist-demo', target: 'es2022', chunkSizeWarningLimit: 1500 },
-  ...(mode === 'test' && {
-    cacheDir: `node_modules/.vite-test-${process.env.HATCH_PORT ?? 'default'}`,
-    server: { hmr: false, watch: null },
+export default defineConfig(
+  ({ mode }): UserConfig => ({
+    // Relative, so that the built playground can lie in any folder of any host.
+    base: './',
+    resolve: {
+      alias:
+        mode === 'use-build' ? {} : { 'three-hatching': fileURLToPath(new URL('./src/index.ts', import.meta.url)) },
+    },
+    assetsInclude: ['**/*.ply.gz'],
+    worker: { format: 'es' },
+    optimizeDeps: {
+      entries: ['index.html', 'tests/**/*.html', '!tests/output/**'],
+      // Named, because a dependency that is first met while a page runs makes the server reload that page.
+      include: [
+        'three',
+        'lil-gui',
+        ...[
+          'controls/OrbitControls.js',
+          'loaders/GLTFLoader.js',
+          'loaders/OBJLoader.js',
+          'loaders/MTLLoader.js',
+          'loaders/PLYLoader.js',
+          'loaders/STLLoader.js',
+          'loaders/DRACOLoader.js',
+          'libs/meshopt_decoder.module.js',
+          'utils/BufferGeometryUtils.js',
+          'utils/SkeletonUtils.js',
+          'geometries/TeapotGeometry.js',
+        ].map((path) => `three/addons/${path}`),
+      ],
+    },
+    build: { outDir: 'dist-demo', target: 'es2022', chunkSizeWarningLimit: 1500 },
+    ...(mode === 'test' && {
+      cacheDir: `node_modules/.vite-test-${process.env.HATCH_PORT ?? 'default'}`,
+      server: { hmr: false, watch: null },
+    }),
   }),
-}));
+);
