@@ -81,7 +81,6 @@ async function renderHatching(spec: HatchingSpec): Promise<number[]> {
     strokeOffset: new Vector2(...strokeOffset),
     tonalArtMap: analyticMap(spec.map),
     side: spec.doubleSided ? DoubleSide : FrontSide,
-    ...spec.extra,
   });
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);
   hatching.paper.setRGB(...(paper as [number, number, number]), LinearSRGBColorSpace);

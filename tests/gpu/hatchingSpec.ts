@@ -1,4 +1,3 @@
-import type { HatchingMaterialParameters } from 'three-hatching';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
@@ -19,6 +18,4 @@ export interface HatchingSpec {
   material: Omit<ReferenceMaterial, 'ink' | 'paper' | 'color'> & { ink: number[]; paper: number[]; color: number[] };
   map: AnalyticMapName;
   doubleSided?: boolean;
-  /** Further parameters of the material, given to setValues. */
-  extra?: HatchingMaterialParameters;
 }
