@@ -1,0 +1,42 @@
+import {
+  CompressedArrayTexture,
+  type CompressedPixelFormat,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  NoColorSpace,
+  RepeatWrapping,
+  RGBAFormat,
+  UnsignedByteType,
+} from 'three';
+import { type PackedLevel, packedLayerCount } from './packHatchImages.js';
+
+/**
+ * The texture of a tonal art map: packed hatch images (`packHatchImages`) as an RGBA array texture whose mip levels are
+ * the drawn ones.
+ *
+ * It is a `CompressedArrayTexture` although nothing is compressed: of three's array textures this one alone uploads
+ * mip levels that it is given. Anisotropy stays 1: it would pick finer levels on slanting surfaces and average them
+ * to grey, where the drawn coarser level keeps its strokes black.
+ */
+export class TonalArtMapTexture extends CompressedArrayTexture {
+  constructor(levels: readonly PackedLevel[], tones: number) {
+    const size = levels[0].size;
+    super(
+      levels.map(({ data, size: side }) => ({ data, width: side, height: side })),
+      size,
+      size,
+      packedLayerCount(tones),
+      // The types know compressed formats only, the renderer accepts this one as well.
+      RGBAFormat as unknown as CompressedPixelFormat,
+      UnsignedByteType,
+    );
+    this.name = 'TonalArtMap';
+    this.colorSpace = NoColorSpace;
+    this.wrapS = RepeatWrapping;
+    this.wrapT = RepeatWrapping;
+    this.magFilter = LinearFilter;
+    this.minFilter = levels.length > 1 ? LinearMipmapLinearFilter : LinearFilter;
+    this.anisotropy = 1;
+    this.needsUpdate = true;
+  }
+}

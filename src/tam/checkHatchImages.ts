@@ -1,0 +1,124 @@
+import type { HatchImages } from './generateHatchImages.js';
+
+/** How well hatch images keep the constraints of section 3.1 of the paper. None of it stops them from being drawn. */
+export interface HatchImageReport {
+  /** `means[tone][level]`: mean ink, 0 = paper, 1 = ink. Along a row it should be constant, from row to row it should grow. */
+  means: number[][];
+  /** `toneNesting[tone][level]`: texels lighter than in the tone before by more than 1/255. Row 0 is zero. */
+  toneNesting: number[][];
+  /**
+   * `levelNesting[tone][level]`: texels of the level with at least half ink that have none as dark near the same place
+   * of the next finer level (its 2 × 2 block and the texels around it). Column 0 is zero.
+   */
+  levelNesting: number[][];
+  /** Images whose mean ink is below that of the tone before on the same level. */
+  meansOutOfOrder: { tone: number; level: number }[];
+  /** No violation of either nesting and all means in order. */
+  consistent: boolean;
+}
+
+/**
+ * Checks that images can be a tonal art map at all.
+ *
+ * @throws TypeError or RangeError naming what is wrong and where
+ */
+export function assertHatchImages({ size, images }: HatchImages): void {
+  const fail = (Fault: typeof TypeError | typeof RangeError, text: string): never => {
+    throw new Fault(`TonalArtMap.fromHatchImages: ${text}`);
+  };
+  if (!Number.isInteger(size) || size < 1 || size > 4096 || (size & (size - 1)) !== 0) {
+    fail(
+      RangeError,
+      `size is ${String(size)}, but must be a power of two from 1 to 4096 (texels per side of level 0).`,
+    );
+  }
+  if (!Array.isArray(images) || images.length < 2) {
+    fail(TypeError, 'images must be an array with at least two tones, the lightest first: images[tone][level].');
+  }
+  const levels = Array.isArray(images[0]) ? images[0].length : 0;
+  const allLevels = Math.log2(size) + 1;
+  for (const [tone, row] of images.entries()) {
+    if (!Array.isArray(row) || row.length === 0) {
+      fail(TypeError, `images[${tone}] must be an array with one image per level, the finest first.`);
+    }
+    if (row.length !== levels) {
+      fail(
+        RangeError,
+        `images[${tone}] has ${row.length} levels, but images[0] has ${levels}; give every tone the same.`,
+      );
+    }
+    if (levels > allLevels) {
+      fail(
+        RangeError,
+        `there are ${levels} levels, but size ${size} allows at most ${allLevels} (each half the one before).`,
+      );
+    }
+    for (const [level, image] of row.entries()) {
+      const side = size >> level;
+      if (!(image instanceof Uint8Array)) {
+        fail(TypeError, `images[${tone}][${level}] must be a Uint8Array with one byte per texel, 255 = paper.`);
+      }
+      if (image.length !== side * side) {
+        fail(
+          RangeError,
+          `images[${tone}][${level}] has ${image.length} bytes, but level ${level} of size ${size} needs ${side} × ${side} = ${side * side}, one per texel.`,
+        );
+      }
+    }
+  }
+}
+
+/** Measures images that passed `assertHatchImages`. */
+export function checkHatchImages({ size, images }: HatchImages): HatchImageReport {
+  const means = images.map((row) => row.map(meanInk));
+  const toneNesting = images.map((row, tone) =>
+    row.map((image, level) => (tone === 0 ? 0 : countLighterTexels(images[tone - 1][level], image))),
+  );
+  const levelNesting = images.map((row) =>
+    row.map((image, level) => (level === 0 ? 0 : countLostInk(image, row[level - 1], size >> level))),
+  );
+  const meansOutOfOrder = means.flatMap((row, tone) =>
+    row.flatMap((mean, level) => (tone > 0 && mean < means[tone - 1][level] ? [{ tone, level }] : [])),
+  );
+  const isZero = (count: number): boolean => count === 0;
+  return {
+    means,
+    toneNesting,
+    levelNesting,
+    meansOutOfOrder,
+    consistent: toneNesting.flat().every(isZero) && levelNesting.flat().every(isZero) && meansOutOfOrder.length === 0,
+  };
+}
+
+/** Mean ink of an image, 0 = paper, 1 = ink. */
+export function meanInk(image: Uint8Array): number {
+  let sum = 0;
+  for (let i = 0; i < image.length; i++) sum += image[i];
+  return 1 - sum / (255 * image.length);
+}
+
+function countLighterTexels(lighter: Uint8Array, darker: Uint8Array): number {
+  let count = 0;
+  for (let i = 0; i < darker.length; i++) if (darker[i] > lighter[i] + 1) count++;
+  return count;
+}
+
+/** Texels of `coarse` (size²) with at least half ink but none of `fine` (twice the size) around the same place. */
+function countLostInk(coarse: Uint8Array, fine: Uint8Array, size: number): number {
+  const fineSize = 2 * size;
+  const mask = fineSize - 1;
+  let count = 0;
+  for (let row = 0; row < size; row++) {
+    for (let column = 0; column < size; column++) {
+      if (coarse[row * size + column] > 127) continue;
+      let darkest = 255;
+      for (let y = 2 * row - 1; y <= 2 * row + 2; y++) {
+        for (let x = 2 * column - 1; x <= 2 * column + 2; x++) {
+          darkest = Math.min(darkest, fine[(y & mask) * fineSize + (x & mask)]);
+        }
+      }
+      if (darkest > 127) count++;
+    }
+  }
+  return count;
+}

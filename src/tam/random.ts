@@ -1,0 +1,20 @@
+/** Numbers in [0, 1): the only source of chance in stroke placement. */
+export type Random = () => number;
+
+/**
+ * A seeded generator: the same seed gives the same numbers on every machine.
+ *
+ * A Weyl sequence through a 32-bit finaliser ("splitmix32"; the constants are Chris Wellons' "lowbias32").
+ *
+ * @param seed any finite number; its value modulo 2³² counts
+ */
+export function random(seed: number): Random {
+  let state = seed >>> 0;
+  return () => {
+    state = (state + 0x9e3779b9) >>> 0;
+    let bits = state;
+    bits = Math.imul(bits ^ (bits >>> 16), 0x21f0aaad);
+    bits = Math.imul(bits ^ (bits >>> 15), 0x735a2d97);
+    return ((bits ^ (bits >>> 15)) >>> 0) / 4294967296;
+  };
+}

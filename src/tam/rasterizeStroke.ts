@@ -1,0 +1,59 @@
+import { type Stroke, strokeOffset } from './Stroke.js';
+
+/** Width of the drawn line, in texels, at the very tip of a tapered stroke. Thinner, and it would break into grey dots. */
+const TIP_WIDTH = 1;
+
+/**
+ * Draws one stroke into a square toroidal image: what leaves at one side comes back at the other.
+ *
+ * The darkness of a texel is the part of it that the line covers, taken from the distance between its centre and the
+ * centre line (exact for a line along an axis). Overlapping strokes keep the darker of the two, so the order of
+ * drawing does not matter and an image can only become darker.
+ *
+ * @param image size² bytes in rows of growing v, 255 = paper, 0 = ink; changed in place
+ * @param size texels per side, a power of two
+ * @returns by how much the sum of the bytes fell
+ */
+export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke): number {
+  const mask = size - 1;
+  // "Forward" is the axis the stroke runs along, "sideways" the other one.
+  const forwardStride = stroke.across ? size : 1;
+  const sidewaysStride = stroke.across ? 1 : size;
+  const centre = (stroke.across ? stroke.v : stroke.u) * size;
+  const base = (stroke.across ? stroke.u : stroke.v) * size;
+  const halfLength = 0.5 * stroke.length * size;
+  const halfWidth = 0.5 * stroke.width;
+  const tip = Math.min(halfWidth, 0.5 * TIP_WIDTH);
+  const taper = Math.min(stroke.taper, halfLength);
+  const cosine = 1 / Math.sqrt(1 + stroke.slope * stroke.slope);
+
+  const first = Math.ceil(centre - halfLength - halfWidth - 1);
+  const last = Math.floor(centre + halfLength + halfWidth);
+  let darkened = 0;
+  for (let column = first; column <= last; column++) {
+    const forward = column + 0.5 - centre;
+    const along = Math.min(halfLength, Math.max(-halfLength, forward));
+    const beyond = forward - along;
+    const middle = base + size * strokeOffset(stroke, halfLength > 0 ? along / halfLength : 0);
+    const fromEnd = halfLength - Math.abs(along);
+    const rest = fromEnd < taper ? 1 - fromEnd / taper : 0;
+    const radius = halfWidth - (halfWidth - tip) * rest * rest;
+    const reach = (radius + 0.5) / cosine;
+    const lastRow = Math.floor(middle + reach - 0.5);
+    const columnStart = (column & mask) * forwardStride;
+    for (let row = Math.ceil(middle - reach - 0.5); row <= lastRow; row++) {
+      const sideways = (row + 0.5 - middle) * cosine;
+      const distance = beyond === 0 ? Math.abs(sideways) : Math.sqrt(sideways * sideways + beyond * beyond);
+      const ink = radius + 0.5 - distance;
+      if (ink <= 0) continue;
+      const byte = ink >= 1 ? 0 : Math.round(255 * (1 - ink));
+      const texel = columnStart + (row & mask) * sidewaysStride;
+      const before = image[texel];
+      if (byte < before) {
+        image[texel] = byte;
+        darkened += before - byte;
+      }
+    }
+  }
+  return darkened;
+}

@@ -1,0 +1,65 @@
+/** The styles that the generator can draw. */
+export type StrokeStyleName = 'hatching' | 'crossHatching' | 'stippling';
+
+/** How a style draws. Lengths are in tiles, widths in texels of every level, as in `Stroke`. */
+export interface StrokeStyle {
+  /** Lines are drawn between these lengths; [0, 0] draws dots. */
+  length: readonly [shortest: number, longest: number];
+  /** In the middle of the stroke. */
+  width: number;
+  /** Each stroke's width differs from `width` by at most this part of it. */
+  widthSpread: number;
+  /** Texels over which each end narrows. */
+  taper: number;
+  /** Each stroke's angle to its axis is at most this, as a tangent. */
+  slope: number;
+  /** Greatest arc of a stroke. */
+  bow: number;
+  /** Greatest S-bend of a stroke. */
+  wave: number;
+  /** Mean ink of the darkest image. */
+  maxInk: number;
+  /** Mean ink from which the second, perpendicular layer is drawn; undefined: never. */
+  crossFrom: number | undefined;
+  /** For each stroke, the best of so many proposals is drawn. 1 draws at random. */
+  proposals: number;
+}
+
+export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
+  hatching: {
+    length: [0.28, 0.6],
+    width: 1.9,
+    widthSpread: 0.12,
+    taper: 22,
+    slope: 0.016,
+    bow: 0.0025,
+    wave: 0.003,
+    maxInk: 0.95,
+    crossFrom: undefined,
+    proposals: 300,
+  },
+  crossHatching: {
+    length: [0.28, 0.6],
+    width: 1.9,
+    widthSpread: 0.12,
+    taper: 22,
+    slope: 0.016,
+    bow: 0.0025,
+    wave: 0.003,
+    maxInk: 0.95,
+    crossFrom: 0.45,
+    proposals: 300,
+  },
+  stippling: {
+    length: [0, 0],
+    width: 2.4,
+    widthSpread: 0.12,
+    taper: 0,
+    slope: 0,
+    bow: 0,
+    wave: 0,
+    maxInk: 0.85,
+    crossFrom: undefined,
+    proposals: 24,
+  },
+};

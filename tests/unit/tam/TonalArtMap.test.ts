@@ -1,0 +1,89 @@
+import { CompressedArrayTexture, LinearFilter, LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping } from 'three';
+import { describe, expect, it } from 'vitest';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+
+/** Images of one byte value each, `size` texels at level 0. */
+const constantImages = (size: number, values: number[][]): Uint8Array[][] =>
+  values.map((row) => row.map((value, level) => new Uint8Array((size >> level) ** 2).fill(value)));
+
+describe('TonalArtMap.fromHatchImages', () => {
+  it('gives back sizes and bytes, as copies', () => {
+    const images = constantImages(4, [
+      [255, 254, 253],
+      [90, 80, 70],
+    ]);
+    const map = TonalArtMap.fromHatchImages({ size: 4, images });
+    images[1][0].fill(7);
+    expect([map.size, map.tones, map.levels]).toEqual([4, 2, 3]);
+    expect([...map.image(1, 0)]).toEqual(new Array(16).fill(90));
+    expect([...map.image(1, 2)]).toEqual([70]);
+    map.image(0, 1).fill(0);
+    expect([...map.image(0, 1)]).toEqual(new Array(4).fill(254));
+  });
+
+  it('makes a texture that three uploads once, as data, with its own levels', () => {
+    const { texture } = TonalArtMap.fromHatchImages({
+      size: 2,
+      images: constantImages(2, [
+        [255, 254],
+        [9, 8],
+      ]),
+    });
+    expect(texture).toBeInstanceOf(CompressedArrayTexture);
+    expect(texture.version).toBe(1);
+    expect(texture.colorSpace).toBe(NoColorSpace);
+    expect(texture.generateMipmaps).toBe(false);
+    expect(texture.flipY).toBe(false);
+    expect([texture.wrapS, texture.wrapT]).toEqual([RepeatWrapping, RepeatWrapping]);
+    expect(texture.minFilter).toBe(LinearMipmapLinearFilter);
+    expect(texture.mipmaps?.map(({ width, height }) => [width, height])).toEqual([
+      [2, 2],
+      [1, 1],
+    ]);
+    expect(texture.image).toMatchObject({ width: 2, height: 2, depth: 1 });
+  });
+
+  it('does not ask for mip levels where there is one level', () => {
+    const { texture } = TonalArtMap.fromHatchImages({ size: 2, images: constantImages(2, [[255], [0]]) });
+    expect(texture.minFilter).toBe(LinearFilter);
+  });
+
+  it('dispose tells the renderer to free the texture', () => {
+    const map = TonalArtMap.fromHatchImages({ size: 1, images: constantImages(1, [[255], [0]]) });
+    let disposed = 0;
+    map.texture.addEventListener('dispose', () => disposed++);
+    map.dispose();
+    expect(disposed).toBe(1);
+  });
+
+  it.each([
+    [-1, 0],
+    [2, 0],
+    [0.5, 0],
+    [0, 1],
+  ])('has no image (%f, %f)', (tone, level) => {
+    const map = TonalArtMap.fromHatchImages({ size: 1, images: constantImages(1, [[255], [0]]) });
+    expect(() => map.image(tone, level)).toThrow(/^TonalArtMap\.image: (tone|level) is .* from 0 to \d/);
+  });
+});
+
+describe('TonalArtMap.generate', () => {
+  it('draws where there are no workers, reports progress, and keeps the constraints', async () => {
+    const progress: number[] = [];
+    const map = await TonalArtMap.generate({ size: 64, tones: 4, onProgress: (value) => progress.push(value) });
+    expect([map.size, map.tones, map.levels]).toEqual([64, 4, 3]);
+    expect(map.report.consistent).toBe(true);
+    expect(progress).toEqual([...progress].sort((a, b) => a - b));
+  });
+
+  it('stops when aborted', async () => {
+    const controller = new AbortController();
+    const map = TonalArtMap.generate({ size: 1024, tones: 16, signal: controller.signal });
+    setTimeout(() => controller.abort(new Error('enough')), 20);
+    await expect(map).rejects.toThrow('enough');
+  });
+
+  it('names an option out of its range', async () => {
+    await expect(TonalArtMap.generate({ size: 100 })).rejects.toThrow('TonalArtMap.generate: size is 100');
+  });
+});
