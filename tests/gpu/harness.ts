@@ -92,12 +92,14 @@ async function renderHatching(spec: HatchingSpec): Promise<number[]> {
   const mesh = new Mesh(geometry, hatching);
   mesh.matrixAutoUpdate = false;
   mesh.matrix.fromArray(spec.matrixWorld);
+  mesh.matrixWorldNeedsUpdate = true;
   mesh.frustumCulled = false;
   scene.add(mesh);
 
   const camera = spec.orthographic ? new OrthographicCamera() : new PerspectiveCamera();
   camera.matrixAutoUpdate = false;
   camera.matrix.fromArray(spec.camera.view).invert();
+  camera.matrixWorldNeedsUpdate = true;
   camera.projectionMatrix.fromArray(spec.camera.projection);
   camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
 
