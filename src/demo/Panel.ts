@@ -1,0 +1,92 @@
+import { type Controller, GUI } from 'lil-gui';
+import { SETTING_GROUPS, SETTING_KEYS, SETTINGS, type Setting, type SettingKey, type Settings } from './settings.js';
+
+/** A button of the panel. */
+export interface PanelAction {
+  label: string;
+  group: (typeof SETTING_GROUPS)[number];
+  run: () => void;
+}
+
+/** The controls, built from the table of settings: labels, values with units, reset by double-click. */
+export class Panel {
+  private readonly controllers = new Map<SettingKey, Controller>();
+
+  constructor(
+    container: HTMLElement,
+    private readonly settings: Settings,
+    actions: readonly PanelAction[],
+    onChange: (key: SettingKey) => void,
+  ) {
+    // Our own style sheet styles it; a style element in the page would be against its content policy.
+    const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
+    const folders = SETTING_GROUPS.map((group, i) => {
+      const folder = i === 0 ? gui : gui.addFolder(group).close();
+      return [group, folder] as const;
+    });
+    const folderOf = new Map(folders);
+    for (const key of SETTING_KEYS) {
+      const controller = this.add(folderOf.get(SETTINGS[key].group)!, key);
+      controller.onChange(() => {
+        this.refresh();
+        onChange(key);
+      });
+      this.controllers.set(key, controller);
+    }
+    for (const { label, group, run } of actions) folderOf.get(group)!.add({ run }, 'run').name(label);
+    // The first group's settings come before the folders in the page as well.
+    const children = gui.$children;
+    children.append(...[...children.children].filter((child) => child.classList.contains('lil-gui')));
+    this.refresh();
+  }
+
+  /** Shows the settings as they are now, after something else has changed them. */
+  refresh(): void {
+    for (const controller of this.controllers.values()) controller.updateDisplay();
+    const { settings } = this;
+    const isLocal = settings.lightKind !== 'directional';
+    this.show('strokeAngle', settings.strokeDirection === 'angle');
+    this.show('toneSteps', settings.toneModel === 'toon');
+    this.show('shininess', settings.toneModel === 'phong');
+    this.show('lightDistance', isLocal);
+    this.show('spotAngle', settings.lightKind === 'spot');
+    this.show('spotSoftness', settings.lightKind === 'spot');
+    this.controllers.get('model')!.domElement.querySelector<HTMLOptionElement>('option:last-child')!.hidden =
+      settings.model !== 'file';
+  }
+
+  private show(key: SettingKey, visible: boolean): void {
+    this.controllers.get(key)!.show(visible);
+  }
+
+  private add(gui: GUI, key: SettingKey): Controller {
+    const setting: Setting = SETTINGS[key];
+    const { settings } = this;
+    switch (setting.kind) {
+      case 'choice': {
+        const choices = Object.fromEntries(Object.entries(setting.choices).map(([value, words]) => [words, value]));
+        return this.finish(gui.add(settings, key, choices), setting);
+      }
+      case 'color':
+        return this.finish(gui.addColor(settings, key), setting);
+      case 'number': {
+        const controller = gui.add(settings, key, setting.min, setting.max, setting.step);
+        const unit = document.createElement('span');
+        unit.className = 'unit';
+        unit.textContent = setting.unit;
+        controller.$widget.append(unit);
+        return this.finish(controller, setting);
+      }
+    }
+  }
+
+  private finish(controller: Controller, setting: Setting): Controller {
+    controller.name(setting.label);
+    controller.$name.title = 'Double-click to reset';
+    controller.domElement.addEventListener('dblclick', (event) => {
+      if (event.target instanceof HTMLInputElement && event.target.type === 'text') return;
+      controller.setValue(setting.default);
+    });
+    return controller;
+  }
+}

@@ -1,0 +1,31 @@
+import { TonalArtMap } from 'three-hatching';
+import type { Settings } from './settings.js';
+
+interface MapOptions {
+  signal: AbortSignal;
+  onProgress: (progress: number) => void;
+}
+
+/** Generates tonal art maps for settings and keeps those already made, the latest few of them. */
+export class TonalArtMapCache {
+  private static readonly kept = 6;
+  private readonly maps = new Map<string, TonalArtMap>();
+
+  /** Resolves at once for a map made before. The map in use must be passed as `inUse` so that it is not thrown away. */
+  async get(settings: Settings, options: MapOptions, inUse: TonalArtMap | undefined): Promise<TonalArtMap> {
+    const { mapStyle: style, mapSeed: seed, mapTones: tones } = settings;
+    const size = Number(settings.mapSize);
+    const key = `${style} ${size} ${tones} ${seed}`;
+    const known = this.maps.get(key);
+    const map = known ?? (await TonalArtMap.generate({ style, size, tones, seed, ...options }));
+    this.maps.delete(key);
+    this.maps.set(key, map);
+    for (const [oldKey, old] of this.maps) {
+      if (this.maps.size <= TonalArtMapCache.kept) break;
+      if (old === map || old === inUse) continue;
+      old.dispose();
+      this.maps.delete(oldKey);
+    }
+    return map;
+  }
+}

@@ -1,0 +1,73 @@
+import { ModelError } from './ModelError.js';
+import { type PlainMesh, triangleCount } from './PlainMesh.js';
+
+/** More than this and the baked attributes (216 bytes per triangle) come near what a browser gives one buffer. */
+export const MAX_TRIANGLES = 2_000_000;
+
+/**
+ * Takes out what three's loaders let through: triangles with a vertex that is missing, infinite or not a number, and
+ * the vertices no triangle uses (they would spoil the fit).
+ *
+ * @returns the mesh, and how many triangles were left out
+ * @throws ModelError when nothing is left, or when there is too much
+ */
+export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } {
+  const { positions, indices } = mesh;
+  const vertexCount = positions.length / 3;
+  const total = triangleCount(mesh);
+  if (total > MAX_TRIANGLES) {
+    throw new ModelError(
+      `The model has ${total.toLocaleString('en')} triangles; this page draws up to ${MAX_TRIANGLES.toLocaleString('en')}.`,
+    );
+  }
+  const isSound = (vertex: number): boolean =>
+    vertex < vertexCount &&
+    Number.isFinite(positions[3 * vertex]) &&
+    Number.isFinite(positions[3 * vertex + 1]) &&
+    Number.isFinite(positions[3 * vertex + 2]);
+
+  const kept = new Uint32Array(3 * total);
+  let length = 0;
+  for (let corner = 0; corner < 3 * total; corner += 3) {
+    const a = indices ? indices[corner]! : corner;
+    const b = indices ? indices[corner + 1]! : corner + 1;
+    const c = indices ? indices[corner + 2]! : corner + 2;
+    if (!(isSound(a) && isSound(b) && isSound(c))) continue;
+    kept[length++] = a;
+    kept[length++] = b;
+    kept[length++] = c;
+  }
+  if (length === 0) {
+    throw new ModelError(
+      total === 0
+        ? 'The file holds no triangles; only surfaces can be hatched, not points or lines.'
+        : 'None of the triangles in the file has three sound corners.',
+    );
+  }
+  return { mesh: compact(mesh, kept.subarray(0, length)), broken: total - length / 3 };
+}
+
+/** Keeps the vertices in use, in their order, and renumbers. */
+function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
+  const vertexCount = mesh.positions.length / 3;
+  const renumbered = new Uint32Array(vertexCount);
+  for (const vertex of indices) renumbered[vertex] = 1;
+  let count = 0;
+  for (let vertex = 0; vertex < vertexCount; vertex++) if (renumbered[vertex]) renumbered[vertex] = ++count;
+  const pick = (source: Float32Array | null): Float32Array | null => {
+    if (!source) return null;
+    if (count === vertexCount) return source.length === 3 * vertexCount ? source : source.slice(0, 3 * vertexCount);
+    const picked = new Float32Array(3 * count);
+    for (let vertex = 0; vertex < vertexCount; vertex++) {
+      const to = renumbered[vertex]!;
+      if (to) picked.set(source.subarray(3 * vertex, 3 * vertex + 3), 3 * (to - 1));
+    }
+    return picked;
+  };
+  return {
+    positions: pick(mesh.positions)!,
+    normals: pick(mesh.normals),
+    colors: pick(mesh.colors),
+    indices: indices.map((vertex) => renumbered[vertex]! - 1),
+  };
+}

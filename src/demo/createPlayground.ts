@@ -1,0 +1,266 @@
+import { CompareDivider } from './CompareDivider.js';
+import { codeSample } from './codeSample.js';
+import { createScene } from './createScene.js';
+import { bakeModel } from './DrawnModel.js';
+import { describeModel } from './describeModel.js';
+import { dropFiles } from './dropFiles.js';
+import { exportPng } from './exportPng.js';
+import { LightHandle } from './LightHandle.js';
+import { loadModelFiles } from './loadModelFiles.js';
+import { BUILT_IN_MODELS } from './models.js';
+import { Panel } from './Panel.js';
+import { triangleCount } from './PlainMesh.js';
+import { page, setPageState } from './page.js';
+import type { ModelFile } from './readModel.js';
+import type { Status } from './Status.js';
+import { SETTINGS, type SettingKey, type Settings } from './settings.js';
+import { readLink, writeLink } from './shareLink.js';
+import { type Report, TaskBoard } from './TaskBoard.js';
+import { TonalArtMapCache } from './TonalArtMapCache.js';
+import { copyText, download } from './takeAway.js';
+
+declare global {
+  interface Window {
+    /** For tests: how many frames the page has drawn since it was opened. An idle page draws none. */
+    __playground?: { readonly framesDrawn: number };
+  }
+}
+
+const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed'];
+const LINK_DELAY_MILLISECONDS = 400;
+
+/** Wires the page: settings to the drawing, files and models to the scene, and everything back to panel and caption. */
+export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
+  const { settings, camera } = readLink(location.hash);
+  const scene = createScene(page.canvas, context, page.plate);
+  const maps = new TonalArtMapCache();
+  const tasks = new TaskBoard(status, () => scene.invalidate());
+  const drawn = { model: settings.model as Settings['model'], name: '', mapKeys: '' };
+  const lamp = new LightHandle(page.lamp, {
+    plate: page.plate,
+    camera: scene.camera,
+    settings,
+    lightPosition: scene.lightPosition,
+    onMove: (place) => {
+      Object.assign(settings, place);
+      settingsChanged();
+    },
+    onDrag: (dragging) => {
+      scene.controls.enabled = !dragging;
+      if (dragging) page.lamp.classList.add('is-known');
+    },
+  });
+  const divider = new CompareDivider(page.divider, page.plate, () => scene.invalidate());
+  const panel = new Panel(
+    page.panel,
+    settings,
+    [
+      { label: 'Show the whole model', group: 'View', run: scene.frameModel },
+      { label: 'Save PNG', group: 'Picture', run: savePng },
+      { label: 'Copy a link to this drawing', group: 'Picture', run: copyLink },
+      { label: 'Copy the code for this look', group: 'Picture', run: copyCode },
+    ],
+    (key) => {
+      if (key === 'model') changeModel();
+      if (MAP_SETTINGS.includes(key)) void showMap();
+      settingsChanged();
+    },
+  );
+
+  Object.defineProperty(window, '__playground', {
+    value: {
+      get framesDrawn() {
+        return scene.clock.frames;
+      },
+    },
+  });
+
+  // ── The drawing ──
+
+  let linkTimer: ReturnType<typeof setTimeout> | undefined;
+
+  function settingsChanged(): void {
+    scene.apply(settings);
+    const { compare, technique } = settings;
+    const isCompared = compare !== 'none';
+    scene.compareWith(isCompared ? () => divider.share : undefined);
+    divider.show(
+      isCompared
+        ? { left: SETTINGS.technique.choices[compare], right: SETTINGS.technique.choices[technique] }
+        : undefined,
+    );
+    page.sheet.style.setProperty('--paper', settings.paper);
+    page.sheet.style.setProperty('--ink', settings.ink);
+    panel.refresh();
+    rememberInAddress();
+  }
+
+  /** Keeps the page's address such that a reload, or a bookmark, brings the same drawing back. */
+  function rememberInAddress(): void {
+    clearTimeout(linkTimer);
+    linkTimer = setTimeout(() => history.replaceState(null, '', `#${currentLink()}`), LINK_DELAY_MILLISECONDS);
+  }
+
+  function currentLink(): string {
+    return writeLink(settings, scene.isFramed() ? undefined : scene.getView());
+  }
+
+  scene.onFrame(() => {
+    lamp.update();
+    if (!page.divider.hidden) divider.place();
+    const milliseconds = scene.clock.frameMilliseconds;
+    page.frameTime.textContent = milliseconds === undefined ? '' : `${milliseconds.toFixed(0)} ms a frame`;
+    if (tasks.isIdle && scene.isComplete && document.documentElement.dataset.state === 'loading') setPageState('ready');
+  });
+  scene.controls.addEventListener('change', rememberInAddress);
+
+  // ── Models and maps ──
+
+  async function showModel(
+    model: Settings['model'],
+    load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
+  ) {
+    setPageState('loading');
+    const finished = await tasks.run('model', async (report, signal) => {
+      const loaded = await load(report, signal);
+      const count = triangleCount(loaded.read.mesh).toLocaleString('en');
+      const baked = await bakeModel(loaded.read.mesh, {
+        signal,
+        onProgress: (progress) => report(`joining ${count} triangles`, progress),
+      });
+      signal.throwIfAborted();
+      report('drawing', 1);
+      Object.assign(drawn, { model, name: loaded.title });
+      settings.model = model;
+      if (model === 'file') settings.upAxis = loaded.read.upAxis;
+      page.modelName.textContent = loaded.title;
+      page.modelFacts.textContent = describeModel(baked, loaded.read.broken);
+      document.title = `${loaded.title}, hatched`;
+      settingsChanged();
+      scene.setModel(baked);
+      page.lamp.hidden = false;
+    });
+    if (!finished && tasks.isIdle) {
+      // The old drawing stays, and the panel says so.
+      settings.model = drawn.model;
+      settingsChanged();
+    }
+  }
+
+  function showBuiltIn(model: Exclude<Settings['model'], 'file'>): Promise<void> {
+    return showModel(model, async (report, signal) => {
+      const { title, load } = BUILT_IN_MODELS[model];
+      report(`fetching ${title}`);
+      return { title, read: await load({ signal, onStage: report }) };
+    });
+  }
+
+  function showFiles(files: readonly ModelFile[]): Promise<void> {
+    return showModel('file', async (report, signal) => {
+      const read = await loadModelFiles(files, { signal, onStage: report });
+      return { title: read.name, read };
+    });
+  }
+
+  function changeModel(): void {
+    if (settings.model === 'file') return;
+    settings.upAxis = SETTINGS.upAxis.default;
+    void showBuiltIn(settings.model);
+  }
+
+  async function showMap(): Promise<void> {
+    await tasks.run('map', async (report, signal) => {
+      const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
+      const map = await maps.get(settings, { signal, onProgress }, scene.tonalArtMap);
+      if (!signal.aborted) scene.setTonalArtMap(map);
+    });
+  }
+
+  dropFiles({ veil: page.drop, input: page.fileInput, buttons: [page.openFiles] }, (files) => void showFiles(files));
+
+  // ── Taking it away ──
+
+  async function savePng(): Promise<void> {
+    try {
+      const picture = await exportPng(scene, {
+        width: page.plate.clientWidth,
+        height: page.plate.clientHeight,
+        scale: Number(settings.pictureSize),
+        transparent: settings.pictureGround === 'transparent',
+      });
+      download(
+        picture,
+        `${
+          drawn.name
+            .replace(/\.\w+$/, '')
+            .replace(/\W+/g, '-')
+            .toLowerCase() || 'drawing'
+        }.png`,
+      );
+      status.say('The picture is saved.');
+    } catch (error) {
+      status.fail(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  async function copyLink(): Promise<void> {
+    const link = new URL(`#${currentLink()}`, location.href).href;
+    history.replaceState(null, '', link);
+    const where = (await copyText(link))
+      ? 'The link is on the clipboard.'
+      : "The link is in the browser's address line.";
+    status.say(settings.model === 'file' ? `${where} It cannot carry your own model.` : where);
+  }
+
+  async function copyCode(): Promise<void> {
+    if (await copyText(codeSample(settings))) status.say('The code is on the clipboard.');
+    else status.fail('The browser does not let this page use the clipboard.');
+  }
+
+  page.savePng.addEventListener('click', savePng);
+
+  // ── The card ──
+
+  function openCard(open: boolean): void {
+    page.card.classList.toggle('is-open', open);
+    page.toggleCard.setAttribute('aria-expanded', String(open));
+  }
+
+  page.toggleCard.addEventListener('click', () => openCard(!page.card.classList.contains('is-open')));
+  addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') openCard(false);
+  });
+
+  // ── The graphics context ──
+
+  page.canvas.addEventListener('webglcontextlost', () => {
+    setPageState('lost');
+    status.fail('The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.');
+  });
+  page.canvas.addEventListener('webglcontextrestored', () => {
+    setPageState('loading');
+    status.say('The drawing is back.');
+    scene.invalidate();
+  });
+
+  addEventListener('hashchange', () => {
+    const link = readLink(location.hash);
+    const { model } = settings;
+    Object.assign(settings, link.settings);
+    if (link.camera) scene.setView(link.camera);
+    else scene.frameModel();
+    if (settings.model !== model) changeModel();
+    void showMap();
+    settingsChanged();
+  });
+
+  if (camera) scene.setView(camera);
+  settingsChanged();
+  if (settings.model !== 'file') void showBuiltIn(settings.model);
+  void showMap();
+}
+
+interface LoadedModel {
+  title: string;
+  read: Awaited<ReturnType<typeof loadModelFiles>>;
+}

@@ -1,0 +1,272 @@
+import {
+  Box3,
+  BufferGeometry,
+  DoubleSide,
+  FrontSide,
+  MathUtils,
+  Mesh,
+  PerspectiveCamera,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { HatchingMaterial, type TonalArtMap } from 'three-hatching';
+import type { DrawnModel } from './DrawnModel.js';
+import { FrameClock } from './FrameClock.js';
+import { LightRig } from './LightRig.js';
+import { OrbitKeys } from './OrbitKeys.js';
+import type { Settings } from './settings.js';
+import type { CameraView } from './shareLink.js';
+
+const FIELD_OF_VIEW = 26;
+/** The view a model is shown from at first: a little from the side and from above. */
+const FIRST_VIEW = new Vector3(0.22, 0.18, 1);
+/** Share of the picture that the model's box fills in that view. */
+const FILLED = 0.9;
+const MAX_PIXEL_RATIO = 2;
+/** A desk-filling sheet on a large screen is drawn with fewer pixels than it has, rather than slowly. */
+const MAX_PIXELS = 8_000_000;
+
+/** The picture: renderer, camera, lights, and one model drawn with one material or, compared, with two. */
+export type HatchingScene = ReturnType<typeof createScene>;
+
+/**
+ * Sets up the drawing on a canvas. Nothing is drawn until `invalidate` is called, and then once.
+ */
+export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, plate: HTMLElement) {
+  const renderer = new WebGLRenderer({ canvas, context });
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
+  const controls = new OrbitControls(camera, canvas);
+  const lights = new LightRig(scene);
+  const material = new HatchingMaterial();
+  const compared = new HatchingMaterial({ technique: 'triangle' });
+  const mesh = new Mesh(new BufferGeometry(), material);
+  mesh.visible = false;
+  scene.add(mesh);
+  controls.minDistance = 1.3;
+  controls.maxDistance = 30;
+
+  const frameListeners: (() => void)[] = [];
+  const clock = new FrameClock(() => draw());
+  /** Share of the width that is drawn with the compared material, or undefined when there is one drawing only. */
+  let divider: (() => number) | undefined;
+
+  function draw(): void {
+    if (renderer.getContext().isContextLost()) return;
+    const { clientWidth: width, clientHeight: height } = plate;
+    drawPiece(width, 0, width, height);
+    for (const listener of frameListeners) listener();
+  }
+
+  /**
+   * Draws an upright strip of the view into the canvas as it is sized now: the strip begins `x` pixels from the left of a
+   * view that is `viewWidth` wide. The strip of an ordinary frame is the whole view.
+   */
+  function drawPiece(viewWidth: number, x: number, width: number, height: number): void {
+    const share = divider?.();
+    mesh.material = material;
+    if (share === undefined) {
+      renderer.render(scene, camera);
+      return;
+    }
+    const split = MathUtils.clamp(Math.round(share * viewWidth) - x, 0, width);
+    renderer.setScissorTest(true);
+    renderer.setScissor(split, 0, width - split, height);
+    if (split < width) renderer.render(scene, camera);
+    mesh.material = compared;
+    renderer.setScissor(0, 0, split, height);
+    if (split > 0) renderer.render(scene, camera);
+    renderer.setScissorTest(false);
+  }
+
+  function pixelRatio(): number {
+    const { clientWidth: width, clientHeight: height } = plate;
+    return Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
+  }
+
+  function resize(): void {
+    const { clientWidth: width, clientHeight: height } = plate;
+    if (width === 0 || height === 0) return;
+    renderer.setPixelRatio(pixelRatio());
+    renderer.setSize(width, height, false);
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+    if (framed) frameModel();
+    // At once, not in the next frame: a canvas that changed its size is empty until it is drawn.
+    draw();
+  }
+
+  /** How far the eye must be, in the direction of the first view, for every corner of the model's box to be in the picture. */
+  function framingDistance(): number {
+    const slopeY = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW) / 2) * FILLED;
+    const slopeX = slopeY * camera.aspect;
+    const toEye = FIRST_VIEW.clone().normalize();
+    const right = new Vector3(0, 1, 0).cross(toEye).normalize();
+    const up = toEye.clone().cross(right);
+    return Math.max(
+      ...boxCorners(bounds).map(
+        (corner) =>
+          corner.dot(toEye) + Math.max(Math.abs(corner.dot(right)) / slopeX, Math.abs(corner.dot(up)) / slopeY),
+      ),
+    );
+  }
+
+  /** Whether the view is the one that shows the whole model; it follows changes of the sheet's size then. */
+  let framed = true;
+  const bounds = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+  let isFraming = false;
+
+  function measureBounds(): void {
+    if (mesh.geometry.hasAttribute('position')) bounds.setFromObject(mesh);
+  }
+
+  function frameModel(): void {
+    isFraming = true;
+    controls.target.set(0, 0, 0);
+    camera.position.copy(FIRST_VIEW).setLength(framingDistance());
+    controls.update();
+    isFraming = false;
+    framed = true;
+    clock.invalidate();
+  }
+
+  controls.addEventListener('change', () => {
+    if (!isFraming) framed = false;
+    clock.invalidate();
+  });
+  const keys = new OrbitKeys(canvas, camera, controls, frameModel);
+  canvas.addEventListener('dblclick', frameModel);
+  const sizes = new ResizeObserver(resize);
+  sizes.observe(plate);
+  resize();
+
+  return {
+    renderer,
+    scene,
+    camera,
+    controls,
+    material,
+    compared,
+    lightPosition: lights.position,
+    clock,
+    draw,
+    drawPiece,
+    frameModel,
+
+    /** Calls back after each frame. */
+    onFrame(listener: () => void): void {
+      frameListeners.push(listener);
+    },
+
+    /** Asks for one frame. */
+    invalidate(): void {
+      clock.invalidate();
+    },
+
+    /** Draws a model from now on, and frees the one before. */
+    setModel(model: DrawnModel): void {
+      mesh.geometry.dispose();
+      mesh.geometry = model.geometry;
+      mesh.visible = true;
+      measureBounds();
+      if (framed) frameModel();
+      for (const each of [material, compared]) {
+        // An open surface shows its inside.
+        each.side = model.borderEdges > 0 || model.nonManifoldEdges > 0 ? DoubleSide : FrontSide;
+        each.vertexColors = model.hasColors;
+        each.needsUpdate = true;
+      }
+      clock.invalidate();
+    },
+
+    setTonalArtMap(map: TonalArtMap): void {
+      material.tonalArtMap = map;
+      compared.tonalArtMap = map;
+      clock.invalidate();
+    },
+
+    get tonalArtMap(): TonalArtMap | undefined {
+      return material.tonalArtMap ?? undefined;
+    },
+
+    /** Draws a second technique left of a divider, whose place is asked for with every frame; or no longer does. */
+    compareWith(share: (() => number) | undefined): void {
+      divider = share;
+      clock.invalidate();
+    },
+
+    /** Puts the settings in force. Cheap: nothing is rebuilt but, where a setting needs another program, that. */
+    apply(settings: Settings): void {
+      lights.apply(settings);
+      const tilt = settings.upAxis === 'z' ? -Math.PI / 2 : 0;
+      if (mesh.rotation.x !== tilt) {
+        mesh.rotation.x = tilt;
+        measureBounds();
+      }
+      renderer.setClearColor(settings.paper, 1);
+      for (const each of [material, compared]) applyToMaterial(each, settings);
+      material.technique = settings.technique;
+      if (settings.compare !== 'none') compared.technique = settings.compare;
+      clock.invalidate();
+    },
+
+    /** Whether there is all it takes to draw. */
+    get isComplete(): boolean {
+      return mesh.visible && material.tonalArtMap !== null;
+    },
+
+    isFramed(): boolean {
+      return framed;
+    },
+
+    getView(): CameraView {
+      return { position: camera.position.toArray(), target: controls.target.toArray() };
+    },
+
+    setView({ position, target }: CameraView): void {
+      camera.position.fromArray(position);
+      controls.target.fromArray(target);
+      controls.update();
+      clock.invalidate();
+    },
+
+    dispose(): void {
+      sizes.disconnect();
+      keys.dispose();
+      controls.dispose();
+      clock.dispose();
+      mesh.geometry.dispose();
+      material.dispose();
+      compared.dispose();
+      renderer.dispose();
+      renderer.forceContextLoss();
+    },
+  };
+}
+
+function boxCorners({ min, max }: Box3): Vector3[] {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map(
+    (i) => new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z),
+  );
+}
+
+const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
+const offset = new Vector2();
+
+function applyToMaterial(material: HatchingMaterial, settings: Settings): void {
+  material.strokeScale = settings.strokeScale;
+  material.strokeRotation = rotations[settings.strokeDirection](settings.strokeAngle);
+  material.strokeOffset.copy(offset.set(settings.offsetU, settings.offsetV));
+  material.toneModel = settings.toneModel;
+  material.toneNormal = settings.toneNormal;
+  material.toneSteps = settings.toneSteps;
+  material.shininess = settings.shininess;
+  material.creaseAngle = MathUtils.degToRad(settings.creaseAngle);
+  material.ink.set(settings.ink);
+  material.paper.set(settings.paper);
+  material.color.set(settings.color);
+  material.debugView = settings.debugView;
+}

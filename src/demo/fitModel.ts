@@ -1,0 +1,33 @@
+import { ModelError } from './ModelError.js';
+import type { PlainMesh } from './PlainMesh.js';
+
+/**
+ * Moves and scales a mesh, in place, so that its bounding box is centred at the origin and its farthest vertex lies at
+ * distance 1. Stroke scales then mean the same on every model, and far-off coordinates keep their precision.
+ * Broken triangles must have been taken out before.
+ *
+ * @throws ModelError when all vertices lie at one point.
+ */
+export function fitModel(mesh: PlainMesh): void {
+  const { positions } = mesh;
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i++) {
+    const axis = i % 3;
+    const value = positions[i]!;
+    if (value < low[axis]!) low[axis] = value;
+    if (value > high[axis]!) high[axis] = value;
+  }
+  const [x, y, z] = [0, 1, 2].map((axis) => low[axis]! / 2 + high[axis]! / 2) as [number, number, number];
+  let radius = 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    radius = Math.max(radius, Math.hypot(positions[i]! - x, positions[i + 1]! - y, positions[i + 2]! - z));
+  }
+  if (!(radius > 0 && radius < Infinity))
+    throw new ModelError('The model has no size: all its points lie at one place.');
+  for (let i = 0; i < positions.length; i += 3) {
+    positions[i] = (positions[i]! - x) / radius;
+    positions[i + 1] = (positions[i + 1]! - y) / radius;
+    positions[i + 2] = (positions[i + 2]! - z) / radius;
+  }
+}

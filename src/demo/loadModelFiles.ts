@@ -1,0 +1,52 @@
+import { ModelError } from './ModelError.js';
+import type { ModelWorkerMessage } from './model.worker.js';
+import type { ModelFile, ReadModel } from './readModel.js';
+
+export interface LoadOptions {
+  /** Aborting ends the worker at once and rejects with the signal's reason. */
+  signal: AbortSignal;
+  /** Called with a word for what is going on. */
+  onStage: (stage: string) => void;
+  /** Seconds after which reading is given up. */
+  deadlineSeconds?: number;
+}
+
+/**
+ * Reads a model in a worker of its own, which is ended when the caller gives up or the deadline passes: some files keep
+ * a parser busy for minutes, and the page must not feel it. Where there are no workers it reads on the main thread.
+ *
+ * @throws ModelError with one sentence for the person at the page
+ */
+export async function loadModelFiles(files: readonly ModelFile[], options: LoadOptions): Promise<ReadModel> {
+  const { signal, onStage, deadlineSeconds = 60 } = options;
+  signal.throwIfAborted();
+  if (typeof Worker === 'undefined') {
+    const { readModel } = await import('./readModel.js');
+    return readModel(files, onStage);
+  }
+  const worker = new Worker(new URL('./model.worker.ts', import.meta.url), { type: 'module', name: 'model' });
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  try {
+    return await new Promise<ReadModel>((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason), { once: true });
+      timer = setTimeout(
+        () =>
+          reject(new ModelError(`The file was still not read after ${deadlineSeconds} seconds, so it was put aside.`)),
+        deadlineSeconds * 1000,
+      );
+      worker.addEventListener('error', (event) => {
+        event.preventDefault();
+        reject(new ModelError(`The file could not be read: ${event.message || 'the reader did not start'}.`));
+      });
+      worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => {
+        if (data.kind === 'stage') onStage(data.stage);
+        else if (data.kind === 'done') resolve(data.model);
+        else reject(new ModelError(data.isModelError ? data.message : `The file could not be read: ${data.message}.`));
+      });
+      worker.postMessage(files);
+    });
+  } finally {
+    clearTimeout(timer);
+    worker.terminate();
+  }
+}

@@ -1,0 +1,116 @@
+import { type BufferGeometry, Mesh } from 'three';
+import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
+import { STLLoader } from 'three/addons/loaders/STLLoader.js';
+import { checkPly } from './checkPly.js';
+import { cleanMesh } from './cleanMesh.js';
+import { fitModel } from './fitModel.js';
+import { gunzip } from './gunzip.js';
+import { ModelError } from './ModelError.js';
+import { mergeScene } from './mergeScene.js';
+import type { PlainMesh } from './PlainMesh.js';
+import { type FindFile, readGltf } from './readGltf.js';
+import { readObj } from './readObj.js';
+import { extensionOf, MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
+
+/** Together, uncompressed. Larger models are read whole into memory several times over. */
+const MAX_BYTES = 512 * 1024 * 1024;
+
+/** A file as it is dropped, picked, or made from a built-in model. */
+export interface ModelFile {
+  name: string;
+  content: Blob;
+}
+
+export interface ReadModel {
+  mesh: PlainMesh;
+  /** The name of the file the model was opened by. */
+  name: string;
+  /** Triangles left out because a corner was missing or not a number. */
+  broken: number;
+  /** The axis that points up by the custom of the format. */
+  upAxis: 'y' | 'z';
+}
+
+/**
+ * Reads a model from one or several files: unpacks, tells the format by content, checks what the header promises, parses,
+ * merges, takes out broken triangles and fits the rest to a unit sphere.
+ *
+ * @param onStage called with a word for what is going on
+ * @throws ModelError with one sentence for the person at the page
+ */
+export async function readModel(files: readonly ModelFile[], onStage: (stage: string) => void): Promise<ReadModel> {
+  const size = files.reduce((sum, file) => sum + file.content.size, 0);
+  if (size > MAX_BYTES) {
+    throw new ModelError(
+      `The files have ${Math.round(size / 2 ** 20)} MB together; this page takes up to ${MAX_BYTES / 2 ** 20} MB.`,
+    );
+  }
+  const main = chooseMain(files);
+  onStage(`reading ${main.name}`);
+  const bytes = await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name);
+  const format = sniffFormat(plainName(main.name), bytes);
+  const findFile: FindFile = async (uri) => {
+    const wanted = safeDecode(uri).split(/[\\/]/).pop()?.toLowerCase();
+    const file = files.find(({ name }) => name.split(/[\\/]/).pop()?.toLowerCase() === wanted);
+    return file && new Uint8Array(await file.content.arrayBuffer());
+  };
+  const parsed = await parse(format, bytes, main.name, findFile);
+  onStage('looking over the triangles');
+  const { mesh, broken } = cleanMesh(parsed);
+  fitModel(mesh);
+  return { mesh, name: plainName(main.name), broken, upAxis: format === 'stl' ? 'z' : 'y' };
+}
+
+async function parse(format: string, bytes: Uint8Array, name: string, findFile: FindFile): Promise<PlainMesh> {
+  try {
+    switch (format) {
+      case 'glb':
+      case 'gltf':
+        return await readGltf(bytes, name, format === 'glb', findFile);
+      case 'obj':
+        return await readObj(bytes, findFile);
+      case 'ply':
+        checkPly(bytes, name);
+        return fromGeometry(new PLYLoader().parse(wholeBuffer(bytes)));
+      default:
+        return fromGeometry(new STLLoader().parse(wholeBuffer(bytes)));
+    }
+  } catch (error) {
+    if (error instanceof ModelError) throw error;
+    const reason =
+      error instanceof Error ? error.message.replace(/^THREE\.\w+:\s*/, '').replace(/[.\s]+$/, '') : String(error);
+    throw new ModelError(`${name} could not be read; it seems to be damaged (${reason}).`);
+  }
+}
+
+function fromGeometry(geometry: BufferGeometry): PlainMesh {
+  return mergeScene(new Mesh(geometry));
+}
+
+/** A buffer that begins and ends with the bytes: three's loaders take whole buffers only. */
+function wholeBuffer(bytes: Uint8Array): ArrayBuffer {
+  const isWhole = bytes.byteOffset === 0 && bytes.byteLength === bytes.buffer.byteLength;
+  return (isWhole ? bytes.buffer : bytes.slice().buffer) as ArrayBuffer;
+}
+
+function plainName(name: string): string {
+  return name.replace(/\.gz$/i, '');
+}
+
+function safeDecode(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+function chooseMain(files: readonly ModelFile[]): ModelFile {
+  const rank = (file: ModelFile): number => {
+    const at = (MODEL_EXTENSIONS as readonly string[]).indexOf(extensionOf(plainName(file.name)) ?? '');
+    return at === -1 ? MODEL_EXTENSIONS.length : at;
+  };
+  const [main] = [...files].sort((a, b) => rank(a) - rank(b));
+  if (!main) throw new ModelError('There was no file in what was dropped.');
+  return main;
+}

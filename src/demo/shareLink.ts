@@ -1,0 +1,39 @@
+import { acceptSetting, defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
+
+/** Where the camera stands and what it looks at, in units of the model's radius. */
+export interface CameraView {
+  position: [number, number, number];
+  target: [number, number, number];
+}
+
+const DECIMALS = 1000;
+
+/** Settings and camera as the part of an address after `#`; what is at its default is left out. */
+export function writeLink(settings: Settings, camera: CameraView | undefined): string {
+  const parameters = new URLSearchParams();
+  for (const key of SETTING_KEYS) {
+    // A dropped file cannot be found again by a link.
+    if (settings[key] === SETTINGS[key].default || (key === 'model' && settings.model === 'file')) continue;
+    parameters.set(key, String(settings[key]));
+  }
+  if (camera) {
+    const numbers = [...camera.position, ...camera.target].map((value) => Math.round(value * DECIMALS) / DECIMALS);
+    parameters.set('camera', numbers.join(','));
+  }
+  return parameters.toString();
+}
+
+/** Reads what {@link writeLink} wrote. Unknown names and values out of place are passed over. */
+export function readLink(hash: string): { settings: Settings; camera: CameraView | undefined } {
+  const parameters = new URLSearchParams(hash.replace(/^#/, ''));
+  const settings = defaultSettings();
+  for (const key of SETTING_KEYS) {
+    const text = parameters.get(key);
+    const value = text === null ? undefined : acceptSetting(key, text);
+    if (value !== undefined && value !== 'file') Object.assign(settings, { [key]: value });
+  }
+  const numbers = parameters.get('camera')?.split(',').map(Number) ?? [];
+  const isCamera = numbers.length === 6 && numbers.every((value) => Number.isFinite(value) && Math.abs(value) <= 100);
+  const [x, y, z, tx, ty, tz] = numbers as [number, number, number, number, number, number];
+  return { settings, camera: isCamera ? { position: [x, y, z], target: [tx, ty, tz] } : undefined };
+}

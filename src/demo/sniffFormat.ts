@@ -1,0 +1,52 @@
+import { ModelError } from './ModelError.js';
+
+export type ModelFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
+
+/** Files that a model is opened by, best first; everything else in a drop is a companion. */
+export const MODEL_EXTENSIONS: readonly ModelFormat[] = ['glb', 'gltf', 'obj', 'ply', 'stl'];
+
+const BINARY_STL_HEADER = 84;
+const BINARY_STL_TRIANGLE = 50;
+
+/**
+ * Tells what a file is by its content first and by its name only where the content leaves it open.
+ *
+ * @param name the file's name, without a `.gz`
+ * @throws ModelError saying what the file is instead
+ */
+export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat {
+  if (bytes.length === 0) throw new ModelError(`${name} is empty.`);
+  const extension = extensionOf(name);
+  const head = new TextDecoder('latin1').decode(bytes.subarray(0, 2048));
+  if (head.startsWith('glTF')) return 'glb';
+  if (/^ply\s/.test(head)) return 'ply';
+  const other = otherKind(head);
+  if (other) throw new ModelError(`${name} is ${other}, not a 3D model.`);
+  if (/^\s*(\uFEFF|ï»¿)?\{/.test(head)) return 'gltf';
+  if (isBinaryStl(bytes) || /^\s*solid\b[\s\S]*\bfacet\b/.test(head)) return 'stl';
+  if (extension === 'obj' || /^\s*v\s+-?[\d.]/m.test(head)) return 'obj';
+  if (MODEL_EXTENSIONS.includes(extension as ModelFormat)) {
+    throw new ModelError(`${name} is not a ${extension!.toUpperCase()} file inside, or it was cut short.`);
+  }
+  throw new ModelError(`${name} is not a model this page can read; it takes GLB, glTF, OBJ, PLY and STL.`);
+}
+
+/** The lower-case extension, without the dot. */
+export function extensionOf(name: string): string | undefined {
+  return /\.([a-z0-9]+)$/i.exec(name)?.[1]?.toLowerCase();
+}
+
+function isBinaryStl(bytes: Uint8Array): boolean {
+  if (bytes.length < BINARY_STL_HEADER) return false;
+  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
+  return count > 0 && BINARY_STL_HEADER + count * BINARY_STL_TRIANGLE <= bytes.length;
+}
+
+function otherKind(head: string): string | undefined {
+  if (/^\s*<(!doctype\s+html|html|head|body)/i.test(head)) return 'a web page';
+  if (/^\s*<\?xml|^\s*<svg/i.test(head)) return 'an XML file';
+  if (head.startsWith('\x89PNG') || head.startsWith('\xff\xd8\xff') || head.startsWith('GIF8')) return 'a picture';
+  if (head.startsWith('PK\x03\x04')) return 'a ZIP archive';
+  if (head.startsWith('%PDF')) return 'a PDF document';
+  return undefined;
+}
