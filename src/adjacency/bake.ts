@@ -1,6 +1,7 @@
-import { buildTriangleAdjacency, type EdgeCounts } from './buildTriangleAdjacency.js';
+import { buildTriangleAdjacency } from './buildTriangleAdjacency.js';
 import { computeSmoothNormals } from './computeSmoothNormals.js';
 import { cutCreases } from './cutCreases.js';
+import type { EdgeCounts } from './EdgeCounts.js';
 import { expandPerCorner, type VertexWords, type Words } from './expandPerCorner.js';
 import { asPhase } from './inChunks.js';
 import { type Bounds, measureBounds } from './measureBounds.js';
@@ -41,7 +42,7 @@ export function* bake(request: BakeRequest): Generator<number, BakeResult, void>
   yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.5, 0.55);
   const normals = request.wantsNormals ? yield* asPhase(computeSmoothNormals(adjacency), 0.55, 0.65) : null;
   const packed = yield* asPhase(packCorners(mesh, adjacency.twins), 0.65, 0.85);
-  const bounds = yield* asPhase(measureBounds(mesh), 0.85, 0.9);
+  const bounds = yield* asPhase(measureBounds(packed.positions), 0.85, 0.9);
 
   const attributes: Words[] = [];
   const share = 0.1 / Math.max(1, request.attributes.length);

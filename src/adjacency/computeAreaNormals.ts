@@ -7,31 +7,31 @@ import type { TriangleMesh } from './TriangleMesh.js';
  * position, or all three on one line.
  */
 export function* computeAreaNormals(mesh: TriangleMesh): Generator<number, Float64Array<ArrayBuffer>, void> {
-  const { positions, indices } = mesh;
-  const triangleCount = indices.length / 3;
-  const areaNormals = new Float64Array(indices.length);
-  yield* inChunks(triangleCount, (start, end) => {
-    for (let corner = 3 * start; corner < 3 * end; corner += 3) {
-      const a = 3 * indices[corner]!;
-      const b = 3 * indices[corner + 1]!;
-      const c = 3 * indices[corner + 2]!;
-      const ax = positions[a]!;
-      const ay = positions[a + 1]!;
-      const az = positions[a + 2]!;
-      const ux = positions[b]! - ax;
-      const uy = positions[b + 1]! - ay;
-      const uz = positions[b + 2]! - az;
-      const vx = positions[c]! - ax;
-      const vy = positions[c + 1]! - ay;
-      const vz = positions[c + 2]! - az;
-      areaNormals[corner] = uy * vz - uz * vy;
-      areaNormals[corner + 1] = uz * vx - ux * vz;
-      areaNormals[corner + 2] = ux * vy - uy * vx;
-    }
-  });
+  const areaNormals = new Float64Array(mesh.indices.length);
+  yield* inChunks(mesh.indices.length / 3, (start, end) => computeRange(mesh, areaNormals, start, end));
   return areaNormals;
 }
 
-/** Whether the triangle that starts at corner `3 * triangle` is degenerate. */
+/** Whether the triangle is degenerate. */
 export const isDegenerate = (areaNormals: Float64Array, triangle: number): boolean =>
   areaNormals[3 * triangle] === 0 && areaNormals[3 * triangle + 1] === 0 && areaNormals[3 * triangle + 2] === 0;
+
+function computeRange({ positions, indices }: TriangleMesh, areaNormals: Float64Array, start: number, end: number) {
+  for (let corner = 3 * start; corner < 3 * end; corner += 3) {
+    const a = 3 * indices[corner]!;
+    const b = 3 * indices[corner + 1]!;
+    const c = 3 * indices[corner + 2]!;
+    const ax = positions[a]!;
+    const ay = positions[a + 1]!;
+    const az = positions[a + 2]!;
+    const ux = positions[b]! - ax;
+    const uy = positions[b + 1]! - ay;
+    const uz = positions[b + 2]! - az;
+    const vx = positions[c]! - ax;
+    const vy = positions[c + 1]! - ay;
+    const vz = positions[c + 2]! - az;
+    areaNormals[corner] = uy * vz - uz * vy;
+    areaNormals[corner + 1] = uz * vx - ux * vz;
+    areaNormals[corner + 2] = ux * vy - uy * vx;
+  }
+}

@@ -10,17 +10,23 @@ export interface VertexWords {
 }
 
 /** Gives each corner a copy of its vertex's words. */
-export function* expandPerCorner(
+export function* expandPerCorner(source: VertexWords, indices: Uint32Array): Generator<number, Words, void> {
+  const { words, wordsPerVertex } = source;
+  const expanded = new (words.constructor as new (length: number) => Words)(indices.length * wordsPerVertex);
+  yield* inChunks(indices.length, (start, end) => expandRange(source, indices, expanded, start, end));
+  return expanded;
+}
+
+function expandRange(
   { words, wordsPerVertex }: VertexWords,
   indices: Uint32Array,
-): Generator<number, Words, void> {
-  const expanded = new (words.constructor as new (length: number) => Words)(indices.length * wordsPerVertex);
-  yield* inChunks(indices.length, (start, end) => {
-    for (let corner = start; corner < end; corner++) {
-      const source = indices[corner]! * wordsPerVertex;
-      const target = corner * wordsPerVertex;
-      for (let i = 0; i < wordsPerVertex; i++) expanded[target + i] = words[source + i]!;
-    }
-  });
-  return expanded;
+  expanded: Words,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const from = indices[corner]! * wordsPerVertex;
+    const to = corner * wordsPerVertex;
+    for (let i = 0; i < wordsPerVertex; i++) expanded[to + i] = words[from + i]!;
+  }
 }

@@ -6,7 +6,10 @@ const CHUNK_SIZE = 1 << 14;
 
 /**
  * Calls `body(start, end)` for consecutive ranges that cover [0, count) and yields the finished part in (0, 1] after each.
- * The hot loops live in `body`, an ordinary function, which engines optimise better than a generator.
+ *
+ * `body` should do no more than call a function of the module with all it needs. Engines keep what they have learnt
+ * about such a function from one bake to the next, but start anew with a closure that is made in each bake: measured,
+ * a factor of two.
  */
 export function* inChunks(count: number, body: (start: number, end: number) => void): Generator<number, void, void> {
   for (let start = 0; start < count; start += CHUNK_SIZE) {

@@ -1,4 +1,5 @@
 import { nextCorner, previousCorner } from './corners.js';
+import { EdgeAxes } from './EdgeAxes.js';
 
 /** A half-edge of a non-manifold edge. */
 interface Fin {
@@ -68,19 +69,21 @@ export function matchNonManifoldEdge(
   return steps;
 }
 
+/** The half-edges as fins, in the order of their angles. */
 function sortedFins(corners: readonly number[], positions: Float32Array, canonicalCorners: Uint32Array): Fin[] {
   const start = 3 * canonicalCorners[corners[0]!]!;
   const end = 3 * canonicalCorners[nextCorner(corners[0]!)]!;
-  const [origin, target] = comparePositions(positions, start, end) < 0 ? [start, end] : [end, start];
-  const frame = perpendicularFrame(positions, origin, target);
-
-  const fins = corners.map((corner): Fin => {
+  const isAscending = comparePositions(positions, start, end) < 0;
+  const origin = isAscending ? start : end;
+  const axes = new EdgeAxes(positions, origin, isAscending ? end : start);
+  const fins: Fin[] = [];
+  for (const corner of corners) {
     const isForward = 3 * canonicalCorners[corner]! === origin;
     const opposite = 3 * canonicalCorners[previousCorner(corner)]!;
-    const angle = angleAbout(positions, origin, opposite, frame);
+    const angle = axes.angleOf(opposite);
     // The normal stands a quarter turn ahead of a forward triangle and a quarter turn behind a backward one.
-    return { corner, isForward, angle: isForward ? angle : (angle + Math.PI) % TWO_PI, opposite };
-  });
+    fins.push({ corner, isForward, angle: isForward ? angle : (angle + Math.PI) % TWO_PI, opposite });
+  }
   return fins.sort(
     (a, b) =>
       a.angle - b.angle ||
@@ -95,45 +98,6 @@ function comparePositions(positions: Float32Array, a: number, b: number): number
   return (
     positions[a]! - positions[b]! || positions[a + 1]! - positions[b + 1]! || positions[a + 2]! - positions[b + 2]! || 0
   );
-}
-
-type Vector = readonly [number, number, number];
-
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const normalize = (a: Vector): Vector => {
-  const length = Math.sqrt(dot(a, a));
-  return [a[0] / length, a[1] / length, a[2] / length];
-};
-const difference = (positions: Float32Array, to: number, from: number): Vector => [
-  positions[to]! - positions[from]!,
-  positions[to + 1]! - positions[from + 1]!,
-  positions[to + 2]! - positions[from + 2]!,
-];
-
-/** Two unit vectors perpendicular to the edge and to each other. */
-function perpendicularFrame(positions: Float32Array, origin: number, target: number): readonly [Vector, Vector] {
-  const axis = normalize(difference(positions, target, origin));
-  const [x, y, z] = axis.map(Math.abs) as [number, number, number];
-  const leastAligned: Vector = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1];
-  const u = normalize(cross(axis, leastAligned));
-  return [u, cross(axis, u)];
-}
-
-/** The angle of a position about the edge, in [0, 2π). */
-function angleAbout(
-  positions: Float32Array,
-  origin: number,
-  position: number,
-  [u, v]: readonly [Vector, Vector],
-): number {
-  const arm = difference(positions, position, origin);
-  const angle = Math.atan2(dot(arm, v), dot(arm, u));
-  return angle < 0 ? (angle + TWO_PI) % TWO_PI : angle;
 }
 
 /** Closest first; equal gaps in the order of angles. */

@@ -1,5 +1,4 @@
 import { asPhase, inChunks } from './inChunks.js';
-import type { TriangleMesh } from './TriangleMesh.js';
 
 /** The extent of a mesh: its bounding box, and the radius of the sphere about the middle of the box. */
 export interface Bounds {
@@ -8,49 +7,57 @@ export interface Bounds {
   radius: number;
 }
 
-/** Measures the vertices that triangles use, as three.js does: the sphere stands at the middle of the box. */
-export function* measureBounds({ positions, indices }: TriangleMesh): Generator<number, Bounds, void> {
-  const min: Bounds['min'] = [Infinity, Infinity, Infinity];
-  const max: Bounds['max'] = [-Infinity, -Infinity, -Infinity];
+/** Measures `positions` (x, y, z each) as three.js does: the sphere stands at the middle of the box. */
+export function* measureBounds(positions: Float32Array): Generator<number, Bounds, void> {
+  const bounds: Bounds = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity], radius: 0 };
+  const { min, max } = bounds;
+  const count = positions.length / 3;
   yield* asPhase(
-    inChunks(indices.length, (start, end) => {
-      let [minX, minY, minZ] = min;
-      let [maxX, maxY, maxZ] = max;
-      for (let corner = start; corner < end; corner++) {
-        const vertex = 3 * indices[corner]!;
-        const x = positions[vertex]!;
-        const y = positions[vertex + 1]!;
-        const z = positions[vertex + 2]!;
-        if (x < minX) minX = x;
-        if (y < minY) minY = y;
-        if (z < minZ) minZ = z;
-        if (x > maxX) maxX = x;
-        if (y > maxY) maxY = y;
-        if (z > maxZ) maxZ = z;
+    inChunks(count, (start, end) => {
+      for (let axis = 0; axis < 3; axis++) {
+        min[axis] = Math.min(min[axis]!, least(positions, axis, start, end));
+        max[axis] = Math.max(max[axis]!, greatest(positions, axis, start, end));
       }
-      min.splice(0, 3, minX, minY, minZ);
-      max.splice(0, 3, maxX, maxY, maxZ);
     }),
     0,
-    0.5,
+    0.6,
   );
-
-  const centerX = (min[0] + max[0]) / 2;
-  const centerY = (min[1] + max[1]) / 2;
-  const centerZ = (min[2] + max[2]) / 2;
-  let largest = 0;
+  const center: Bounds['min'] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
   yield* asPhase(
-    inChunks(indices.length, (start, end) => {
-      for (let corner = start; corner < end; corner++) {
-        const vertex = 3 * indices[corner]!;
-        const x = positions[vertex]! - centerX;
-        const y = positions[vertex + 1]! - centerY;
-        const z = positions[vertex + 2]! - centerZ;
-        largest = Math.max(largest, x * x + y * y + z * z);
-      }
+    inChunks(count, (start, end) => {
+      bounds.radius = Math.max(bounds.radius, farthest(positions, center, start, end));
     }),
-    0.5,
+    0.6,
     1,
   );
-  return { min, max, radius: Math.sqrt(largest) };
+  return bounds;
+}
+
+function least(positions: Float32Array, axis: number, start: number, end: number): number {
+  let value = Infinity;
+  for (let i = 3 * start + axis; i < 3 * end; i += 3) value = Math.min(value, positions[i]!);
+  return value;
+}
+
+function greatest(positions: Float32Array, axis: number, start: number, end: number): number {
+  let value = -Infinity;
+  for (let i = 3 * start + axis; i < 3 * end; i += 3) value = Math.max(value, positions[i]!);
+  return value;
+}
+
+/** The greatest distance from the centre. */
+function farthest(
+  positions: Float32Array,
+  [centerX, centerY, centerZ]: Bounds['min'],
+  start: number,
+  end: number,
+): number {
+  let square = 0;
+  for (let i = 3 * start; i < 3 * end; i += 3) {
+    const x = positions[i]! - centerX;
+    const y = positions[i + 1]! - centerY;
+    const z = positions[i + 2]! - centerZ;
+    square = Math.max(square, x * x + y * y + z * z);
+  }
+  return Math.sqrt(square);
 }

@@ -13,43 +13,54 @@ export interface PackedCorners {
 
 /** Writes the `corner` layout: for every corner the positions of the six adjacency vertices of its triangle. */
 export function* packCorners(mesh: TriangleMesh, twins: Int32Array): Generator<number, PackedCorners, void> {
-  const { positions: vertices, indices } = mesh;
-  const cornerCount = indices.length;
-  const positions = new Float32Array(3 * cornerCount);
-  const corners = new Float32Array(CORNER_STRIDE * cornerCount);
-
-  /** The vertex opposite to the edge, seen from its own triangle or, where it has a twin, from the neighbour. */
-  const oppositeAcross = (corner: number): number => {
-    const twin = twins[corner]!;
-    return 3 * indices[previousCorner(twin === NO_TWIN ? corner : twin)]!;
+  const cornerCount = mesh.indices.length;
+  const packed = {
+    positions: new Float32Array(3 * cornerCount),
+    corners: new Float32Array(CORNER_STRIDE * cornerCount),
   };
-  const writePosition = (target: number, vertex: number): void => {
-    corners[target] = vertices[vertex]!;
-    corners[target + 1] = vertices[vertex + 1]!;
-    corners[target + 2] = vertices[vertex + 2]!;
-  };
+  yield* inChunks(cornerCount / 3, (start, end) => packRange(mesh, twins, packed, start, end));
+  return packed;
+}
 
-  yield* inChunks(cornerCount / 3, (start, end) => {
-    for (let first = 3 * start; first < 3 * end; first += 3) {
-      const own = [3 * indices[first]!, 3 * indices[first + 1]!, 3 * indices[first + 2]!] as const;
-      const alpha = oppositeAcross(first);
-      const beta = oppositeAcross(first + 1);
-      const gamma = oppositeAcross(first + 2);
-      for (let k = 0; k < 3; k++) {
-        const corner = first + k;
-        const vertex = own[k]!;
-        positions[3 * corner] = vertices[vertex]!;
-        positions[3 * corner + 1] = vertices[vertex + 1]!;
-        positions[3 * corner + 2] = vertices[vertex + 2]!;
-        const target = CORNER_STRIDE * corner;
-        writePosition(target, own[(k + 1) % 3]!);
-        corners[target + 3] = k;
-        writePosition(target + 4, own[(k + 2) % 3]!);
-        writePosition(target + 7, alpha);
-        writePosition(target + 10, beta);
-        writePosition(target + 13, gamma);
-      }
+function packRange(
+  { positions: vertices, indices }: TriangleMesh,
+  twins: Int32Array,
+  { positions, corners }: PackedCorners,
+  start: number,
+  end: number,
+): void {
+  for (let first = 3 * start; first < 3 * end; first += 3) {
+    const alpha = vertexAcross(indices, twins, first);
+    const beta = vertexAcross(indices, twins, first + 1);
+    const gamma = vertexAcross(indices, twins, first + 2);
+    let own = indices[first]!;
+    let next = indices[first + 1]!;
+    let previous = indices[first + 2]!;
+    for (let k = 0; k < 3; k++) {
+      const target = CORNER_STRIDE * (first + k);
+      copyPosition(vertices, own, positions, 3 * (first + k));
+      copyPosition(vertices, next, corners, target);
+      corners[target + 3] = k;
+      copyPosition(vertices, previous, corners, target + 4);
+      copyPosition(vertices, alpha, corners, target + 7);
+      copyPosition(vertices, beta, corners, target + 10);
+      copyPosition(vertices, gamma, corners, target + 13);
+      const rotated = own;
+      own = next;
+      next = previous;
+      previous = rotated;
     }
-  });
-  return { positions, corners };
+  }
+}
+
+/** The vertex opposite to the edge in the neighbour across it or, where there is none, in the triangle itself. */
+function vertexAcross(indices: Uint32Array, twins: Int32Array, corner: number): number {
+  const twin = twins[corner]!;
+  return indices[previousCorner(twin === NO_TWIN ? corner : twin)]!;
+}
+
+function copyPosition(vertices: Float32Array, vertex: number, target: Float32Array, offset: number): void {
+  target[offset] = vertices[3 * vertex]!;
+  target[offset + 1] = vertices[3 * vertex + 1]!;
+  target[offset + 2] = vertices[3 * vertex + 2]!;
 }

@@ -1,142 +1,211 @@
-import type { TriangleAdjacency } from './buildTriangleAdjacency.js';
 import { isDegenerate } from './computeAreaNormals.js';
 import { NO_TWIN, nextCorner } from './corners.js';
+import type { EdgeCounts } from './EdgeCounts.js';
 import { asPhase, inChunks } from './inChunks.js';
 import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
-import type { TriangleMesh } from './TriangleMesh.js';
 
-/** No further half-edge on this edge. */
+/** What `pairEdges` returns; explained at `TriangleAdjacency`. */
+export interface Pairing extends EdgeCounts {
+  twins: Int32Array<ArrayBuffer>;
+  /** Visits of half-edges: a machine-independent measure of the time taken. */
+  steps: number;
+}
+
+/** Half-edges sorted by the smaller of their two canonical vertices. */
+interface Buckets {
+  /** The half-edges whose smaller end is v lie in slots starts[v] … starts[v + 1] − 1. */
+  starts: Uint32Array;
+  /** The half-edge in each slot, named by the corner it starts from. */
+  corners: Uint32Array;
+  /** The larger end of each. */
+  highs: Uint32Array;
+}
+
+/** Half-edges of one undirected edge, linked from the last to the first. */
+interface Chains {
+  /** The slot before this one on the same edge, or END. */
+  previous: Uint32Array;
+  /** 1 where a later slot links to this one: not the last of its chain. */
+  isSuperseded: Uint8Array;
+}
+
 const END = 0xffffffff;
 
 /**
- * Finds twins by counting sort: half-edges are sorted into one bucket per smaller end vertex, and within a bucket those
- * with the same larger end are chained. A marker array that remembers, per larger end, the latest half-edge seen takes
- * the place of a search, so a bucket of any size costs one visit per entry.
+ * Finds twins by counting sort: half-edges are sorted into one bucket per smaller end, and within a bucket those with
+ * the same larger end are chained. A marker array that remembers, per larger end, the latest half-edge seen takes the
+ * place of a search, so a bucket of any size costs one visit per entry. Half-edges of degenerate triangles take no part.
  */
 export function* pairEdges(
-  mesh: TriangleMesh,
-  canonical: Uint32Array,
+  positions: Float32Array,
+  canonicalCorners: Uint32Array,
   areaNormals: Float64Array,
-): Generator<number, Omit<TriangleAdjacency, 'areaNormals'>, void> {
-  const { positions, indices } = mesh;
-  const vertexCount = canonical.length;
-  const triangleCount = indices.length / 3;
+): Generator<number, Pairing, void> {
+  const vertexCount = positions.length / 3;
+  const triangleCount = canonicalCorners.length / 3;
 
-  // histogram over the smaller end
-  const canonicalCorners = new Uint32Array(indices.length);
-  /** First the sizes of the buckets, then, after the prefix sum, where each ends; while scattering, where it starts. */
-  const bucketStarts = new Uint32Array(vertexCount + 1);
+  // histogram over the smaller end, then prefix sum: every entry is the end of its bucket
+  const starts = new Uint32Array(vertexCount + 1);
   let degenerateTriangles = 0;
   yield* asPhase(
     inChunks(triangleCount, (start, end) => {
-      for (let triangle = start; triangle < end; triangle++) {
-        const corner = 3 * triangle;
-        const a = canonical[indices[corner]!]!;
-        const b = canonical[indices[corner + 1]!]!;
-        const c = canonical[indices[corner + 2]!]!;
-        canonicalCorners[corner] = a;
-        canonicalCorners[corner + 1] = b;
-        canonicalCorners[corner + 2] = c;
-        if (isDegenerate(areaNormals, triangle)) {
-          degenerateTriangles++;
-          continue;
-        }
-        bucketStarts[Math.min(a, b)]!++;
-        bucketStarts[Math.min(b, c)]!++;
-        bucketStarts[Math.min(c, a)]!++;
-      }
+      degenerateTriangles += countRange(canonicalCorners, areaNormals, starts, start, end);
     }),
     0,
-    0.2,
+    0.15,
   );
-
-  // prefix sum
   let halfEdgeCount = 0;
   for (let vertex = 0; vertex <= vertexCount; vertex++) {
-    halfEdgeCount += bucketStarts[vertex]!;
-    bucketStarts[vertex] = halfEdgeCount;
+    halfEdgeCount += starts[vertex]!;
+    starts[vertex] = halfEdgeCount;
   }
 
-  // scatter, backwards, so that the order of triangles is kept inside a bucket and the ends become the starts
-  const slotCorners = new Uint32Array(halfEdgeCount);
-  const slotHighs = new Uint32Array(halfEdgeCount);
+  const buckets = { starts, corners: new Uint32Array(halfEdgeCount), highs: new Uint32Array(halfEdgeCount) };
   yield* asPhase(
-    inChunks(triangleCount, (start, end) => {
-      for (let i = start; i < end; i++) {
-        const triangle = triangleCount - 1 - i;
-        if (isDegenerate(areaNormals, triangle)) continue;
-        for (let corner = 3 * triangle + 2; corner >= 3 * triangle; corner--) {
-          const from = canonicalCorners[corner]!;
-          const to = canonicalCorners[nextCorner(corner)]!;
-          const slot = --bucketStarts[Math.min(from, to)]!;
-          slotCorners[slot] = corner;
-          slotHighs[slot] = Math.max(from, to);
-        }
-      }
-    }),
-    0.2,
-    0.5,
+    inChunks(triangleCount, (start, end) =>
+      scatterRange(canonicalCorners, areaNormals, buckets, triangleCount - end, triangleCount - start),
+    ),
+    0.15,
+    0.45,
   );
 
-  // chain the half-edges of each undirected edge: every slot points to the one before it on the same edge
-  let steps = 0;
-  const previousSlots = new Uint32Array(halfEdgeCount).fill(END);
-  const isSuperseded = new Uint8Array(halfEdgeCount);
-  /** Per larger end: the latest slot + 1. Slots of earlier buckets are recognised by their number, no reset needed. */
+  const chains = { previous: new Uint32Array(halfEdgeCount).fill(END), isSuperseded: new Uint8Array(halfEdgeCount) };
   const latest = new Uint32Array(vertexCount);
-  let vertex = 0;
+  let low = 0;
   yield* asPhase(
     inChunks(halfEdgeCount, (start, end) => {
-      for (let slot = start; slot < end; slot++) {
-        while (bucketStarts[vertex + 1]! <= slot) vertex++;
-        const high = slotHighs[slot]!;
-        const previous = latest[high]! - 1;
-        if (previous >= bucketStarts[vertex]!) {
-          previousSlots[slot] = previous;
-          isSuperseded[previous] = 1;
-        }
-        latest[high] = slot + 1;
-        steps++;
-      }
+      low = chainRange(buckets, chains, latest, low, start, end);
     }),
-    0.5,
-    0.75,
+    0.45,
+    0.7,
   );
 
-  // pair along each chain
-  const twins = new Int32Array(indices.length).fill(NO_TWIN);
-  let borderEdges = 0;
-  let inconsistentEdges = 0;
-  let nonManifoldEdges = 0;
+  const pairing = {
+    twins: new Int32Array(canonicalCorners.length).fill(NO_TWIN),
+    borderEdges: 0,
+    nonManifoldEdges: 0,
+    inconsistentEdges: 0,
+    degenerateTriangles,
+    steps: halfEdgeCount,
+  };
   yield* asPhase(
-    inChunks(halfEdgeCount, (start, end) => {
-      for (let slot = start; slot < end; slot++) {
-        if (isSuperseded[slot]) continue;
-        const corner = slotCorners[slot]!;
-        const second = previousSlots[slot]!;
-        steps++;
-        if (second === END) {
-          borderEdges++;
-          continue;
-        }
-        const third = previousSlots[second]!;
-        if (third === END) {
-          const twin = slotCorners[second]!;
-          twins[corner] = twin;
-          twins[twin] = corner;
-          if (canonicalCorners[corner] === canonicalCorners[twin]) inconsistentEdges++;
-          steps++;
-          continue;
-        }
-        const group: number[] = [];
-        for (let member = slot; member !== END; member = previousSlots[member]!) group.push(slotCorners[member]!);
-        nonManifoldEdges++;
-        steps += group.length + matchNonManifoldEdge(group, positions, canonicalCorners, twins);
-      }
-    }),
-    0.75,
+    inChunks(halfEdgeCount, (start, end) =>
+      pairRange(positions, canonicalCorners, buckets, chains, pairing, start, end),
+    ),
+    0.7,
     1,
   );
+  return pairing;
+}
 
-  return { twins, canonicalCorners, borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles, steps };
+/**
+ * Adds the half-edges of some triangles to the histogram `sizes` over their smaller end. Returns the number of
+ * degenerate triangles, which are left out.
+ */
+function countRange(
+  canonicalCorners: Uint32Array,
+  areaNormals: Float64Array,
+  sizes: Uint32Array,
+  start: number,
+  end: number,
+): number {
+  let degenerateTriangles = 0;
+  for (let triangle = start; triangle < end; triangle++) {
+    if (isDegenerate(areaNormals, triangle)) {
+      degenerateTriangles++;
+      continue;
+    }
+    const a = canonicalCorners[3 * triangle]!;
+    const b = canonicalCorners[3 * triangle + 1]!;
+    const c = canonicalCorners[3 * triangle + 2]!;
+    sizes[Math.min(a, b)]!++;
+    sizes[Math.min(b, c)]!++;
+    sizes[Math.min(c, a)]!++;
+  }
+  return degenerateTriangles;
+}
+
+/**
+ * Puts the half-edges of some triangles into their buckets, from the back of each, so that in the end the bucket ends
+ * have become the bucket starts. Triangles are taken backwards, so that a bucket keeps their order.
+ */
+function scatterRange(
+  canonicalCorners: Uint32Array,
+  areaNormals: Float64Array,
+  { starts, corners, highs }: Buckets,
+  start: number,
+  end: number,
+): void {
+  for (let triangle = end - 1; triangle >= start; triangle--) {
+    if (isDegenerate(areaNormals, triangle)) continue;
+    for (let corner = 3 * triangle + 2; corner >= 3 * triangle; corner--) {
+      const from = canonicalCorners[corner]!;
+      const to = canonicalCorners[nextCorner(corner)]!;
+      const slot = --starts[Math.min(from, to)]!;
+      corners[slot] = corner;
+      highs[slot] = Math.max(from, to);
+    }
+  }
+}
+
+/**
+ * Chains some slots. `latest` holds, per larger end, the latest slot + 1; what earlier buckets have left there is
+ * recognised by its number, so nothing is ever reset. `low` is the bucket of the slot before; returns that of the last.
+ */
+function chainRange(
+  { starts, highs }: Buckets,
+  { previous, isSuperseded }: Chains,
+  latest: Uint32Array,
+  low: number,
+  start: number,
+  end: number,
+): number {
+  for (let slot = start; slot < end; slot++) {
+    while (starts[low + 1]! <= slot) low++;
+    const high = highs[slot]!;
+    const before = latest[high]! - 1;
+    if (before >= starts[low]!) {
+      previous[slot] = before;
+      isSuperseded[before] = 1;
+    }
+    latest[high] = slot + 1;
+  }
+  return low;
+}
+
+/** Makes twins of the chains that end in some slots, and counts. */
+function pairRange(
+  positions: Float32Array,
+  canonicalCorners: Uint32Array,
+  { corners }: Buckets,
+  { previous, isSuperseded }: Chains,
+  pairing: Pairing,
+  start: number,
+  end: number,
+): void {
+  const { twins } = pairing;
+  let borderEdges = 0;
+  let inconsistentEdges = 0;
+  let steps = end - start;
+  for (let slot = start; slot < end; slot++) {
+    if (isSuperseded[slot] === 1) continue;
+    const second = previous[slot]!;
+    if (second === END) {
+      borderEdges++;
+    } else if (previous[second]! === END) {
+      const corner = corners[slot]!;
+      const twin = corners[second]!;
+      twins[corner] = twin;
+      twins[twin] = corner;
+      if (canonicalCorners[corner] === canonicalCorners[twin]) inconsistentEdges++;
+    } else {
+      const group: number[] = [];
+      for (let member = slot; member !== END; member = previous[member]!) group.push(corners[member]!);
+      pairing.nonManifoldEdges++;
+      steps += group.length + matchNonManifoldEdge(group, positions, canonicalCorners, twins);
+    }
+  }
+  pairing.borderEdges += borderEdges;
+  pairing.inconsistentEdges += inconsistentEdges;
+  pairing.steps += steps;
 }

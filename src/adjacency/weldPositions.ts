@@ -23,37 +23,41 @@ export function* weldPositions(positions: Float32Array<ArrayBuffer>): Generator<
   const vertexCount = positions.length / 3;
   const bits = new Uint32Array(positions.buffer, positions.byteOffset, positions.length);
   const canonical = new Uint32Array(vertexCount);
-
   let size = 16;
   while (size < 2 * vertexCount) size *= 2;
-  const mask = size - 1;
-  /** Vertex + 1, so that 0 means empty. */
   const table = new Uint32Array(size);
   let steps = 0;
-
   yield* inChunks(vertexCount, (start, end) => {
-    for (let vertex = start; vertex < end; vertex++) {
-      const x = fold(bits[3 * vertex]!);
-      const y = fold(bits[3 * vertex + 1]!);
-      const z = fold(bits[3 * vertex + 2]!);
-      let slot = hash(x, y, z) & mask;
-      for (;;) {
-        steps++;
-        const other = table[slot]! - 1;
-        if (other < 0) {
-          table[slot] = vertex + 1;
-          canonical[vertex] = vertex;
-          break;
-        }
-        if (fold(bits[3 * other]!) === x && fold(bits[3 * other + 1]!) === y && fold(bits[3 * other + 2]!) === z) {
-          canonical[vertex] = other;
-          break;
-        }
-        slot = (slot + 1) & mask;
-      }
-    }
+    steps += weldRange(bits, table, canonical, start, end);
   });
   return { canonical, steps };
+}
+
+/** Enters vertices into `table` (vertex + 1, so that 0 means empty). Returns the number of slots looked at. */
+function weldRange(bits: Uint32Array, table: Uint32Array, canonical: Uint32Array, start: number, end: number): number {
+  const mask = table.length - 1;
+  let steps = 0;
+  for (let vertex = start; vertex < end; vertex++) {
+    const x = fold(bits[3 * vertex]!);
+    const y = fold(bits[3 * vertex + 1]!);
+    const z = fold(bits[3 * vertex + 2]!);
+    let slot = hash(x, y, z) & mask;
+    for (;;) {
+      steps++;
+      const other = table[slot]! - 1;
+      if (other < 0) {
+        table[slot] = vertex + 1;
+        canonical[vertex] = vertex;
+        break;
+      }
+      if (fold(bits[3 * other]!) === x && fold(bits[3 * other + 1]!) === y && fold(bits[3 * other + 2]!) === z) {
+        canonical[vertex] = other;
+        break;
+      }
+      slot = (slot + 1) & mask;
+    }
+  }
+  return steps;
 }
 
 /**

@@ -1,4 +1,4 @@
-import type { EdgeCounts } from '../adjacency/buildTriangleAdjacency.js';
+import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
 
 /** What a prepared geometry carries as `userData.hatching`. */
 export interface HatchingStatistics extends EdgeCounts {

@@ -64,7 +64,6 @@ export async function prepareHatchingGeometry(
     options,
   );
   applyCorners(prepared, kept, result);
-  options.onProgress?.(1);
   return prepared;
 }
 

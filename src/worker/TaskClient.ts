@@ -18,7 +18,7 @@ interface Pending {
   options: SlicedOptions;
   resolve(result: unknown): void;
   reject(reason: unknown): void;
-  /** Stops listening to the signal. */
+  /** Stops listening to the signal, and computing, if that happens here. */
   release(): void;
 }
 
@@ -40,6 +40,7 @@ export class TaskClient {
   private state: State = 'none';
   private nextId = 0;
   private readonly pending = new Map<number, Pending>();
+  /** Waits for `ready` while starting; for the end of idleness while ready and without work. */
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /**
@@ -63,6 +64,7 @@ export class TaskClient {
     const { signal } = options;
     if (signal?.aborted) return Promise.reject(signal.reason);
     return new Promise<unknown>((resolve, reject) => {
+      this.start();
       const id = this.nextId++;
       const onAbort = () => {
         this.send({ type: 'abort', id });
@@ -72,7 +74,6 @@ export class TaskClient {
       const release = () => signal?.removeEventListener('abort', onAbort);
       const entry: Pending = { id, task, request, progress: 0, options, resolve, reject, release };
       this.pending.set(id, entry);
-      this.start();
       if (this.state === 'ready') this.dispatch(entry);
       else if (this.state === 'unavailable') this.runHere(entry);
     }) as Promise<TaskResult<Name>>;
@@ -85,11 +86,10 @@ export class TaskClient {
         'The hatching worker was disposed of before this request was finished. Ask again if you still need it.',
       ),
     );
-    this.state = 'none';
   }
 
   private start(): void {
-    clearTimeout(this.timer);
+    if (this.state === 'ready') clearTimeout(this.timer);
     if (this.state !== 'none') return;
     try {
       this.worker = this.createWorker();
@@ -121,7 +121,7 @@ export class TaskClient {
     } else if (message.type === 'progress') {
       this.report(message.id, message.progress);
     } else if (message.type === 'done') {
-      this.settle(message.id)?.resolve(message.result);
+      this.finish(message.id, message.result);
     } else {
       this.settle(message.id)?.reject(unpackError(message.error));
     }
@@ -139,6 +139,11 @@ export class TaskClient {
     }
   }
 
+  private finish(id: number, result: unknown): void {
+    this.report(id, 1);
+    this.settle(id)?.resolve(result);
+  }
+
   private dispatch({ id, task, request }: Pending): void {
     try {
       this.send({ type: 'run', id, task, request }, taskNamed(task).requestBuffers(request));
@@ -147,9 +152,16 @@ export class TaskClient {
     }
   }
 
-  private runHere({ id, task, request, options }: Pending): void {
-    runSliced(taskNamed(task).run(request), options).then(
-      (result) => this.settle(id)?.resolve(result),
+  private runHere(entry: Pending): void {
+    const { id, task, request, release } = entry;
+    const controller = new AbortController();
+    entry.release = () => {
+      release();
+      controller.abort();
+    };
+    const onProgress = (progress: number) => this.report(id, progress);
+    runSliced(taskNamed(task).run(request), { signal: controller.signal, onProgress }).then(
+      (result) => this.finish(id, result),
       (error) => this.settle(id)?.reject(error),
     );
   }
@@ -160,8 +172,7 @@ export class TaskClient {
     console.warn(
       `three-hatching: the worker could not be started (${text}). The main thread computes instead, in slices; under a Content-Security-Policy pass createWorker.`,
     );
-    this.end();
-    this.state = 'unavailable';
+    this.end('unavailable');
     for (const entry of this.pending.values()) this.runHere(entry);
   }
 
@@ -175,18 +186,23 @@ export class TaskClient {
         `The hatching worker died (${reason}) before this request was finished. Ask again; a new worker will be started.`,
       ),
     );
-    this.state = 'none';
   }
 
+  /** Ends the worker and rejects everything that is open. */
   private fail(error: Error): void {
-    this.end();
+    this.end('none');
     for (const id of [...this.pending.keys()]) this.settle(id)?.reject(error);
   }
 
-  private end(): void {
+  private end(state: State): void {
     clearTimeout(this.timer);
-    this.worker?.terminate();
+    if (this.worker) {
+      // What an ended worker has sent may still be on its way.
+      this.worker.onmessage = this.worker.onmessageerror = this.worker.onerror = null;
+      this.worker.terminate();
+    }
     this.worker = null;
+    this.state = state;
   }
 
   /** Takes the request off the list; undefined if it was settled before. */
@@ -203,8 +219,7 @@ export class TaskClient {
     if (this.pending.size > 0 || this.state !== 'ready') return;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
-      this.end();
-      this.state = 'none';
+      this.end('none');
       this.onIdle();
     }, IDLE_MS);
   }
