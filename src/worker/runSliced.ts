@@ -38,10 +38,14 @@ export async function runSliced<Result>(
 }
 
 /**
- * A pause that lets queued events run. Messages between two ports are not held back as timers are (4 ms each once
- * nested, a second in a hidden tab).
+ * Pauses that let queued events run. In browsers a message between two ports does that without the delay of timers
+ * (4 ms each once nested, a second in a hidden tab). Node handles a thousand messages before anything else, but has
+ * `setImmediate`.
  */
 function createPause(): { next(): Promise<void>; close(): void } {
+  if (typeof setImmediate === 'function') {
+    return { next: () => new Promise((resolve) => setImmediate(resolve)), close: () => {} };
+  }
   const { port1, port2 } = new MessageChannel();
   let resume: () => void = () => {};
   port1.onmessage = () => resume();

@@ -1,0 +1,34 @@
+import type { FromWorker, ToWorker } from '../../../src/worker/protocol.js';
+
+/** A worker that does what the test tells it, and remembers what it was told. */
+export class FakeWorker {
+  onmessage: ((event: { data: FromWorker }) => void) | null = null;
+  onmessageerror: (() => void) | null = null;
+  onerror: ((event: { message?: string }) => void) | null = null;
+  readonly received: ToWorker[] = [];
+  readonly transferred: Transferable[][] = [];
+  isTerminated = false;
+
+  postMessage(message: ToWorker, transfer: Transferable[]): void {
+    this.received.push(structuredClone(message, { transfer }));
+    this.transferred.push(transfer);
+  }
+
+  terminate(): void {
+    this.isTerminated = true;
+  }
+
+  /** Lets the worker speak. */
+  say(message: FromWorker): void {
+    this.onmessage?.({ data: message });
+  }
+
+  /** Ids of the requests that the worker has got. */
+  get ids(): number[] {
+    return this.received.filter(({ type }) => type === 'run').map(({ id }) => id);
+  }
+
+  static asWorker(worker: FakeWorker): Worker {
+    return worker as unknown as Worker;
+  }
+}

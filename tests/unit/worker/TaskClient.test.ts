@@ -1,0 +1,311 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import type { BakeRequest, BakeResult } from '../../../src/adjacency/bake.js';
+import { TaskClient } from '../../../src/worker/TaskClient.js';
+import { FakeWorker } from './FakeWorker.js';
+
+/** One triangle. `label` tells requests apart. */
+const request = (label = 'test', positions = [0, 0, 0, 1, 0, 0, 0, 1, 0]): BakeRequest => ({
+  label,
+  mesh: { positions: new Float32Array(positions), indices: new Uint32Array([0, 1, 2]) },
+  creaseAngle: Math.PI / 2,
+  wantsNormals: false,
+  attributes: [{ words: new Uint8Array([1, 2, 3]), wordsPerVertex: 1 }],
+});
+
+/** Stands for the result of request `id`; the client looks at nothing in it. */
+const result = (id: number) => ({ id }) as unknown as BakeResult;
+
+/** How the promise stands, without waiting for it. */
+const outcomeOf = async (promise: Promise<unknown>) => {
+  let outcome: unknown = 'pending';
+  promise.then(
+    (value) => (outcome = value),
+    (reason) => (outcome = reason),
+  );
+  for (let i = 0; i < 5; i++) await Promise.resolve();
+  return outcome;
+};
+
+let workers: FakeWorker[];
+let client: TaskClient;
+const create = () => {
+  const worker = new FakeWorker();
+  workers.push(worker);
+  return FakeWorker.asWorker(worker);
+};
+const onIdle = vi.fn();
+
+beforeEach(() => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+  workers = [];
+  client = new TaskClient(create, onIdle);
+  onIdle.mockReset();
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.restoreAllMocks();
+});
+
+/** A client whose worker is ready. */
+function started(): FakeWorker {
+  client.run('bake', request()).catch(() => {});
+  const worker = workers[0]!;
+  worker.say({ type: 'ready' });
+  worker.say({ type: 'done', id: 0, result: result(0) });
+  worker.received.length = 0;
+  worker.transferred.length = 0;
+  return worker;
+}
+
+describe('one worker', () => {
+  test('starts with the first request, is shared, and gets requests once it is ready', async () => {
+    expect(workers).toHaveLength(0);
+    const first = client.run('bake', request('first'));
+    const second = client.run('bake', request('second'));
+    expect(workers).toHaveLength(1);
+    const [worker] = workers as [FakeWorker];
+    expect(worker.received).toEqual([]);
+    worker.say({ type: 'ready' });
+    expect(worker.received).toMatchObject([
+      { type: 'run', id: 0, task: 'bake', request: { label: 'first' } },
+      { type: 'run', id: 1, task: 'bake', request: { label: 'second' } },
+    ]);
+    const third = client.run('bake', request('third'));
+    expect(worker.ids).toEqual([0, 1, 2]);
+    // Answers come in any order.
+    worker.say({ type: 'done', id: 2, result: result(2) });
+    worker.say({ type: 'done', id: 0, result: result(0) });
+    expect(await third).toEqual({ id: 2 });
+    expect(await first).toEqual({ id: 0 });
+    expect(await outcomeOf(second)).toBe('pending');
+    worker.say({ type: 'done', id: 1, result: result(1) });
+    expect(await second).toEqual({ id: 1 });
+  });
+
+  test('transfers the buffers of a request, each once', () => {
+    const worker = started();
+    const sent = request();
+    client.run('bake', sent);
+    expect(worker.transferred).toHaveLength(1);
+    expect(worker.transferred[0]).toHaveLength(3);
+    expect(sent.mesh.positions.byteLength).toBe(0);
+    expect((worker.received[0] as { request: BakeRequest }).request).toEqual(request());
+  });
+
+  test('reports rising progress to the right request, then 1', async () => {
+    const worker = started();
+    const seen: Record<string, number[]> = { a: [], b: [] };
+    const a = client.run('bake', request(), { onProgress: (value) => seen.a!.push(value) });
+    client.run('bake', request(), { onProgress: (value) => seen.b!.push(value) });
+    worker.say({ type: 'progress', id: 1, progress: 0.25 });
+    worker.say({ type: 'progress', id: 2, progress: 0.5 });
+    worker.say({ type: 'progress', id: 1, progress: 0.2 });
+    worker.say({ type: 'progress', id: 1, progress: 0.75 });
+    worker.say({ type: 'done', id: 1, result: result(1) });
+    worker.say({ type: 'progress', id: 1, progress: 0.9 });
+    await a;
+    expect(seen).toEqual({ a: [0.25, 0.75, 1], b: [0.5] });
+  });
+
+  test('a callback that throws rejects its own request and stops it', async () => {
+    const worker = started();
+    const failure = new Error('in the callback');
+    const promise = client.run('bake', request(), {
+      onProgress: () => {
+        throw failure;
+      },
+    });
+    worker.say({ type: 'progress', id: 1, progress: 0.5 });
+    await expect(promise).rejects.toBe(failure);
+    expect(worker.received.at(-1)).toEqual({ type: 'abort', id: 1 });
+  });
+
+  test('rebuilds the error of a task', async () => {
+    const worker = started();
+    const promise = client.run('bake', request());
+    worker.say({ type: 'failed', id: 1, error: { name: 'RangeError', message: 'no triangles' } });
+    const error = await promise.catch((reason) => reason);
+    expect(error).toBeInstanceOf(RangeError);
+    expect(error.message).toBe('no triangles');
+  });
+
+  test('ends when idle, and a new one starts with the next request', async () => {
+    const worker = started();
+    vi.advanceTimersByTime(9_999);
+    expect(worker.isTerminated).toBe(false);
+    // A request in between starts the count anew.
+    client.run('bake', request());
+    vi.advanceTimersByTime(60_000);
+    expect(worker.isTerminated).toBe(false);
+    worker.say({ type: 'done', id: 1, result: result(1) });
+    vi.advanceTimersByTime(10_000);
+    expect(worker.isTerminated).toBe(true);
+    expect(onIdle).toHaveBeenCalledOnce();
+    client.run('bake', request());
+    expect(workers).toHaveLength(2);
+    expect(vi.getTimerCount()).toBe(1);
+  });
+});
+
+describe('abort', () => {
+  test('before the request: no worker is started', async () => {
+    const reason = new Error('stop');
+    await expect(client.run('bake', request(), { signal: AbortSignal.abort(reason) })).rejects.toBe(reason);
+    expect(workers).toHaveLength(0);
+  });
+
+  test('while the worker starts: the request is never sent', async () => {
+    const controller = new AbortController();
+    const promise = client.run('bake', request(), { signal: controller.signal });
+    controller.abort(new Error('stop'));
+    await expect(promise).rejects.toThrow('stop');
+    workers[0]!.say({ type: 'ready' });
+    expect(workers[0]!.received).toEqual([]);
+  });
+
+  test('while it runs: rejects at once, tells the worker, and leaves the others alone', async () => {
+    const worker = started();
+    const controller = new AbortController();
+    const aborted = client.run('bake', request(), { signal: controller.signal });
+    const other = client.run('bake', request());
+    controller.abort();
+    await expect(aborted).rejects.toHaveProperty('name', 'AbortError');
+    expect(worker.received.at(-1)).toEqual({ type: 'abort', id: 1 });
+    // An answer that was already on its way changes nothing.
+    worker.say({ type: 'done', id: 1, result: result(1) });
+    worker.say({ type: 'done', id: 2, result: result(2) });
+    expect(await other).toEqual({ id: 2 });
+  });
+
+  test('afterwards: nothing happens, and no listener is left on the signal', async () => {
+    const worker = started();
+    const controller = new AbortController();
+    const remove = vi.spyOn(controller.signal, 'removeEventListener');
+    const promise = client.run('bake', request(), { signal: controller.signal });
+    worker.say({ type: 'done', id: 1, result: result(1) });
+    await promise;
+    expect(remove).toHaveBeenCalledOnce();
+    controller.abort();
+    expect(worker.received.map(({ type }) => type)).toEqual(['run']);
+  });
+});
+
+describe('dispose', () => {
+  test('rejects what is pending, ends the worker, and leaves no timer; the client can be used again', async () => {
+    const worker = started();
+    const promises = [client.run('bake', request()), client.run('bake', request())];
+    client.dispose();
+    for (const promise of promises)
+      await expect(promise).rejects.toThrow(/disposed of before this request was finished/);
+    expect(worker.isTerminated).toBe(true);
+    expect(vi.getTimerCount()).toBe(0);
+    const again = client.run('bake', request());
+    workers[1]!.say({ type: 'ready' });
+    workers[1]!.say({ type: 'done', id: 3, result: result(3) });
+    expect(await again).toEqual({ id: 3 });
+  });
+
+  test('while the worker starts', async () => {
+    const promise = client.run('bake', request());
+    client.dispose();
+    await expect(promise).rejects.toThrow(/disposed/);
+    expect(workers[0]!.isTerminated).toBe(true);
+    expect(vi.getTimerCount()).toBe(0);
+  });
+
+  test('of a client on the main thread', async () => {
+    client = new TaskClient(() => null);
+    const promise = client.run('bake', request());
+    client.dispose();
+    await expect(promise).rejects.toThrow(/disposed/);
+  });
+});
+
+describe('death of the worker', () => {
+  test('rejects what is pending and says so; the next request gets a new worker', async () => {
+    const worker = started();
+    const promises = [client.run('bake', request()), client.run('bake', request())];
+    worker.onerror!({ message: 'out of memory' });
+    for (const promise of promises) await expect(promise).rejects.toThrow(/worker died \(out of memory\).*Ask again/);
+    expect(worker.isTerminated).toBe(true);
+    const again = client.run('bake', request());
+    expect(workers).toHaveLength(2);
+    // What the dead one has sent may still arrive.
+    worker.say({ type: 'done', id: 3, result: result(-1) });
+    workers[1]!.say({ type: 'ready' });
+    workers[1]!.say({ type: 'done', id: 3, result: result(3) });
+    expect(await again).toEqual({ id: 3 });
+  });
+
+  test('a message that cannot be read counts as death', async () => {
+    const worker = started();
+    const promise = client.run('bake', request());
+    worker.onmessageerror!();
+    await expect(promise).rejects.toThrow(/a message could not be read/);
+  });
+
+  test('when idle it is simply replaced', () => {
+    started().onerror!({ message: 'boom' });
+    client.run('bake', request());
+    expect(workers).toHaveLength(2);
+  });
+});
+
+describe('without a worker the main thread computes', () => {
+  let warn: ReturnType<typeof vi.spyOn>;
+  beforeEach(() => {
+    warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+  });
+
+  const isBaked = (value: BakeResult) => expect([...value.positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+
+  test('when there are none: silently', async () => {
+    client = new TaskClient(() => null);
+    const progress: number[] = [];
+    isBaked(await client.run('bake', request(), { onProgress: (value) => progress.push(value) }));
+    expect(progress.at(-1)).toBe(1);
+    expect(warn).not.toHaveBeenCalled();
+  });
+
+  test('when the constructor throws: with one warning, now and from now on', async () => {
+    const create = vi.fn(() => {
+      throw new Error('blocked by the policy');
+    });
+    client = new TaskClient(create);
+    const both = [client.run('bake', request()), client.run('bake', request())];
+    for (const promise of both) isBaked(await promise);
+    expect(create).toHaveBeenCalledOnce();
+    expect(warn).toHaveBeenCalledOnce();
+    expect(warn.mock.calls[0]![0]).toMatch(/could not be started \(blocked by the policy\).*createWorker/);
+  });
+
+  test('when the script cannot be loaded: with the requests that were waiting', async () => {
+    const both = [client.run('bake', request()), client.run('bake', request())];
+    workers[0]!.onerror!({});
+    for (const promise of both) isBaked(await promise);
+    isBaked(await client.run('bake', request()));
+    expect(workers).toHaveLength(1);
+    expect(warn.mock.calls[0]![0]).toMatch(/its script could not be loaded/);
+  });
+
+  test('when the worker does not report in time; a second request does not stop the clock', async () => {
+    const promise = client.run('bake', request());
+    vi.advanceTimersByTime(10_000);
+    const second = client.run('bake', request());
+    vi.advanceTimersByTime(5_000);
+    isBaked(await promise);
+    isBaked(await second);
+    expect(warn.mock.calls[0]![0]).toMatch(/did not report within 15 s/);
+  });
+
+  test('errors of the task and aborts come through', async () => {
+    client = new TaskClient(() => null);
+    await expect(client.run('bake', request('bad', [Number.NaN, 0, 0, 1, 0, 0, 0, 1, 0]))).rejects.toThrow(
+      /^bad: the position/,
+    );
+    const controller = new AbortController();
+    const promise = client.run('bake', request(), { signal: controller.signal });
+    controller.abort(new Error('stop'));
+    await expect(promise).rejects.toThrow('stop');
+  });
+});

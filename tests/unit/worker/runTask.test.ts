@@ -1,0 +1,38 @@
+import { afterEach, expect, test, vi } from 'vitest';
+import { disposeHatchingWorkers, runTask } from '../../../src/worker/runTask.js';
+import { FakeWorker } from './FakeWorker.js';
+
+const request = () => ({
+  label: 'test',
+  mesh: { positions: new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), indices: new Uint32Array([0, 1, 2]) },
+  creaseAngle: 1,
+  wantsNormals: false,
+  attributes: [],
+});
+
+afterEach(() => disposeHatchingWorkers());
+
+test('where there is no Worker the main thread computes every task', async () => {
+  expect(typeof Worker).toBe('undefined');
+  expect((await runTask('bake', request())).borderEdges).toBe(3);
+  const { size, images } = await runTask('generateHatchImages', { size: 64, tones: 4, levels: 1 });
+  expect([size, images.length]).toEqual([64, 4]);
+});
+
+test('requests with the same createWorker share a worker; others have their own', () => {
+  const create = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
+  const other = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
+  for (const createWorker of [create, create, other]) runTask('bake', request(), { createWorker }).catch(() => {});
+  expect(create).toHaveBeenCalledOnce();
+  expect(other).toHaveBeenCalledOnce();
+});
+
+test('disposeHatchingWorkers ends every worker and rejects what is pending', async () => {
+  const workers = [new FakeWorker(), new FakeWorker()];
+  const promises = workers.map((worker) =>
+    runTask('bake', request(), { createWorker: () => FakeWorker.asWorker(worker) }),
+  );
+  disposeHatchingWorkers();
+  for (const promise of promises) await expect(promise).rejects.toThrow(/disposed/);
+  expect(workers.map(({ isTerminated }) => isTerminated)).toEqual([true, true]);
+});
