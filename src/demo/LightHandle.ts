@@ -7,6 +7,8 @@ const STEP = 5;
 const FINE_STEP = 1;
 /** Nearer to the edge of the plate than this and the lamp is held back, so that it can always be taken. */
 const MARGIN = 26;
+/** Nearer to an edge than this and the hint below the lamp would be cut; it stands elsewhere then. */
+const HINT_REACH = 76;
 /** Closer to the model's centre than this and the share of the distance by which a drag moves a lamp would explode. */
 const MIN_REACH = 32;
 
@@ -62,6 +64,9 @@ export class LightHandle {
     const left = MathUtils.clamp(x, MARGIN, width - MARGIN);
     const top = MathUtils.clamp(y, MARGIN, height - MARGIN);
     this.element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
+    this.element.classList.toggle('is-at-left', left < HINT_REACH);
+    this.element.classList.toggle('is-at-right', left > width - HINT_REACH);
+    this.element.classList.toggle('is-at-bottom', top > height - HINT_REACH);
     if (!this.pointer) this.behind = isBehind(lightPosition, camera.position);
     this.element.classList.toggle('is-behind', isHidden(lightPosition, camera.position));
     this.element.setAttribute('aria-valuenow', settings.lightAzimuth.toFixed(0));

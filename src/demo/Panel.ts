@@ -22,6 +22,8 @@ export class Panel {
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
     const folders = SETTING_GROUPS.map((group, i) => {
       const folder = i === 0 ? gui : gui.addFolder(group).close();
+      // Without lil-gui's own style sheet its opening animation would never end.
+      folder.openAnimated = (open) => folder.open(open);
       return [group, folder] as const;
     });
     const folderOf = new Map(folders);

@@ -70,7 +70,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   Object.defineProperty(window, '__playground', {
     value: {
       get framesDrawn() {
-        return scene.clock.frames;
+        return scene.framesDrawn;
       },
     },
   });
@@ -108,9 +108,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   scene.onFrame(() => {
     lamp.update();
     if (!page.divider.hidden) divider.place();
-    const milliseconds = scene.clock.frameMilliseconds;
-    page.frameTime.textContent = milliseconds === undefined ? '' : `${milliseconds.toFixed(0)} ms a frame`;
     if (tasks.isIdle && scene.isComplete && document.documentElement.dataset.state === 'loading') setPageState('ready');
+  });
+  scene.onFrameTime(() => {
+    const time = `${scene.frameMilliseconds?.toFixed(0)} ms a frame`;
+    page.frameTime.textContent = scene.isCoarse ? `${time}, coarse while moving` : time;
   });
   scene.controls.addEventListener('change', rememberInAddress);
 

@@ -15,7 +15,9 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { HatchingMaterial, type TonalArtMap } from 'three-hatching';
 import type { DrawnModel } from './DrawnModel.js';
 import { FrameClock } from './FrameClock.js';
+import { FrameTimer } from './FrameTimer.js';
 import { LightRig } from './LightRig.js';
+import { MovingResolution } from './MovingResolution.js';
 import { OrbitKeys } from './OrbitKeys.js';
 import type { Settings } from './settings.js';
 import type { CameraView } from './shareLink.js';
@@ -51,13 +53,21 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
   const frameListeners: (() => void)[] = [];
   const clock = new FrameClock(() => draw());
+  const moving = new MovingResolution(() => clock.invalidate());
+  const timer = new FrameTimer(context, () => {
+    moving.measured(timer.milliseconds!);
+    for (const listener of timeListeners) listener();
+  });
+  const timeListeners: (() => void)[] = [];
   /** Share of the width that is drawn with the compared material, or undefined when there is one drawing only. */
   let divider: (() => number) | undefined;
 
   function draw(): void {
-    if (renderer.getContext().isContextLost()) return;
     const { clientWidth: width, clientHeight: height } = plate;
-    drawPiece(width, 0, width, height);
+    if (context.isContextLost() || width === 0 || height === 0) return;
+    moving.beforeFrame();
+    if (renderer.getPixelRatio() !== pixelRatio()) renderer.setPixelRatio(pixelRatio());
+    timer.measure(() => drawPiece(width, 0, width, height));
     for (const listener of frameListeners) listener();
   }
 
@@ -84,7 +94,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
   function pixelRatio(): number {
     const { clientWidth: width, clientHeight: height } = plate;
-    return Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
+    const full = Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
+    return full * moving.share;
   }
 
   function resize(): void {
@@ -95,6 +106,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
     if (framed) frameModel();
+    timer.reset();
     // At once, not in the next frame: a canvas that changed its size is empty until it is drawn.
     draw();
   }
@@ -151,7 +163,6 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     material,
     compared,
     lightPosition: lights.position,
-    clock,
     draw,
     drawPiece,
     frameModel,
@@ -159,6 +170,25 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     /** Calls back after each frame. */
     onFrame(listener: () => void): void {
       frameListeners.push(listener);
+    },
+
+    /** Calls back when {@link frameMilliseconds} has changed. */
+    onFrameTime(listener: () => void): void {
+      timeListeners.push(listener);
+    },
+
+    /** What a frame costs, or undefined before one was measured. */
+    get frameMilliseconds(): number | undefined {
+      return timer.milliseconds;
+    },
+
+    /** Whether frames are drawn in a lower resolution, because the machine is too slow for this movement. */
+    get isCoarse(): boolean {
+      return moving.isCoarse;
+    },
+
+    get framesDrawn(): number {
+      return clock.frames;
     },
 
     /** Asks for one frame. */
@@ -171,6 +201,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       mesh.geometry.dispose();
       mesh.geometry = model.geometry;
       mesh.visible = true;
+      timer.reset();
       measureBounds();
       if (framed) frameModel();
       for (const each of [material, compared]) {
@@ -238,6 +269,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       keys.dispose();
       controls.dispose();
       clock.dispose();
+      timer.reset();
       mesh.geometry.dispose();
       material.dispose();
       compared.dispose();

@@ -40,6 +40,7 @@ export async function exportPng(scene: HatchingScene, options: PictureOptions): 
       }
     }
   } finally {
+    // Sized back before the next frame, so that the page never shows a piece of the picture.
     camera.clearViewOffset();
     renderer.setClearAlpha(clearAlpha);
     renderer.setPixelRatio(pixelRatio);
