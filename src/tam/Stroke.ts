@@ -23,7 +23,7 @@ export interface Stroke {
   wave: number;
   /** In the middle, in texels. */
   width: number;
-  /** Each end narrows over this many texels; 0 leaves it blunt. */
+  /** Each end narrows over this many texels, but over a quarter of the length at most; 0 leaves it blunt. */
   taper: number;
   /** The first tone that shows the stroke; every darker one does too. */
   tone: number;

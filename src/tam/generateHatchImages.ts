@@ -15,7 +15,10 @@ export interface HatchImageOptions {
   tones?: number | undefined;
   /** Number of levels. Default and maximum: all from `size` down to 16 texels. */
   levels?: number | undefined;
-  /** Width of a stroke, or diameter of a dot, in texels of every level, 1.2 to 2.6. Default: the style's. */
+  /**
+   * Width of a stroke or diameter of a dot in texels, the same on every level: 1.2 to 2.6 for lines (default 1.9), 1.65
+   * to 2.5 for dots (default 2.4).
+   */
   strokeWidth?: number | undefined;
 }
 
@@ -60,9 +63,13 @@ export function resolveHatchImageOptions(options: HatchImageOptions = {}): Hatch
   if (!Number.isInteger(levels) || levels < 1 || levels > allLevels) {
     fail('levels', levels, `a whole number from 1 to ${allLevels} at size ${size}, or left out`);
   }
-  const width = options.strokeWidth ?? strokeStyles[name].width;
-  if (!(width >= 1.2 && width <= 2.6)) fail('strokeWidth', width, 'a number from 1.2 to 2.6 texels');
-  return { style: { ...strokeStyles[name], width }, seed, size, tones, levels };
+  const style = strokeStyles[name];
+  const width = options.strokeWidth ?? style.width;
+  const [narrowest, widest] = style.widthRange;
+  if (!(width >= narrowest && width <= widest)) {
+    fail('strokeWidth', width, `a number from ${narrowest} to ${widest} texels for style ${name}`);
+  }
+  return { style: { ...style, width }, seed, size, tones, levels };
 }
 
 function fail(option: keyof HatchImageOptions, value: unknown, allowed: string): never {

@@ -1,4 +1,5 @@
-import { RepulsionField } from './RepulsionField.js';
+import { CrowdingField } from './CrowdingField.js';
+import { EndField } from './EndField.js';
 import { type Random, random } from './random.js';
 import { rasterizeStroke } from './rasterizeStroke.js';
 import type { Stroke } from './Stroke.js';
@@ -17,18 +18,31 @@ export interface PlacementRequest {
 /** Cells read or written between two reports of progress: about a millisecond's work. */
 const WORK_PER_SLICE = 100_000;
 
+/** What one other end at the place of a stroke's end counts, beside the mean crowding along the stroke. */
+const END_WEIGHT = 0.2;
+
+/** Strokes act on each other across so many times their mean distance: lines, their ends, and dots. */
+const LINE_REACH = 6;
+const END_REACH = 4;
+const DOT_REACH = 3;
+
+/** Cells that a proposal reads in one level, about. */
+const CELLS_PER_PROPOSAL = 16;
+
 /** One level while it is being drawn. */
 interface Sheet {
   size: number;
   image: Uint8Array;
   /** 255·ink, summed over the image. */
   darkness: number;
-  /** Crowding for strokes along u and, for cross-hatching, along v. */
-  fields: RepulsionField[];
+  /** For strokes along u and, for cross-hatching, along v. */
+  crowding: CrowdingField[];
+  /** Nearness of stroke ends, likewise; empty for dots. */
+  ends: EndField[];
   /** Ink drawn so far in each direction, overlaps counted again: what keeps the two layers in step. */
   drawn: number[];
-  /** What the last stroke added to `darkness`. */
-  lastGain: number;
+  /** Part of the last stroke that fell on paper: what remained of it after overlaps. */
+  gain: number;
 }
 
 /**
@@ -52,18 +66,16 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
       const sheet = sheets[level];
       const goal = 255 * sheet.size * sheet.size * target;
       const start = sheet.darkness;
-      while (goal - sheet.darkness > 0.5 * sheet.lastGain) {
-        const stroke = proposeBest(request, sheets, tone, level, target, next);
+      while (goal - sheet.darkness > 0.5 * 255 * sheet.gain * nominalArea(style.width, style.length[0], sheet.size)) {
+        const length = chooseLength(style, sheet, goal - sheet.darkness, next);
+        const across = style.crossFrom !== undefined && target > style.crossFrom && sheet.drawn[1] < sheet.drawn[0];
+        const stroke = proposeBest(style, sheets, { tone, level, length, across }, next);
         strokes.push(stroke);
-        work += style.proposals * 16 * (level + 1);
+        work += style.proposals * (level + 1) * CELLS_PER_PROPOSAL;
         for (let finer = level; finer >= 0; finer--) work += draw(sheets[finer], stroke);
         if (work >= WORK_PER_SLICE) {
           work = 0;
-          // Finer levels take four times the work of the next coarser one.
-          const share = 4 ** -level;
-          const level1 = 4 ** -(level + 1);
-          const within = Math.min(1, (sheet.darkness - start) / Math.max(1, goal - start));
-          yield (tone - 1 + level1 + (share - level1) * within) / (tones - 1);
+          yield (tone - 1 + levelProgress(level, (sheet.darkness - start) / (goal - start))) / (tones - 1);
         }
       }
     }
@@ -71,34 +83,47 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
   return strokes;
 }
 
+/** Progress within a tone when `part` of a level is done: each level takes four times the work of the next coarser one. */
+function levelProgress(level: number, part: number): number {
+  const before = 1 / 4 ** (level + 1);
+  return before + (4 * before - before) * Math.min(1, part);
+}
+
 function createSheet(size: number, style: StrokeStyle): Sheet {
   const dots = style.length[1] === 0;
   const directions = style.crossFrom === undefined ? 1 : 2;
-  const nominal = dots ? style.width * style.width * 0.8 : style.width * style.length[0] * size;
   return {
     size,
     image: new Uint8Array(size * size).fill(255),
     darkness: 0,
-    fields: Array.from({ length: directions }, () => new RepulsionField(size, dots)),
+    crowding: Array.from({ length: directions }, () => new CrowdingField(size, dots)),
+    ends: dots ? [] : Array.from({ length: directions }, () => new EndField(size)),
     drawn: new Array(directions).fill(0),
-    lastGain: 255 * nominal,
+    gain: 1,
   };
+}
+
+/** Texels that a stroke inks on clean paper, nearly. */
+const nominalArea = (width: number, length: number, size: number): number => width * Math.max(width, length * size);
+
+/** A length at random, but no longer than it takes to reach the level's mean: the last stroke ends on target. */
+function chooseLength(style: StrokeStyle, sheet: Sheet, missing: number, next: Random): number {
+  const [shortest, longest] = style.length;
+  const length = shortest + (longest - shortest) * next();
+  const needed = missing / (255 * sheet.gain * style.width * sheet.size);
+  return Math.max(shortest, Math.min(length, needed));
 }
 
 /** The least crowded of the style's number of proposals, all of one length so that short ones have no advantage. */
 function proposeBest(
-  { style }: PlacementRequest,
+  style: StrokeStyle,
   sheets: Sheet[],
-  tone: number,
-  level: number,
-  target: number,
+  { tone, level, length, across }: Pick<Stroke, 'tone' | 'level' | 'length' | 'across'>,
   next: Random,
 ): Stroke {
-  const sheet = sheets[level];
   const signed = (): number => 2 * next() - 1;
-  const length = style.length[0] + (style.length[1] - style.length[0]) * next();
   const width = style.width * (1 + style.widthSpread * signed());
-  const across = style.crossFrom !== undefined && target > style.crossFrom && sheet.drawn[1] < sheet.drawn[0];
+  const direction = across ? 1 : 0;
   let best: Stroke | undefined;
   let bestCrowding = Number.POSITIVE_INFINITY;
   const stroke: Stroke = {
@@ -121,7 +146,11 @@ function proposeBest(
     stroke.bow = style.bow * signed();
     stroke.wave = style.wave * signed();
     let crowding = 0;
-    for (let finer = level; finer >= 0; finer--) crowding += sheets[finer].fields[across ? 1 : 0].along(stroke);
+    for (let finer = level; finer >= 0; finer--) {
+      const { crowding: field, ends } = sheets[finer];
+      crowding += field[direction].along(stroke);
+      if (ends.length > 0) crowding += END_WEIGHT * ends[direction].atEnds(stroke);
+    }
     if (crowding < bestCrowding) {
       bestCrowding = crowding;
       best = { ...stroke };
@@ -136,11 +165,14 @@ function draw(sheet: Sheet, stroke: Stroke): number {
   const area = sheet.size * sheet.size;
   const gain = rasterizeStroke(sheet.image, sheet.size, stroke);
   sheet.darkness += gain;
-  sheet.lastGain = gain;
-  const own = stroke.width * Math.max(stroke.width, stroke.length * sheet.size);
+  const own = nominalArea(stroke.width, stroke.length, sheet.size);
+  sheet.gain = Math.min(1, gain / (255 * own));
   sheet.drawn[direction] += own;
   // A few times the mean distance of strokes at this density; the first ones repel across the whole tile.
   const density = sheet.drawn[direction] / area;
   const distance = stroke.length > 0 ? stroke.width / density : stroke.width / Math.sqrt(density);
-  return sheet.fields[direction].add(stroke, Math.min(0.5 * sheet.size, 6 * distance)) + own;
+  const reach = (times: number): number => Math.min(0.5 * sheet.size, times * distance);
+  let work = own + sheet.crowding[direction].add(stroke, reach(stroke.length > 0 ? LINE_REACH : DOT_REACH));
+  if (sheet.ends.length > 0) work += sheet.ends[direction].add(stroke, reach(END_REACH));
+  return work;
 }

@@ -24,7 +24,8 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke)
   const halfLength = 0.5 * stroke.length * size;
   const halfWidth = 0.5 * stroke.width;
   const tip = Math.min(halfWidth, 0.5 * TIP_WIDTH);
-  const taper = Math.min(stroke.taper, halfLength);
+  // At least half of the stroke has its full width, or coarse levels would be drawn with a finer pen.
+  const taper = Math.min(stroke.taper, 0.5 * halfLength);
   const cosine = 1 / Math.sqrt(1 + stroke.slope * stroke.slope);
 
   const first = Math.ceil(centre - halfLength - halfWidth - 1);

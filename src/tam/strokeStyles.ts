@@ -7,6 +7,11 @@ export interface StrokeStyle {
   length: readonly [shortest: number, longest: number];
   /** In the middle of the stroke. */
   width: number;
+  /**
+   * Between these widths the level nesting can be kept. A thinner stroke (with `widthSpread`) may fall between texels so
+   * that none is half covered; a wider one reaches texels of a coarse level that it does not on the finer one.
+   */
+  widthRange: readonly [narrowest: number, widest: number];
   /** Each stroke's width differs from `width` by at most this part of it. */
   widthSpread: number;
   /** Texels over which each end narrows. */
@@ -29,6 +34,7 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
   hatching: {
     length: [0.28, 0.6],
     width: 1.9,
+    widthRange: [1.2, 2.6],
     widthSpread: 0.12,
     taper: 22,
     slope: 0.016,
@@ -36,11 +42,12 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     wave: 0.003,
     maxInk: 0.95,
     crossFrom: undefined,
-    proposals: 300,
+    proposals: 400,
   },
   crossHatching: {
     length: [0.28, 0.6],
     width: 1.9,
+    widthRange: [1.2, 2.6],
     widthSpread: 0.12,
     taper: 22,
     slope: 0.016,
@@ -48,11 +55,12 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     wave: 0.003,
     maxInk: 0.95,
     crossFrom: 0.45,
-    proposals: 300,
+    proposals: 400,
   },
   stippling: {
     length: [0, 0],
     width: 2.4,
+    widthRange: [1.65, 2.5],
     widthSpread: 0.12,
     taper: 0,
     slope: 0,

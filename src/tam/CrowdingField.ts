@@ -1,20 +1,23 @@
 import { type Stroke, strokeOffset } from './Stroke.js';
 
-/** Strokes repel less far ahead of their ends than beside them: distances along a stroke count this much less. */
-const END_STRETCH = 3;
+/** Strokes that come closer than so many widths, centre line to centre line, begin to merge for the eye. */
+const MERGING_WIDTHS = 2.5;
+
+/** Distances ahead of a line's end count so many times as much as beside it: lines may follow one another closely. */
+const AHEAD = 3;
 
 /**
  * How crowded each place of one level is, as felt by the next stroke of the same direction.
  *
- * Each stroke adds 1/(1 + (d/w)²)^¾ at distance d from its centre line, w being its width: a core as wide as the
- * ink and a long tail. It stands for the pyramid of ink images in which Praun et al. 2001 measure how much a candidate
- * stroke gains (strokes there have the same width in the texels of every pyramid level, so they meet at all
- * distances): the sum over that pyramid falls off in the same way, but it jumps at the borders of the pyramid's
- * texels, which lines the strokes up with them. This field has no such grid.
+ * Around a stroke of width w the field is 1/(1 + (d/w)²)^¾ at distance d, a tail that evens out the drawing at all
+ * scales, plus (1 − (d/2.5w)²)² close by, which keeps strokes from merging. It stands for the pyramid of ink images in
+ * which Praun et al. 2001 measure what a candidate stroke gains: strokes there have the same width in the texels of
+ * every pyramid level, so they meet at all distances, and the sum over the pyramid falls off in the same way. But it
+ * jumps at the borders of the pyramid's texels, which lines strokes up with them; this field has no such grid.
  *
- * Lines are nearly parallel to an axis and long, so for them a few columns are enough.
+ * Lines are long and nearly parallel to an axis, so for them a few columns are enough.
  */
-export class RepulsionField {
+export class CrowdingField {
   private readonly columns: number;
   private readonly values: Float32Array;
 
@@ -26,7 +29,7 @@ export class RepulsionField {
     private readonly size: number,
     dots: boolean,
   ) {
-    this.columns = dots ? size : Math.min(size, 32);
+    this.columns = dots ? size : Math.min(size, 64);
     this.values = new Float32Array(size * this.columns);
   }
 
@@ -42,16 +45,17 @@ export class RepulsionField {
     const centre = (stroke.across ? stroke.v : stroke.u) * size;
     const base = (stroke.across ? stroke.u : stroke.v) * size;
     const halfLength = 0.5 * stroke.length * size;
-    const stretch = halfLength > 0 ? END_STRETCH : 1;
+    const ahead = halfLength > 0 ? AHEAD : 1;
     const inverseWidth2 = 1 / (stroke.width * stroke.width);
+    const inverseMerging2 = inverseWidth2 / (MERGING_WIDTHS * MERGING_WIDTHS);
     const inverseReach2 = 1 / (reach * reach);
-    const first = Math.ceil((centre - halfLength - reach * stretch) / cell - 0.5);
-    const last = Math.floor((centre + halfLength + reach * stretch) / cell - 0.5);
+    const first = Math.ceil((centre - halfLength - reach / ahead) / cell - 0.5);
+    const last = Math.floor((centre + halfLength + reach / ahead) / cell - 0.5);
     let visited = 0;
     for (let column = first; column <= last; column++) {
       const forward = (column + 0.5) * cell - centre;
       const along = Math.min(halfLength, Math.max(-halfLength, forward));
-      const beyond = (forward - along) / stretch;
+      const beyond = (forward - along) * ahead;
       const middle = base + size * strokeOffset(stroke, halfLength > 0 ? along / halfLength : 0);
       const height = Math.sqrt(Math.max(0, reach * reach - beyond * beyond));
       const start = (column & (columns - 1)) * size;
@@ -60,8 +64,9 @@ export class RepulsionField {
         const sideways = row + 0.5 - middle;
         const distance2 = sideways * sideways + beyond * beyond;
         const fade = 1 - distance2 * inverseReach2;
-        const core = 1 + distance2 * inverseWidth2;
-        values[start + (row & (size - 1))] += (fade * fade) / Math.sqrt(core * Math.sqrt(core));
+        const widths = 1 + distance2 * inverseWidth2;
+        const merging = Math.max(0, 1 - distance2 * inverseMerging2);
+        values[start + (row & (size - 1))] += (fade * fade) / Math.sqrt(widths * Math.sqrt(widths)) + merging * merging;
         visited++;
       }
     }

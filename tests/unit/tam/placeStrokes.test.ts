@@ -1,0 +1,81 @@
+import { describe, expect, it } from 'vitest';
+import { resolveHatchImageOptions } from '../../../src/tam/generateHatchImages.js';
+import { placeStrokes } from '../../../src/tam/placeStrokes.js';
+import type { Stroke } from '../../../src/tam/Stroke.js';
+import { drawStrokes, finish, styleNames } from './draw.js';
+
+const request = resolveHatchImageOptions;
+
+/** Standard deviation of the mean ink of 8 × 8 blocks, averaged over all tones and levels. */
+function unevenness(strokes: Stroke[], size: number, tones: number, levels: number): number {
+  let sum = 0;
+  for (let tone = 1; tone < tones; tone++) {
+    for (let level = 0; level < levels; level++) {
+      const side = size >> level;
+      const image = drawStrokes(
+        strokes.filter((stroke) => stroke.tone <= tone && stroke.level >= level),
+        side,
+      );
+      const blocks = new Array<number>(64).fill(0);
+      for (let i = 0; i < image.length; i++) {
+        const [row, column] = [Math.floor(i / side), i % side];
+        blocks[8 * Math.floor((8 * row) / side) + Math.floor((8 * column) / side)] += 255 - image[i];
+      }
+      const mean = blocks.reduce((a, b) => a + b) / 64;
+      const variance = blocks.reduce((total, block) => total + (block - mean) ** 2, 0) / 64;
+      sum += Math.sqrt(variance) / ((255 * image.length) / 64);
+    }
+  }
+  return sum / ((tones - 1) * levels);
+}
+
+describe('placeStrokes', () => {
+  it.each(styleNames)('spreads %s more evenly than chance: at most 0.8 of its unevenness', (style) => {
+    const greedy = request({ style, size: 128, tones: 6 });
+    const chance = { ...greedy, style: { ...greedy.style, proposals: 1 } };
+    const [even, uneven] = [greedy, chance].map((one) =>
+      unevenness(finish(placeStrokes(one)), one.size, one.tones, one.levels),
+    );
+    expect(even / uneven).toBeLessThan(0.8);
+  });
+
+  it.each(styleNames)('draws %s from light to dark, and within a tone from coarse to fine', (style) => {
+    const strokes = finish(placeStrokes(request({ style, size: 64, tones: 5 })));
+    const order = strokes.map(({ tone, level }) => 10 * tone - level);
+    expect(order).toEqual(order.toSorted((a, b) => a - b));
+    expect(new Set(strokes.map(({ tone }) => tone))).toEqual(new Set([1, 2, 3, 4]));
+  });
+
+  it('keeps strokes within the bounds of their style', () => {
+    const { style, ...rest } = request({ style: 'crossHatching', size: 64 });
+    for (const stroke of finish(placeStrokes({ style, ...rest }))) {
+      expect(stroke.length).toBeGreaterThanOrEqual(style.length[0]);
+      expect(stroke.length).toBeLessThanOrEqual(style.length[1]);
+      expect(Math.abs(stroke.width / style.width - 1)).toBeLessThanOrEqual(style.widthSpread + 1e-12);
+      expect(Math.abs(stroke.slope)).toBeLessThanOrEqual(style.slope);
+    }
+  });
+
+  it('adds the perpendicular layer from about half tone on, and only to a cross-hatching', () => {
+    const firstAcross = (style: 'hatching' | 'crossHatching'): number | undefined =>
+      finish(placeStrokes(request({ style, size: 64, tones: 9 }))).find(({ across }) => across)?.tone;
+    expect(firstAcross('hatching')).toBeUndefined();
+    // Image 5 of 9 has 0.59 ink, image 4 has 0.475.
+    expect([4, 5]).toContain(firstAcross('crossHatching'));
+  });
+
+  it('draws dots for a stippling', () => {
+    const strokes = finish(placeStrokes(request({ style: 'stippling', size: 64, tones: 4 })));
+    expect(strokes.every(({ length }) => length === 0)).toBe(true);
+  });
+
+  it('reports progress that rises within [0, 1], often enough to be stopped', () => {
+    for (const style of styleNames) {
+      const progress = [...placeStrokes(request({ style }))];
+      expect(progress.length).toBeGreaterThan(50);
+      expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+      expect(progress[0]).toBeGreaterThan(0);
+      expect(progress.at(-1)).toBeLessThanOrEqual(1);
+    }
+  });
+});
