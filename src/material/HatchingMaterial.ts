@@ -145,6 +145,8 @@ export class HatchingMaterial extends ShaderMaterial {
       fog: true,
       clipping: true,
     });
+    // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
+    this.forceSinglePass = false;
     this.setValues(parameters);
     this.#writeUniforms();
   }
