@@ -22,6 +22,8 @@ export default defineConfig(
       include: [
         'three',
         'lil-gui',
+        'bunny',
+        '@pmndrs/assets/models/suzi.glb.js',
         ...[
           'controls/OrbitControls.js',
           'loaders/GLTFLoader.js',

