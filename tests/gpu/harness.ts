@@ -67,8 +67,8 @@ const renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: tr
 renderer.outputColorSpace = LinearSRGBColorSpace;
 document.body.append(renderer.domElement);
 
-/** Renders one picture and returns its pixels, RGBA, bottom row first. */
-async function renderHatching(spec: HatchingSpec): Promise<number[]> {
+/** Renders one picture and returns its pixels, RGBA, bottom row first, in base64: a list of numbers would take longer to pass than to draw. */
+async function renderHatching(spec: HatchingSpec): Promise<string> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
   if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
@@ -114,7 +114,7 @@ async function renderHatching(spec: HatchingSpec): Promise<number[]> {
   for (const light of lights) light.dispose();
   geometry.dispose();
   hatching.dispose();
-  return [...pixels];
+  return btoa(Array.from(pixels, (byte) => String.fromCharCode(byte)).join(''));
 }
 
 declare global {

@@ -43,12 +43,18 @@ export const cube: PlainMesh = {
 };
 
 /** Closed over both seams; the last row and column repeat the first exactly, so that they weld. */
-export const torus: PlainMesh = grid(28, 18, (u, v) => {
+export const torus: PlainMesh = {
+  ...grid(28, 18, (u, v) => torusPoint(u, v, 0.7)),
+  normals: grid(28, 18, (u, v) => torusPoint(u, v, 0).map((x) => x / 0.3) as Vec3).positions,
+};
+
+/** With a ring radius of 0, the vector from the ring to the surface. */
+function torusPoint(u: number, v: number, ringRadius: number): Vec3 {
   const a = 2 * Math.PI * (u === 1 ? 0 : u);
   const b = 2 * Math.PI * (v === 1 ? 0 : v);
-  const r = 0.7 + 0.3 * Math.cos(b);
+  const r = ringRadius + 0.3 * Math.cos(b);
   return [r * Math.cos(a), r * Math.sin(a), 0.3 * Math.sin(b)];
-});
+}
 
 /** A wavy sheet with a border all round. */
 export const sheet: PlainMesh = grid(14, 14, (u, v) => [
