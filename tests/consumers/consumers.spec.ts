@@ -1,0 +1,195 @@
+import { execFileSync } from 'node:child_process';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { build, createServer } from 'vite';
+import { expect, test } from '../browser/test.js';
+import { installPackedLibrary, libraryFolder, projectFolder, threeFolder } from './packedLibrary.js';
+import { serveFolders } from './serveFolders.js';
+
+declare global {
+  interface Window {
+    rendering: Promise<number[]>;
+  }
+}
+
+const STRICT_CSP =
+  "default-src 'none'; script-src 'self'; worker-src 'self'; img-src data:; base-uri 'none'; object-src 'none'";
+
+let files: string[] = [];
+test.beforeAll(() => {
+  files = installPackedLibrary();
+});
+
+test.describe('the tarball', () => {
+  test('holds the library, its declarations and its shaders, and nothing else', () => {
+    const shaders = readdirSync('shaders', { recursive: true, withFileTypes: true })
+      .filter((entry) => entry.isFile())
+      .map((entry) => join(entry.parentPath, entry.name).replaceAll('\\', '/'));
+    expect(shaders.length).toBeGreaterThan(3);
+    expect(files).toEqual(
+      expect.arrayContaining([
+        ...['LICENSE', 'README.md', 'package.json'],
+        ...['dist/index.js', 'dist/index.d.ts', 'dist/bake.worker.js', 'dist/worker/bake.worker.d.ts'],
+        ...shaders,
+      ]),
+    );
+    const strangers = files.filter(
+      (file) =>
+        !/^(LICENSE|README\.md|package\.json|shaders\/.+|dist\/(index|bake\.worker)\.js|dist\/.+\.d\.ts)$/.test(file),
+    );
+    expect(strangers).toEqual([]);
+    expect(files.filter((file) => file.includes('demo'))).toEqual([]);
+  });
+
+  test('every file that package.json names is there', () => {
+    const { exports } = JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
+    const named = Object.values(exports as Record<string, string | Record<string, string>>)
+      .flatMap((entry) => (typeof entry === 'string' ? [entry] : Object.values(entry)))
+      .filter((path) => !path.includes('*'))
+      .map((path) => path.replace('./', ''));
+    expect(files).toEqual(expect.arrayContaining(named));
+  });
+
+  test('imports three and nothing else; the worker imports nothing', () => {
+    expect(importsOf('index.js')).toEqual(['three']);
+    expect(importsOf('bake.worker.js')).toEqual([]);
+  });
+
+  test('has declarations that a strict compiler takes without any of our build tools', () => {
+    const typescript = createRequire(import.meta.url).resolve('typescript/package.json');
+    for (const moduleResolution of ['bundler', 'nodenext']) {
+      const compilerOptions = {
+        target: 'es2022',
+        lib: ['es2023', 'dom', 'dom.iterable'],
+        module: moduleResolution === 'bundler' ? 'esnext' : 'nodenext',
+        moduleResolution,
+        types: [],
+        strict: true,
+        exactOptionalPropertyTypes: true,
+        noEmit: true,
+        skipLibCheck: false,
+      };
+      const config = `tsconfig.${moduleResolution}.json`;
+      writeFileSync(join(projectFolder, config), JSON.stringify({ compilerOptions, files: ['types.ts'] }));
+      const compile = () =>
+        execFileSync(process.execPath, [join(dirname(typescript), 'bin/tsc'), '--project', config], {
+          cwd: projectFolder,
+          encoding: 'utf8',
+        });
+      expect(compilerOutput(compile), moduleResolution).toBe('');
+    }
+  });
+});
+
+test.describe('a hatched cube', () => {
+  test('on a page with an import map and no bundler', async ({ page }) => {
+    const server = await serveFolders({
+      '/': projectFolder,
+      '/three/': threeFolder,
+      '/three-hatching/': libraryFolder,
+    });
+    await page.goto(`${server.url}/importMap.html`);
+    expectHatching(await pixels(page));
+    await server.close();
+  });
+
+  test('in a Vite development server', async ({ page }) => {
+    const server = await createServer({
+      configFile: false,
+      root: projectFolder,
+      logLevel: 'error',
+      cacheDir: join(projectFolder, '.vite'),
+      server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
+      optimizeDeps: { include: ['three', 'three-hatching'] },
+    });
+    await server.listen();
+    await page.goto(`${server.resolvedUrls!.local[0]}plain.html`);
+    expectHatching(await pixels(page));
+    await server.close();
+  });
+
+  test('in a Vite build', async ({ page }) => {
+    const server = await serveFolders({ '/': await viteBuild('plain') });
+    await page.goto(`${server.url}/plain.html`);
+    expectHatching(await pixels(page));
+    await server.close();
+  });
+
+  for (const name of ['workerImport', 'workerUrl']) {
+    test(`under a strict content security policy, with createWorker (${name})`, async ({ page }) => {
+      const server = await serveFolders({ '/': await viteBuild(name) }, { 'Content-Security-Policy': STRICT_CSP });
+      const workers: string[] = [];
+      page.on('worker', (worker) => workers.push(worker.url()));
+      await page.goto(`${server.url}/${name}.html`);
+      expectHatching(await pixels(page));
+      expect(workers.length).toBeGreaterThan(0);
+      for (const url of workers) expect(url).toMatch(new RegExp(`^${server.url}/assets/bake\\.worker`));
+      await server.close();
+    });
+  }
+
+  test('under a strict content security policy without createWorker: on the main thread', async ({
+    page,
+    pageProblems,
+  }) => {
+    const server = await serveFolders({ '/': await viteBuild('plain') }, { 'Content-Security-Policy': STRICT_CSP });
+    await page.goto(`${server.url}/plain.html`);
+    expectHatching(await pixels(page));
+    // The browser reports the refused worker, and the library says what it does about it.
+    expect(pageProblems).toEqual([
+      expect.stringMatching(/^console error: .*worker-src 'self'/),
+      expect.stringMatching(/^console warning: three-hatching: .*createWorker/),
+    ]);
+    pageProblems.length = 0;
+    await server.close();
+  });
+});
+
+function importsOf(file: string): string[] {
+  const text = readFileSync(join(libraryFolder, 'dist', file), 'utf8');
+  const statements = text.matchAll(/^(?:import|export)\b[^'"`;]*?(?:from\s*)?['"]([^'"]+)['"]/gm);
+  const calls = text.matchAll(/\bimport\(\s*['"]([^'"]+)['"]\s*\)/g);
+  return [...new Set([...statements, ...calls].map((match) => match[1]!))];
+}
+
+function compilerOutput(compile: () => string): string {
+  try {
+    return compile();
+  } catch (error) {
+    return (error as { stdout: string }).stdout;
+  }
+}
+
+/** Builds one of the pages and returns the folder. */
+async function viteBuild(name: string): Promise<string> {
+  const outDir = join(projectFolder, `dist-${name}`);
+  await build({
+    configFile: false,
+    root: projectFolder,
+    base: './',
+    logLevel: 'error',
+    worker: { format: 'es' },
+    build: {
+      outDir,
+      emptyOutDir: true,
+      chunkSizeWarningLimit: 2000,
+      rolldownOptions: { input: join(projectFolder, `${name}.html`) },
+    },
+  });
+  return outDir;
+}
+
+const pixels = (page: Page) => page.evaluate(() => window.rendering);
+
+let first: number[] | undefined;
+
+/** The cube is there, with strokes and paper on it, and is the same for every consumer. */
+function expectHatching(red: number[]): void {
+  const part = (from: number, to: number) => red.filter((value) => value >= from && value < to).length / red.length;
+  expect(part(0, 64), 'ink').toBeGreaterThan(0.02);
+  expect(part(200, 256), 'paper').toBeGreaterThan(0.3);
+  first ??= red;
+  expect(red).toEqual(first);
+}

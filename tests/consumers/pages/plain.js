@@ -1,0 +1,3 @@
+import { renderHatchedCube } from './renderHatchedCube.js';
+
+window.rendering = renderHatchedCube();
