@@ -20,10 +20,10 @@ export async function serveFolders(folders: Record<string, string>, headers: Rec
   const prefixes = Object.keys(folders).sort((a, b) => b.length - a.length);
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
-    const prefix = prefixes.find((candidate) => path.startsWith(candidate));
-    const folder = prefix && folders[prefix];
-    const file = folder && normalize(join(folder, path.slice(prefix.length)));
-    if (!file?.startsWith(normalize(folder) + sep) || !existsSync(file) || !statSync(file).isFile()) {
+    const prefix = prefixes.find((candidate) => path.startsWith(candidate)) ?? '';
+    const folder = normalize(`${folders[prefix] ?? ''}${sep}`);
+    const file = join(folder, path.slice(prefix.length));
+    if (prefix === '' || !file.startsWith(folder) || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404).end();
       return;
     }
