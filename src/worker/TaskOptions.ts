@@ -5,8 +5,14 @@ export interface TaskOptions {
   /** Called with rising values in [0, 1]. */
   onProgress?: ((progress: number) => void) | undefined;
   /**
-   * Makes the worker. The default is an inlined one; under a Content-Security-Policy without `worker-src blob:` pass
-   * `() => new Worker(new URL('three-hatching/bake.worker', import.meta.url), { type: 'module' })` or your bundler's way.
+   * Makes the worker. The default one is inlined; where the Content-Security-Policy forbids that (`worker-src` without
+   * `blob:`), pass one from your own address, with Vite for example
+   *
+   *     import BakeWorker from 'three-hatching/bake.worker?worker';
+   *     const createWorker = () => new BakeWorker();
+   *
+   * Requests with the same function share one worker, so keep the function. Where no worker can be made, the main
+   * thread computes in slices of a few milliseconds.
    */
   createWorker?: (() => Worker) | undefined;
 }

@@ -105,6 +105,25 @@ describe('bake', () => {
     );
   });
 
+  test('normals do not mix where windings contradict each other', () => {
+    // The lower triangle is larger, and wound the other way: a sum would turn the normals of the upper one over.
+    const mesh = meshOf(
+      [
+        [0, 0, 0],
+        [1, 0, 0],
+        [0, 1, 0],
+        [1, -4, 0],
+      ],
+      [
+        [0, 1, 2],
+        [0, 1, 3],
+      ],
+    );
+    const { normals, inconsistentEdges } = bakeOf(mesh, { wantsNormals: true });
+    expect(inconsistentEdges).toBe(1);
+    expect([2, 5, 8, 11, 14, 17].map((z) => normals![z])).toEqual([1, 1, 1, -1, -1, -1]);
+  });
+
   test('weights normals by area', () => {
     // The tilted triangle is three times as large: vertex 3 lies three times as far from the diagonal.
     const mesh = foldedQuad(90 * DEGREES);
