@@ -70,11 +70,13 @@ export class LightHandle {
     if (!this.pointer) this.behind = isBehind(lightPosition, camera.position);
     this.element.classList.toggle('is-behind', isHidden(lightPosition, camera.position));
     this.element.setAttribute('aria-valuenow', settings.lightAzimuth.toFixed(0));
-    const side = this.behind ? 'behind the model' : 'in front of the model';
-    this.element.setAttribute(
-      'aria-valuetext',
-      `${settings.lightAzimuth.toFixed(1)}° around, ${settings.lightElevation.toFixed(1)}° high, ${side}`,
-    );
+    const facts = [
+      `${settings.lightAzimuth.toFixed(1)}° around`,
+      `${settings.lightElevation.toFixed(1)}° high`,
+      this.behind ? 'behind the model' : 'in front of the model',
+    ];
+    if (settings.lightKind !== 'directional') facts.push(`${settings.lightDistance.toFixed(2)} radii away`);
+    this.element.setAttribute('aria-valuetext', facts.join(', '));
   }
 
   private readonly onPointerDown = (event: PointerEvent): void => {

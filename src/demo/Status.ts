@@ -24,10 +24,11 @@ export class Status {
     progressLine.style.transform = `scaleX(${progress ?? 0.04})`;
   }
 
-  /** Nothing is going on any more. */
+  /** Nothing is going on any more. What has been said of how it ended stays. */
   idle(): void {
+    const wasWorking = this.cancelTask !== undefined;
     this.finish();
-    if (!this.elements.message.classList.contains('is-error')) this.write('', false);
+    if (wasWorking) this.write('', false);
   }
 
   /** Something failed: the sentence stays until the next thing happens. */
@@ -38,6 +39,7 @@ export class Status {
 
   /** Something was done; said for a moment. */
   say(sentence: string): void {
+    this.finish();
     this.write(sentence, false);
     this.clearTimer = setTimeout(() => this.write('', false), 6000);
   }

@@ -111,8 +111,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     if (tasks.isIdle && scene.isComplete && document.documentElement.dataset.state === 'loading') setPageState('ready');
   });
   scene.onFrameTime(() => {
-    const time = `${scene.frameMilliseconds?.toFixed(0)} ms a frame`;
-    page.frameTime.textContent = scene.isCoarse ? `${time}, coarse while moving` : time;
+    const time = `${scene.frameMilliseconds?.toFixed(0)} ms`;
+    page.frameTime.textContent = scene.isCoarse ? `${time}, coarse` : `${time} a frame`;
+    page.frameTime.title = scene.isCoarse
+      ? 'Drawn with half the resolution while it moves, because this machine is slow'
+      : 'Time from the first command of a frame to its last pixel';
   });
   scene.controls.addEventListener('change', rememberInAddress);
 
@@ -135,11 +138,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       Object.assign(drawn, { model, name: loaded.title });
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
-      page.modelName.textContent = loaded.title;
-      page.modelFacts.textContent = describeModel(baked, loaded.read.broken);
+      page.facts.replaceChildren(...modelCaption(loaded.title, describeModel(baked, loaded.read.broken)));
       document.title = `${loaded.title}, hatched`;
       settingsChanged();
-      scene.setModel(baked);
+      scene.setModel(baked, loaded.view);
       page.lamp.hidden = false;
     });
     if (!finished && tasks.isIdle) {
@@ -151,9 +153,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   function showBuiltIn(model: Exclude<Settings['model'], 'file'>): Promise<void> {
     return showModel(model, async (report, signal) => {
-      const { title, load } = BUILT_IN_MODELS[model];
+      const { title, view, load } = BUILT_IN_MODELS[model];
       report(`fetching ${title}`);
-      return { title, read: await load({ signal, onStage: report }) };
+      return { title, view, read: await load({ signal, onStage: report }) };
     });
   }
 
@@ -262,7 +264,15 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   void showMap();
 }
 
+/** New elements rather than new text in the old ones: nothing on the page then counts as having moved. */
+function modelCaption(name: string, facts: string): HTMLElement[] {
+  const nameElement = Object.assign(document.createElement('em'), { id: 'model-name', textContent: name });
+  const factsElement = Object.assign(document.createElement('span'), { id: 'model-facts', textContent: facts });
+  return [nameElement, factsElement];
+}
+
 interface LoadedModel {
   title: string;
+  view?: [number, number, number] | undefined;
   read: Awaited<ReturnType<typeof loadModelFiles>>;
 }

@@ -23,8 +23,8 @@ import type { Settings } from './settings.js';
 import type { CameraView } from './shareLink.js';
 
 const FIELD_OF_VIEW = 26;
-/** The view a model is shown from at first: a little from the side and from above. */
-const FIRST_VIEW = new Vector3(0.22, 0.18, 1);
+/** The direction most models are looked at from at first: a little from the side and from above. */
+const USUAL_VIEW = [0.22, 0.18, 1] as const;
 /** Share of the picture that the model's box fills in that view. */
 const FILLED = 0.9;
 const MAX_PIXEL_RATIO = 2;
@@ -115,7 +115,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   function framingDistance(): number {
     const slopeY = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW) / 2) * FILLED;
     const slopeX = slopeY * camera.aspect;
-    const toEye = FIRST_VIEW.clone().normalize();
+    const toEye = firstView.clone().normalize();
     const right = new Vector3(0, 1, 0).cross(toEye).normalize();
     const up = toEye.clone().cross(right);
     return Math.max(
@@ -128,6 +128,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
   /** Whether the view is the one that shows the whole model; it follows changes of the sheet's size then. */
   let framed = true;
+  const firstView = new Vector3(...USUAL_VIEW);
   const bounds = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
   let isFraming = false;
 
@@ -138,7 +139,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   function frameModel(): void {
     isFraming = true;
     controls.target.set(0, 0, 0);
-    camera.position.copy(FIRST_VIEW).setLength(framingDistance());
+    camera.position.copy(firstView).setLength(framingDistance());
     controls.update();
     isFraming = false;
     framed = true;
@@ -196,8 +197,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       clock.invalidate();
     },
 
-    /** Draws a model from now on, and frees the one before. */
-    setModel(model: DrawnModel): void {
+    /** Draws a model from now on, and frees the one before. `view` is the direction to the eye that shows it whole. */
+    setModel(model: DrawnModel, view: readonly [number, number, number] = USUAL_VIEW): void {
+      firstView.set(...view);
       mesh.geometry.dispose();
       mesh.geometry = model.geometry;
       mesh.visible = true;

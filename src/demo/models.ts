@@ -13,6 +13,8 @@ export type BuiltInModel = Exclude<Settings['model'], 'file'>;
 interface BuiltIn {
   /** The name in the caption. */
   title: string;
+  /** Direction from the model to the eye at first, where the usual one shows too little. */
+  view?: [number, number, number];
   load(options: LoadOptions): Promise<ReadModel>;
 }
 
@@ -49,7 +51,7 @@ export const BUILT_IN_MODELS: Record<BuiltInModel, BuiltIn> = {
     const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
     return new TeapotGeometry(1, 12);
   }),
-  cube: shape('Cube', async () => new (await import('three')).BoxGeometry(1, 1, 1)),
+  cube: { ...shape('Cube', async () => new (await import('three')).BoxGeometry(1, 1, 1)), view: [0.6, 0.55, 1] },
   sphere: shape('Sphere', async () => new (await import('three')).IcosahedronGeometry(1, 12)),
 };
 

@@ -20,7 +20,7 @@ export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat {
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, 2048));
   if (head.startsWith('glTF')) return 'glb';
   if (/^ply\s/.test(head)) return 'ply';
-  const other = otherKind(head);
+  const other = otherKind(bytes, head);
   if (other) throw new ModelError(`${name} is ${other}, not a 3D model.`);
   if (/^\s*(\uFEFF|ï»¿)?\{/.test(head)) return 'gltf';
   if (isBinaryStl(bytes) || /^\s*solid\b[\s\S]*\bfacet\b/.test(head)) return 'stl';
@@ -42,11 +42,17 @@ function isBinaryStl(bytes: Uint8Array): boolean {
   return count > 0 && BINARY_STL_HEADER + count * BINARY_STL_TRIANGLE <= bytes.length;
 }
 
-function otherKind(head: string): string | undefined {
+/** Beginnings of files that are dropped by mistake. */
+const OTHER_KINDS: readonly [kind: string, beginning: readonly number[]][] = [
+  ['a picture', [0x89, 0x50, 0x4e, 0x47]],
+  ['a picture', [0xff, 0xd8, 0xff]],
+  ['a picture', [0x47, 0x49, 0x46, 0x38]],
+  ['a ZIP archive', [0x50, 0x4b, 0x03, 0x04]],
+  ['a PDF document', [0x25, 0x50, 0x44, 0x46]],
+];
+
+function otherKind(bytes: Uint8Array, head: string): string | undefined {
   if (/^\s*<(!doctype\s+html|html|head|body)/i.test(head)) return 'a web page';
   if (/^\s*<\?xml|^\s*<svg/i.test(head)) return 'an XML file';
-  if (head.startsWith('\x89PNG') || head.startsWith('\xff\xd8\xff') || head.startsWith('GIF8')) return 'a picture';
-  if (head.startsWith('PK\x03\x04')) return 'a ZIP archive';
-  if (head.startsWith('%PDF')) return 'a PDF document';
-  return undefined;
+  return OTHER_KINDS.find(([, beginning]) => beginning.every((byte, i) => bytes[i] === byte))?.[0];
 }

@@ -1,0 +1,142 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../browser/test.js';
+import {
+  file,
+  octahedronAsciiStl,
+  octahedronBin,
+  octahedronBinaryStl,
+  octahedronGlb,
+  octahedronGltf,
+  octahedronMtl,
+  octahedronObj,
+  octahedronPly,
+  type TestFile,
+} from './modelFiles.js';
+import { changedShare, meanInk } from './pictures.js';
+import { openPlayground, readDrawing, ready } from './playground.js';
+
+test.use({ viewport: { width: 640, height: 480 } });
+
+/** Drops files on the page as a file manager would. */
+async function drop(page: Page, files: readonly TestFile[]): Promise<void> {
+  const plain = files.map(({ name, buffer }) => ({ name, base64: buffer.toString('base64') }));
+  const transfer = await page.evaluateHandle((dropped) => {
+    const data = new DataTransfer();
+    for (const { name, base64 } of dropped) {
+      data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    }
+    return data;
+  }, plain);
+  await page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
+  await expect(page.getByText('Drop a model to have it drawn')).toBeVisible();
+  await page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
+  await expect(page.getByText('Drop a model to have it drawn')).toBeHidden();
+}
+
+test('models of every format are drawn when dropped', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  const before = await readDrawing(page);
+  const cases: [name: string, facts: string, files: TestFile[]][] = [
+    ['octahedron.glb', '16 triangles', [file('octahedron.glb', octahedronGlb())]],
+    [
+      'octahedron.gltf',
+      '16 triangles',
+      [file('my shape.bin', octahedronBin()), file('octahedron.gltf', octahedronGltf('textures/../my%20shape.bin'))],
+    ],
+    ['octahedron.obj', '8 triangles', [file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)]],
+    ['octahedron.ply', '8 triangles', [file('octahedron.ply', octahedronPly)]],
+    ['binary.stl', '8 triangles', [file('binary.stl', octahedronBinaryStl())]],
+    ['ascii.stl', '8 triangles', [file('ascii.stl', octahedronAsciiStl)]],
+    ['misnamed.obj', '8 triangles', [file('misnamed.obj', octahedronPly)]],
+  ];
+  for (const [name, facts, files] of cases) {
+    await drop(page, files);
+    await expect(page.locator('#model-name')).toHaveText(name);
+    // Nothing but this: a closed surface has no borders, and a mirrored half must not have been turned inside out.
+    await expect(page.locator('#model-facts')).toHaveText(facts);
+  }
+  const after = await readDrawing(page);
+  expect(changedShare(before, after)).toBeGreaterThan(0.1);
+  expect(meanInk(after)).toBeGreaterThan(0.02);
+});
+
+test('a picked file is drawn too, with the colours it brings', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  await page
+    .locator('#file-input')
+    .setInputFiles([file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)]);
+  await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
+  const { data } = await readDrawing(page);
+  let red = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i]! > 150 && data[i + 1]! < 110) red++;
+  expect(red).toBeGreaterThan(1000);
+});
+
+test('a file that cannot be read gives one clear sentence and leaves the drawing as it was', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  const before = await readDrawing(page);
+  const glb = octahedronGlb();
+  const points = octahedronPly.replace(/element face.*\nproperty list.*\n/, '').replace(/^3 .*\n/gm, '');
+  const cases: [files: TestFile[], sentence: RegExp][] = [
+    [[file('empty.glb', '')], /^empty\.glb is empty\.$/],
+    [[file('page.stl', '<!DOCTYPE html><html><body>404</body></html>')], /^page\.stl is a web page, not a 3D model\.$/],
+    [[file('photo.obj', Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'))], /^photo\.obj is a picture/],
+    [[file('cut.glb', glb.subarray(0, glb.length - 40))], /^cut\.glb is cut short: it should have .* bytes/],
+    [[file('alone.gltf', octahedronGltf('alone.bin'))], /^alone\.gltf needs alone\.bin; drop both files together\.$/],
+    [
+      [file('short.gltf', octahedronGltf('short.bin')), file('short.bin', Buffer.alloc(10))],
+      /^short\.bin is cut short/,
+    ],
+    [
+      [file('away.gltf', octahedronGltf('https://example.org/away.bin'))],
+      /^away\.gltf needs away\.bin; drop both files together\.$/,
+    ],
+    [
+      [file('loop.gltf', octahedronGltf('a.bin', { nodes: [{ children: [1] }, { children: [0] }] }))],
+      /^loop\.gltf is damaged: some of its nodes contain themselves\.$/,
+    ],
+    [[file('old.gltf', '{"asset":{"version":"1.0"}}')], /^old\.gltf is glTF version 1\.0/],
+    [
+      [
+        file(
+          'greedy.gltf',
+          octahedronGltf('a.bin', { accessors: [{ count: 1e8, componentType: 5126, type: 'VEC3' }] }),
+        ),
+      ],
+      /^greedy\.gltf asks for more memory/,
+    ],
+    [[file('points.ply', points)], /^points\.ply holds points but no triangles/],
+    [
+      [file('nan.obj', 'v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\nf 1 2 9\n')],
+      /^None of the triangles .* sound corners\.$/,
+    ],
+    [[file('flat.obj', 'v 1 1 1\nf 1 1 1\n')], /^The model has no size/],
+    [[file('lines.obj', 'v 0 0 0\nv 1 0 0\nl 1 2\n')], /^The file holds no triangles/],
+    [[file('letter.txt', 'Dear all,')], /^letter\.txt is not a model this page can read/],
+  ];
+  for (const [files, sentence] of cases) {
+    await drop(page, files);
+    await expect(page.locator('#status')).toHaveText(sentence);
+  }
+  await ready(page);
+  await expect(page.locator('#model-name')).toHaveText('Cube');
+  expect(changedShare(before, await readDrawing(page))).toBe(0);
+});
+
+test('joining the triangles of a large model can be called off', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  const before = await readDrawing(page);
+  await page.evaluate(() => {
+    location.hash = 'model=dragon1';
+  });
+  await expect(page.locator('#status')).toHaveText(/^Joining 871,414 triangles/, { timeout: 60_000 });
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
+  await ready(page);
+  await expect(page.locator('#model-name')).toHaveText('Cube');
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeHidden();
+  await page.getByRole('button', { name: 'Settings' }).click();
+  await expect(page.getByRole('combobox', { name: 'Model', exact: true })).toHaveValue('Cube');
+  await page.getByRole('button', { name: 'Settings' }).click();
+  expect(changedShare(before, await readDrawing(page))).toBe(0);
+});

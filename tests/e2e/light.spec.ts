@@ -1,0 +1,126 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../browser/test.js';
+import { angleBetween, meanInk, type Region, strokeDirection } from './pictures.js';
+import { dragLamp, lampPlace, middleOf, openPlayground, readDrawing, ready } from './playground.js';
+
+test.use({ viewport: { width: 640, height: 480 } });
+
+/** Within the face of the cube that looks at the camera. */
+const FACE: Region = { left: 0.42, top: 0.36, right: 0.58, bottom: 0.64 };
+const LEFT_HALF: Region = { left: 0.3, top: 0.2, right: 0.5, bottom: 0.8 };
+const RIGHT_HALF: Region = { left: 0.5, top: 0.2, right: 0.7, bottom: 0.8 };
+/** Mean darkness of the darkest hatch image of the default style. */
+const MAX_INK = 0.95;
+/** Degrees. The strokes of a map are drawn by a slightly unsteady hand. */
+const MAX_DEVIATION = 8;
+
+/** Direction to the light from where the lamp says it is; the camera looks along −z. */
+async function towardsLight(page: Page): Promise<{ x: number; y: number; z: number }> {
+  const { azimuth, elevation } = await lampPlace(page);
+  const [a, e] = [azimuth, elevation].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
+  return { x: Math.sin(a) * Math.cos(e), y: Math.sin(e), z: Math.cos(a) * Math.cos(e) };
+}
+
+/** What Algorithm 1 says of a face with the normal (0, 0, 1): B is the light's direction laid into the face, T = B × N. */
+async function expectFaceAsReference(page: Page, along: 'T' | 'B'): Promise<void> {
+  const light = await towardsLight(page);
+  const picture = await readDrawing(page);
+  const towards = (Math.atan2(light.y, light.x) * 180) / Math.PI;
+  const expected = along === 'B' ? towards : towards + 90;
+  expect(angleBetween(strokeDirection(picture, FACE), expected), 'degrees between strokes and reference').toBeLessThan(
+    MAX_DEVIATION,
+  );
+  expect(meanInk(picture, FACE), 'mean ink against the tone 1 − N·L').toBeCloseTo(MAX_INK * (1 - light.z), 1);
+}
+
+test('strokes and tone of a face follow the lamp that the mouse drags', async ({ page }) => {
+  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&strokeScale=5');
+  await expectFaceAsReference(page, 'B');
+  const before = await lampPlace(page);
+  await dragLamp(page, { x: -40, y: -90 });
+  const after = await lampPlace(page);
+  expect(after.azimuth).toBeLessThan(before.azimuth - 5);
+  expect(after.elevation).toBeGreaterThan(before.elevation + 15);
+  await expectFaceAsReference(page, 'B');
+
+  await page.evaluate(() => {
+    location.hash = `${location.hash}&strokeDirection=along`;
+  });
+  await expectFaceAsReference(page, 'T');
+});
+
+test('the side that faces the lamp is the lighter one, and the lamp goes behind the model past the edge', async ({
+  page,
+}) => {
+  await openPlayground(page, 'model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-60&lightElevation=0');
+  const fromLeft = await readDrawing(page);
+  expect(meanInk(fromLeft, RIGHT_HALF)).toBeGreaterThan(meanInk(fromLeft, LEFT_HALF) + 0.2);
+
+  const { x } = await middleOf(page, '#lamp');
+  const { x: centre } = await middleOf(page, '#plate');
+  await dragLamp(page, { x: 2 * (centre - x), y: 0 });
+  const fromRight = await readDrawing(page);
+  expect(meanInk(fromRight, LEFT_HALF)).toBeGreaterThan(meanInk(fromRight, RIGHT_HALF) + 0.2);
+  expect(meanInk(fromRight, RIGHT_HALF)).toBeCloseTo(meanInk(fromLeft, LEFT_HALF), 1);
+
+  const lamp = await middleOf(page, '#lamp');
+  await page.mouse.move(lamp.x, lamp.y);
+  await page.mouse.down();
+  await page.mouse.move(lamp.x + 160, lamp.y, { steps: 4 });
+  await page.mouse.move(lamp.x - 120, lamp.y, { steps: 4 });
+  await page.mouse.up();
+  expect(Math.abs((await lampPlace(page)).azimuth)).toBeGreaterThan(90);
+  await expect(page.locator('#lamp')).toHaveClass(/is-behind/);
+  expect(meanInk(await readDrawing(page), RIGHT_HALF)).toBeGreaterThan(meanInk(fromRight, RIGHT_HALF) + 0.2);
+
+  await page.locator('#lamp').dblclick();
+  expect(await lampPlace(page)).toMatchObject({ azimuth: -54, elevation: 38 });
+});
+
+test('arrow keys move the lamp by 5°, with Shift by 1°', async ({ page }) => {
+  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&strokeScale=5');
+  await page.locator('#lamp').focus();
+  await page.keyboard.press('ArrowRight');
+  expect(await lampPlace(page)).toMatchObject({ azimuth: 45, elevation: 10 });
+  await page.keyboard.press('Shift+ArrowUp');
+  expect(await lampPlace(page)).toMatchObject({ azimuth: 45, elevation: 11 });
+  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Shift+ArrowLeft');
+  expect(await lampPlace(page)).toMatchObject({ azimuth: 44, elevation: 41 });
+  await expectFaceAsReference(page, 'B');
+});
+
+test.describe('by touch', () => {
+  test.use({ hasTouch: true });
+
+  test('a finger moves the lamp, a second one its distance', async ({ page }) => {
+    await openPlayground(
+      page,
+      'model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&strokeScale=5',
+    );
+    const before = { place: await lampPlace(page), picture: await readDrawing(page) };
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: { x: number; y: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map((point, id) => ({ ...point, id })) });
+
+    const from = await middleOf(page, '#lamp');
+    const to = { x: from.x - 50, y: from.y - 80 };
+    await touch('touchStart', [from]);
+    for (const share of [0.25, 0.5, 0.75, 1]) {
+      await touch('touchMove', [{ x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) }]);
+    }
+    const moved = await lampPlace(page);
+    expect(moved.elevation).toBeGreaterThan(before.place.elevation + 4);
+    expect(moved.distance).toBe(before.place.distance);
+
+    const centre = await middleOf(page, '#plate');
+    await touch('touchStart', [to, { x: centre.x, y: centre.y + 100 }]);
+    await touch('touchMove', [to, { x: centre.x, y: centre.y + 125 }]);
+    await touch('touchMove', [to, { x: centre.x, y: centre.y + 150 }]);
+    await touch('touchEnd', []);
+    await ready(page);
+    expect((await lampPlace(page)).distance / before.place.distance).toBeCloseTo(1.5, 1);
+    const picture = await readDrawing(page);
+    expect(angleBetween(strokeDirection(picture, FACE), strokeDirection(before.picture, FACE))).toBeGreaterThan(8);
+  });
+});

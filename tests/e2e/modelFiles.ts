@@ -1,0 +1,120 @@
+/** An octahedron in every format the page takes, made here so that the tests need no files. */
+
+const VERTICES = [
+  [1, 0, 0],
+  [-1, 0, 0],
+  [0, 1, 0],
+  [0, -1, 0],
+  [0, 0, 1],
+  [0, 0, -1],
+] as const;
+const TRIANGLES = [
+  [0, 2, 4],
+  [2, 1, 4],
+  [1, 3, 4],
+  [3, 0, 4],
+  [2, 0, 5],
+  [1, 2, 5],
+  [3, 1, 5],
+  [0, 3, 5],
+] as const;
+
+export interface TestFile {
+  name: string;
+  mimeType: string;
+  buffer: Buffer;
+}
+
+export const file = (name: string, content: Buffer | string): TestFile => ({
+  name,
+  mimeType: 'application/octet-stream',
+  buffer: Buffer.from(content as string),
+});
+
+export const octahedronObj = [
+  'mtllib octahedron.mtl',
+  'usemtl red',
+  ...VERTICES.map((vertex) => `v ${vertex.join(' ')}`),
+  ...TRIANGLES.map((triangle) => `f ${triangle.map((i) => i + 1).join(' ')}`),
+].join('\n');
+
+export const octahedronMtl = 'newmtl red\nKd 0.8 0.1 0.1\nmap_Kd missing.png\n';
+
+export const octahedronPly = [
+  'ply',
+  'format ascii 1.0',
+  `element vertex ${VERTICES.length}`,
+  'property double x',
+  'property double y',
+  'property double z',
+  `element face ${TRIANGLES.length}`,
+  'property list uchar int vertex_indices',
+  'end_header',
+  ...VERTICES.map((vertex) => vertex.join(' ')),
+  ...TRIANGLES.map((triangle) => `3 ${triangle.join(' ')}`),
+  '',
+].join('\n');
+
+export const octahedronAsciiStl = `solid octahedron\n${TRIANGLES.map(
+  (triangle) =>
+    `facet normal 0 0 0\nouter loop\n${triangle.map((i) => `vertex ${VERTICES[i].join(' ')}`).join('\n')}\nendloop\nendfacet\n`,
+).join('')}endsolid octahedron\n`;
+
+export function octahedronBinaryStl(): Buffer {
+  const buffer = Buffer.alloc(84 + 50 * TRIANGLES.length);
+  buffer.writeUInt32LE(TRIANGLES.length, 80);
+  TRIANGLES.forEach((triangle, t) => {
+    triangle.forEach((i, corner) => {
+      VERTICES[i].forEach((value, axis) => {
+        buffer.writeFloatLE(value, 84 + 50 * t + 12 + 12 * corner + 4 * axis);
+      });
+    });
+  });
+  return buffer;
+}
+
+export function octahedronBin(): Buffer {
+  const positions = Buffer.from(new Float32Array(VERTICES.flat()).buffer);
+  return Buffer.concat([positions, Buffer.from(new Uint16Array(TRIANGLES.flat()).buffer)]);
+}
+
+/** Two octahedra, the second mirrored and moved aside; `uri` names the buffer's file, or none for GLB. */
+export function octahedronGltf(uri?: string, changes: object = {}): string {
+  const positionBytes = 12 * VERTICES.length;
+  const indexBytes = 6 * TRIANGLES.length;
+  return JSON.stringify({
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0, 1] }],
+    nodes: [{ mesh: 0 }, { mesh: 0, translation: [3, 0, 0], scale: [-1, 1, 1] }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: VERTICES.length, type: 'VEC3', min: [-1, -1, -1], max: [1, 1, 1] },
+      { bufferView: 1, componentType: 5123, count: 3 * TRIANGLES.length, type: 'SCALAR' },
+    ],
+    bufferViews: [
+      { buffer: 0, byteOffset: 0, byteLength: positionBytes },
+      { buffer: 0, byteOffset: positionBytes, byteLength: indexBytes },
+    ],
+    buffers: [{ byteLength: positionBytes + indexBytes, ...(uri ? { uri } : {}) }],
+    ...changes,
+  });
+}
+
+export function octahedronGlb(): Buffer {
+  const json = Buffer.from(octahedronGltf());
+  const text = Buffer.concat([json, Buffer.alloc((4 - (json.length % 4)) % 4, ' ')]);
+  const binary = octahedronBin();
+  const header = Buffer.alloc(12);
+  header.write('glTF');
+  header.writeUInt32LE(2, 4);
+  header.writeUInt32LE(12 + 8 + text.length + 8 + binary.length, 8);
+  return Buffer.concat([header, chunk('JSON', text), chunk('BIN\0', binary)]);
+}
+
+function chunk(kind: string, content: Buffer): Buffer {
+  const head = Buffer.alloc(8);
+  head.writeUInt32LE(content.length, 0);
+  head.write(kind, 4);
+  return Buffer.concat([head, content]);
+}

@@ -1,0 +1,217 @@
+import { readFile } from 'node:fs/promises';
+import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { expect, test } from '../browser/test.js';
+import { changedShare, largestDifference, meanInk } from './pictures.js';
+import { framesDrawn, middleOf, openPlayground, readDrawing, ready } from './playground.js';
+
+test.use({ viewport: { width: 640, height: 480 } });
+
+test('opens with the dragon, hatched, without a layout shift, and asks no other site for anything', async ({
+  page,
+}) => {
+  const addresses: string[] = [];
+  page.on('request', (request) => addresses.push(request.url()));
+  await page.addInitScript(() => {
+    const problems: string[] = [];
+    (window as unknown as { __problems: string[] }).__problems = problems;
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) {
+        const { sources } = entry as unknown as { sources: { node: Node | null }[] };
+        problems.push(...sources.map(({ node }) => `moved: ${(node?.parentElement ?? undefined)?.outerHTML}`));
+      }
+    }).observe({ type: 'layout-shift', buffered: true });
+    addEventListener('securitypolicyviolation', (event) => problems.push(`forbidden: ${event.violatedDirective}`));
+  });
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page);
+  await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
+  await expect(page.locator('#model-facts')).toHaveText(/^47,794 triangles/);
+  await expect(page.getByRole('slider', { name: 'Light' })).toBeVisible();
+  await expect(page.getByText('drag the light')).toBeVisible();
+  const picture = await readDrawing(page);
+  expect(meanInk(picture)).toBeGreaterThan(0.03);
+  expect(meanInk(picture)).toBeLessThan(0.4);
+  const { origin } = new URL(page.url());
+  expect(addresses.filter((address) => !address.startsWith(origin) && !/^(blob|data):/.test(address))).toEqual([]);
+  expect(await page.evaluate(() => (window as unknown as { __problems: string[] }).__problems)).toEqual([]);
+});
+
+test('an idle page draws no frames', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  const before = await framesDrawn(page);
+  await page.waitForTimeout(1000);
+  expect(await framesDrawn(page)).toBe(before);
+  await page.locator('#lamp').press('ArrowLeft');
+  await ready(page);
+  expect(await framesDrawn(page)).toBeGreaterThan(before);
+});
+
+test('the camera turns by mouse and keys, and comes back to the whole model', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  const first = await readDrawing(page);
+  const { x, y } = await middleOf(page, '#plate');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y + 20, { steps: 3 });
+  await page.mouse.up();
+  expect(changedShare(first, await readDrawing(page))).toBeGreaterThan(0.05);
+  await page.mouse.dblclick(x, y);
+  expect(changedShare(first, await readDrawing(page))).toBe(0);
+  await page.locator('#drawing').press('ArrowLeft');
+  await page.locator('#drawing').press('+');
+  expect(changedShare(first, await readDrawing(page))).toBeGreaterThan(0.05);
+  await page.locator('#drawing').press('Home');
+  expect(changedShare(first, await readDrawing(page))).toBe(0);
+});
+
+test('two techniques stand side by side, divided where the divider is', async ({ page }) => {
+  const view = 'model=bunny&lightAzimuth=-30';
+  await openPlayground(page, view);
+  const adjacency = await readDrawing(page);
+  await openPlayground(page, `${view}&technique=triangle`);
+  const triangle = await readDrawing(page);
+  await openPlayground(page, `${view}&compare=triangle`);
+  const divider = page.getByRole('slider', { name: /Divider between/ });
+  await divider.focus();
+  for (let i = 0; i < 5; i++) await divider.press('ArrowLeft');
+  await expect(divider).toHaveAttribute('aria-valuenow', '40');
+  const both = await readDrawing(page);
+  const split = Math.round(0.4 * both.width);
+  expect(differingColumns(both, triangle).every((column) => column >= split)).toBe(true);
+  expect(differingColumns(both, adjacency).every((column) => column < split)).toBe(true);
+  expect(differingColumns(both, adjacency).length).toBeGreaterThan(20);
+});
+
+function differingColumns(a: PNG, b: PNG): number[] {
+  const columns = new Set<number>();
+  for (let i = 0; i < a.data.length; i += 4) {
+    if (a.data.readUInt32LE(i) !== b.data.readUInt32LE(i)) columns.add((i / 4) % a.width);
+  }
+  return [...columns];
+}
+
+test('the link brings every setting back after a reload, and passes over what it does not know', async ({ page }) => {
+  await openPlayground(page, 'model=cube&strokeScale=4&ink=%23203080&lightElevation=999&technique=magic&nothing=1');
+  const picture = await readDrawing(page);
+  await page.locator('#lamp').press('ArrowDown');
+  await expect.poll(() => page.url()).toContain('lightElevation=84');
+  await page.locator('#lamp').press('ArrowUp');
+  await expect.poll(() => page.url()).toContain('lightElevation=89');
+  expect(page.url()).not.toContain('magic');
+  await page.reload();
+  expect(changedShare(picture, await readDrawing(page))).toBe(0);
+});
+
+async function savePicture(page: Page): Promise<PNG> {
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save PNG' }).last().click();
+  return PNG.sync.read(await readFile(await (await download).path()));
+}
+
+test('saves the drawing as PNG, on paper and without, at the size of the page and larger', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  const shown = await readDrawing(page);
+  const onPaper = await savePicture(page);
+  expect([onPaper.width, onPaper.height]).toEqual([shown.width, shown.height]);
+  expect([...onPaper.data.subarray(0, 4)]).toEqual([0xf7, 0xf3, 0xe8, 255]);
+  expect(changedShare(shown, onPaper)).toBeLessThan(0.001);
+
+  await openPlayground(page, 'model=cube&pictureSize=4&pictureGround=transparent');
+  const large = await savePicture(page);
+  expect([large.width, large.height]).toEqual([4 * shown.width, 4 * shown.height]);
+  expect([...large.data.subarray(0, 4)]).toEqual([0, 0, 0, 0]);
+  const middle = 4 * (Math.floor(large.height / 2) * large.width + Math.floor(large.width / 2));
+  expect(large.data[middle + 3]).toBe(255);
+  expect(Math.abs(opaqueShare(large) - drawnShare(shown))).toBeLessThan(0.02);
+  // What the page shows is not touched by saving.
+  expect(changedShare(shown, await readDrawing(page))).toBe(0);
+});
+
+function opaqueShare({ data }: PNG): number {
+  let opaque = 0;
+  for (let i = 3; i < data.length; i += 4) if (data[i]! > 127) opaque++;
+  return opaque / (data.length / 4);
+}
+
+/** The share of the picture within the outline of the cube, found row by row between its first and last dark pixel. */
+function drawnShare({ data, width, height }: PNG): number {
+  let inside = 0;
+  for (let y = 0; y < height; y++) {
+    const dark: number[] = [];
+    for (let x = 0; x < width; x++) if (data[4 * (y * width + x)]! < 200) dark.push(x);
+    if (dark.length > 0) inside += dark[dark.length - 1]! - dark[0]! + 1;
+  }
+  return inside / (width * height);
+}
+
+test('fits a screen 360 pixels wide, with everything large enough for a thumb', async ({ page }) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  await openPlayground(page, 'model=cube');
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
+  expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBe(740);
+  const settings = page.getByRole('button', { name: 'Settings' });
+  await expect(page.getByLabel('Stroke scale')).toBeHidden();
+  for (const target of [page.locator('#lamp'), settings, page.getByRole('button', { name: 'Open a model' })]) {
+    const box = (await target.boundingBox())!;
+    expect(box.width).toBeGreaterThanOrEqual(44);
+    expect(box.height).toBeGreaterThanOrEqual(44);
+    expect(box.x).toBeGreaterThanOrEqual(0);
+    expect(box.x + box.width).toBeLessThanOrEqual(360);
+  }
+  await settings.click();
+  await expect(page.getByLabel('Stroke scale')).toBeVisible();
+  const plate = (await page.locator('#plate').boundingBox())!;
+  const card = (await page.locator('#card').boundingBox())!;
+  expect(plate.height).toBeGreaterThan(180);
+  expect(plate.y + plate.height).toBeLessThanOrEqual(card.y);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
+  await page.keyboard.press('Escape');
+  await expect(page.getByLabel('Stroke scale')).toBeHidden();
+});
+
+test('settings have labels and units, count at once and are reset by double-click', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page, 'model=cube');
+  const before = await readDrawing(page);
+  const scale = page.getByLabel('Stroke scale');
+  await scale.fill('6');
+  await scale.press('Enter');
+  expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
+  await page.getByText('Stroke scale').dblclick();
+  await expect(scale).toHaveValue('2');
+  await expect(page.getByText('tiles').first()).toBeVisible();
+  expect(changedShare(before, await readDrawing(page))).toBe(0);
+  await page.getByLabel('Style').selectOption('Stippling');
+  await expect.poll(async () => changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
+});
+
+test('a lost graphics context is said and comes back with the same drawing', async ({ page }) => {
+  await openPlayground(page, 'model=bunny');
+  const before = await readDrawing(page);
+  await page.evaluate(() => {
+    const gl = (document.getElementById('drawing') as HTMLCanvasElement).getContext('webgl2')!;
+    const extension = gl.getExtension('WEBGL_lose_context')!;
+    (window as unknown as { __bringBack: () => void }).__bringBack = () => extension.restoreContext();
+    extension.loseContext();
+  });
+  await expect(page.locator('#status')).toHaveText(/let go of the drawing/);
+  await expect(page.locator('html')).toHaveAttribute('data-state', 'lost');
+  await page.locator('#lamp').press('ArrowLeft');
+  await page.locator('#lamp').press('ArrowRight');
+  await page.evaluate(() => (window as unknown as { __bringBack: () => void }).__bringBack());
+  // A program built anew may round the last digit differently.
+  expect(largestDifference(before, await readDrawing(page))).toBeLessThanOrEqual(2);
+  await expect(page.locator('#status')).toHaveText('The drawing is back.');
+});
+
+test('a browser without WebGL 2 is told so', async ({ page }) => {
+  await page.addInitScript(() => {
+    const getContext = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: [string]) {
+      return args[0] === 'webgl2' ? null : getContext.apply(this, args);
+    } as typeof getContext;
+  });
+  await page.goto('./');
+  await expect(page.locator('#status')).toHaveText(/^This page needs WebGL 2/);
+});

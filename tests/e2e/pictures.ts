@@ -1,0 +1,87 @@
+import type { PNG } from 'pngjs';
+
+/** A part of a picture in shares of its size, from the top left. */
+export interface Region {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+export const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 };
+
+const INK = [0x1c, 0x1a, 0x17].map(toLinear);
+const PAPER = [0xf7, 0xf3, 0xe8].map(toLinear);
+
+/**
+ * The mean darkness of a region in linear light: 0 for bare paper, 1 for full ink. The model counts and the ground does
+ * not when the region holds the model only.
+ */
+export function meanInk(picture: PNG, region: Region = WHOLE): number {
+  let sum = 0;
+  let count = 0;
+  forEachPixel(picture, region, (offset) => {
+    sum += darkness(picture, offset);
+    count++;
+  });
+  return sum / count;
+}
+
+/**
+ * The direction strokes run in, in degrees counter-clockwise from the horizontal, in [0, 180): across the strongest
+ * change, by the structure tensor of the region.
+ */
+export function strokeDirection(picture: PNG, region: Region): number {
+  const { width } = picture;
+  let xx = 0;
+  let xy = 0;
+  let yy = 0;
+  forEachPixel(picture, region, (offset) => {
+    const dx = darkness(picture, offset + 4) - darkness(picture, offset - 4);
+    // Rows run downwards, angles are counted upwards.
+    const dy = darkness(picture, offset - 4 * width) - darkness(picture, offset + 4 * width);
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
+  });
+  const across = (Math.atan2(2 * xy, xx - yy) / 2) * (180 / Math.PI);
+  return (across + 90 + 360) % 180;
+}
+
+/** The angle between two directions that have no sign, in [0, 90]. */
+export function angleBetween(a: number, b: number): number {
+  const difference = Math.abs(a - b) % 180;
+  return Math.min(difference, 180 - difference);
+}
+
+/** The share of pixels that differ at all. */
+export function changedShare(a: PNG, b: PNG): number {
+  let changed = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    if (a.data.readUInt32LE(i) !== b.data.readUInt32LE(i)) changed++;
+  }
+  return changed / (a.data.length / 4);
+}
+
+/** The largest difference of any channel of any pixel, of 255. */
+export function largestDifference(a: PNG, b: PNG): number {
+  return a.data.reduce((largest, value, i) => Math.max(largest, Math.abs(value - b.data[i]!)), 0);
+}
+
+function forEachPixel(picture: PNG, region: Region, visit: (offset: number) => void): void {
+  const { width, height } = picture;
+  for (let y = Math.ceil(region.top * height); y < Math.floor(region.bottom * height); y++) {
+    for (let x = Math.ceil(region.left * width); x < Math.floor(region.right * width); x++) visit(4 * (y * width + x));
+  }
+}
+
+function darkness({ data }: PNG, offset: number): number {
+  let sum = 0;
+  for (let k = 0; k < 3; k++) sum += (PAPER[k]! - toLinear(data[offset + k]!)) / (PAPER[k]! - INK[k]!);
+  return sum / 3;
+}
+
+function toLinear(value: number): number {
+  const share = value / 255;
+  return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+}

@@ -1,0 +1,84 @@
+import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { expect } from '../browser/test.js';
+
+/** An idle page draws no frame for longer than the wait before it sharpens a drawing that moved. */
+const QUIET_MILLISECONDS = 700;
+
+/** Opens the playground with settings as in its links and waits until it shows the drawing. */
+export async function openPlayground(page: Page, hash = ''): Promise<void> {
+  await page.goto(`./#${hash}`);
+  await ready(page);
+}
+
+/** Waits until nothing is loading, baking or moving any more. */
+export async function ready(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.documentElement.dataset.state === 'ready', null, { timeout: 60_000 });
+  await page.waitForFunction(
+    (quiet) => {
+      const state = window as unknown as { __seen?: { frames: number; since: number } };
+      const frames = window.__playground!.framesDrawn;
+      if (state.__seen?.frames !== frames) state.__seen = { frames, since: performance.now() };
+      return performance.now() - state.__seen.since > quiet;
+    },
+    QUIET_MILLISECONDS,
+    { polling: 100 },
+  );
+}
+
+export const framesDrawn = (page: Page): Promise<number> => page.evaluate(() => window.__playground!.framesDrawn);
+
+/** A picture of the drawing alone, without lamp, divider and focus ring. */
+export async function readDrawing(page: Page): Promise<PNG> {
+  await ready(page);
+  const overlays = page.locator('#lamp, #divider');
+  const canvas = page.locator('#drawing');
+  await canvas.evaluate((element) => {
+    element.style.outline = 'none';
+  });
+  await overlays.evaluateAll((elements) => {
+    for (const element of elements) (element as HTMLElement).style.visibility = 'hidden';
+  });
+  const picture = PNG.sync.read(await page.locator('#plate').screenshot());
+  await overlays.evaluateAll((elements) => {
+    for (const element of elements) (element as HTMLElement).style.visibility = '';
+  });
+  await canvas.evaluate((element) => {
+    element.style.outline = '';
+  });
+  return picture;
+}
+
+/** Where the lamp says it is, once the frame that shows it there is drawn. */
+export async function lampPlace(page: Page): Promise<{ azimuth: number; elevation: number; distance: number }> {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  const text = (await page.locator('#lamp').getAttribute('aria-valuetext')) ?? '';
+  const number = (pattern: RegExp): number => Number(pattern.exec(text)?.[1]);
+  return {
+    azimuth: number(/(-?[\d.]+)° around/),
+    elevation: number(/(-?[\d.]+)° high/),
+    distance: number(/([\d.]+) radii/),
+  };
+}
+
+export interface Point {
+  x: number;
+  y: number;
+}
+
+/** The middle of an element in the page. */
+export async function middleOf(page: Page, selector: string): Promise<Point> {
+  const box = await page.locator(selector).boundingBox();
+  expect(box, `${selector} is shown`).not.toBeNull();
+  return { x: box!.x + box!.width / 2, y: box!.y + box!.height / 2 };
+}
+
+/** Drags the lamp by mouse, by so many pixels, in steps as a hand would. */
+export async function dragLamp(page: Page, by: Point): Promise<void> {
+  const from = await middleOf(page, '#lamp');
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + by.x, from.y + by.y, { steps: 6 });
+  await page.mouse.up();
+  await ready(page);
+}
