@@ -51,7 +51,7 @@ const face = {
   ...common,
   figure: 10,
   model: 'suzanne',
-  camera: { position: [0, 0, 4.4], fov: 28 },
+  camera: { position: [0, 0, 3.6], fov: 28 },
   lights: sun(1, 1.2, 1.5),
 } as const;
 
@@ -93,10 +93,11 @@ export const scenarios: readonly Scenario[] = [
     sentence: `Strokes turned by ${degrees} degrees about the normal of each triangle.`,
     material: { strokeScale: 1.5, strokeRotation: (degrees * Math.PI) / 180 },
   })),
-  ...[1, 2, 4].map((strokeScale) => ({
+  // Smaller scales than elsewhere: from about 0.6 on the levels of the map keep strokes as wide as they are drawn.
+  ...Object.entries({ coarse: 0.15, medium: 0.3, fine: 0.6 }).map(([name, strokeScale]) => ({
     ...face,
-    name: `figure-10-scale-${strokeScale}`,
-    sentence: `Strokes at ${strokeScale} ${strokeScale === 1 ? 'tile' : 'tiles'} per unit of the model.`,
+    name: `figure-10-scale-${name}`,
+    sentence: `Strokes at ${strokeScale} tiles per unit of the model.`,
     material: { strokeScale },
   })),
   ...Object.entries({ left: sun(-2, 0.5, 1), above: sun(0, 2, 1), right: sun(2, 0.5, 1) }).map(([side, lights]) => ({
