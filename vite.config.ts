@@ -11,8 +11,12 @@ export default defineConfig(
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
     resolve: {
-      alias:
-        mode === 'use-build' ? {} : { 'three-hatching': fileURLToPath(new URL('./src/index.ts', import.meta.url)) },
+      alias: {
+        // Named in both cases: left alone, the name would be resolved by the paths in tsconfig.json, to the source again.
+        'three-hatching': fileURLToPath(
+          new URL(mode === 'use-build' ? './dist/index.js' : './src/index.ts', import.meta.url),
+        ),
+      },
     },
     assetsInclude: ['**/*.ply.gz'],
     worker: { format: 'es' },
