@@ -4,7 +4,6 @@
 // up to sign (a structure tensor, i.e. vectors of the doubled angle): lights from opposite sides reinforce each other
 // instead of cancelling, and a light in line with the normal has no say. The sign follows the weighted sum of the
 // lights, which with one light is the sign of the paper.
-#include <lights_pars_begin>
 
 // three declares luminance() for fragment shaders only; these are its Rec. 709 weights.
 float lightLuminance(const in vec3 rgb) {
