@@ -1,7 +1,5 @@
 #if TECHNIQUE == TECHNIQUE_ANCHORED || defined(CRISP)
   #include "thresholdMap"
-
-  uniform float edgePixels;
 #else
   #include "tonalArtMap"
 #endif // TECHNIQUE
@@ -9,21 +7,36 @@
   #include "anchoredHatch"
 #endif // TECHNIQUE
 
+#ifdef CRISP
+  // Octaves by which the map would be too fine at a fragment, from the screen derivatives of its coordinates.
+  float minification(const in vec2 uv) {
+    return log2(thresholdMapSize * texelPixels * max(length(dFdx(uv)), length(dFdy(uv))));
+  }
+
+  float crispField(const in vec2 uv, const in ThresholdLevels levels) {
+    float finer = levels.fade < 1.0 ? thresholdAt(uv, levels.finer) : 0.0;
+    float coarser = levels.fade > 0.0 ? thresholdAt(uv, levels.finer + 1.0) : 0.0;
+    return blendFields(finer, coarser, levels.fade, LEVEL_CORRELATION);
+  }
+#endif // CRISP
+
 // Algorithm 3: the darkness of the hatch, blended over the triangles of the adjacency primitive.
 float hatch(const in HatchingParameters h, const in vec4 tone) {
   #if TECHNIQUE == TECHNIQUE_ANCHORED
-    return inkAt(anchoredField(vRestPosition, h.uAxis, h.vAxis, vUnitsPerPixel), tone.x, edgePixels);
+    return inkAt(anchoredField(vRestPosition, h.uAxis, h.vAxis, vUnitsPerPixel), tone.x);
   #elif defined(CRISP)
-    // The same frames and weights, but what is blended is the field, and ink is decided once.
+    // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
+    // have the same scale, so one choice of levels serves them all.
+    ThresholdLevels levels = chooseLevels(minification(h.uv[0]));
     #if TECHNIQUE == TECHNIQUE_ADJACENCY
-      vec4 field = vec4(
-        texture(thresholdMap, h.uv[0]).r, texture(thresholdMap, h.uv[1]).r,
-        texture(thresholdMap, h.uv[2]).r, texture(thresholdMap, h.uv[3]).r
+      vec4 fields = vec4(
+        crispField(h.uv[0], levels), crispField(h.uv[1], levels),
+        crispField(h.uv[2], levels), crispField(h.uv[3], levels)
       );
-      float blended = dot(field, h.weights) * inversesqrt(dot(h.weights, h.weights));
-      return inkAt(blended, dot(tone, h.weights) / dot(h.weights, vec4(1.0)), edgePixels);
+      float field = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
+      return inkAt(field, dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
     #else
-      return inkAt(texture(thresholdMap, h.uv[0]).r, tone.x, edgePixels);
+      return inkAt(crispField(h.uv[0], levels), tone.x);
     #endif // TECHNIQUE
   #elif TECHNIQUE == TECHNIQUE_ADJACENCY
     vec4 darkness = vec4(

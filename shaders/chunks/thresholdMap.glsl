@@ -1,17 +1,51 @@
 // The threshold map: where a texel of the hatch becomes ink. Stored as g = Φ⁻¹(h) of the tone h from which the texel is
 // ink, h uniform on [0, 1], so that fields may be blended without losing contrast or tone: for independent g_i,
 // Σ w_i g_i / √(Σ w_i²) is standard normal again (Heitz and Neyret, "High-Performance By-Example Noise", 2018).
+//
+// Its levels are those of the map: drawn, with strokes as wide in texels on each.
 
 uniform highp sampler2D thresholdMap;
+uniform float thresholdMapSize; // texels per side of level 0
+uniform float thresholdMapLevels;
+uniform float texelPixels; // wanted pixels per texel
+uniform float edgePixels; // width of the edge of a stroke
+
+// The share of a level's range, about its end, in which it gives way to the next.
+#define LEVEL_FADE 0.3
+// How alike neighbouring levels are: their strokes nest.
+#define LEVEL_CORRELATION 0.5
+
+struct ThresholdLevels {
+  float finer;
+  float fade; // of finer + 1, in [0, 1]
+};
+
+// octaves: by how many the map at its own size would be too fine.
+ThresholdLevels chooseLevels(const in float octaves) {
+  // Each level serves from half an octave before to half an octave after its own size.
+  float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
+  float finer = floor(level);
+  return ThresholdLevels(finer, smoothstep(0.5 - 0.5 * LEVEL_FADE, 0.5 + 0.5 * LEVEL_FADE, level - finer));
+}
+
+float thresholdAt(const in vec2 uv, const in float level) {
+  return textureLod(thresholdMap, uv, level).r;
+}
+
+// Blends two fields of known correlation without losing variance.
+float blendFields(const in float a, const in float b, const in float share, const in float correlation) {
+  float rest = 1.0 - share;
+  return mix(a, b, share) * inversesqrt(rest * rest + share * share + 2.0 * rest * share * correlation);
+}
 
 // Φ: the standard normal distribution, to 2e-4.
 float normalDistribution(const in float g) {
   return 0.5 + 0.5 * tanh(0.7978845608 * (g + 0.044715 * g * g * g));
 }
 
-// Ink ∈ [0, 1] of a blended field g under a tone: decided once, here, with an edge as wide as `edgePixels` on the screen.
-// The mean over all g is exactly the tone, at any width of the edge.
-float inkAt(const in float g, const in float tone, const in float edgePixels) {
+// Ink ∈ [0, 1] of a blended field g under a tone: decided once, here. The mean over all g is exactly the tone, however
+// wide the edge.
+float inkAt(const in float g, const in float tone) {
   float h = normalDistribution(g);
   float slope = 0.3989422804 * exp(-0.5 * g * g); // Φ'
   float width = clamp(fwidth(g) * slope * edgePixels, 1e-5, 1.0);
