@@ -21,6 +21,9 @@ const WORK_PER_SLICE = 100_000;
 /** What one other end at the place of a stroke's end counts, beside the mean crowding along the stroke. */
 const END_WEIGHT = 0.2;
 
+/** How much more the level for which a stroke is chosen counts than each finer one, on which it will also be seen. */
+const OWN_LEVEL_WEIGHT = 3;
+
 /** Strokes act on each other across so many times their mean distance: lines, their ends, and dots. */
 const LINE_REACH = 6;
 const END_REACH = 4;
@@ -148,8 +151,9 @@ function proposeBest(
     let crowding = 0;
     for (let finer = level; finer >= 0; finer--) {
       const { crowding: field, ends } = sheets[finer];
-      crowding += field[direction].along(stroke);
-      if (ends.length > 0) crowding += END_WEIGHT * ends[direction].atEnds(stroke);
+      const weight = finer === level ? OWN_LEVEL_WEIGHT : 1;
+      crowding += weight * field[direction].along(stroke);
+      if (ends.length > 0) crowding += weight * END_WEIGHT * ends[direction].atEnds(stroke);
     }
     if (crowding < bestCrowding) {
       bestCrowding = crowding;
