@@ -48,7 +48,7 @@ float normalDistribution(const in float g) {
 float inkAt(const in float g, const in float tone) {
   float h = normalDistribution(g);
   float slope = 0.3989422804 * exp(-0.5 * g * g); // Φ'
-  float width = clamp(fwidth(g) * slope * edgePixels, 1e-5, 1.0);
+  float width = clamp(fwidth(g) * slope * edgePixels, 1e-7, 1.0);
   // Near blank and near full, an edge that reaches beyond [0, 1] would lose some of its ink; draw it elsewhere instead.
   float level = tone;
   if (tone < 0.5 * width) level = sqrt(2.0 * width * tone) - 0.5 * width;

@@ -3,16 +3,22 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  DataTexture,
+  DataUtils,
   DirectionalLight,
   DoubleSide,
   FrontSide,
+  HalfFloatType,
   HemisphereLight,
   type Light,
+  LinearFilter,
   LinearSRGBColorSpace,
   Mesh,
   OrthographicCamera,
   PerspectiveCamera,
   PointLight,
+  RedFormat,
+  RepeatWrapping,
   Scene,
   SpotLight,
   Vector2,
@@ -20,7 +26,7 @@ import {
 } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
-import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps } from './analyticMaps.js';
+import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 
 const maps = new Map<AnalyticMapName, TonalArtMap>();
@@ -43,6 +49,20 @@ function analyticMap(name: AnalyticMapName): TonalArtMap {
     maps.set(name, map);
   }
   return map;
+}
+
+/** What the material needs of a map for `anchored`: nothing but thresholds. */
+function analyticThresholdMap(): TonalArtMap {
+  const { size, field } = analyticThreshold;
+  const data = new Uint16Array(size * size);
+  for (let i = 0; i < data.length; i++) {
+    data[i] = DataUtils.toHalfFloat(field(((i % size) + 0.5) / size, (Math.floor(i / size) + 0.5) / size));
+  }
+  const texture = new DataTexture(data, size, size, RedFormat, HalfFloatType);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.magFilter = texture.minFilter = LinearFilter;
+  texture.needsUpdate = true;
+  return { size, tones: 2, levels: 1, thresholdTexture: texture, texture: null } as unknown as TonalArtMap;
 }
 
 function makeLight(light: ReferenceLight, scene: Scene): Light {
@@ -73,13 +93,16 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
   if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
-  const geometry = await prepareHatchingGeometry(source);
+  const anchored = spec.material.technique === 'anchored';
+  const geometry = anchored ? source : await prepareHatchingGeometry(source);
 
   const { ink, paper, color, strokeOffset, ...material } = spec.material;
   const hatching = new HatchingMaterial({
     ...material,
     strokeOffset: new Vector2(...strokeOffset),
-    tonalArtMap: analyticMap(spec.map),
+    tonalArtMap: anchored ? analyticThresholdMap() : analyticMap(spec.map),
+    edgePixels: 0,
+    anchorSpacing: spec.anchorSpacing ?? 0.35,
     side: spec.doubleSided ? DoubleSide : FrontSide,
   });
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);
