@@ -1,5 +1,6 @@
 import { bake, bakeRequestBuffers, bakeResultBuffers } from '../adjacency/bake.js';
 import { generateHatchImages } from '../tam/generateHatchImages.js';
+import { generateThresholds } from '../tam/generateThresholds.js';
 
 /** A long computation that the worker offers. Requests and results are plain data. */
 interface Task<Request, Result> {
@@ -20,6 +21,12 @@ export const tasks = {
     run: generateHatchImages,
     requestBuffers: () => [],
     resultBuffers: ({ images }) => images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer)),
+  }),
+  generateThresholds: task({
+    run: generateThresholds,
+    requestBuffers: () => [],
+    resultBuffers: (levels) =>
+      levels.flatMap(({ thresholds, encoded }) => [thresholds.buffer as ArrayBuffer, encoded.buffer as ArrayBuffer]),
   }),
 };
 
