@@ -1,4 +1,5 @@
 import { bake, bakeRequestBuffers, bakeResultBuffers } from '../adjacency/bake.js';
+import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from '../adjacency/bakeIndexed.js';
 import { generateHatchImages } from '../tam/generateHatchImages.js';
 import { generateThresholds } from '../tam/generateThresholds.js';
 
@@ -17,6 +18,11 @@ const task = <Request, Result>(definition: Task<Request, Result>): Task<Request,
 /** Every task of the worker, by name. The client and the worker read this one table. */
 export const tasks = {
   bake: task({ run: bake, requestBuffers: bakeRequestBuffers, resultBuffers: bakeResultBuffers }),
+  bakeIndexed: task({
+    run: bakeIndexed,
+    requestBuffers: bakeIndexedRequestBuffers,
+    resultBuffers: bakeIndexedResultBuffers,
+  }),
   generateHatchImages: task({
     run: generateHatchImages,
     requestBuffers: () => [],
