@@ -24,6 +24,11 @@ export interface StrokeStyle {
   wave: number;
   /** Mean ink of the darkest image. */
   maxInk: number;
+  /**
+   * Mean ink up to which a threshold map gains strokes; from there on they only swell, so that even gaps remain between
+   * them.
+   */
+  maxStrokes: number;
   /** Mean ink from which the second, perpendicular layer is drawn; undefined: never. */
   crossFrom: number | undefined;
   /** For each stroke, the best of so many proposals is drawn. 1 draws at random. */
@@ -41,6 +46,7 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     bow: 0.0025,
     wave: 0.003,
     maxInk: 0.95,
+    maxStrokes: 0.48,
     crossFrom: undefined,
     proposals: 400,
   },
@@ -54,6 +60,7 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     bow: 0.0025,
     wave: 0.003,
     maxInk: 0.95,
+    maxStrokes: 0.68,
     crossFrom: 0.45,
     proposals: 400,
   },
@@ -67,6 +74,7 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     bow: 0,
     wave: 0,
     maxInk: 0.85,
+    maxStrokes: 0.5,
     crossFrom: undefined,
     proposals: 24,
   },

@@ -89,7 +89,7 @@ describe('the prepared geometry', () => {
       inconsistentEdges: 0,
       degenerateTriangles: 0,
       layout: 'corner',
-      bytes: 6 * (3 + 16 + 3) * 4,
+      bytes: 6 * ((3 + 16 + 3) * 4 + 8),
     };
     expect(prepared.userData).toEqual({ mine: { a: 1 }, hatching: statistics });
   });
@@ -449,11 +449,13 @@ describe('bad input is rejected', () => {
 
   test.each([
     [{ layout: 'pull' }, /layout 'pull' is not in this version.*Use 'corner'/],
-    [{ layout: 'indexed' }, /layout 'indexed' is not in this version/],
-    [{ layout: 'other' }, /unknown layout 'other'.*Use 'auto' or 'corner'/],
+    [{ layout: 'other' }, /unknown layout 'other'.*Use 'auto', 'corner' or 'indexed'/],
     [{ creaseAngle: -1 }, /creaseAngle is -1.*radians/],
     [{ creaseAngle: 60 }, /creaseAngle is 60.*radians/],
     [{ creaseAngle: Number.NaN }, /creaseAngle is NaN/],
+    [{ smoothingRadius: -1 }, /smoothingRadius is -1\. Pass a length/],
+    [{ smoothingRadius: Infinity }, /smoothingRadius is Infinity/],
+    [{ smoothingRadius: Number.NaN }, /smoothingRadius is NaN/],
   ])('options %o', async (options, message) => {
     await expect(prepareHatchingGeometry(quad(), options as never)).rejects.toThrow(message);
   });

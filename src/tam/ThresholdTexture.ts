@@ -1,0 +1,31 @@
+import {
+  DataTexture,
+  HalfFloatType,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  NoColorSpace,
+  RedFormat,
+  RepeatWrapping,
+} from 'three';
+import type { ThresholdLevel } from './encodeThresholds.js';
+
+/**
+ * The texture of a threshold map: one half float per texel, with drawn mip levels. Averaged levels would have less
+ * variance, so less contrast of tone, and thinner strokes.
+ */
+export class ThresholdTexture extends DataTexture {
+  constructor(levels: readonly ThresholdLevel[]) {
+    super(levels[0].encoded, levels[0].size, levels[0].size, RedFormat, HalfFloatType);
+    this.name = 'Thresholds';
+    this.mipmaps = levels.map(({ encoded, size }) => ({ data: encoded, width: size, height: size }));
+    this.colorSpace = NoColorSpace;
+    this.wrapS = RepeatWrapping;
+    this.wrapT = RepeatWrapping;
+    this.magFilter = LinearFilter;
+    this.minFilter = levels.length > 1 ? LinearMipmapLinearFilter : LinearFilter;
+    this.generateMipmaps = false;
+    // Rows of a coarse level may have an odd number of half floats.
+    this.unpackAlignment = 2;
+    this.needsUpdate = true;
+  }
+}
