@@ -1,4 +1,6 @@
-import { MathUtils, type PerspectiveCamera, Plane, Ray, Raycaster, Sphere, Spherical, Vector2, Vector3 } from 'three';
+import { MathUtils, type PerspectiveCamera, Raycaster, Spherical, Vector2, Vector3 } from 'three';
+import { drawLamp } from './drawLamp.js';
+import { edgeOfSphere, isBehind, isHidden, meetSphere } from './lightSphere.js';
 import { SETTINGS, type Settings } from './settings.js';
 
 type LightPlace = Pick<Settings, 'lightAzimuth' | 'lightElevation' | 'lightDistance'>;
@@ -217,52 +219,4 @@ export class LightHandle {
     const projected = world.clone().project(this.host.camera);
     return new Vector2(((projected.x + 1) / 2) * width, ((1 - projected.y) / 2) * height);
   }
-}
-
-/** The two points where a ray meets a sphere around the origin; undefined when it misses or starts inside. */
-function meetSphere(ray: Ray, radius: number): { near: Vector3; far: Vector3 } | undefined {
-  const near = new Vector3();
-  if (ray.origin.length() <= radius || !ray.intersectSphere(new Sphere(new Vector3(), radius), near)) return undefined;
-  const closest = ray.closestPointToPoint(new Vector3(), new Vector3());
-  return { near, far: closest.multiplyScalar(2).sub(near) };
-}
-
-/** The point on the outline of a sphere around the origin, as seen from the ray's origin, that lies nearest to the ray. */
-function edgeOfSphere(ray: Ray, radius: number): Vector3 {
-  const distance = ray.origin.length();
-  if (distance <= radius) return ray.direction.clone().setLength(radius);
-  // The outline is the circle in which the cone of sight touches the sphere.
-  const axis = ray.origin.clone().divideScalar(distance);
-  const height = (radius * radius) / distance;
-  const plane = new Plane(axis, 0);
-  const sideways = plane.projectPoint(ray.closestPointToPoint(new Vector3(), new Vector3()), new Vector3());
-  return sideways.setLength(Math.sqrt(radius * radius - height * height)).addScaledVector(axis, height);
-}
-
-/** Beyond the outline of its sphere, as seen from the eye. */
-function isBehind(light: Vector3, eye: Vector3): boolean {
-  return light.dot(eye) < light.lengthSq();
-}
-
-/** Behind the model, taken as a sphere of radius 1. */
-function isHidden(light: Vector3, eye: Vector3): boolean {
-  const ray = new Ray(eye, new Vector3().subVectors(light, eye).normalize());
-  return isBehind(light, eye) && ray.distanceSqToPoint(new Vector3()) < 1;
-}
-
-/** A disc with eight rays, in the page's ink and its one accent colour. */
-function drawLamp(): SVGSVGElement {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', '-24 -24 48 48');
-  svg.setAttribute('aria-hidden', 'true');
-  const rays = Array.from({ length: 8 }, (_, i) => {
-    const [x, y] = [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4)];
-    return `M${(13.5 * x).toFixed(2)} ${(13.5 * y).toFixed(2)}L${(19 * x).toFixed(2)} ${(19 * y).toFixed(2)}`;
-  });
-  const path = document.createElementNS(svg.namespaceURI, 'path');
-  path.setAttribute('d', rays.join(''));
-  const disc = document.createElementNS(svg.namespaceURI, 'circle');
-  disc.setAttribute('r', '8.5');
-  svg.append(path, disc);
-  return svg;
 }

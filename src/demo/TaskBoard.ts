@@ -5,6 +5,7 @@ import type { Status } from './Status.js';
 export type Report = (stage: string, progress?: number) => void;
 
 type Slot = 'model' | 'map';
+type TaskEnd = 'done' | 'failed' | 'replaced';
 
 /** Long tasks of the page: one model and one map at a time, shown in the status line, cancelled by its button. */
 export class TaskBoard {
@@ -25,9 +26,9 @@ export class TaskBoard {
   /**
    * Runs a task; one that is still running in the same slot is given up. Failures are told in the status line.
    *
-   * @returns whether the task came to its end
+   * @returns how it ended; `replaced` when a later task took its slot
    */
-  async run(slot: Slot, task: (report: Report, signal: AbortSignal) => Promise<void>): Promise<boolean> {
+  async run(slot: Slot, task: (report: Report, signal: AbortSignal) => Promise<void>): Promise<TaskEnd> {
     this.running.get(slot)?.controller.abort();
     const controller = new AbortController();
     const entry = { controller, stage: 'starting', progress: undefined as number | undefined };
@@ -51,7 +52,8 @@ export class TaskBoard {
     else if (isLatest && controller.signal.aborted) this.status.say('Cancelled; the drawing is as it was.');
     this.show();
     if (this.isIdle) this.onIdle();
-    return finished;
+    if (!isLatest) return 'replaced';
+    return finished ? 'done' : 'failed';
   }
 
   private show(): void {

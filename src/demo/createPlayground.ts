@@ -2,11 +2,11 @@ import { CompareDivider } from './CompareDivider.js';
 import { codeSample } from './codeSample.js';
 import { createScene } from './createScene.js';
 import { bakeModel } from './DrawnModel.js';
-import { describeModel } from './describeModel.js';
 import { dropFiles } from './dropFiles.js';
 import { exportPng } from './exportPng.js';
 import { LightHandle } from './LightHandle.js';
 import { loadModelFiles } from './loadModelFiles.js';
+import { modelCaption } from './modelCaption.js';
 import { BUILT_IN_MODELS } from './models.js';
 import { Panel } from './Panel.js';
 import { triangleCount } from './PlainMesh.js';
@@ -126,7 +126,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
   ) {
     setPageState('loading');
-    const finished = await tasks.run('model', async (report, signal) => {
+    const end = await tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
       const count = triangleCount(loaded.read.mesh).toLocaleString('en');
       const baked = await bakeModel(loaded.read.mesh, {
@@ -138,13 +138,13 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       Object.assign(drawn, { model, name: loaded.title });
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
-      page.facts.replaceChildren(...modelCaption(loaded.title, describeModel(baked, loaded.read.broken)));
+      page.facts.replaceChildren(...modelCaption(loaded.title, baked, loaded.read.broken));
       document.title = `${loaded.title}, hatched`;
       settingsChanged();
       scene.setModel(baked, loaded.view);
       page.lamp.hidden = false;
     });
-    if (!finished && tasks.isIdle) {
+    if (end === 'failed') {
       // The old drawing stays, and the panel says so.
       settings.model = drawn.model;
       settingsChanged();
@@ -262,13 +262,6 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   settingsChanged();
   if (settings.model !== 'file') void showBuiltIn(settings.model);
   void showMap();
-}
-
-/** New elements rather than new text in the old ones: nothing on the page then counts as having moved. */
-function modelCaption(name: string, facts: string): HTMLElement[] {
-  const nameElement = Object.assign(document.createElement('em'), { id: 'model-name', textContent: name });
-  const factsElement = Object.assign(document.createElement('span'), { id: 'model-facts', textContent: facts });
-  return [nameElement, factsElement];
 }
 
 interface LoadedModel {

@@ -7,15 +7,16 @@ import {
   Mesh,
   PerspectiveCamera,
   Scene,
-  Vector2,
   Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { HatchingMaterial, type TonalArtMap } from 'three-hatching';
+import { applyToMaterial } from './applyToMaterial.js';
 import type { DrawnModel } from './DrawnModel.js';
 import { FrameClock } from './FrameClock.js';
 import { FrameTimer } from './FrameTimer.js';
+import { framingDistance } from './framingDistance.js';
 import { LightRig } from './LightRig.js';
 import { MovingResolution } from './MovingResolution.js';
 import { OrbitKeys } from './OrbitKeys.js';
@@ -25,8 +26,6 @@ import type { CameraView } from './shareLink.js';
 const FIELD_OF_VIEW = 26;
 /** The direction most models are looked at from at first: a little from the side and from above. */
 const USUAL_VIEW = [0.22, 0.18, 1] as const;
-/** Share of the picture that the model's box fills in that view. */
-const FILLED = 0.9;
 const MAX_PIXEL_RATIO = 2;
 /** A desk-filling sheet on a large screen is drawn with fewer pixels than it has, rather than slowly. */
 const MAX_PIXELS = 8_000_000;
@@ -111,21 +110,6 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     draw();
   }
 
-  /** How far the eye must be, in the direction of the first view, for every corner of the model's box to be in the picture. */
-  function framingDistance(): number {
-    const slopeY = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW) / 2) * FILLED;
-    const slopeX = slopeY * camera.aspect;
-    const toEye = firstView.clone().normalize();
-    const right = new Vector3(0, 1, 0).cross(toEye).normalize();
-    const up = toEye.clone().cross(right);
-    return Math.max(
-      ...boxCorners(bounds).map(
-        (corner) =>
-          corner.dot(toEye) + Math.max(Math.abs(corner.dot(right)) / slopeX, Math.abs(corner.dot(up)) / slopeY),
-      ),
-    );
-  }
-
   /** Whether the view is the one that shows the whole model; it follows changes of the sheet's size then. */
   let framed = true;
   const firstView = new Vector3(...USUAL_VIEW);
@@ -139,7 +123,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   function frameModel(): void {
     isFraming = true;
     controls.target.set(0, 0, 0);
-    camera.position.copy(firstView).setLength(framingDistance());
+    camera.position.copy(firstView).setLength(framingDistance(bounds, firstView, camera));
     controls.update();
     isFraming = false;
     framed = true;
@@ -279,28 +263,4 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       renderer.forceContextLoss();
     },
   };
-}
-
-function boxCorners({ min, max }: Box3): Vector3[] {
-  return [0, 1, 2, 3, 4, 5, 6, 7].map(
-    (i) => new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z),
-  );
-}
-
-const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
-const offset = new Vector2();
-
-function applyToMaterial(material: HatchingMaterial, settings: Settings): void {
-  material.strokeScale = settings.strokeScale;
-  material.strokeRotation = rotations[settings.strokeDirection](settings.strokeAngle);
-  material.strokeOffset.copy(offset.set(settings.offsetU, settings.offsetV));
-  material.toneModel = settings.toneModel;
-  material.toneNormal = settings.toneNormal;
-  material.toneSteps = settings.toneSteps;
-  material.shininess = settings.shininess;
-  material.creaseAngle = MathUtils.degToRad(settings.creaseAngle);
-  material.ink.set(settings.ink);
-  material.paper.set(settings.paper);
-  material.color.set(settings.color);
-  material.debugView = settings.debugView;
 }

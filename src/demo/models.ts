@@ -1,4 +1,4 @@
-import type { BufferGeometry } from 'three';
+import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
 import { fitModel } from './fitModel.js';
 import type { LoadOptions } from './loadModelFiles.js';
 import { loadModelFiles } from './loadModelFiles.js';
@@ -51,8 +51,8 @@ export const BUILT_IN_MODELS: Record<BuiltInModel, BuiltIn> = {
     const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
     return new TeapotGeometry(1, 12);
   }),
-  cube: { ...shape('Cube', async () => new (await import('three')).BoxGeometry(1, 1, 1)), view: [0.6, 0.55, 1] },
-  sphere: shape('Sphere', async () => new (await import('three')).IcosahedronGeometry(1, 12)),
+  cube: { ...shape('Cube', async () => new BoxGeometry(1, 1, 1)), view: [0.6, 0.55, 1] },
+  sphere: shape('Sphere', async () => new IcosahedronGeometry(1, 12)),
 };
 
 function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {

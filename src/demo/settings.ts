@@ -73,7 +73,7 @@ export const SETTINGS = {
     default: 2,
     unit: 'tiles',
     min: 0.5,
-    max: 12,
+    max: 8,
     step: 0.1,
   },
   strokeDirection: {

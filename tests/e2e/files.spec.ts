@@ -12,7 +12,7 @@ import {
   octahedronPly,
   type TestFile,
 } from './modelFiles.js';
-import { changedShare, meanInk } from './pictures.js';
+import { changedShare, meanInk, WHOLE } from './pictures.js';
 import { openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
@@ -52,12 +52,27 @@ test('models of every format are drawn when dropped', async ({ page }) => {
   for (const [name, facts, files] of cases) {
     await drop(page, files);
     await expect(page.locator('#model-name')).toHaveText(name);
-    // Nothing but this: a closed surface has no borders, and a mirrored half must not have been turned inside out.
+    // Nothing but this: a closed surface has no borders.
     await expect(page.locator('#model-facts')).toHaveText(facts);
   }
   const after = await readDrawing(page);
   expect(changedShare(before, after)).toBeGreaterThan(0.1);
   expect(meanInk(after)).toBeGreaterThan(0.02);
+});
+
+test('a mirrored part of a model is not turned inside out', async ({ page }) => {
+  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=0&lightElevation=60');
+  await drop(page, [file('octahedron.glb', octahedronGlb())]);
+  await expect(page.locator('#model-facts')).toHaveText('16 triangles');
+  const picture = await readDrawing(page);
+  // Lit from above; the inside of a shape would be light below.
+  const top = { ...WHOLE, bottom: 0.5 };
+  const left = meanInk(picture, { ...top, right: 0.5 });
+  const mirrored = meanInk(picture, { ...top, left: 0.5 });
+  expect(left).toBeGreaterThan(0.005);
+  expect(mirrored / left).toBeCloseTo(1, 0);
+  const below = meanInk(picture, { ...WHOLE, top: 0.5, left: 0.5 });
+  expect(below).toBeGreaterThan(1.5 * mirrored);
 });
 
 test('a picked file is drawn too, with the colours it brings', async ({ page }) => {

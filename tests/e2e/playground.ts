@@ -3,7 +3,7 @@ import { PNG } from 'pngjs';
 import { expect } from '../browser/test.js';
 
 /** An idle page draws no frame for longer than the wait before it sharpens a drawing that moved. */
-const QUIET_MILLISECONDS = 700;
+const QUIET_MILLISECONDS = 500;
 
 /** Opens the playground with settings as in its links and waits until it shows the drawing. */
 export async function openPlayground(page: Page, hash = ''): Promise<void> {

@@ -1,7 +1,20 @@
 import type { DrawnModel } from './DrawnModel.js';
 
+/**
+ * The name of a model and what it is made of, for the caption. New elements rather than new text in the old ones: nothing
+ * on the page then counts as having moved.
+ */
+export function modelCaption(name: string, model: DrawnModel, broken: number): (HTMLElement | string)[] {
+  const nameElement = Object.assign(document.createElement('em'), { id: 'model-name', textContent: name });
+  const factsElement = Object.assign(document.createElement('span'), {
+    id: 'model-facts',
+    textContent: describeModel(model, broken),
+  });
+  return [nameElement, ' ', factsElement];
+}
+
 /** One quiet line on what a model is made of; what there is none of is not mentioned. */
-export function describeModel(model: DrawnModel, broken: number): string {
+function describeModel(model: DrawnModel, broken: number): string {
   const facts = [
     count(model.triangles, 'triangle'),
     count(model.borderEdges, 'border edge'),
