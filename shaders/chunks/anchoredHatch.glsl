@@ -7,10 +7,10 @@ uniform float strokeScale; // tiles per object unit
 uniform float anchorSpacing; // tiles between anchors
 uniform float screenConstancy; // 0: strokes sized on the object, 1: on the screen
 
-// Where strokes are sized on the screen, lattices stand this many octaves apart, and in the last part of the way the next
-// finer one fades in.
-#define LATTICE_OCTAVES (1.0 / 3.0)
-#define LATTICE_FADE 0.35
+// Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
+// serve between them; only in the last part of the way does a lattice give way to one with other strokes.
+#define LATTICE_OCTAVES 2.0
+#define LATTICE_FADE 0.4
 
 // The blended field of one lattice. point: object space. uAxis, vAxis: the strokes' u and v in the surface. octaves: by
 // how many the map would be too fine for this lattice.
@@ -19,8 +19,7 @@ float latticeField(
 ) {
   float edge = anchorSpacing / (strokeScale * exp2(lattice * LATTICE_OCTAVES));
   LatticeAnchors anchors = nearestAnchors(point / edge);
-  ThresholdLevels levels = chooseLevels(octaves);
-  vec2 fields = vec2(0.0);
+  float field = 0.0;
   float squares = 0.0;
   for (int i = 0; i < 4; i++) {
     float w = anchorWeight(anchors.offset[i]);
@@ -30,12 +29,10 @@ float latticeField(
     vec2 shift = 0.5 * vec2(h.xy >> 31u);
     float mirror = (h.z >> 31u) == 0u ? 1.0 : -1.0;
     vec2 uv = anchorSpacing * vec2(mirror * dot(anchors.offset[i], uAxis), dot(anchors.offset[i], vAxis)) + shift;
-    if (levels.fade < 1.0) fields.x += w * thresholdAt(uv, levels.finer);
-    if (levels.fade > 0.0) fields.y += w * thresholdAt(uv, levels.finer + 1.0);
+    field += w * thresholdAt(uv, octaves);
     squares += w * w;
   }
-  fields *= inversesqrt(squares);
-  return blendFields(fields.x, fields.y, levels.fade, LEVEL_CORRELATION);
+  return field * inversesqrt(squares) * levelContrast(octaves);
 }
 
 // unitsPerPixel: object units to a pixel.
@@ -43,14 +40,11 @@ float anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxi
   // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
   float magnification = -log2(strokeScale * unitsPerPixel * thresholdMapSize * texelPixels);
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
-  float lattice = floor(wanted + 0.5);
-  float field = latticeField(point, uAxis, vAxis, lattice, lattice * LATTICE_OCTAVES - magnification);
-  // Between two lattices both are drawn. At screenConstancy 0 there is only one.
-  float between = wanted - lattice;
-  float fade = smoothstep(0.5 - 0.5 * LATTICE_FADE, 0.5 + 0.5 * LATTICE_FADE, abs(between));
+  float lattice = ceil(wanted);
+  float octaves = lattice * LATTICE_OCTAVES - magnification;
+  float field = latticeField(point, uAxis, vAxis, lattice, octaves);
+  // At screenConstancy 0 there is one lattice, and no other to fade to.
+  float fade = screenConstancy > 0.0 ? smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted)) : 0.0;
   if (fade == 0.0) return field;
-  float other = lattice + sign(between);
-  return blendFields(
-    field, latticeField(point, uAxis, vAxis, other, other * LATTICE_OCTAVES - magnification), fade, 0.0
-  );
+  return blendFields(field, latticeField(point, uAxis, vAxis, lattice + 1.0, octaves + LATTICE_OCTAVES), fade);
 }

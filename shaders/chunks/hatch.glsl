@@ -12,12 +12,6 @@
   float minification(const in vec2 uv) {
     return log2(thresholdMapSize * texelPixels * max(length(dFdx(uv)), length(dFdy(uv))));
   }
-
-  float crispField(const in vec2 uv, const in ThresholdLevels levels) {
-    float finer = levels.fade < 1.0 ? thresholdAt(uv, levels.finer) : 0.0;
-    float coarser = levels.fade > 0.0 ? thresholdAt(uv, levels.finer + 1.0) : 0.0;
-    return blendFields(finer, coarser, levels.fade, LEVEL_CORRELATION);
-  }
 #endif // CRISP
 
 // Algorithm 3: the darkness of the hatch, blended over the triangles of the adjacency primitive.
@@ -26,17 +20,17 @@ float hatch(const in HatchingParameters h, const in vec4 tone) {
     return inkAt(anchoredField(vRestPosition, h.uAxis, h.vAxis, vUnitsPerPixel), tone.x);
   #elif defined(CRISP)
     // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
-    // have the same scale, so one choice of levels serves them all.
-    ThresholdLevels levels = chooseLevels(minification(h.uv[0]));
+    // have the same scale, so one choice of level serves them all.
+    float octaves = minification(h.uv[0]);
     #if TECHNIQUE == TECHNIQUE_ADJACENCY
       vec4 fields = vec4(
-        crispField(h.uv[0], levels), crispField(h.uv[1], levels),
-        crispField(h.uv[2], levels), crispField(h.uv[3], levels)
+        thresholdAt(h.uv[0], octaves), thresholdAt(h.uv[1], octaves),
+        thresholdAt(h.uv[2], octaves), thresholdAt(h.uv[3], octaves)
       );
       float field = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
-      return inkAt(field, dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
+      return inkAt(field * levelContrast(octaves), dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
     #else
-      return inkAt(crispField(h.uv[0], levels), tone.x);
+      return inkAt(thresholdAt(h.uv[0], octaves) * levelContrast(octaves), tone.x);
     #endif // TECHNIQUE
   #elif TECHNIQUE == TECHNIQUE_ADJACENCY
     vec4 darkness = vec4(

@@ -10,32 +10,26 @@ uniform float thresholdMapLevels;
 uniform float texelPixels; // wanted pixels per texel
 uniform float edgePixels; // width of the edge of a stroke
 
-// The share of a level's range, about its end, in which it gives way to the next.
-#define LEVEL_FADE 0.3
 // How alike neighbouring levels are: their strokes nest.
 #define LEVEL_CORRELATION 0.5
 
-struct ThresholdLevels {
-  float finer;
-  float fade; // of finer + 1, in [0, 1]
-};
-
-// octaves: by how many the map at its own size would be too fine.
-ThresholdLevels chooseLevels(const in float octaves) {
-  // Each level serves from half an octave before to half an octave after its own size.
-  float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
-  float finer = floor(level);
-  return ThresholdLevels(finer, smoothstep(0.5 - 0.5 * LEVEL_FADE, 0.5 + 0.5 * LEVEL_FADE, level - finer));
+// The field of the map at uv. octaves: by how many the map at its own size would be too fine. Between two levels the
+// texture unit interpolates, which makes strokes that are only in the finer one come later, and the others swell; what it
+// takes from the variance is given back.
+float thresholdAt(const in vec2 uv, const in float octaves) {
+  return textureLod(thresholdMap, uv, octaves).r;
 }
 
-float thresholdAt(const in vec2 uv, const in float level) {
-  return textureLod(thresholdMap, uv, level).r;
-}
-
-// Blends two fields of known correlation without losing variance.
-float blendFields(const in float a, const in float b, const in float share, const in float correlation) {
+float levelContrast(const in float octaves) {
+  float share = fract(clamp(octaves, 0.0, thresholdMapLevels - 1.0));
   float rest = 1.0 - share;
-  return mix(a, b, share) * inversesqrt(rest * rest + share * share + 2.0 * rest * share * correlation);
+  return inversesqrt(rest * rest + share * share + 2.0 * rest * share * LEVEL_CORRELATION);
+}
+
+// Blends two independent fields without losing variance.
+float blendFields(const in float a, const in float b, const in float share) {
+  float rest = 1.0 - share;
+  return mix(a, b, share) * inversesqrt(rest * rest + share * share);
 }
 
 // Φ: the standard normal distribution, to 2e-4.

@@ -63,7 +63,7 @@ export interface HatchingMaterialOptions {
    * that they stay black and white. Default false, the paper's way. Changing it builds another program.
    */
   crisp: boolean;
-  /** `anchored`: tiles between the points strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes. Default 0.35. */
+  /** `anchored`: tiles between the points strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes. Default 0.45. */
   anchorSpacing: number;
   /**
    * `anchored`, in [0, 1]: 0 (default) sizes strokes on the object by `strokeScale`, 1 on the screen by `texelPixels`,
@@ -126,7 +126,7 @@ export class HatchingMaterial extends ShaderMaterial {
   readonly strokeOffset = new Vector2();
   toneSteps = 4;
   shininess = 30;
-  anchorSpacing = 0.35;
+  anchorSpacing = 0.45;
   screenConstancy = 0;
   texelPixels = 1;
   edgePixels = 1;
