@@ -9,8 +9,8 @@ uniform float screenConstancy; // 0: strokes sized on the object, 1: on the scre
 
 // Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
 // serve between them; only in the last part of the way does a lattice give way to one with other strokes.
-#define LATTICE_OCTAVES 2.0
-#define LATTICE_FADE 0.4
+#define LATTICE_OCTAVES 1.0
+#define LATTICE_FADE 0.75
 
 // The blended field of one lattice. point: object space. uAxis, vAxis: the strokes' u and v in the surface. octaves: by
 // how many the map would be too fine for this lattice.
