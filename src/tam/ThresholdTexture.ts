@@ -24,8 +24,6 @@ export class ThresholdTexture extends DataTexture {
     this.magFilter = LinearFilter;
     this.minFilter = levels.length > 1 ? LinearMipmapLinearFilter : LinearFilter;
     this.generateMipmaps = false;
-    // Rows of a coarse level may have an odd number of half floats.
-    this.unpackAlignment = 2;
     this.needsUpdate = true;
   }
 }

@@ -1,8 +1,7 @@
 import { type Stroke, strokeOffset } from './Stroke.js';
 
-/** By how much the field rises from a stroke's centre line to its half width, and from its middle to its ends. */
-const RISE_SIDEWAYS = 0.12;
-const RISE_TO_ENDS = 0.12;
+/** Ink that is added while a stroke grows from its middle to its ends. */
+const GROWTH = 0.2;
 
 /** Beside its centre line a stroke counts over so many texels. No gap between strokes is wider at full density. */
 const REACH = 8;
@@ -13,13 +12,15 @@ const REACH_FORWARD = 1.4;
 /**
  * Lowers a toroidal field to that of one stroke where it is lower.
  *
- * The field of a stroke is the coverage at which it appears, `birth`, plus a term that grows with the square of the
- * distance from its centre line and one with the fourth power of the distance from its middle. So {field < coverage} is a
- * hairline at first, that grows longer and swells as the coverage grows, with pointed ends and without a step anywhere.
+ * The field of a stroke is the ink at which it appears, plus a term that grows with the square of the distance from its
+ * centre line and one with the fourth power of the distance from its middle. So {field < ink} is a hairline at first, that
+ * grows longer and swells with the ink, with pointed ends and without a step anywhere.
  *
  * @param field (size·cellsPerTexel)² numbers in rows of growing v; changed in place
  * @param size texels per side, a power of two
  * @param cellsPerTexel cells of the field per texel and side, a power of two
+ * @param birth the mean ink of the strokes so far, at which this one appears
+ * @param swell how much ink later it has its width
  * @returns the number of cells visited
  */
 export function drawThresholdField(
@@ -28,6 +29,7 @@ export function drawThresholdField(
   cellsPerTexel: number,
   stroke: Stroke,
   birth: number,
+  swell: number,
 ): number {
   const cells = size * cellsPerTexel;
   const mask = cells - 1;
@@ -38,7 +40,7 @@ export function drawThresholdField(
   const base = (stroke.across ? stroke.u : stroke.v) * size;
   const halfLength = 0.5 * stroke.length * size;
   const isDot = halfLength === 0;
-  const sidewaysScale = (4 * RISE_SIDEWAYS) / (stroke.width * stroke.width);
+  const sidewaysScale = (4 * swell) / (stroke.width * stroke.width);
   const reachForward = isDot ? REACH : Math.min(REACH_FORWARD * halfLength, 0.5 * size);
   const first = Math.ceil((centre - reachForward) * cellsPerTexel - 0.5);
   const last = Math.floor((centre + reachForward) * cellsPerTexel - 0.5);
@@ -47,7 +49,7 @@ export function drawThresholdField(
     const forward = (column + 0.5) / cellsPerTexel - centre;
     const x = isDot ? 0 : forward / halfLength;
     const middle = isDot ? base : base + size * strokeOffset(stroke, x);
-    const onCentreLine = birth + (isDot ? forward * forward * sidewaysScale : RISE_TO_ENDS * x * x * x * x);
+    const onCentreLine = birth + (isDot ? forward * forward * sidewaysScale : GROWTH * x * x * x * x);
     const start = (column & mask) * forwardStride;
     const firstRow = Math.ceil((middle - REACH) * cellsPerTexel - 0.5);
     const lastRow = Math.floor((middle + REACH) * cellsPerTexel - 0.5);

@@ -9,8 +9,11 @@ import type { Stroke } from './Stroke.js';
 /** Strokes are placed in so many steps of tone: enough for an even drawing at any tone in between. */
 const STEPS = 24;
 
-/** Cells of the field per texel and side; a texel holds their mean. */
+/** Cells of the field per texel and side. */
 const CELLS_PER_TEXEL = 2;
+
+/** Weights of four cells in a row, of which the inner two are the texel's. */
+const TENT = [0.125, 0.375, 0.375, 0.125] as const;
 
 /** Cells visited between two reports of progress: about a millisecond's work. */
 const WORK_PER_SLICE = 300_000;
@@ -33,7 +36,8 @@ const PLACED = 0.8;
  */
 export function* generateThresholds(options: HatchImageOptions = {}): Generator<number, ThresholdLevel[], void> {
   const request = resolveHatchImageOptions(options);
-  const style = { ...request.style, maxInk: request.style.maxStrokes };
+  const { maxInk, crossFrom, proposals } = request.style.thresholds;
+  const style = { ...request.style, maxInk, crossFrom, proposals };
   const placing = placeStrokes({ ...request, style, tones: STEPS + 1, pairs: true });
   let step = placing.next();
   for (; !step.done; step = placing.next()) yield PLACED * step.value;
@@ -45,13 +49,14 @@ export function* generateThresholds(options: HatchImageOptions = {}): Generator<
   return levels;
 }
 
-/** One level of thresholds. Its field is drawn from every other stroke and completed by symmetry. */
+/** One level of thresholds. Its field is drawn from one stroke of each pair and completed by symmetry. */
 function* drawLevel(
   strokes: Stroke[],
   level: number,
   request: HatchImageRequest,
 ): Generator<number, ThresholdLevel, void> {
   const size = request.size >> level;
+  const { swell } = request.style.thresholds;
   const progress = PLACED + (1 - PLACED) * (1 - 1 / 4 ** (level + 1));
   const image = new Uint8Array(size * size).fill(255);
   const cells = size * CELLS_PER_TEXEL;
@@ -62,7 +67,7 @@ function* drawLevel(
     const stroke = strokes[i];
     if (stroke.level < level) continue;
     darkness += rasterizeStroke(image, size, stroke) + rasterizeStroke(image, size, strokes[i + 1]);
-    work += drawThresholdField(field, size, CELLS_PER_TEXEL, stroke, darkness / (255 * size * size));
+    work += drawThresholdField(field, size, CELLS_PER_TEXEL, stroke, darkness / (255 * size * size), swell);
     if (work >= WORK_PER_SLICE) {
       work = 0;
       yield progress;
@@ -83,21 +88,26 @@ function* drawLevel(
   return encodeThresholds(size, thresholds);
 }
 
-/** Means of the cells of each texel in the first half of the rows, of the lower of the field and its half turn. */
+/**
+ * Means of the cells around each texel in the first half of the rows, of the lower of the field and its half turn. They
+ * reach half a texel beyond the texel on every side: what is narrower than two texels would break up along a stroke.
+ */
 function averageHalf(field: Float32Array, size: number): Float32Array {
   const cells = size * CELLS_PER_TEXEL;
+  const mask = cells - 1;
   const last = field.length - 1;
   const half = new Float32Array((size * size) / 2);
   for (let texel = 0; texel < half.length; texel++) {
-    const corner = Math.floor(texel / size) * CELLS_PER_TEXEL * cells + (texel % size) * CELLS_PER_TEXEL;
+    const firstRow = Math.floor(texel / size) * CELLS_PER_TEXEL - 1;
+    const firstColumn = (texel % size) * CELLS_PER_TEXEL - 1;
     let sum = 0;
-    for (let row = 0; row < CELLS_PER_TEXEL; row++) {
-      for (let column = 0; column < CELLS_PER_TEXEL; column++) {
-        const cell = corner + row * cells + column;
-        sum += Math.min(field[cell], field[last - cell]);
+    for (let row = 0; row < 4; row++) {
+      for (let column = 0; column < 4; column++) {
+        const cell = ((firstRow + row) & mask) * cells + ((firstColumn + column) & mask);
+        sum += TENT[row] * TENT[column] * Math.min(field[cell], field[last - cell]);
       }
     }
-    half[texel] = sum / CELLS_PER_TEXEL ** 2;
+    half[texel] = sum;
   }
   return half;
 }

@@ -193,7 +193,8 @@ function mutualCrowding(stroke: Stroke, sheets: readonly Sheet[]): number {
     const distance2 = (sideways * sideways + beyond * beyond) * widths * widths;
     const merging = Math.max(0, 1 - distance2 / (MERGING_WIDTHS * MERGING_WIDTHS));
     const spreading = Math.sqrt(1 + distance2);
-    crowding += 1 / (spreading * Math.sqrt(spreading)) + merging * merging;
+    const weight = level === stroke.level ? OWN_LEVEL_WEIGHT : 1;
+    crowding += weight * (1 / (spreading * Math.sqrt(spreading)) + merging * merging);
   }
   return overlap * crowding;
 }

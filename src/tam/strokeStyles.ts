@@ -24,14 +24,25 @@ export interface StrokeStyle {
   wave: number;
   /** Mean ink of the darkest image. */
   maxInk: number;
-  /**
-   * Mean ink up to which a threshold map gains strokes; from there on they only swell, so that even gaps remain between
-   * them.
-   */
-  maxStrokes: number;
   /** Mean ink from which the second, perpendicular layer is drawn; undefined: never. */
   crossFrom: number | undefined;
   /** For each stroke, the best of so many proposals is drawn. 1 draws at random. */
+  proposals: number;
+  /** What is different in a threshold map. */
+  thresholds: ThresholdStyle;
+}
+
+/**
+ * How a style draws thresholds, where the ink of strokes is not given but follows from what their swelling adds. Inks are
+ * therefore those of the strokes as images draw them.
+ */
+export interface ThresholdStyle {
+  /** Strokes are added up to this ink. From there on they only swell, so that even gaps remain between them and close. */
+  maxInk: number;
+  /** Ink from which on the second layer is drawn: the tone is then about a half. */
+  crossFrom: number | undefined;
+  /** Ink that is added while a stroke swells from a hairline to its width. */
+  swell: number;
   proposals: number;
 }
 
@@ -46,9 +57,9 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     bow: 0.0025,
     wave: 0.003,
     maxInk: 0.95,
-    maxStrokes: 0.48,
     crossFrom: undefined,
     proposals: 400,
+    thresholds: { maxInk: 0.54, crossFrom: undefined, swell: 0.15, proposals: 400 },
   },
   crossHatching: {
     length: [0.28, 0.6],
@@ -60,9 +71,9 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     bow: 0.0025,
     wave: 0.003,
     maxInk: 0.95,
-    maxStrokes: 0.68,
     crossFrom: 0.45,
     proposals: 400,
+    thresholds: { maxInk: 0.57, crossFrom: 0.28, swell: 0.15, proposals: 400 },
   },
   stippling: {
     length: [0, 0],
@@ -74,8 +85,8 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     bow: 0,
     wave: 0,
     maxInk: 0.85,
-    maxStrokes: 0.5,
     crossFrom: undefined,
     proposals: 24,
+    thresholds: { maxInk: 0.5, crossFrom: undefined, swell: 0.05, proposals: 48 },
   },
 };
