@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { bake } from '../../../src/adjacency/bake.js';
+import { bakeIndexed } from '../../../src/adjacency/bakeIndexed.js';
 import type { TriangleMesh } from '../../../src/adjacency/TriangleMesh.js';
 import { fan, finish, meshOf } from './meshes.js';
 import { cube, noise, patch, prism, sphere, together, torus } from './shapes.js';
@@ -107,6 +108,17 @@ describe('noise', () => {
     );
     expect(rootMeanSquare(faces)).toBeGreaterThan(14);
     expect(rootMeanSquare(tilts(mesh, 0.1))).toBeLessThan(rootMeanSquare(faces) / 50);
+  });
+
+  test('makes no edges on a plane', () => {
+    const request = {
+      label: 'test',
+      mesh: plane(),
+      creaseAngle: Math.PI / 2,
+      smoothingRadius: 0.1,
+      wantsNormals: false,
+    };
+    expect(finish(bakeIndexed(request)).addedVertices).toHaveLength(0);
   });
 
   test('a noisy sphere stays round', () => {
