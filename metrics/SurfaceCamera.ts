@@ -21,7 +21,8 @@ import type { SurfaceImage } from './measures/SurfaceImage.js';
 
 /** The usual view: a little from above, with the model filling the picture. */
 const EYE = new Vector3(0.3, 0.4, 3.9);
-const TO_LIGHT = new Vector3(1, 1.2, 1).normalize();
+/** Direction to the light, in the space of the model too. */
+export const TO_LIGHT = new Vector3(1, 1.2, 1).normalize();
 const UP = new Vector3(0, 1, 0);
 /** Too weak to change a tone, a light still gives strokes their direction. */
 const DIRECTION_ALONE = 1e-6;

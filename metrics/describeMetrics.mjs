@@ -42,6 +42,8 @@ ${table(
 - **grey**: share of surface pixels with a luminance between 0.2 and 0.8, in linear light.
 - **jump**: mean and 95th percentile of the difference in luminance at the same points of an edge, shaded as part of the one and of the other
   triangle. Edges that fold by more than 40° are left out.
+- **kink**: median and 95th percentile of the angle by which strokes turn at an edge, its triangles laid flat, from the frames alone; \`adjacency\`
+  blends what the frames draw, so that both show.
 - **tone**: largest distance of mean ink from the tone asked for, over tones 0.1, 0.25, 0.4, 0.6 and 0.8. Hatch images end at an ink of
   0.95, thresholds at 1.
 - **flips**: share of pixels that turn between ink and paper as the light turns by 0.1°, 0.5°, 1° and 2°, over what it would be for two unrelated
@@ -57,13 +59,14 @@ ${Object.entries(models)
     ([model, { triangles, techniques: measured }]) => `### ${model}, ${triangles.toLocaleString('en')} triangles
 
 ${table(
-  ['', 'grey', 'jump', 'tone', 'flips', 'popping', 'spacing ±', 'coherence'],
+  ['', 'grey', 'jump', 'kink°', 'tone', 'flips', 'popping', 'spacing ±', 'coherence'],
   techniques.map((technique) => {
     const m = measured[technique];
     return [
       technique,
       figure(m.greyness),
       m.edgeJump ? `${figure(m.edgeJump.mean)}, ${figure(m.edgeJump.p95)}` : '',
+      m.kink ? `${m.kink.median.toFixed(2)}, ${m.kink.p95.toFixed(1)}` : '',
       figure(toneError(m)),
       m.light ? m.light.flips.map(({ share }) => figure(share)).join(', ') : '',
       m.dolly ? `${m.dolly.popping.toFixed(2)} of ${figure(median(m.dolly.flips))}` : '',

@@ -1,5 +1,5 @@
 /** The page of the metrics: measures one model with every technique. */
-import { Vector3, WebGLRenderer } from 'three';
+import { type BufferGeometry, Vector3, WebGLRenderer } from 'three';
 import {
   HatchingMaterial,
   type HatchingMaterialParameters,
@@ -15,8 +15,9 @@ import { pairedEdges } from './measures/pairedEdges.js';
 import { type LocatedImage, poppingIndex, reprojectedFlips } from './measures/reprojectedFlips.js';
 import type { SurfaceImage } from './measures/SurfaceImage.js';
 import { strokeCoherence } from './measures/strokeCoherence.js';
+import { type StrokeKink, strokeKink } from './measures/strokeKink.js';
 import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
-import { SurfaceCamera } from './SurfaceCamera.js';
+import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 
 /** The first is what the others' strokes are spaced like where that matters. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
@@ -42,6 +43,7 @@ export interface TechniqueMetrics {
   /** Pixels between strokes. */
   spacing: number;
   edgeJump?: EdgeJump;
+  kink?: StrokeKink;
   /** Normalised flips as the light turns, at the stroke scale that gives all techniques the same spacing. */
   light?: { strokeScale: number; spacing: number; flips: { degrees: number; share: number }[] };
   /** Normalised flips from frame to frame as the camera comes nearer. */
@@ -96,7 +98,10 @@ window.measureModel = async (name, plan, text) => {
     const measured: TechniqueMetrics = {
       ...measureWhole(still, material),
       ...measureMiddle(still, material),
-      ...(edges.length > 0 && { edgeJump: measureEdges(still, edges) }),
+      ...(edges.length > 0 && {
+        edgeJump: measureEdges(still, edges),
+        kink: measureKink(geometry, edges, parameters.technique === 'anchored'),
+      }),
     };
     wantedSpacing ??= measured.spacing;
     if (plan.light) measured.light = measureLight(still, material, wantedSpacing);
@@ -127,6 +132,14 @@ function measureEdges(camera: SurfaceCamera, edges: Uint32Array): EdgeJump {
   const half = (first: number) => edges.filter((_, i) => i % 4 === first || i % 4 === first + 1);
   camera.view(WHOLE.zoom).lit();
   return edgeJump(camera.shootEdges(half(0)), camera.shootEdges(half(2)));
+}
+
+function measureKink(geometry: BufferGeometry, edges: Uint32Array, hasSmoothFrames: boolean): StrokeKink {
+  const smooth = geometry.getAttribute('hatchNormal');
+  const normals = hasSmoothFrames
+    ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
+    : undefined;
+  return strokeKink(geometry.getAttribute('position').array, edges, TO_LIGHT.toArray(), normals);
 }
 
 function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {

@@ -1,3 +1,5 @@
+import { dot, faceNormal } from './vector.js';
+
 /**
  * The interior edges of a triangle soup, each as seen by both its triangles.
  *
@@ -36,21 +38,10 @@ export function pairedEdges(positions: ArrayLike<number>, maximumAngle: number):
     const [start, end] = [pointOf[own]!, pointOf[nextCorner(own)]!];
     // The twin runs the other way round, unless the winding is inconsistent; then there is no common outside.
     if (start === end || pointOf[twin] !== end) continue;
-    const [n, m] = [normalAt(positions, own), normalAt(positions, twin)];
-    if (!(n[0] * m[0] + n[1] * m[1] + n[2] * m[2] >= least)) continue;
+    if (!(dot(faceNormal(positions, own), faceNormal(positions, twin)) >= least)) continue;
     paired.push(own, nextCorner(own), nextCorner(twin), twin);
   }
   return Uint32Array.from(paired);
 }
 
 const nextCorner = (corner: number) => (corner % 3 === 2 ? corner - 2 : corner + 1);
-
-/** Unit normal of the triangle a corner belongs to; NaN for one without area. */
-function normalAt(positions: ArrayLike<number>, corner: number): [number, number, number] {
-  const o = 9 * Math.floor(corner / 3);
-  const [ax, ay, az] = [0, 1, 2].map((k) => positions[o + 3 + k]! - positions[o + k]!) as [number, number, number];
-  const [bx, by, bz] = [0, 1, 2].map((k) => positions[o + 6 + k]! - positions[o + k]!) as [number, number, number];
-  const [x, y, z] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
-  const length = Math.hypot(x, y, z);
-  return [x / length, y / length, z / length];
-}

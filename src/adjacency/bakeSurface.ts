@@ -45,7 +45,7 @@ export interface Surface {
  * The smoothing radius, as a share of the radius of the bounding sphere. Strokes are some ten to a radius long: scan
  * noise is far finer, and folds of a robe or scales of a dragon are as large or larger.
  */
-export const DEFAULT_SMOOTHING_SHARE = 0.04;
+export const DEFAULT_SMOOTHING_SHARE = 0.03;
 
 /** Validates the mesh, finds its adjacency, cuts the creases, and computes what normals there are to be. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
@@ -65,7 +65,10 @@ function* bakeSmoothNormals(adjacency: TriangleAdjacency): Generator<number, Fan
   return { fans, normals: yield* asPhase(computeSmoothNormals(adjacency.areaNormals, fans), 0.5, 1) };
 }
 
-/** Normals at the scale of `radius`, split at edges of the form; patches smaller than a disc of that width have none. */
+/**
+ * Normals at the scale of `radius`, split at edges of the form. Patches smaller than a disc of that width take theirs from
+ * what they lie on, and add nothing to it.
+ */
 function* bakeHatchNormals(
   mesh: TriangleMesh,
   adjacency: TriangleAdjacency,
@@ -74,10 +77,13 @@ function* bakeHatchNormals(
   const { canonicalCorners, areaNormals } = adjacency;
   const twins = yield* asPhase(findFormCreases(adjacency), 0, 0.15);
   const fans = yield* asPhase(buildFans({ twins, canonicalCorners }), 0.15, 0.22);
-  yield* asPhase(absorbSpecks({ twins, canonicalCorners, areaNormals }, fans, Math.PI * (radius / 2) ** 2), 0.22, 0.28);
-  const surface = { mesh, twins, canonicalCorners, areaNormals, fans };
-  const smoothed = yield* asPhase(smoothFanNormals(surface, radius), 0.28, 0.95);
-  return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.95, 1) };
+  const smoothed = yield* asPhase(
+    smoothFanNormals({ mesh, twins, canonicalCorners, areaNormals, fans }, radius),
+    0.22,
+    0.9,
+  );
+  yield* asPhase(absorbSpecks({ twins, canonicalCorners, areaNormals }, fans, Math.PI * (radius / 2) ** 2), 0.9, 0.96);
+  return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.96, 1) };
 }
 
 /** What a bake found out about the mesh, whatever its layout. */

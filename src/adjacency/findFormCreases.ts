@@ -14,7 +14,7 @@ const CREASE_DEGREES = 50;
 /** The same as the square of the distance between the tips of the two unit normals. */
 const CREASE_DISTANCE_SQUARED = 2 - 2 * Math.cos((CREASE_DEGREES * Math.PI) / 180);
 
-/** Each reaches one triangle further. More would not find fewer creases on a scan: measured on the Stanford dragons. */
+/** Enough that a plane whose triangles are tilted by up to 40° at random has no edge left. */
 const PASSES = 4;
 
 /**

@@ -5,8 +5,8 @@ import { asPhase, inChunks } from './inChunks.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
 /**
- * Largest cotangent that is used as a weight, that of 5.7°: slivers have larger ones, and would take all the steps.
- * Negative ones, of obtuse angles, are taken as 0, so that every step is a mean.
+ * Largest cotangent that is used as a weight, that of 5.7°: slivers have larger ones, and would take all the steps. All
+ * three of a triangle are scaled down together; heat flows through slivers more slowly then, and still out of no place.
  */
 const LARGEST_COTANGENT = 10;
 
@@ -37,9 +37,9 @@ interface Heat {
   neighbours: Uint32Array;
   /** Half the sum of the cotangents of the angles opposite to each edge. */
   weights: Float32Array;
-  /** For each fan two thirds of the area around it. */
+  /** For each fan a third of the area around it. */
   masses: Float64Array;
-  /** For each fan the sum of its weights. */
+  /** For each fan the sum of the magnitudes of its weights, which bounds the rate at which heat leaves it. */
   degrees: Float64Array;
 }
 
@@ -47,8 +47,7 @@ interface Heat {
  * A vector per fan, near the direction of the surface at the scale of `radius`: heat flow over the surface from the mean
  * area normal of each fan, for the time radius²/4, in which heat spreads over about `radius`. Noise finer than that is
  * averaged away; nothing flows across edges that separate fans. What comes out depends on the shape, not on the triangles
- * it is made of: cotangent weights, and a time in object units instead of a number of passes. Vectors are no longer than
- * one, and are zero where normals cancel and in fans of degenerate triangles.
+ * it is made of: cotangent weights, and a time in object units instead of a number of passes. Vectors are zero where normals cancel and in fans of degenerate triangles.
  */
 export function* smoothFanNormals(
   surface: FanSurface,
@@ -85,9 +84,10 @@ function sumRange(
   end: number,
 ): void {
   for (let first = 3 * start; first < 3 * end; first += 3) {
-    const x = areaNormals[first]! / 3;
-    const y = areaNormals[first + 1]! / 3;
-    const z = areaNormals[first + 2]! / 3;
+    // A third of the area; area normals are twice the area long.
+    const x = areaNormals[first]! / 6;
+    const y = areaNormals[first + 1]! / 6;
+    const z = areaNormals[first + 2]! / 6;
     const mass = Math.sqrt(x * x + y * y + z * z);
     for (let corner = first; corner < first + 3; corner++) {
       const fan = ofCorner[corner]!;
@@ -144,7 +144,7 @@ function* assemble(surface: FanSurface, masses: Float64Array): Generator<number,
   return heat;
 }
 
-/** The cotangents of the angles of some triangles, clamped; 0 in degenerate ones. */
+/** The cotangents of the angles of some triangles, bounded; 0 in degenerate ones. */
 function cotangentRange(
   { mesh: { positions, indices }, areaNormals }: FanSurface,
   cotangents: Float32Array,
@@ -160,13 +160,15 @@ function cotangentRange(
     const a = 3 * indices[first]!;
     const b = 3 * indices[first + 1]!;
     const c = 3 * indices[first + 2]!;
-    cotangents[first] = clampCotangent(dotFrom(positions, a, b, c) / area);
-    cotangents[first + 1] = clampCotangent(dotFrom(positions, b, c, a) / area);
-    cotangents[first + 2] = clampCotangent(dotFrom(positions, c, a, b) / area);
+    const atA = dotFrom(positions, a, b, c) / area;
+    const atB = dotFrom(positions, b, c, a) / area;
+    const atC = dotFrom(positions, c, a, b) / area;
+    const scale = LARGEST_COTANGENT / Math.max(LARGEST_COTANGENT, Math.abs(atA), Math.abs(atB), Math.abs(atC));
+    cotangents[first] = scale * atA;
+    cotangents[first + 1] = scale * atB;
+    cotangents[first + 2] = scale * atC;
   }
 }
-
-const clampCotangent = (value: number): number => Math.min(Math.max(value, 0), LARGEST_COTANGENT);
 
 /** The scalar product of the edges from `origin` to `a` and to `b`. */
 function dotFrom(positions: Float32Array, origin: number, a: number, b: number): number {
@@ -213,12 +215,12 @@ function scatterRange(
     let slot = --starts[from]!;
     neighbours[slot] = to;
     weights[slot] = weight;
-    degrees[from]! += weight;
+    degrees[from]! += Math.abs(weight);
     if (twin !== NO_TWIN) continue;
     slot = --starts[to]!;
     neighbours[slot] = from;
     weights[slot] = weight;
-    degrees[to]! += weight;
+    degrees[to]! += Math.abs(weight);
   }
 }
 
@@ -236,7 +238,7 @@ function highestRate({ masses, degrees }: Heat): number {
   return massSum === 0 ? 0 : Math.min(highest, (LARGEST_RATE * degreeSum) / massSum);
 }
 
-/** e^(−steps·(1 − P))·normals, P the step of a mean, by the recurrence of the Chebyshev polynomials. Uses up `normals`. */
+/** e^(−steps·(1 − P))·normals, P = 1 − L/rate with L the Laplacian, by the recurrence of the Chebyshev polynomials. Uses up `normals`. */
 function* flow(
   heat: Heat,
   normals: Float32Array<ArrayBuffer>,
@@ -264,8 +266,8 @@ function* flow(
 
 /**
  * Turns `previous`, Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ (scale 2; the first time 1, and T₋₁ = 0) and adds its part of the
- * series to `result`. Where a fan has so little area that it would mix faster than `rate`, P gives the mean of its
- * neighbours. Differences, not values, are summed, so that what is equal stays equal to the last bit.
+ * series to `result`. A fan with so little area that it would mix faster than `rate` is given more, which
+ * keeps the eigenvalues of P within [−1, 1]. Differences, not values, are summed, so that what is equal stays equal to the last bit.
  */
 function stepRange(
   { starts, neighbours, weights, masses, degrees }: Heat,

@@ -25,7 +25,7 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
   creaseAngle?: number | undefined;
   /**
    * The scale of `hatchNormal`, the normal that strokes are laid by, in object units: form finer than this, such as the
-   * noise of a scan, does not bend strokes. Edges of the form stay sharp at any scale. The default is 0.04 times the radius
+   * noise of a scan, does not bend strokes. Edges of the form stay sharp at any scale. The default is 0.03 times the radius
    * of the bounding sphere; 0 leaves the normals unsmoothed.
    */
   smoothingRadius?: number | undefined;

@@ -2,11 +2,12 @@ import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './generateHatchImages.js';
 import { orderOf } from './orderOf.js';
 
-/** The field is smoothed over so many texels, then again and again over more; what each blur counts. */
+/** Ever more blurred copies of the field, by the texels over which each is blurred further, and what each counts. */
 const BLURS = [
+  { radius: 0, weight: 1 },
   { radius: 1, weight: 1 },
-  { radius: 3, weight: 0.25 },
-  { radius: 9, weight: 0.05 },
+  { radius: 3, weight: 0.1 },
+  { radius: 9, weight: 0.02 },
 ] as const;
 
 /**

@@ -12,6 +12,9 @@ const STEPS = 24;
 /** Cells of the field per texel and side. */
 const CELLS_PER_TEXEL = 2;
 
+/** Of a field where no stroke reaches: later than any. */
+const UNREACHED = 1e6;
+
 /** Weights of four cells in a row, of which the inner two are the texel's. */
 const TENT = [0.125, 0.375, 0.375, 0.125] as const;
 
@@ -60,21 +63,29 @@ function* drawLevel(
   const progress = PLACED + (1 - PLACED) * (1 - 1 / 4 ** (level + 1));
   const image = new Uint8Array(size * size).fill(255);
   const cells = size * CELLS_PER_TEXEL;
-  const field = new Float32Array(cells * cells).fill(Number.MAX_VALUE);
+  const directions = request.style.thresholds.crossFrom === undefined ? 1 : 2;
+  const fields = Array.from({ length: directions }, () => new Float32Array(cells * cells).fill(UNREACHED));
   let darkness = 0;
   let work = 0;
   for (let i = 0; i < strokes.length; i += 2) {
     const stroke = strokes[i];
     if (stroke.level < level) continue;
     darkness += rasterizeStroke(image, size, stroke) + rasterizeStroke(image, size, strokes[i + 1]);
+    const field = fields[stroke.across ? 1 : 0];
     work += drawThresholdField(field, size, CELLS_PER_TEXEL, stroke, darkness / (255 * size * size), swell);
     if (work >= WORK_PER_SLICE) {
       work = 0;
       yield progress;
     }
   }
-  const half = averageHalf(field, size);
+  const half = averageHalf(fields[0], size);
   yield progress;
+  if (fields[1]) {
+    // Averaged apart, the second layer leaves no bumps on strokes of the first where it will cross them.
+    const across = averageHalf(fields[1], size);
+    for (let i = 0; i < half.length; i++) half[i] = Math.min(half[i], across[i]);
+    yield progress;
+  }
   const order = orderOf(half);
   yield progress;
   const thresholds = new Float32Array(size * size);

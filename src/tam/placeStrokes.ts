@@ -179,7 +179,7 @@ const halfTurn = (stroke: Stroke): Stroke => ({ ...stroke, u: 1 - stroke.u, v: 1
 
 /**
  * How much a stroke and its own half turn, which is parallel to it, crowd each other on all the levels that show them:
- * each term is that of `CrowdingField`.
+ * each term is that of `CrowdingField`. The own level counts no more than others, or the middle of the tile stays empty.
  */
 function mutualCrowding(stroke: Stroke, sheets: readonly Sheet[]): number {
   const apart = (place: number): number => Math.abs(2 * place - Math.round(2 * place));
@@ -193,8 +193,7 @@ function mutualCrowding(stroke: Stroke, sheets: readonly Sheet[]): number {
     const distance2 = (sideways * sideways + beyond * beyond) * widths * widths;
     const merging = Math.max(0, 1 - distance2 / (MERGING_WIDTHS * MERGING_WIDTHS));
     const spreading = Math.sqrt(1 + distance2);
-    const weight = level === stroke.level ? OWN_LEVEL_WEIGHT : 1;
-    crowding += weight * (1 / (spreading * Math.sqrt(spreading)) + merging * merging);
+    crowding += 1 / (spreading * Math.sqrt(spreading)) + merging * merging;
   }
   return overlap * crowding;
 }

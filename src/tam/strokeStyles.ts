@@ -73,7 +73,7 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     maxInk: 0.95,
     crossFrom: 0.45,
     proposals: 400,
-    thresholds: { maxInk: 0.57, crossFrom: 0.28, swell: 0.15, proposals: 400 },
+    thresholds: { maxInk: 0.6, crossFrom: 0.32, swell: 0.15, proposals: 400 },
   },
   stippling: {
     length: [0, 0],

@@ -77,6 +77,9 @@ describe('the prepared geometry', () => {
     expect(new Set(buffers).size).toBe(1);
     expect(buffers[0]!.stride).toBe(CORNER_STRIDE);
     expect(layoutOf(prepared)[0]!.slice(0, 8)).toEqual([1, 0, 0, 0, 0, 1, 0, 1]);
+    const hatchNormal = prepared.getAttribute('hatchNormal') as BufferAttribute;
+    expect([hatchNormal.itemSize, hatchNormal.normalized]).toEqual([4, true]);
+    expect(hatchNormal.array).toEqual(Int16Array.from({ length: 24 }, (_, i) => (i % 4 === 2 ? 32767 : 0)));
     expect([...arrayOf(prepared, 'normal')]).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
     expect(prepared.boundingBox!.min.toArray()).toEqual([0, 0, 0]);
     expect(prepared.boundingBox!.max.toArray()).toEqual([1, 1, 0]);

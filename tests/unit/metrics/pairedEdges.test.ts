@@ -10,7 +10,7 @@ const points = [
   [1, 0, 0],
   [1, 1, 0],
   [0, 1, 0],
-] as const;
+];
 const soup = (...indices: number[]) => indices.flatMap((i) => [...points[i]!]);
 
 describe('pairedEdges', () => {
