@@ -17,7 +17,7 @@ export function describeMetrics({ renderer, models }) {
   return `# Measured strokes
 
 Written by \`npm run metrics\`; drawn by ${renderer}. Every technique is measured on the same geometry, in the same run, without antialiasing
-(\`edgePixels: 0\`). ${Object.keys(models).length} models, each scaled to a bounding radius of 1 and lit from the upper left or toned evenly.
+(\`edgePixels: 0\`). ${Object.keys(models).length} models, each scaled to a bounding radius of 1 lit from one side or toned evenly.
 
 ![Coherence of the strokes by number of triangles, and flips by turn of the light](metrics.svg)
 
