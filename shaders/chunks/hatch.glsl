@@ -21,16 +21,16 @@ float hatch(const in HatchingParameters h, const in vec4 tone) {
   #elif defined(CRISP)
     // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
     // have the same scale, so one choice of level serves them all.
-    float octaves = minification(h.uv[0]);
+    ThresholdLevel level = chooseLevel(minification(h.uv[0]));
     #if TECHNIQUE == TECHNIQUE_ADJACENCY
       vec4 fields = vec4(
-        thresholdAt(h.uv[0], octaves), thresholdAt(h.uv[1], octaves),
-        thresholdAt(h.uv[2], octaves), thresholdAt(h.uv[3], octaves)
+        thresholdAt(h.uv[0], level), thresholdAt(h.uv[1], level),
+        thresholdAt(h.uv[2], level), thresholdAt(h.uv[3], level)
       );
       float field = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
-      return inkAt(field * levelContrast(octaves), dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
+      return inkAt(field, dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
     #else
-      return inkAt(thresholdAt(h.uv[0], octaves) * levelContrast(octaves), tone.x);
+      return inkAt(thresholdAt(h.uv[0], level), tone.x);
     #endif // TECHNIQUE
   #elif TECHNIQUE == TECHNIQUE_ADJACENCY
     vec4 darkness = vec4(

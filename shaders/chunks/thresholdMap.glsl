@@ -10,20 +10,29 @@ uniform float thresholdMapLevels;
 uniform float texelPixels; // wanted pixels per texel
 uniform float edgePixels; // width of the edge of a stroke
 
-// How alike neighbouring levels are: their strokes nest.
-#define LEVEL_CORRELATION 0.5
+uniform vec2 thresholdMoments; // variance of g between texels, and covariance between neighbouring levels
 
-// The field of the map at uv. octaves: by how many the map at its own size would be too fine. Between two levels the
-// texture unit interpolates, which makes strokes that are only in the finer one come later, and the others swell; what it
-// takes from the variance is given back.
-float thresholdAt(const in vec2 uv, const in float octaves) {
-  return textureLod(thresholdMap, uv, octaves).r;
+// The share of an octave, at either end, that a level serves alone.
+#define LEVEL_FADE_START 0.2
+
+// The level for strokes that would be too fine by so many octaves at the map's own size. Between two levels the texture
+// unit interpolates: strokes that only the finer one has come later, the others swell.
+struct ThresholdLevel {
+  float lod;
+  float contrast; // gives back the variance that interpolation takes
+};
+
+ThresholdLevel chooseLevel(const in float octaves) {
+  float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
+  // A mix of two levels is not quite normal, and tone with it: the less of the way they are mixed the better.
+  float share = smoothstep(LEVEL_FADE_START, 1.0 - LEVEL_FADE_START, fract(level));
+  float rest = 1.0 - share;
+  float variance = thresholdMoments.x * (rest * rest + share * share) + 2.0 * rest * share * thresholdMoments.y;
+  return ThresholdLevel(floor(level) + share, inversesqrt(variance));
 }
 
-float levelContrast(const in float octaves) {
-  float share = fract(clamp(octaves, 0.0, thresholdMapLevels - 1.0));
-  float rest = 1.0 - share;
-  return inversesqrt(rest * rest + share * share + 2.0 * rest * share * LEVEL_CORRELATION);
+float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
+  return level.contrast * textureLod(thresholdMap, uv, level.lod).r;
 }
 
 // Blends two independent fields without losing variance.

@@ -166,6 +166,7 @@ export class HatchingMaterial extends ShaderMaterial {
           texelPixels: { value: 1 },
           thresholdMap: { value: null },
           thresholdMapLevels: { value: 1 },
+          thresholdMoments: { value: new Vector2(1, 0) },
           thresholdMapSize: { value: 1 },
           tonalArtMap: { value: null },
           tonalArtMapTones: { value: 2 },
@@ -318,6 +319,8 @@ export class HatchingMaterial extends ShaderMaterial {
     if (this.tonalArtMap !== null && (this.crisp || this.technique === 'anchored')) {
       u.thresholdMap!.value = this.tonalArtMap.thresholdTexture;
       u.thresholdMapLevels!.value = this.tonalArtMap.levels;
+      const { variance, covariance } = this.tonalArtMap.thresholdMoments;
+      u.thresholdMoments!.value.set(variance, covariance);
       u.thresholdMapSize!.value = this.tonalArtMap.size;
     }
 

@@ -4,6 +4,7 @@ import { assertHatchImages, checkHatchImages, type HatchImageReport } from './ch
 import { deriveThresholds } from './deriveThresholds.js';
 import type { ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageOptions, type HatchImages, resolveHatchImageOptions } from './generateHatchImages.js';
+import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
@@ -38,6 +39,7 @@ export class TonalArtMap {
   private measured: HatchImageReport | undefined;
   private thresholdLevels: ThresholdLevel[] | undefined;
   private uploaded: ThresholdTexture | undefined;
+  private moments: ThresholdMoments | undefined;
 
   private constructor({ size, images }: HatchImages, thresholdLevels?: ThresholdLevel[]) {
     this.size = size;
@@ -98,6 +100,12 @@ export class TonalArtMap {
   get thresholdTexture(): ThresholdTexture {
     this.uploaded ??= new ThresholdTexture(this.thresholdMap());
     return this.uploaded;
+  }
+
+  /** What interpolation leaves of the contrast of the thresholds, to be given back after it. Measured when first asked for. */
+  get thresholdMoments(): ThresholdMoments {
+    this.moments ??= measureThresholdMoments(this.thresholdMap());
+    return this.moments;
   }
 
   /**

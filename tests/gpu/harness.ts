@@ -62,7 +62,16 @@ function analyticThresholdMap(): TonalArtMap {
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.magFilter = texture.minFilter = LinearFilter;
   texture.needsUpdate = true;
-  return { size, tones: 2, levels: 1, thresholdTexture: texture, texture: null } as unknown as TonalArtMap;
+  // Standard normal as it is, as far as the material is told: the reference does not correct the variance either.
+  const thresholdMoments = { variance: 1, covariance: 0 };
+  return {
+    size,
+    tones: 2,
+    levels: 1,
+    thresholdTexture: texture,
+    thresholdMoments,
+    texture: null,
+  } as unknown as TonalArtMap;
 }
 
 function makeLight(light: ReferenceLight, scene: Scene): Light {

@@ -12,6 +12,8 @@ export interface AnchoredSettings {
   strokeScale: number;
   strokeRotation: number;
   anchorSpacing: number;
+  /** Whether the direction is known only up to its sign, so that the map may be shifted by half tiles alone. */
+  halfTiles: boolean;
   threshold: ThresholdFunction;
 }
 
@@ -65,10 +67,11 @@ export function anchoredField(point: Vec3, tangent: Vec3, bitangent: Vec3, setti
   for (const { id, offset } of simplexCorners(point.map((c) => c / edge) as Vec3)) {
     const weight = Math.max(0.5 - dot(offset, offset), 0) ** 6;
     const hash = pcg3d(id.map((c) => c >>> 0) as Vec3);
+    const shift = (word: number) => (settings.halfTiles ? 0.5 * (word >>> 31) : word / 2 ** 32);
     const s = dot(offset, tangent) * anchorSpacing;
     const t = dot(offset, bitangent) * anchorSpacing;
-    const u = (s * cos - t * sin) * (hash[2] >>> 31 ? -1 : 1) + (hash[0] >>> 31 ? 0.5 : 0);
-    const v = s * sin + t * cos + (hash[1] >>> 31 ? 0.5 : 0);
+    const u = (s * cos - t * sin) * (hash[2] >>> 31 ? -1 : 1) + shift(hash[0]);
+    const v = s * sin + t * cos + shift(hash[1]);
     sum += weight * threshold(u, v);
     squares += weight * weight;
   }
