@@ -93,8 +93,10 @@ describe.each(matrix)('generateThresholds(%o)', (options) => {
 
   it('is the same after a half turn, in both forms', () => {
     for (const { thresholds, encoded } of levels) {
-      expect(thresholds.toReversed()).toEqual(thresholds);
-      expect(encoded.toReversed()).toEqual(encoded);
+      // Counted, since a difference of arrays this long takes minutes to print.
+      const last = thresholds.length - 1;
+      expect(thresholds.filter((threshold, i) => threshold !== thresholds[last - i]).length).toBe(0);
+      expect(encoded.filter((half, i) => half !== encoded[last - i]).length).toBe(0);
     }
   });
 

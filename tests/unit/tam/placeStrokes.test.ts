@@ -70,7 +70,7 @@ describe('placeStrokes', () => {
     const strokes = finish(placeStrokes({ ...request({ style, size: 64 }), pairs: true }));
     expect(strokes.length % 2).toBe(0);
     const ink = drawStrokes(strokes, 64);
-    expect(ink.toReversed()).toEqual(ink);
+    expect(ink.filter((byte, i) => byte !== ink[ink.length - 1 - i]).length).toBe(0);
     for (let i = 0; i < strokes.length; i += 2) {
       const [one, other] = [strokes[i], strokes[i + 1]];
       expect([other.u, other.v, other.bow]).toEqual([1 - one.u, 1 - one.v, -one.bow]);
