@@ -7,8 +7,6 @@ uniform float strokeScale; // tiles per object unit
 uniform float anchorSpacing; // tiles between anchors
 uniform float screenConstancy; // 0: strokes sized on the object, 1: on the screen
 
-#define SIGNED_LIGHTS (NUM_DIR_LIGHTS + NUM_SUN_LIGHTS + NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS)
-
 // Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
 // serve between them; only in the last part of the way does a lattice give way to one with other strokes.
 #define LATTICE_OCTAVES 1.0
@@ -27,13 +25,13 @@ float latticeField(
   for (int i = 0; i < 4; i++) {
     float w = anchorWeight(anchors.offset[i]);
     uvec3 h = hashWords(uvec3(anchors.id[i]) + 0x9e3779b9u * uint(int(lattice)));
-    #if SIGNED_LIGHTS > 1
+    #if LIGHTS_WITH_DIRECTION > 1
       // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
       // only: where B turns into −B the strokes stay.
       vec2 shift = 0.5 * vec2(h.xy >> 31u);
     #else
       vec2 shift = vec2(h.xy) * (1.0 / 4294967296.0);
-    #endif // SIGNED_LIGHTS
+    #endif // LIGHTS_WITH_DIRECTION
     float mirror = (h.z >> 31u) == 0u ? 1.0 : -1.0;
     vec2 uv = anchorSpacing * vec2(mirror * dot(anchors.offset[i], uAxis), dot(anchors.offset[i], vAxis)) + shift;
     field += w * thresholdAt(uv, level);
