@@ -24,15 +24,15 @@ float latticeField(
   float squares = 0.0;
   for (int i = 0; i < 4; i++) {
     float w = anchorWeight(anchors.offset[i]);
-    uvec3 h = hashWords(uvec3(anchors.id[i]) + 0x9e3779b9u * uint(int(lattice)));
+    uint h = hashAnchor(anchors.id[i], uint(int(lattice)));
     #if LIGHTS_WITH_DIRECTION > 1
       // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
       // only: where B turns into −B the strokes stay.
-      vec2 shift = 0.5 * vec2(h.xy >> 31u);
+      vec2 shift = 0.5 * vec2(h & 1u, (h >> 16u) & 1u);
     #else
-      vec2 shift = vec2(h.xy) * (1.0 / 4294967296.0);
+      vec2 shift = vec2(h & 0xffffu, h >> 16u) * (1.0 / 65536.0);
     #endif // LIGHTS_WITH_DIRECTION
-    float mirror = (h.z >> 31u) == 0u ? 1.0 : -1.0;
+    float mirror = (h & 0x8000u) == 0u ? 1.0 : -1.0;
     vec2 uv = anchorSpacing * vec2(mirror * dot(anchors.offset[i], uAxis), dot(anchors.offset[i], vAxis)) + shift;
     field += w * thresholdAt(uv, level);
     squares += w * w;

@@ -33,15 +33,13 @@ float anchorWeight(const in vec3 offset) {
   return w * w;
 }
 
-// Three random words of three words (Jarzynski and Olano, "Hash Functions for GPU Rendering", 2020).
-uvec3 hashWords(const in uvec3 words) {
-  uvec3 v = words * 1664525u + 1013904223u;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v ^= v >> 16u;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  return v;
+// A random word for a lattice point (finaliser: Wellons, "Prospecting for Hash Functions", 2018).
+uint hashAnchor(const in ivec3 id, const in uint lattice) {
+  uvec3 words = uvec3(id) * uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
+  uint h = words.x ^ words.y ^ words.z ^ (lattice * 0x9e3779b9u);
+  h ^= h >> 16u;
+  h *= 0x7feb352du;
+  h ^= h >> 15u;
+  h *= 0x846ca68bu;
+  return h ^ (h >> 16u);
 }

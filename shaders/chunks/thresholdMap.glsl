@@ -32,7 +32,7 @@ ThresholdLevel chooseLevel(const in float octaves) {
 }
 
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
-  return level.contrast * textureLod(thresholdMap, uv, level.lod).r;
+  return level.contrast * (6.0 * textureLod(thresholdMap, uv, level.lod).r - 3.0);
 }
 
 // Blends two independent fields without losing variance.

@@ -94,7 +94,7 @@ export class TonalArtMap {
 
   /**
    * The thresholds as a texture for techniques that blend before they decide on ink: one channel, no colour, with drawn
-   * mip levels. A texel holds g = Φ⁻¹(h), clamped to ±3, of the tone h from which on it is ink, so it is normally
+   * mip levels. A texel t holds g = 6t − 3 = Φ⁻¹(h), clamped to ±3, of the tone h from which on it is ink, so g is normally
    * distributed; h = Φ(g). Made when first asked for.
    */
   get thresholdTexture(): ThresholdTexture {

@@ -4,12 +4,12 @@ export interface ThresholdLevel {
   size: number;
   /** size² tones in (0, 1), in rows of growing v: from which tone on the texel is ink. Uniformly distributed. */
   thresholds: Float32Array;
-  /** Φ⁻¹ of them, clamped to ±3, as half floats: normally distributed. What the texture holds. */
-  encoded: Uint16Array;
+  /** g = Φ⁻¹ of them as bytes, 0 for −3 and 255 for 3: normally distributed. What the texture holds. */
+  encoded: Uint8Array;
 }
 
 /** Beyond so many standard deviations lies 0.13 % of the texels; they become ink together. */
-const LIMIT = 3;
+export const LIMIT = 3;
 
 /** Φ⁻¹(p), the quantile of the standard normal distribution, to 5e-4 (Abramowitz and Stegun 1964, 26.2.23). */
 export function normalQuantile(p: number): number {
@@ -20,24 +20,16 @@ export function normalQuantile(p: number): number {
   return numerator / denominator - t;
 }
 
-const float = new Float32Array(1);
-const bits = new Uint32Array(float.buffer);
-
-/** The bits of the half float nearest to a number of at most 2¹⁵. */
-export function toHalf(value: number): number {
-  float[0] = value;
-  const sign = (bits[0] >>> 16) & 0x8000;
-  const magnitude = Math.abs(value);
-  // Below 2⁻¹⁴ half floats are multiples of 2⁻²⁴; above, they are floats with 13 bits less of mantissa and a smaller bias.
-  if (magnitude < 2 ** -14) return sign | Math.round(magnitude * 2 ** 24);
-  return sign | (((bits[0] & 0x7fffffff) - 0x38000000 + 0x1000) >>> 13);
-}
-
-/** Encodes thresholds for the texture. */
+/**
+ * Encodes thresholds for the texture. A byte is enough: edges lie between texels, where the texture unit interpolates, and
+ * half floats cost a software rasterizer a third of the frame.
+ */
 export function encodeThresholds(size: number, thresholds: Float32Array): ThresholdLevel {
-  const encoded = new Uint16Array(thresholds.length);
+  const encoded = new Uint8Array(thresholds.length);
   for (let i = 0; i < thresholds.length; i++) {
-    encoded[i] = toHalf(Math.max(-LIMIT, Math.min(LIMIT, normalQuantile(thresholds[i]))));
+    const g = Math.max(-LIMIT, Math.min(LIMIT, normalQuantile(thresholds[i])));
+    // Rounded away from the middle, so that a threshold and its complement stay each other's mirror image.
+    encoded[i] = g < 0 ? Math.ceil(127.5 * (1 + g / LIMIT) - 0.5) : Math.floor(127.5 * (1 + g / LIMIT) + 0.5);
   }
   return { size, thresholds, encoded };
 }

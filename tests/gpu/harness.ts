@@ -4,11 +4,9 @@ import {
   BufferGeometry,
   Color,
   DataTexture,
-  DataUtils,
   DirectionalLight,
   DoubleSide,
   FrontSide,
-  HalfFloatType,
   HemisphereLight,
   type Light,
   LinearFilter,
@@ -54,11 +52,12 @@ function analyticMap(name: AnalyticMapName): TonalArtMap {
 /** What the material needs of a map for `anchored`: nothing but thresholds. */
 function analyticThresholdMap(): TonalArtMap {
   const { size, field } = analyticThreshold;
-  const data = new Uint16Array(size * size);
+  const data = new Uint8Array(size * size);
   for (let i = 0; i < data.length; i++) {
-    data[i] = DataUtils.toHalfFloat(field(((i % size) + 0.5) / size, (Math.floor(i / size) + 0.5) / size));
+    const g = field(((i % size) + 0.5) / size, (Math.floor(i / size) + 0.5) / size);
+    data[i] = Math.round(127.5 + 42.5 * g);
   }
-  const texture = new DataTexture(data, size, size, RedFormat, HalfFloatType);
+  const texture = new DataTexture(data, size, size, RedFormat);
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.magFilter = texture.minFilter = LinearFilter;
   texture.needsUpdate = true;

@@ -16,14 +16,14 @@ test('thresholds lie on the GPU level by level, row 0 at v = 0, point-symmetric,
   const levels = await run(page, 'levels');
   expect(levels.map(({ texels }) => texels)).toEqual([4096, 1024, 256]);
   for (const { error, asymmetric } of levels) {
-    // Half a step of a half float at 3.
-    expect(error).toBeLessThan(0.00101);
+    // Half a step of a byte.
+    expect(error).toBeLessThan(0.0119);
     expect(asymmetric).toBe(0);
   }
 });
 
 test('thresholds are interpolated linearly between texels, across borders too', async ({ page }) => {
-  expect(await run(page, 'interpolation')).toBeLessThan(0.005);
+  expect(await run(page, 'interpolation')).toBeLessThan(0.015);
 });
 
 test('thresholds are uploaded once, level by level, and freed by dispose', async ({ page }) => {

@@ -36,7 +36,7 @@ function sample(map: TonalArtMap, level: number, shift = 0): Float32Array {
       uniform float size, level, shift;
       out vec4 value;
       // A tile further: the map repeats both ways.
-      void main() { value = textureLod(thresholds, (gl_FragCoord.xy + shift) / size + vec2(2.0, -1.0), level); }
+      void main() { value = 6.0 * textureLod(thresholds, (gl_FragCoord.xy + shift) / size + vec2(2.0, -1.0), level) - 3.0; }
     `,
     uniforms: {
       thresholds: { value: map.thresholdTexture },

@@ -19,20 +19,14 @@ export interface AnchoredSettings {
 
 const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-/** Jarzynski and Olano 2020, pcg3d, on 32-bit words. */
-export function pcg3d(words: Vec3): Vec3 {
-  let [x, y, z] = words.map((w) => (Math.imul(w, 1664525) + 1013904223) >>> 0) as Vec3;
-  const round = () => {
-    x = (x + Math.imul(y, z)) >>> 0;
-    y = (y + Math.imul(z, x)) >>> 0;
-    z = (z + Math.imul(x, y)) >>> 0;
-  };
-  round();
-  x = (x ^ (x >>> 16)) >>> 0;
-  y = (y ^ (y >>> 16)) >>> 0;
-  z = (z ^ (z >>> 16)) >>> 0;
-  round();
-  return [x, y, z];
+/** Wellons 2018, lowbias32, over the coordinates of a lattice point of lattice 0. */
+export function hashAnchor(id: Vec3): number {
+  let h = Math.imul(id[0], 0x8da6b343) ^ Math.imul(id[1], 0xd8163841) ^ Math.imul(id[2], 0xcb1ab31f);
+  h ^= h >>> 16;
+  h = Math.imul(h, 0x7feb352d);
+  h ^= h >>> 15;
+  h = Math.imul(h, 0x846ca68b);
+  return (h ^ (h >>> 16)) >>> 0;
 }
 
 /** The corners of the simplex around x: lattice coordinates and the vector from the corner to x. */
@@ -66,12 +60,12 @@ export function anchoredField(point: Vec3, tangent: Vec3, bitangent: Vec3, setti
   let squares = 0;
   for (const { id, offset } of simplexCorners(point.map((c) => c / edge) as Vec3)) {
     const weight = Math.max(0.5 - dot(offset, offset), 0) ** 6;
-    const hash = pcg3d(id.map((c) => c >>> 0) as Vec3);
-    const shift = (word: number) => (settings.halfTiles ? 0.5 * (word >>> 31) : word / 2 ** 32);
+    const hash = hashAnchor(id);
+    const shift = (word: number) => (settings.halfTiles ? 0.5 * (word & 1) : word / 65536);
     const s = dot(offset, tangent) * anchorSpacing;
     const t = dot(offset, bitangent) * anchorSpacing;
-    const u = (s * cos - t * sin) * (hash[2] >>> 31 ? -1 : 1) + shift(hash[0]);
-    const v = s * sin + t * cos + shift(hash[1]);
+    const u = (s * cos - t * sin) * (hash & 0x8000 ? -1 : 1) + shift(hash & 0xffff);
+    const v = s * sin + t * cos + shift(hash >>> 16);
     sum += weight * threshold(u, v);
     squares += weight * weight;
   }

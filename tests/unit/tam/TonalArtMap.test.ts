@@ -1,12 +1,12 @@
 import {
   CompressedArrayTexture,
   DataUtils,
-  HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
   NoColorSpace,
   RedFormat,
   RepeatWrapping,
+  UnsignedByteType,
 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
@@ -106,7 +106,7 @@ describe('TonalArtMap.generate', () => {
     const texture = map.thresholdTexture;
     expect(map.thresholdTexture).toBe(texture);
     expect(texture.version).toBe(1);
-    expect([texture.format, texture.type, texture.colorSpace]).toEqual([RedFormat, HalfFloatType, NoColorSpace]);
+    expect([texture.format, texture.type, texture.colorSpace]).toEqual([RedFormat, UnsignedByteType, NoColorSpace]);
     expect([texture.wrapS, texture.wrapT]).toEqual([RepeatWrapping, RepeatWrapping]);
     expect([texture.minFilter, texture.magFilter]).toEqual([LinearMipmapLinearFilter, LinearFilter]);
     expect([texture.generateMipmaps, texture.flipY]).toEqual([false, false]);

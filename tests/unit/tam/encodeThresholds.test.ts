@@ -1,7 +1,5 @@
-import fc from 'fast-check';
-import { DataUtils } from 'three';
 import { describe, expect, it } from 'vitest';
-import { encodeThresholds, normalQuantile, toHalf } from '../../../src/tam/encodeThresholds.js';
+import { encodeThresholds, normalQuantile } from '../../../src/tam/encodeThresholds.js';
 
 describe('normalQuantile', () => {
   it.each([
@@ -20,39 +18,22 @@ describe('normalQuantile', () => {
   });
 });
 
-describe('toHalf', () => {
-  it('gives a half float within half a step of the number, as three decodes it', () => {
-    const number = fc.oneof(
-      fc.double({ min: -3, max: 3, noNaN: true }),
-      fc.double({ min: -1e-4, max: 1e-4, noNaN: true }),
-    );
-    fc.assert(
-      fc.property(number, (value) => {
-        const step = Math.max(2 ** -24, 2 ** (Math.floor(Math.log2(Math.abs(value) || 1e-9)) - 10));
-        expect(Math.abs(DataUtils.fromHalfFloat(toHalf(value)) - value)).toBeLessThanOrEqual(0.5001 * step);
-      }),
-    );
-  });
-
-  it.each([
-    [0, 0],
-    [1, 0x3c00],
-    [-3, 0xc200],
-    [2 ** -14, 0x0400],
-    [2 ** -24, 1],
-  ])('%f is %d', (value, bits) => {
-    expect(toHalf(value)).toBe(bits);
-  });
-});
-
 describe('encodeThresholds', () => {
-  it('stores Φ⁻¹, no further out than ±3', () => {
-    const { size, encoded } = encodeThresholds(2, new Float32Array([1e-6, 0.1, 0.5, 1 - 1e-6]));
+  it('stores Φ⁻¹ in bytes from −3 to 3, within half a step, and no further out', () => {
+    const thresholds = new Float32Array([1e-6, 0.1, 0.3, 0.5, 0.8, 1 - 1e-6]);
+    const { size, encoded } = encodeThresholds(2, thresholds);
     expect(size).toBe(2);
-    const values = [...encoded].map((half) => DataUtils.fromHalfFloat(half));
+    const values = [...encoded].map((byte) => (6 * byte) / 255 - 3);
     expect(values[0]).toBe(-3);
-    expect(values[3]).toBe(3);
-    expect(Math.abs(values[1] + 1.28155)).toBeLessThan(1.5e-3);
-    expect(Math.abs(values[2])).toBeLessThan(1e-3);
+    expect(values.at(-1)).toBe(3);
+    thresholds.slice(1, -1).forEach((threshold, i) => {
+      expect(Math.abs(values[i + 1]! - normalQuantile(threshold))).toBeLessThanOrEqual(3 / 255 + 1e-6);
+    });
+  });
+
+  it('keeps a threshold and its complement mirror images', () => {
+    const thresholds = Float32Array.from({ length: 64 }, (_, i) => (i + 0.5) / 64);
+    const { encoded } = encodeThresholds(8, thresholds);
+    for (let i = 0; i < 64; i++) expect(encoded[i]! + encoded[63 - i]!).toBe(255);
   });
 });

@@ -18,15 +18,9 @@ function levelsOf(options: HatchImageOptions): ThresholdLevel[] {
 
 const median = (values: number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** Φ⁻¹ of the thresholds, from the half floats. */
-function gaussian({ encoded }: ThresholdLevel): Float64Array {
-  return Float64Array.from(encoded, (half) => {
-    const exponent = (half >> 10) & 31;
-    const fraction = half & 1023;
-    const magnitude = exponent ? (1 + fraction / 1024) * 2 ** (exponent - 15) : fraction * 2 ** -24;
-    return half & 0x8000 ? -magnitude : magnitude;
-  });
-}
+/** Φ⁻¹ of the thresholds, from the bytes. */
+const gaussian = ({ encoded }: ThresholdLevel): Float64Array =>
+  Float64Array.from(encoded, (byte) => (6 * byte) / 255 - 3);
 
 /** Lengths of the runs of ink along columns, toroidal, in texels. */
 function inkRuns({ thresholds, size }: ThresholdLevel, tone: number): number[] {
@@ -96,7 +90,7 @@ describe.each(matrix)('generateThresholds(%o)', (options) => {
       // Counted, since a difference of arrays this long takes minutes to print.
       const last = thresholds.length - 1;
       expect(thresholds.filter((threshold, i) => threshold !== thresholds[last - i]).length).toBe(0);
-      expect(encoded.filter((half, i) => half !== encoded[last - i]).length).toBe(0);
+      expect(encoded.filter((byte, i) => byte !== encoded[last - i]).length).toBe(0);
     }
   });
 
