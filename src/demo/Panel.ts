@@ -57,6 +57,7 @@ export class Panel {
     const hasWidth = isAnchored || techniques.includes('adjacencyCrisp');
     this.show('screenConstancy', isAnchored);
     this.show('anchorSpacing', isAnchored);
+    this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
     this.show('strokeWidth', hasWidth);
     this.show('edge', hasWidth);
     // Sized on the screen alone, strokes do not ask what size they would have on the object.

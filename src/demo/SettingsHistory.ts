@@ -8,17 +8,21 @@ const KEPT = 100;
 export class SettingsHistory {
   private readonly past: Settings[] = [];
   private now: Settings;
-  private lastThing = '';
+  private lastThing: string | undefined;
   private lastTime = -Infinity;
 
   constructor(private readonly settings: Settings) {
     this.now = { ...settings };
   }
 
-  /** The settings were changed; `thing` names what by, so that a movement in many steps counts as one. */
-  changed(thing: string): void {
+  /**
+   * The settings were changed.
+   *
+   * @param thing names what moved, so that a movement in many steps counts as one change; undefined: a change by itself
+   */
+  changed(thing?: string): void {
     const time = performance.now();
-    const continues = thing === this.lastThing && time - this.lastTime < PAUSE_MILLISECONDS;
+    const continues = thing !== undefined && thing === this.lastThing && time - this.lastTime < PAUSE_MILLISECONDS;
     this.lastThing = thing;
     this.lastTime = time;
     if (!continues) {
@@ -31,16 +35,19 @@ export class SettingsHistory {
   /** The settings are others for a reason that is not to be undone. */
   adopt(): void {
     this.now = { ...this.settings };
-    this.lastThing = '';
+    this.lastThing = undefined;
   }
 
-  /** The settings as they were before the last change, or undefined when there is none. A person's file cannot be brought back. */
+  /**
+   * The settings as they were before the last change, or undefined when there is none. A person's own file cannot be
+   * brought back.
+   */
   undo(): Settings | undefined {
     for (let before = this.past.pop(); before; before = this.past.pop()) {
       if (before.model === 'file') before.model = this.settings.model;
       if (SETTING_KEYS.every((key) => before[key] === this.settings[key])) continue;
       this.now = before;
-      this.lastThing = '';
+      this.lastThing = undefined;
       return { ...before };
     }
     return undefined;

@@ -57,7 +57,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const divider = new CompareDivider(page.divider, page.plate, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
-    personChanged('preset');
+    personChanged();
     void showMap();
   });
   const panel = new Panel(
@@ -89,7 +89,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
 
   /** @param thing what was changed; see {@link SettingsHistory.changed} */
-  function personChanged(thing: string): void {
+  function personChanged(thing?: string): void {
     history.changed(thing);
     settingsChanged();
   }
@@ -291,7 +291,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     replaceSettings(link.settings);
     if (link.camera) scene.setView(link.camera);
     else scene.frameModel();
-    personChanged('link');
+    personChanged();
   });
 
   if (camera) scene.setView(camera);

@@ -256,7 +256,7 @@ export const SETTINGS = {
     kind: 'number',
     label: 'Reflected',
     group: 'Light',
-    default: 40,
+    default: 50,
     unit: '%',
     min: 0,
     max: 60,
