@@ -114,10 +114,10 @@ describe('TonalArtMap.generate', () => {
       [32, 32],
       [16, 16],
     ]);
-    const halves = (texture.mipmaps as { data: Uint16Array }[])[1].data;
+    const bytes = (texture.mipmaps as { data: Uint8Array }[])[1].data;
     map.thresholds(1).forEach((threshold, i) => {
       // The sign is that of h − ½, the order that of h.
-      expect(Math.sign(halves[i]! - 127.5)).toBe(Math.sign(threshold - 0.5));
+      expect(Math.sign(bytes[i]! - 127.5)).toBe(Math.sign(threshold - 0.5));
     });
     map.dispose();
   });
