@@ -14,7 +14,7 @@ export interface PanelAction {
 /** The controls, built from the table of settings: labels, values with units, reset by double-click. */
 export class Panel {
   private readonly controllers = new Map<SettingKey, Controller>();
-  /** How wide strokes come out on paper. */
+  /** How wide strokes come out when the picture is saved in the chosen size and printed. */
   private readonly printNote = note('');
 
   constructor(
@@ -71,7 +71,7 @@ export class Panel {
         ),
       );
     const printedPixels = settings.strokeWidth * Number(settings.pictureSize);
-    this.printNote.textContent = `saved and printed at 300 dpi: ${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm`;
+    this.printNote.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
     this.show('strokeAngle', settings.strokeDirection === 'angle');
     this.show('toneSteps', settings.toneModel === 'toon');
     this.show('shininess', settings.toneModel === 'phong');

@@ -10,9 +10,6 @@ export class PresetBar {
     private readonly settings: Settings,
     onChoose: (name: PresetName) => void,
   ) {
-    container.className = 'presets';
-    container.setAttribute('role', 'group');
-    container.setAttribute('aria-label', 'Hand');
     this.buttons = Object.entries(PRESETS).map(([name, { label }]) => {
       const button = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
       button.addEventListener('click', () => onChoose(name as PresetName));

@@ -151,7 +151,7 @@ test('settings have labels and units, count at once and are reset by double-clic
   await scale.press('Enter');
   expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
   await page.getByText('Stroke scale').dblclick();
-  await expect(scale).toHaveValue('2');
+  await expect(scale).toHaveValue('2.5');
   await expect(page.getByText('tiles').first()).toBeVisible();
   expect(changedShare(before, await readDrawing(page))).toBe(0);
   await page.getByLabel('Style').selectOption('Stippling');
