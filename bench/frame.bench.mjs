@@ -6,12 +6,12 @@ import { launchOptions } from '../tests/browser/launchOptions.mjs';
 
 /**
  * Time of one frame of the dragon, hatched and with three's Phong material on the same expanded geometry and on the plain
- * indexed one, 1024 × 1024. The four are drawn in turn, and ratios are taken within a turn: on a busy machine times drift by a
+ * indexed one, 1024 × 1024. They are drawn in turn, and ratios are taken within a turn: on a busy machine times drift by a
  * factor of two, ratios hardly.
  */
 export const name = 'frame';
 
-const TURNS = { dragon11k: 25, dragon48k: 25, dragon202k: 15 };
+const TURNS = { dragon11k: 25, dragon48k: 25, dragon202k: 15, dragon871k: 7 };
 
 export async function run() {
   console.log(`frame: ${(await describeRenderer()).renderer}`);
@@ -48,6 +48,10 @@ function summarise({ triangles, times }) {
   const ratio = (a, b) => round(median(times[a].map((time, turn) => time / times[b][turn])));
   row['adjacency/phong'] = ratio('adjacency', 'phong');
   row['triangle/phong'] = ratio('triangle', 'phong');
+  row['anchored/phong'] = ratio('anchored', 'phong');
+  row['anchoredIndexed/phong'] = ratio('anchoredIndexed', 'phong');
+  row['anchoredIndexed/adjacency'] = ratio('anchoredIndexed', 'adjacency');
+  row['anchoredIndexed/phongIndexed'] = ratio('anchoredIndexed', 'phongIndexed');
   row['adjacency/phongIndexed'] = ratio('adjacency', 'phongIndexed');
   row['phong/phongIndexed'] = ratio('phong', 'phongIndexed');
   return row;

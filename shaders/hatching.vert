@@ -16,10 +16,15 @@ varying vec3 vViewPosition;
 #include <logdepthbuf_pars_vertex>
 #include <clipping_planes_pars_vertex>
 
-#include "adjacencyPrimitive"
 #include "triangleGeometry"
-#include "lightOrientation"
-#include "hatchingParameters"
+#if TECHNIQUE == TECHNIQUE_ANCHORED
+  #include "anchorAttributes"
+#else
+  #include <lights_pars_begin>
+  #include "lightOrientation"
+  #include "adjacencyPrimitive"
+  #include "hatchingParameters"
+#endif // TECHNIQUE
 
 void main() {
   #include <uv_vertex>

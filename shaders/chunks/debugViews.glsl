@@ -7,7 +7,12 @@ vec3 debugColor(const in HatchingParameters h, const in vec4 tone) {
     return vec3(1.0 - dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
   #else
     // A checker of one square per tile in the frame of c: its lines are the strokes' u and v.
-    vec2 square = floor(2.0 * fract(h.uv[0]));
+    #if TECHNIQUE == TECHNIQUE_ANCHORED
+      vec2 uv = strokeScale * vec2(dot(vRestPosition, h.uAxis), dot(vRestPosition, h.vAxis));
+    #else
+      vec2 uv = h.uv[0];
+    #endif // TECHNIQUE
+    vec2 square = floor(2.0 * fract(uv));
     float odd = abs(square.x - square.y);
     return mix(vec3(0.13, 0.35, 0.55), vec3(0.93, 0.91, 0.84), odd);
   #endif // DEBUG_VIEW

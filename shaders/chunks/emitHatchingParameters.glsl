@@ -8,6 +8,16 @@
   #endif // USE_INSTANCING
   mat3 viewToObject = inverse(mat3(objectToView));
 
+#if TECHNIQUE == TECHNIQUE_ANCHORED
+  vRestPosition = position;
+  // Geometry that was never prepared still has its own normals.
+  vStrokeNormal = dot(hatchNormal, hatchNormal) > 0.25 ? hatchNormal : normal;
+  vViewToObject = viewToObject;
+  float distance = isOrthographic ? 1.0 : -mvPosition.z;
+  // The cube root of the volume a view-space unit cube takes in object space: the mean of the scale over directions.
+  float scale = pow(abs(determinant(viewToObject)), 1.0 / 3.0);
+  vUnitsPerPixel = distance * scale * 2.0 / (projectionMatrix[1][1] * viewportHeight);
+#else
   AdjacencyPrimitive p = readAdjacencyPrimitive();
   vec3 normalC = triangleNormal(p.v0, p.v1, p.v2);
   vec2 uvC = strokeCoordinates(position, normalC, (p.v0 + p.v1 + p.v2) / 3.0, objectToView, viewToObject);
@@ -37,4 +47,5 @@
     vStrokeUv = uvC;
     vFaceNormal = normalC * viewToObject;
   #endif // TECHNIQUE
+#endif // TECHNIQUE
 }

@@ -1,6 +1,38 @@
+#if TECHNIQUE == TECHNIQUE_ANCHORED || defined(CRISP)
+  #include "thresholdMap"
+#else
+  #include "tonalArtMap"
+#endif // TECHNIQUE
+#if TECHNIQUE == TECHNIQUE_ANCHORED
+  #include "anchoredHatch"
+#endif // TECHNIQUE
+
+#ifdef CRISP
+  // Octaves by which the map would be too fine at a fragment, from the screen derivatives of its coordinates.
+  float minification(const in vec2 uv) {
+    return log2(thresholdMapSize * texelPixels * max(length(dFdx(uv)), length(dFdy(uv))));
+  }
+#endif // CRISP
+
 // Algorithm 3: the darkness of the hatch, blended over the triangles of the adjacency primitive.
 float hatch(const in HatchingParameters h, const in vec4 tone) {
-  #if TECHNIQUE == TECHNIQUE_ADJACENCY
+  #if TECHNIQUE == TECHNIQUE_ANCHORED
+    return inkAt(anchoredField(vRestPosition, h.uAxis, h.vAxis, vUnitsPerPixel), tone.x);
+  #elif defined(CRISP)
+    // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
+    // have the same scale, so one choice of level serves them all.
+    ThresholdLevel level = chooseLevel(minification(h.uv[0]));
+    #if TECHNIQUE == TECHNIQUE_ADJACENCY
+      vec4 fields = vec4(
+        thresholdAt(h.uv[0], level), thresholdAt(h.uv[1], level),
+        thresholdAt(h.uv[2], level), thresholdAt(h.uv[3], level)
+      );
+      float field = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
+      return inkAt(field, dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
+    #else
+      return inkAt(thresholdAt(h.uv[0], level), tone.x);
+    #endif // TECHNIQUE
+  #elif TECHNIQUE == TECHNIQUE_ADJACENCY
     vec4 darkness = vec4(
       sampleTonalArtMap(h.uv[0], tone.x), sampleTonalArtMap(h.uv[1], tone.y),
       sampleTonalArtMap(h.uv[2], tone.z), sampleTonalArtMap(h.uv[3], tone.w)

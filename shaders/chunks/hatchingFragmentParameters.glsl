@@ -1,7 +1,18 @@
-// What the vertices computed for the triangles c, α, β, γ, as it stands at this fragment.
+// What hatching needs to know at this fragment.
+#if TECHNIQUE == TECHNIQUE_ANCHORED
+  #include "triangleGeometry"
+  #include "lightOrientation"
+
+  uniform vec2 strokeDirection; // cosine and sine of the strokes' rotation
+#endif // TECHNIQUE
+
 struct HatchingParameters {
-  vec2 uv[TRIANGLE_COUNT];
-  vec4 weights; // f, clamped: c first
+  #if TECHNIQUE == TECHNIQUE_ANCHORED
+    vec3 uAxis, vAxis; // the strokes' u and v in the surface, object space
+  #else
+    vec2 uv[TRIANGLE_COUNT]; // in the frames of c, α, β, γ
+  #endif // TECHNIQUE
+  vec4 weights; // f of c, α, β, γ, clamped
 };
 
 // A zero-area triangle has no normal; one towards the viewer is as good as any for the pixel it may still cover.
@@ -20,6 +31,13 @@ HatchingParameters readHatchingParameters() {
     // −1 at the opposite vertex gives the slope of figure 7, it is no contribution to subtract. Clamping the vertices
     // instead would stretch the support over the whole triangle.
     h.weights = vec4(1.0, max(vBlendFactors, 0.0));
+  #elif TECHNIQUE == TECHNIQUE_ANCHORED
+    vec3 n = safeNormalize(vStrokeNormal);
+    vec3 bitangent = lightBitangent(n, -vViewPosition, vViewToObject);
+    vec3 tangent = cross(bitangent, n);
+    h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;
+    h.vAxis = strokeDirection.y * tangent + strokeDirection.x * bitangent;
+    h.weights = vec4(1.0, 0.0, 0.0, 0.0);
   #else
     h.uv[0] = vStrokeUv;
     h.weights = vec4(1.0, 0.0, 0.0, 0.0);
@@ -43,6 +61,10 @@ mat4x3 readToneNormals(const in vec3 smoothNormal, const in float faceDirection)
       safeNormalize(vFaceNormals[0]) * side, safeNormalize(vFaceNormals[1]) * side,
       safeNormalize(vFaceNormals[2]) * side, safeNormalize(vFaceNormals[3]) * side
     );
+  #elif TECHNIQUE == TECHNIQUE_ANCHORED
+    // Nothing is expanded, so no face normal came along; the derivatives' one looks at the viewer by itself.
+    vec3 n = safeNormalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
+    return mat4x3(n, n, n, n);
   #else
     vec3 n = safeNormalize(vFaceNormal) * side;
     return mat4x3(n, n, n, n);

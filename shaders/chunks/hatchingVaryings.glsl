@@ -4,6 +4,11 @@
   varying vec4 vStrokeUvBetaGamma; // (u, v) in the frame of β, then of γ
   varying vec3 vBlendFactors; // f of α, β, γ; may be negative: clamped per fragment, after interpolation
   varying mat4x3 vFaceNormals; // of c, α, β, γ, view space
+#elif TECHNIQUE == TECHNIQUE_ANCHORED
+  varying vec3 vRestPosition; // object space
+  varying vec3 vStrokeNormal; // at the scale of a stroke, object space
+  varying mat3 vViewToObject; // linear part
+  varying float vUnitsPerPixel; // object units to a pixel
 #else
   varying vec2 vStrokeUv;
   varying vec3 vFaceNormal; // view space

@@ -4,12 +4,41 @@
 // up to sign (a structure tensor, i.e. vectors of the doubled angle): lights from opposite sides reinforce each other
 // instead of cancelling, and a light in line with the normal has no say. The sign follows the weighted sum of the
 // lights, which with one light is the sign of the paper.
-#include <lights_pars_begin>
 
 // three declares luminance() for fragment shaders only; these are its Rec. 709 weights.
 float lightLuminance(const in vec3 rgb) {
   return dot(rgb, vec3(0.2126, 0.7152, 0.0722));
 }
+
+#define LIGHTS_WITH_DIRECTION (NUM_DIR_LIGHTS + NUM_SUN_LIGHTS + NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS)
+
+// Below this squared sine of the angle between light and normal, the light gives no direction.
+#define PARALLEL_SQUARED_SINE 1e-8
+
+#if LIGHTS_WITH_DIRECTION == 1
+
+// Algorithm 1 as it stands. n: unit normal, object space. viewPosition: where the direction to a positional light is
+// taken, view space. viewToObject: linear part of the inverse of the model-view matrix.
+vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject) {
+  IncidentLight light;
+  #if NUM_DIR_LIGHTS == 1
+    getDirectionalLightInfo(directionalLights[0], light);
+  #elif NUM_SUN_LIGHTS == 1
+    getSunLightInfo(sunLights[0], light);
+  #elif NUM_POINT_LIGHTS == 1
+    getPointLightInfo(pointLights[0], viewPosition, light);
+  #else
+    getSpotLightInfo(spotLights[0], viewPosition, light);
+  #endif // NUM_DIR_LIGHTS
+  vec3 l = viewToObject * light.direction;
+  vec3 projected = l - n * dot(l, n);
+  float squaredLength = dot(projected, projected);
+  // L ∥ N: the lit pole is white and the unlit one black, so any tangent will do. Negated, so that NaN ends here too.
+  if (!(squaredLength > PARALLEL_SQUARED_SINE * dot(l, l))) return anyTangent(n);
+  return projected * inversesqrt(squaredLength);
+}
+
+#else
 
 struct LightOrientation {
   vec3 n;
@@ -19,8 +48,6 @@ struct LightOrientation {
   float weight; // Σ w
 };
 
-// Below this squared sine of the angle between light and normal, the light gives no direction.
-#define PARALLEL_SQUARED_SINE 1e-8
 // What a light weighs where it does not reach: a cone or a terminator must not leave strokes without a direction.
 #define UNLIT_WEIGHT 1e-4
 
@@ -33,8 +60,7 @@ void addLight(inout LightOrientation o, const in vec3 toLight, const in vec3 arr
   o.weight += w;
 }
 
-// n: unit normal, object space. viewPosition: where the direction to a positional light is taken, view space.
-// viewToObject: linear part of the inverse of the model-view matrix.
+// The same with several lights, or none.
 vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject) {
   LightOrientation o;
   o.n = n;
@@ -69,7 +95,7 @@ vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 v
     addLight(o, normalize(viewToObject * light.direction), light.color, spotLights[i].color);
   }
 #endif // NUM_SPOT_LIGHTS
-#if NUM_HEMI_LIGHTS > 0 && NUM_DIR_LIGHTS == 0 && NUM_SUN_LIGHTS == 0 && NUM_POINT_LIGHTS == 0 && NUM_SPOT_LIGHTS == 0
+#if NUM_HEMI_LIGHTS > 0 && LIGHTS_WITH_DIRECTION == 0
   // A sky alone still has an up; beside a real light it is only fill.
   for (int i = 0; i < NUM_HEMI_LIGHTS; i++) {
     vec3 sky = hemisphereLights[i].skyColor;
@@ -78,7 +104,6 @@ vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 v
 #endif // NUM_HEMI_LIGHTS
 
   float amplitude = length(o.tensor);
-  // L ∥ N: the lit pole is white and the unlit one black, so any tangent will do. Negated, so that NaN ends here too.
   if (!(amplitude > PARALLEL_SQUARED_SINE * o.weight)) return o.e1;
 
   // Half of the doubled angle without trigonometry, from the side on which nothing cancels.
@@ -88,3 +113,5 @@ vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 v
   b = normalize(dot(b, o.sum) < 0.0 ? -b : b);
   return b.x * o.e1 + b.y * o.e2;
 }
+
+#endif // LIGHTS_WITH_DIRECTION

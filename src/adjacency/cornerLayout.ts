@@ -4,8 +4,8 @@
  * triangle are stored relative to the corner, so that `position` stays what three.js expects; the shader turns them
  * back into V0, V1, V2 with the corner id, which makes all three corners compute bit-identical frames.
  *
- * This table is read by the bake, the geometry, the shader assembly and the tests. All attributes but `position` lie
- * interleaved, in this order, in one Float32Array of `CORNER_STRIDE` floats per corner.
+ * This table is read by the bake, the geometry, the shader assembly and the tests. Its attributes lie interleaved, in this
+ * order, in one Float32Array of `CORNER_STRIDE` floats per corner; `position` and `hatchNormal` lie beside it.
  */
 export const cornerLayout = [
   /** xyz: position of the next corner of the triangle; w: the corner id k ∈ {0, 1, 2}. */
@@ -24,6 +24,3 @@ export const cornerLayout = [
 
 /** Floats per corner in the interleaved buffer. */
 export const CORNER_STRIDE = 16;
-
-/** Bytes per triangle of `position` and the interleaved buffer together. */
-export const CORNER_BYTES_PER_TRIANGLE = 3 * (3 + CORNER_STRIDE) * 4;

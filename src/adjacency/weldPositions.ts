@@ -1,3 +1,4 @@
+import { hashWords } from './hashWords.js';
 import { inChunks } from './inChunks.js';
 
 /** What `weldPositions` returns. */
@@ -41,7 +42,7 @@ function weldRange(bits: Uint32Array, table: Uint32Array, canonical: Uint32Array
     const x = fold(bits[3 * vertex]!);
     const y = fold(bits[3 * vertex + 1]!);
     const z = fold(bits[3 * vertex + 2]!);
-    let slot = hash(x, y, z) & mask;
+    let slot = hashWords(x, y, z) & mask;
     for (;;) {
       steps++;
       const other = table[slot]! - 1;
@@ -58,25 +59,4 @@ function weldRange(bits: Uint32Array, table: Uint32Array, canonical: Uint32Array
     }
   }
   return steps;
-}
-
-/**
- * MurmurHash3 (Austin Appleby, public domain) of three words. Coordinates of regular grids differ in few bits, all of
- * them high; the final mix brings these down to where the mask looks.
- */
-function hash(x: number, y: number, z: number): number {
-  let h = mix(mix(mix(0x9747b28c, x), y), z);
-  h ^= h >>> 16;
-  h = Math.imul(h, 0x85ebca6b);
-  h ^= h >>> 13;
-  h = Math.imul(h, 0xc2b2ae35);
-  return h ^ (h >>> 16);
-}
-
-function mix(h: number, word: number): number {
-  let k = Math.imul(word, 0xcc9e2d51);
-  k = (k << 15) | (k >>> 17);
-  h ^= Math.imul(k, 0x1b873593);
-  h = (h << 13) | (h >>> 19);
-  return (Math.imul(h, 5) + 0xe6546b64) | 0;
 }

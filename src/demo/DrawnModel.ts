@@ -12,7 +12,7 @@ export interface DrawnModel {
   degenerateTriangles: number;
 }
 
-/** Bakes a mesh for hatching, in the library's worker. */
+/** Bakes a mesh for hatching, in the library's worker; normals it does not have are made there, edges kept. */
 export async function bakeModel(
   mesh: PlainMesh,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
@@ -21,7 +21,6 @@ export async function bakeModel(
   source.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   if (mesh.indices) source.setIndex(new BufferAttribute(mesh.indices, 1));
   if (mesh.normals) source.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
-  else source.computeVertexNormals();
   if (mesh.colors) source.setAttribute('color', new BufferAttribute(mesh.colors, 3));
   const geometry = await prepareHatchingGeometry(source, options);
   const { triangles, borderEdges, nonManifoldEdges, degenerateTriangles } = geometry.userData.hatching as DrawnModel;

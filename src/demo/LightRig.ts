@@ -1,6 +1,6 @@
 import {
-  AmbientLight,
   DirectionalLight,
+  HemisphereLight,
   type Light,
   MathUtils,
   PointLight,
@@ -13,12 +13,13 @@ import type { Settings } from './settings.js';
 /** Where the handle of a light without a distance is shown, in radii of the model. */
 const SUN_DISTANCE = 1.45;
 
-/** The lights of the scene: one of three kinds at one place, and a fill light from all sides. */
+/** The lights of the scene: one of three kinds at one place, and what the surroundings reflect of it. */
 export class LightRig {
   /** Where the light stands, in world coordinates; the model's centre is the origin. */
   readonly position = new Vector3();
   private readonly lights: Record<Settings['lightKind'], Light>;
-  private readonly fill = new AmbientLight();
+  /** From behind, weaker all the way round to the lit side: shade opens up, and light stays as it is. */
+  private readonly reflected = new HemisphereLight('white', 'black');
 
   constructor(scene: Scene) {
     const point = new PointLight();
@@ -27,7 +28,7 @@ export class LightRig {
     point.decay = 0;
     spot.decay = 0;
     this.lights = { directional: new DirectionalLight(), point, spot };
-    scene.add(this.fill, ...Object.values(this.lights));
+    scene.add(this.reflected, ...Object.values(this.lights));
   }
 
   /** Puts the settings in force. */
@@ -45,7 +46,8 @@ export class LightRig {
     const spot = this.lights.spot as SpotLight;
     spot.angle = MathUtils.degToRad(settings.spotAngle) / 2;
     spot.penumbra = settings.spotSoftness / 100;
-    this.fill.intensity = (Math.PI * settings.fillLight) / 100;
-    this.fill.visible = settings.fillLight > 0;
+    this.reflected.position.copy(this.position).negate();
+    this.reflected.intensity = (Math.PI * settings.reflectedLight) / 100;
+    this.reflected.visible = settings.reflectedLight > 0;
   }
 }

@@ -1,6 +1,9 @@
 import { type Controller, GUI } from 'lil-gui';
 import { SETTING_GROUPS, SETTING_KEYS, SETTINGS, type Setting, type SettingKey, type Settings } from './settings.js';
 
+/** At 300 dots per inch. */
+const MILLIMETRES_PER_PIXEL = 25.4 / 300;
+
 /** A button of the panel. */
 export interface PanelAction {
   label: string;
@@ -11,6 +14,8 @@ export interface PanelAction {
 /** The controls, built from the table of settings: labels, values with units, reset by double-click. */
 export class Panel {
   private readonly controllers = new Map<SettingKey, Controller>();
+  /** How wide strokes come out when the picture is saved in the chosen size and printed. */
+  private readonly printNote = note('');
 
   constructor(
     container: HTMLElement,
@@ -47,6 +52,26 @@ export class Panel {
     for (const controller of this.controllers.values()) controller.updateDisplay();
     const { settings } = this;
     const isLocal = settings.lightKind !== 'directional';
+    const techniques = [settings.technique, settings.compare];
+    const isAnchored = techniques.includes('anchored');
+    const hasWidth = isAnchored || techniques.includes('adjacencyCrisp');
+    this.show('screenConstancy', isAnchored);
+    this.show('anchorSpacing', isAnchored);
+    this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
+    this.show('strokeWidth', hasWidth);
+    this.show('edge', hasWidth);
+    // Sized on the screen alone, strokes do not ask what size they would have on the object.
+    this.controllers
+      .get('strokeScale')!
+      .enable(
+        !(
+          settings.technique === 'anchored' &&
+          ['none', 'anchored'].includes(settings.compare) &&
+          settings.screenConstancy === 100
+        ),
+      );
+    const printedPixels = settings.strokeWidth * Number(settings.pictureSize);
+    this.printNote.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
     this.show('strokeAngle', settings.strokeDirection === 'angle');
     this.show('toneSteps', settings.toneModel === 'toon');
     this.show('shininess', settings.toneModel === 'phong');
@@ -77,6 +102,8 @@ export class Panel {
         unit.className = 'unit';
         unit.textContent = setting.unit;
         controller.$widget.append(unit);
+        if (setting.ends) controller.$widget.append(note(...setting.ends));
+        if (key === 'strokeWidth') controller.$widget.append(this.printNote);
         return this.finish(controller, setting);
       }
     }
@@ -91,4 +118,12 @@ export class Panel {
     });
     return controller;
   }
+}
+
+/** A quiet line below a control; several texts are spread over its width. */
+function note(...texts: string[]): HTMLElement {
+  const element = document.createElement('span');
+  element.className = 'note';
+  for (const text of texts) element.append(Object.assign(document.createElement('span'), { textContent: text }));
+  return element;
 }

@@ -5,13 +5,26 @@ import type { Settings } from './settings.js';
 const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
 const offset = new Vector2();
 
-/** Carries over the settings that both drawings of a comparison share. */
-export function applyToMaterial(material: HatchingMaterial, settings: Settings): void {
+/** How wide the map draws a stroke. */
+export const TEXELS_PER_STROKE = 2;
+
+/** Carries over the settings that both drawings of a comparison share, and the technique, which they need not. */
+export function applyToMaterial(
+  material: HatchingMaterial,
+  settings: Settings,
+  technique: Settings['technique'] = settings.technique,
+): void {
+  material.technique = technique === 'adjacencyCrisp' ? 'adjacency' : technique;
+  material.crisp = technique === 'adjacencyCrisp';
+  material.toneNormal =
+    settings.toneNormal === 'auto' ? (technique === 'anchored' ? 'smooth' : 'face') : settings.toneNormal;
   material.strokeScale = settings.strokeScale;
   material.strokeRotation = rotations[settings.strokeDirection](settings.strokeAngle);
   material.strokeOffset.copy(offset.set(settings.offsetU, settings.offsetV));
+  material.screenConstancy = settings.screenConstancy / 100;
+  material.anchorSpacing = settings.anchorSpacing;
+  material.edgePixels = settings.edge;
   material.toneModel = settings.toneModel;
-  material.toneNormal = settings.toneNormal;
   material.toneSteps = settings.toneSteps;
   material.shininess = settings.shininess;
   material.creaseAngle = MathUtils.degToRad(settings.creaseAngle);

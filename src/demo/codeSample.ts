@@ -1,4 +1,5 @@
-import { SETTINGS, type Settings } from './settings.js';
+import { TEXELS_PER_STROKE } from './applyToMaterial.js';
+import { isCrisp, SETTINGS, type Settings } from './settings.js';
 
 /** The lines that make the look of the page in a project of one's own. */
 export function codeSample(settings: Settings): string {
@@ -7,23 +8,40 @@ export function codeSample(settings: Settings): string {
   if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
   map.push(`seed: ${settings.mapSeed}`);
   const rotation = { along: '0', towards: 'Math.PI / 2', angle: `(${settings.strokeAngle} / 180) * Math.PI` };
-  const material = [
-    'tonalArtMap',
-    `technique: '${settings.technique}'`,
+  const { technique } = settings;
+  const material = ['tonalArtMap', `technique: '${technique === 'adjacencyCrisp' ? 'adjacency' : technique}'`];
+  if (technique === 'adjacencyCrisp') material.push('crisp: true');
+  if (technique === 'anchored') {
+    material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
+  }
+  if (isCrisp(technique)) {
+    material.push(
+      `texelPixels: ${round(settings.strokeWidth / TEXELS_PER_STROKE)} * renderer.getPixelRatio()`,
+      `edgePixels: ${settings.edge}`,
+    );
+  }
+  if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);
+  material.push(
     `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
     `strokeRotation: ${rotation[settings.strokeDirection]}`,
     `toneModel: '${settings.toneModel}'`,
-    `toneNormal: '${settings.toneNormal}'`,
     `ink: '${settings.ink}'`,
     `paper: '${settings.paper}'`,
     `color: '${settings.color}'`,
-  ];
+  );
   const light = {
     directional: `new DirectionalLight('white', ${round((Math.PI * settings.lightStrength) / 100)})`,
     point: `new PointLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, 0)`,
     spot: `new SpotLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
   }[settings.lightKind];
-  return `import { ${/new (\w+)/.exec(light)![1]}, Mesh } from 'three';
+  const isReflected = settings.reflectedLight > 0;
+  const reflected = `
+// What the surroundings reflect: from behind, nothing on the lit side.
+const reflected = new HemisphereLight('white', 'black', ${round((Math.PI * settings.reflectedLight) / 100)});
+reflected.position.copy(light.position).negate();
+scene.add(reflected);
+`;
+  return `import { ${/new (\w+)/.exec(light)![1]}, ${isReflected ? 'HemisphereLight, ' : ''}Mesh } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 
 const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });
@@ -35,7 +53,7 @@ scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));
 const light = ${light};
 light.position.setFromSphericalCoords(${settings.lightKind === 'directional' ? 1 : round(settings.lightDistance)}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((settings.lightAzimuth * Math.PI) / 180)});
 scene.add(light);
-`;
+${isReflected ? reflected : ''}`;
 }
 
 function round(value: number): number {

@@ -10,8 +10,11 @@ import { modelCaption } from './modelCaption.js';
 import { BUILT_IN_MODELS } from './models.js';
 import { Panel } from './Panel.js';
 import { triangleCount } from './PlainMesh.js';
+import { PresetBar } from './PresetBar.js';
 import { page, setPageState } from './page.js';
+import { presetLook } from './presets.js';
 import type { ModelFile } from './readModel.js';
+import { SettingsHistory } from './SettingsHistory.js';
 import type { Status } from './Status.js';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { readLink, writeLink } from './shareLink.js';
@@ -33,6 +36,7 @@ const LINK_DELAY_MILLISECONDS = 400;
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const { settings, camera } = readLink(location.hash);
   const scene = createScene(page.canvas, context, page.plate);
+  const history = new SettingsHistory(settings);
   const maps = new TonalArtMapCache();
   const tasks = new TaskBoard(status, () => scene.invalidate());
   const drawn = { model: settings.model as Settings['model'], name: '', mapKeys: '' };
@@ -43,7 +47,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     lightPosition: scene.lightPosition,
     onMove: (place) => {
       Object.assign(settings, place);
-      settingsChanged();
+      personChanged('lamp');
     },
     onDrag: (dragging) => {
       scene.controls.enabled = !dragging;
@@ -51,6 +55,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     },
   });
   const divider = new CompareDivider(page.divider, page.plate, () => scene.invalidate());
+  const presets = new PresetBar(page.presets, settings, (name) => {
+    Object.assign(settings, presetLook(name));
+    personChanged();
+    void showMap();
+  });
   const panel = new Panel(
     page.panel,
     settings,
@@ -63,7 +72,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     (key) => {
       if (key === 'model') changeModel();
       if (MAP_SETTINGS.includes(key)) void showMap();
-      settingsChanged();
+      personChanged(key);
     },
   );
 
@@ -79,6 +88,26 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
 
+  /** @param thing what was changed; see {@link SettingsHistory.changed} */
+  function personChanged(thing?: string): void {
+    history.changed(thing);
+    settingsChanged();
+  }
+
+  function undo(): void {
+    const before = history.undo();
+    if (before) replaceSettings(before);
+    settingsChanged();
+  }
+
+  /** Puts other settings in force, with the model and the map they ask for. */
+  function replaceSettings(next: Settings): void {
+    const { model } = settings;
+    Object.assign(settings, next);
+    if (settings.model !== model) changeModel();
+    void showMap();
+  }
+
   function settingsChanged(): void {
     scene.apply(settings);
     const { compare, technique } = settings;
@@ -92,13 +121,15 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     page.sheet.style.setProperty('--paper', settings.paper);
     page.sheet.style.setProperty('--ink', settings.ink);
     panel.refresh();
+    presets.refresh();
+    page.undo.disabled = history.isEmpty;
     rememberInAddress();
   }
 
   /** Keeps the page's address such that a reload, or a bookmark, brings the same drawing back. */
   function rememberInAddress(): void {
     clearTimeout(linkTimer);
-    linkTimer = setTimeout(() => history.replaceState(null, '', `#${currentLink()}`), LINK_DELAY_MILLISECONDS);
+    linkTimer = setTimeout(() => window.history.replaceState(null, '', `#${currentLink()}`), LINK_DELAY_MILLISECONDS);
   }
 
   function currentLink(): string {
@@ -138,6 +169,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       Object.assign(drawn, { model, name: loaded.title });
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
+      history.adopt();
       page.facts.replaceChildren(...modelCaption(loaded.title, baked, loaded.read.broken));
       document.title = `${loaded.title}, hatched`;
       settingsChanged();
@@ -147,6 +179,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     if (end === 'failed') {
       // The old drawing stays, and the panel says so.
       settings.model = drawn.model;
+      history.adopt();
       settingsChanged();
     }
   }
@@ -209,7 +242,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   async function copyLink(): Promise<void> {
     const link = new URL(`#${currentLink()}`, location.href).href;
-    history.replaceState(null, '', link);
+    window.history.replaceState(null, '', link);
     const where = (await copyText(link))
       ? 'The link is on the clipboard.'
       : "The link is in the browser's address line.";
@@ -222,6 +255,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   page.savePng.addEventListener('click', savePng);
+  page.undo.addEventListener('click', undo);
 
   // ── The card ──
 
@@ -233,6 +267,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   page.toggleCard.addEventListener('click', () => openCard(!page.card.classList.contains('is-open')));
   addEventListener('keydown', (event) => {
     if (event.key === 'Escape') openCard(false);
+    const isTyping = event.target instanceof HTMLInputElement && event.target.type !== 'range';
+    if ((event.ctrlKey || event.metaKey) && !event.shiftKey && event.key === 'z' && !isTyping) {
+      event.preventDefault();
+      undo();
+    }
   });
 
   // ── The graphics context ──
@@ -249,13 +288,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   addEventListener('hashchange', () => {
     const link = readLink(location.hash);
-    const { model } = settings;
-    Object.assign(settings, link.settings);
+    replaceSettings(link.settings);
     if (link.camera) scene.setView(link.camera);
     else scene.frameModel();
-    if (settings.model !== model) changeModel();
-    void showMap();
-    settingsChanged();
+    personChanged();
   });
 
   if (camera) scene.setView(camera);

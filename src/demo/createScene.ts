@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { HatchingMaterial, type TonalArtMap } from 'three-hatching';
-import { applyToMaterial } from './applyToMaterial.js';
+import { applyToMaterial, TEXELS_PER_STROKE } from './applyToMaterial.js';
 import type { DrawnModel } from './DrawnModel.js';
 import { FrameClock } from './FrameClock.js';
 import { FrameTimer } from './FrameTimer.js';
@@ -33,6 +33,14 @@ const MAX_PIXELS = 8_000_000;
 /** The picture: renderer, camera, lights, and one model drawn with one material or, compared, with two. */
 export type HatchingScene = ReturnType<typeof createScene>;
 
+/** A strip of a view, in the renderer's pixels. */
+interface Piece {
+  viewWidth: number;
+  x: number;
+  width: number;
+  height: number;
+}
+
 /**
  * Sets up the drawing on a canvas. Nothing is drawn until `invalidate` is called, and then once.
  */
@@ -43,7 +51,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   const controls = new OrbitControls(camera, canvas);
   const lights = new LightRig(scene);
   const material = new HatchingMaterial();
-  const compared = new HatchingMaterial({ technique: 'triangle' });
+  const compared = new HatchingMaterial();
+  let strokeWidth = 2;
   const mesh = new Mesh(new BufferGeometry(), material);
   mesh.visible = false;
   scene.add(mesh);
@@ -66,16 +75,19 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (context.isContextLost() || width === 0 || height === 0) return;
     moving.beforeFrame();
     if (renderer.getPixelRatio() !== pixelRatio()) renderer.setPixelRatio(pixelRatio());
-    timer.measure(() => drawPiece(width, 0, width, height));
+    timer.measure(() => drawPiece({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio()));
     for (const listener of frameListeners) listener();
   }
 
   /**
    * Draws an upright strip of the view into the canvas as it is sized now: the strip begins `x` pixels from the left of a
    * view that is `viewWidth` wide. The strip of an ordinary frame is the whole view.
+   *
+   * @param pixelRatio pixels drawn per pixel of the page: strokes are as many times as wide, their edges as sharp
    */
-  function drawPiece(viewWidth: number, x: number, width: number, height: number): void {
+  function drawPiece({ viewWidth, x, width, height }: Piece, pixelRatio: number): void {
     const share = divider?.();
+    for (const each of [material, compared]) each.texelPixels = (strokeWidth / TEXELS_PER_STROKE) * pixelRatio;
     mesh.material = material;
     if (share === undefined) {
       renderer.render(scene, camera);
@@ -224,9 +236,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
         measureBounds();
       }
       renderer.setClearColor(settings.paper, 1);
-      for (const each of [material, compared]) applyToMaterial(each, settings);
-      material.technique = settings.technique;
-      if (settings.compare !== 'none') compared.technique = settings.compare;
+      strokeWidth = settings.strokeWidth;
+      applyToMaterial(material, settings);
+      applyToMaterial(compared, settings, settings.compare === 'none' ? settings.technique : settings.compare);
       clock.invalidate();
     },
 

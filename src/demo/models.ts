@@ -51,7 +51,7 @@ export const BUILT_IN_MODELS: Record<BuiltInModel, BuiltIn> = {
     const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
     return new TeapotGeometry(1, 12);
   }),
-  cube: { ...shape('Cube', async () => new BoxGeometry(1, 1, 1)), view: [0.6, 0.55, 1] },
+  cube: { ...shape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
   sphere: shape('Sphere', async () => new IcosahedronGeometry(1, 12)),
 };
 
@@ -70,8 +70,11 @@ function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
   };
 }
 
-/** A shape made by three: joined at its seams, which are doubled for texture coordinates nobody uses here. */
-function shape(title: string, make: () => Promise<BufferGeometry>): BuiltIn {
+/**
+ * A shape made by three: joined at its seams, which are doubled for texture coordinates nobody uses here. With
+ * `keepNormals` it stays apart at its edges, where the normals differ.
+ */
+function shape(title: string, make: () => Promise<BufferGeometry>, { keepNormals = false } = {}): BuiltIn {
   return {
     title,
     async load() {
@@ -79,11 +82,12 @@ function shape(title: string, make: () => Promise<BufferGeometry>): BuiltIn {
         import('three/addons/utils/BufferGeometryUtils.js'),
         make(),
       ]);
-      geometry.deleteAttribute('uv').deleteAttribute('normal');
+      geometry.deleteAttribute('uv');
+      if (!keepNormals) geometry.deleteAttribute('normal');
       const joined = mergeVertices(geometry, 1e-4);
       return made(title, {
         positions: Float32Array.from(joined.getAttribute('position').array),
-        normals: null,
+        normals: keepNormals ? Float32Array.from(joined.getAttribute('normal').array) : null,
         colors: null,
         indices: Uint32Array.from(joined.index!.array),
       });

@@ -8,10 +8,12 @@ export const page = {
   facts: find('facts'),
   frameTime: find('frame-time'),
   card: find('card'),
+  presets: find('presets'),
   panel: find('panel'),
   toggleCard: find('toggle-card'),
   openFiles: find('open-files'),
   savePng: find('save-png'),
+  undo: find('undo') as HTMLButtonElement,
   drop: find('drop'),
   fileInput: find('file-input') as HTMLInputElement,
   status: {

@@ -12,6 +12,8 @@ export interface NumberSetting extends SettingBase<number> {
   min: number;
   max: number;
   step: number;
+  /** What the least and the greatest value mean, in a word or two each, where the number alone does not say it. */
+  ends?: readonly [least: string, greatest: string];
 }
 
 export interface ChoiceSetting extends SettingBase<string> {
@@ -30,7 +32,12 @@ export type Setting = NumberSetting | ChoiceSetting | ColorSetting;
 export const SETTING_GROUPS = ['Drawing', 'Strokes', 'Tone', 'Colours', 'Light', 'View', 'Picture'] as const;
 export type SettingGroup = (typeof SETTING_GROUPS)[number];
 
-const TECHNIQUES = { adjacency: 'Blended (adjacency)', triangle: 'Per triangle' } as const;
+const TECHNIQUES = {
+  anchored: 'Anchored',
+  adjacency: 'Adjacency',
+  adjacencyCrisp: 'Adjacency, crisp',
+  triangle: 'Per triangle',
+} as const;
 
 export const SETTINGS = {
   model: {
@@ -51,7 +58,7 @@ export const SETTINGS = {
       file: 'Your own',
     },
   },
-  technique: { kind: 'choice', label: 'Technique', group: 'Drawing', default: 'adjacency', choices: TECHNIQUES },
+  technique: { kind: 'choice', label: 'Technique', group: 'Drawing', default: 'anchored', choices: TECHNIQUES },
   compare: {
     kind: 'choice',
     label: 'Compare with',
@@ -66,11 +73,32 @@ export const SETTINGS = {
     default: 'hatching',
     choices: { hatching: 'Hatching', crossHatching: 'Cross-hatching', stippling: 'Stippling' },
   },
+  screenConstancy: {
+    kind: 'number',
+    label: 'Stroke size',
+    group: 'Drawing',
+    default: 0,
+    unit: '%',
+    min: 0,
+    max: 100,
+    step: 1,
+    ends: ['on the object', 'on the screen'],
+  },
+  strokeWidth: {
+    kind: 'number',
+    label: 'Stroke width',
+    group: 'Drawing',
+    default: 1.6,
+    unit: 'px',
+    min: 0.5,
+    max: 8,
+    step: 0.1,
+  },
   strokeScale: {
     kind: 'number',
     label: 'Stroke scale',
     group: 'Drawing',
-    default: 2,
+    default: 2.5,
     unit: 'tiles',
     min: 0.5,
     max: 8,
@@ -94,7 +122,7 @@ export const SETTINGS = {
     kind: 'number',
     label: 'Strength',
     group: 'Drawing',
-    default: 100,
+    default: 115,
     unit: '%',
     min: 10,
     max: 200,
@@ -111,6 +139,17 @@ export const SETTINGS = {
     max: 180,
     step: 1,
   },
+  anchorSpacing: {
+    kind: 'number',
+    label: 'Anchors',
+    group: 'Strokes',
+    default: 0.4,
+    unit: 'tiles',
+    min: 0.1,
+    max: 1,
+    step: 0.01,
+  },
+  edge: { kind: 'number', label: 'Soft edge', group: 'Strokes', default: 1, unit: 'px', min: 0, max: 4, step: 0.1 },
   offsetU: {
     kind: 'number',
     label: 'Shift along',
@@ -152,8 +191,8 @@ export const SETTINGS = {
     kind: 'choice',
     label: 'Normals',
     group: 'Tone',
-    default: 'face',
-    choices: { face: 'Of the triangles', smooth: 'Smoothed' },
+    default: 'auto',
+    choices: { auto: 'As the technique does', face: 'Of the triangles', smooth: 'Smoothed' },
   },
   toneSteps: { kind: 'number', label: 'Toon steps', group: 'Tone', default: 4, unit: '', min: 2, max: 8, step: 1 },
   shininess: { kind: 'number', label: 'Shininess', group: 'Tone', default: 30, unit: '', min: 1, max: 200, step: 1 },
@@ -213,7 +252,16 @@ export const SETTINGS = {
     max: 100,
     step: 1,
   },
-  fillLight: { kind: 'number', label: 'Fill light', group: 'Light', default: 0, unit: '%', min: 0, max: 60, step: 1 },
+  reflectedLight: {
+    kind: 'number',
+    label: 'Reflected',
+    group: 'Light',
+    default: 50,
+    unit: '%',
+    min: 0,
+    max: 60,
+    step: 1,
+  },
 
   upAxis: {
     kind: 'choice',
@@ -278,4 +326,9 @@ export function acceptSetting(key: SettingKey, value: string | number): string |
     case 'color':
       return /^#[0-9a-f]{6}$/i.test(String(value)) ? String(value).toLowerCase() : undefined;
   }
+}
+
+/** Whether a technique draws strokes of a width, black or white, instead of blending their grey. */
+export function isCrisp(technique: Settings['technique']): boolean {
+  return technique === 'anchored' || technique === 'adjacencyCrisp';
 }

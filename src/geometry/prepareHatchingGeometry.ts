@@ -2,35 +2,50 @@ import type { BufferGeometry } from 'three';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { checkGeometry } from './checkGeometry.js';
-import { applyCorners, startCornerGeometry } from './cornerGeometry.js';
+import { applyCorners } from './cornerGeometry.js';
 import { cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
+import { applyIndexed } from './indexedGeometry.js';
+import { startGeometry } from './preparedGeometry.js';
 import { extractWords, keptAttributes } from './vertexAttributes.js';
 
 /** Options of `prepareHatchingGeometry`. */
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
   /**
-   * How adjacency is stored per vertex. `'corner'`: every corner carries the positions of all six adjacency vertices,
-   * 228 bytes per triangle. `'auto'` (the default) chooses; today it always chooses `'corner'`.
+   * What is stored per vertex. `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per
+   * triangle; every technique can draw it. `'indexed'`: the geometry as it is, with eight more bytes per vertex, for
+   * techniques that need no adjacency when they draw. `'auto'` (the default) chooses; today it always chooses `'corner'`.
    */
-  layout?: 'auto' | 'corner' | undefined;
+  layout?: 'auto' | 'corner' | 'indexed' | undefined;
   /**
    * Triangles whose normals differ by more than this angle, in radians from 0 to π, do not blend across their common
    * edge. The default is π/2, the paper's rule (section 3.3). It also bounds the smoothing of normals, which are
    * computed for a geometry that has none.
    */
   creaseAngle?: number | undefined;
+  /**
+   * The scale of `hatchNormal`, the normal that strokes are laid by, in object units: form finer than this, such as the
+   * noise of a scan, does not bend strokes. Edges of the form stay sharp at any scale. The default is 0.03 times the radius
+   * of the bounding sphere; 0 leaves the normals unsmoothed.
+   */
+  smoothingRadius?: number | undefined;
 }
 
 const PAPER_CREASE_ANGLE = Math.PI / 2;
 
 /**
- * Makes the geometry that `HatchingMaterial` draws: finds the three neighbours of every triangle and stores, for each
- * corner, the positions of the six adjacency vertices (paper, section 3.2, figure 5; `cornerLayout`). Runs in a worker.
+ * Makes the geometry that `HatchingMaterial` draws. Runs in a worker. Either layout has the attribute `hatchNormal`, the
+ * normal at the scale of a stroke (four normalised 16-bit integers, the last is 0).
  *
- * The result is a new, non-indexed geometry of the triangles in the draw range. Every other attribute of the source is
- * kept in its type, also morph targets, groups, name and user data; smooth normals are added where there are none.
- * Positions become 32-bit floats. `userData.hatching` holds a `HatchingStatistics`. `geometry` itself is never touched.
+ * - Layout `'corner'`: finds the three neighbours of every triangle and stores, for each corner, the positions of the six
+ *   adjacency vertices (paper, section 3.2, figure 5; `cornerLayout`). Non-indexed; positions become 32-bit floats. With
+ *   normal, uv, colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
+ * - Layout `'indexed'`: all vertices, with copies only of those at an edge of the form, which need a normal on either side;
+ *   an index also where there was none, 16-bit where that is enough.
+ *
+ * The result is a new geometry of the triangles in the draw range. Every other attribute of the source is kept in its
+ * type, also morph targets, groups, name and user data; smooth normals are added where there are none.
+ * `userData.hatching` holds a `HatchingStatistics`. `geometry` itself is never touched.
  *
  * Vertices at exactly the same position count as one, so seams of uv or normal do not separate triangles. Border,
  * non-manifold and degenerate cases are baked so that they contribute nothing, and are counted.
@@ -46,39 +61,53 @@ export async function prepareHatchingGeometry(
 ): Promise<BufferGeometry> {
   options.signal?.throwIfAborted();
   const creaseAngle = options.creaseAngle ?? PAPER_CREASE_ANGLE;
-  checkOptions(options.layout ?? 'auto', creaseAngle);
+  checkOptions(options, creaseAngle);
   const label = checkGeometry(geometry);
   const range = cornerRange(geometry, label);
   const kept = keptAttributes(geometry);
-  const prepared = startCornerGeometry(geometry, range);
+  const position = geometry.attributes.position!;
+  const prepared = startGeometry(geometry, range);
+  const request = {
+    label,
+    mesh: extractMesh(geometry, range),
+    creaseAngle,
+    smoothingRadius: options.smoothingRadius,
+    wantsNormals: !geometry.hasAttribute('normal'),
+  };
 
-  const result = await runTask(
-    'bake',
-    {
-      label,
-      mesh: extractMesh(geometry, range),
-      creaseAngle,
-      wantsNormals: !geometry.hasAttribute('normal'),
-      attributes: kept.map(({ attribute }) => extractWords(attribute)),
-    },
-    options,
-  );
-  applyCorners(prepared, kept, result);
+  if (options.layout === 'indexed') {
+    const attributes = [{ name: 'position', isMorphTarget: false, attribute: position }, ...kept].map((entry) => ({
+      ...entry,
+      ...extractWords(entry.attribute, position.count),
+    }));
+    applyIndexed(prepared, attributes, await runTask('bakeIndexed', request, options));
+  } else {
+    const attributes = kept.map(({ attribute }) => extractWords(attribute, position.count));
+    applyCorners(prepared, kept, await runTask('bake', { ...request, attributes }, options));
+  }
   return prepared;
 }
 
-function checkOptions(layout: string, creaseAngle: number): void {
-  if (layout === 'pull' || layout === 'indexed') {
+function checkOptions(
+  { layout = 'auto', smoothingRadius = 0 }: PrepareHatchingGeometryOptions,
+  creaseAngle: number,
+): void {
+  if ((layout as string) === 'pull') {
     throw new RangeError(
-      `prepareHatchingGeometry: the layout '${layout}' is not in this version of three-hatching. Use 'corner', or leave the option out.`,
+      `prepareHatchingGeometry: the layout 'pull' is not in this version of three-hatching. Use 'corner' or 'indexed', or leave the option out.`,
     );
   }
-  if (layout !== 'auto' && layout !== 'corner') {
-    throw new RangeError(`prepareHatchingGeometry: unknown layout '${layout}'. Use 'auto' or 'corner'.`);
+  if (!['auto', 'corner', 'indexed'].includes(layout)) {
+    throw new RangeError(`prepareHatchingGeometry: unknown layout '${layout}'. Use 'auto', 'corner' or 'indexed'.`);
   }
   if (!(creaseAngle >= 0 && creaseAngle <= Math.PI)) {
     throw new RangeError(
       `prepareHatchingGeometry: creaseAngle is ${creaseAngle}. Pass an angle in radians from 0 to π; 60 degrees is Math.PI / 3.`,
+    );
+  }
+  if (!(smoothingRadius >= 0 && smoothingRadius < Infinity)) {
+    throw new RangeError(
+      `prepareHatchingGeometry: smoothingRadius is ${smoothingRadius}. Pass a length in object units, 0 or more, or leave the option out.`,
     );
   }
 }

@@ -1,11 +1,12 @@
 import { BufferAttribute, type BufferGeometry, Float16BufferAttribute, type InterleavedBufferAttribute } from 'three';
 import { cornerLayout } from '../adjacency/cornerLayout.js';
 import type { VertexWords, Words } from '../adjacency/expandPerCorner.js';
+import { hatchNormal } from '../adjacency/hatchNormal.js';
 
 /** An attribute as three.js has them in a geometry. */
 export type VertexAttribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** An attribute that the prepared geometry keeps, one entry per corner. */
+/** An attribute that the prepared geometry keeps. */
 export interface KeptAttribute {
   name: string;
   /** Whether it is a target of `morphAttributes[name]` instead of `attributes[name]`. */
@@ -13,7 +14,7 @@ export interface KeptAttribute {
   attribute: VertexAttribute;
 }
 
-const layoutNames = new Set<string>(cornerLayout.map(({ name }) => name));
+const bakedNames = new Set<string>([...cornerLayout, hatchNormal].map(({ name }) => name));
 
 /** Whether the attribute has one entry per instance, not per vertex. */
 export const isInstanced = (attribute: VertexAttribute): boolean =>
@@ -24,7 +25,7 @@ export const isInstanced = (attribute: VertexAttribute): boolean =>
 export function keptAttributes(geometry: BufferGeometry): KeptAttribute[] {
   const kept: KeptAttribute[] = [];
   for (const [name, attribute] of Object.entries(geometry.attributes)) {
-    if (name === 'position' || layoutNames.has(name) || isInstanced(attribute)) continue;
+    if (name === 'position' || bakedNames.has(name) || isInstanced(attribute)) continue;
     kept.push({ name, isMorphTarget: false, attribute });
   }
   for (const [name, targets] of Object.entries(geometry.morphAttributes)) {
@@ -33,9 +34,9 @@ export function keptAttributes(geometry: BufferGeometry): KeptAttribute[] {
   return kept;
 }
 
-/** Copies an attribute, de-interleaved but otherwise bit by bit, as words of its component size. */
-export function extractWords(attribute: VertexAttribute): VertexWords {
-  const { count, itemSize } = attribute;
+/** Copies the first `count` entries of an attribute, de-interleaved but otherwise bit by bit, as words of its component size. */
+export function extractWords(attribute: VertexAttribute, count: number): VertexWords {
+  const { itemSize } = attribute;
   const source = wordsOf(attribute.array);
   const perElement = source.length / attribute.array.length;
   const wordsPerVertex = itemSize * perElement;
@@ -58,7 +59,7 @@ function wordsOf(array: ArrayBufferView & { BYTES_PER_ELEMENT: number }): Words 
   return new Uint32Array(buffer, array.byteOffset, array.byteLength / 4);
 }
 
-/** Makes an attribute from expanded words: of the type, normalisation and use of `source`. */
+/** Makes an attribute from words: of the type, normalisation and use of `source`. */
 export function attributeFromWords(source: VertexAttribute, words: Words): BufferAttribute {
   const { itemSize, normalized } = source;
   const ArrayType = source.array.constructor as new (buffer: ArrayBuffer) => Float32Array;
@@ -71,4 +72,18 @@ export function attributeFromWords(source: VertexAttribute, words: Words): Buffe
   attribute.name = source.name;
   if ('gpuType' in source) attribute.gpuType = source.gpuType;
   return attribute;
+}
+
+/** Puts the attribute where it was in the source: among the attributes or at the end of its morph targets. */
+export function setKeptAttribute(
+  geometry: BufferGeometry,
+  { name, isMorphTarget, attribute }: KeptAttribute,
+  words: Words,
+): void {
+  const copy = attributeFromWords(attribute, words);
+  if (!isMorphTarget) geometry.setAttribute(name, copy);
+  else {
+    const morphs = geometry.morphAttributes as Record<string, BufferAttribute[]>;
+    morphs[name] = [...(morphs[name] ?? []), copy];
+  }
 }

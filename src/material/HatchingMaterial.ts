@@ -14,6 +14,7 @@ import {
   UniformsLib,
   UniformsUtils,
   Vector2,
+  Vector4,
   type WebGLRenderer,
 } from 'three';
 import { cornerLayout } from '../adjacency/cornerLayout.js';
@@ -52,8 +53,30 @@ export interface HatchingMaterialOptions {
   toneSteps: number;
   /** Exponent of the highlight of the `phong` tone model. Default 30. */
   shininess: number;
-  /** Default `face`, as in the paper. Changing it builds another program. */
+  /**
+   * Default `face` as in the paper, but `smooth` for `anchored`, which knows no faces. Changing it builds another
+   * program.
+   */
   toneNormal: ToneNormal;
+  /**
+   * `triangle` and `adjacency` only: blends the fields that ink is decided from instead of the grey of the strokes, so
+   * that they stay black and white. Default false, the paper's way. Changing it builds another program.
+   */
+  crisp: boolean;
+  /** `anchored`: tiles between the points strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes. Default 0.45. */
+  anchorSpacing: number;
+  /**
+   * `anchored`, in [0, 1]: 0 (default) sizes strokes on the object by `strokeScale`, 1 on the screen by `texelPixels`,
+   * without popping between; in between, strokes grow less than the object does as it comes nearer.
+   */
+  screenConstancy: number;
+  /**
+   * `anchored`: pixels of the drawing buffer per texel of the map, where strokes are sized on the screen; also where
+   * coarser levels of the map take over. Default 1: a stroke drawn two texels wide is about two pixels wide.
+   */
+  texelPixels: number;
+  /** Width in pixels over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Default 1. */
+  edgePixels: number;
   /**
    * Radians in (0, π]. The blend with a neighbour fades out as the angle between the two normals reaches this. Default
    * π/2, the paper's rule. Only `adjacency` blends.
@@ -81,6 +104,7 @@ export type HatchingMaterialParameters = MaterialParameters &
     lights?: boolean;
   };
 
+const viewport = new Vector4();
 const geometriesWarnedOf = new WeakSet<BufferGeometry>();
 
 /**
@@ -102,12 +126,18 @@ export class HatchingMaterial extends ShaderMaterial {
   readonly strokeOffset = new Vector2();
   toneSteps = 4;
   shininess = 30;
+  anchorSpacing = 0.45;
+  screenConstancy = 0;
+  texelPixels = 1;
+  edgePixels = 1;
   creaseAngle = Math.PI / 2;
   readonly ink = new Color(0x000000);
   readonly paper = new Color(0xffffff);
   readonly color = new Color(0xffffff);
   map: Texture | null = null;
   alphaMap: Texture | null = null;
+
+  #toneNormalChosen = false;
 
   /** @throws Error if `technique`, `toneModel`, `toneNormal` or `debugView` is none of the known names. */
   constructor(parameters?: HatchingMaterialParameters) {
@@ -119,18 +149,29 @@ export class HatchingMaterial extends ShaderMaterial {
           alphaMap: { value: null },
           alphaMapTransform: { value: new Matrix3() },
           alphaTest: { value: 0 },
+          anchorSpacing: { value: 0 },
           creaseCosine: { value: 0 },
           diffuse: { value: null },
+          edgePixels: { value: 0 },
           ink: { value: null },
           map: { value: null },
           mapTransform: { value: new Matrix3() },
           opacity: { value: 1 },
           paper: { value: null },
+          screenConstancy: { value: 0 },
           shininess: { value: 0 },
+          strokeDirection: { value: new Vector2() },
+          strokeScale: { value: 1 },
           strokeTransform: { value: new Matrix3() },
+          texelPixels: { value: 1 },
+          thresholdMap: { value: null },
+          thresholdMapLevels: { value: 1 },
+          thresholdMoments: { value: new Vector2(1, 0) },
+          thresholdMapSize: { value: 1 },
           tonalArtMap: { value: null },
           tonalArtMapTones: { value: 2 },
           toneSteps: { value: 0 },
+          viewportHeight: { value: 1 },
         },
       ]),
       defines: {
@@ -157,6 +198,18 @@ export class HatchingMaterial extends ShaderMaterial {
 
   set technique(value: HatchingTechnique) {
     this.#define('TECHNIQUE', 'technique', TECHNIQUES, value);
+    if (!this.#toneNormalChosen) this.#define('TONE_NORMAL', 'toneNormal', TONE_NORMALS, defaultToneNormal(value));
+  }
+
+  get crisp(): boolean {
+    return this.defines.CRISP !== undefined;
+  }
+
+  set crisp(value: boolean) {
+    if (value === this.crisp) return;
+    if (value) this.defines.CRISP = '';
+    else delete this.defines.CRISP;
+    this.needsUpdate = true;
   }
 
   get toneModel(): ToneModel {
@@ -173,6 +226,7 @@ export class HatchingMaterial extends ShaderMaterial {
 
   set toneNormal(value: ToneNormal) {
     this.#define('TONE_NORMAL', 'toneNormal', TONE_NORMALS, value);
+    this.#toneNormalChosen = true;
   }
 
   get debugView(): DebugView {
@@ -184,19 +238,25 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   override onBeforeRender(
-    _renderer: WebGLRenderer,
+    renderer: WebGLRenderer,
     _scene: Scene,
     _camera: Camera,
     geometry: BufferGeometry,
     _object: Object3D,
     _group: Group,
   ): void {
-    if (geometry.attributes[cornerLayout[0].name] === undefined && !geometriesWarnedOf.has(geometry)) {
+    const needsAdjacency = this.technique !== 'anchored';
+    if (
+      needsAdjacency &&
+      geometry.attributes[cornerLayout[0].name] === undefined &&
+      !geometriesWarnedOf.has(geometry)
+    ) {
       geometriesWarnedOf.add(geometry);
       console.error(
         `HatchingMaterial: geometry "${geometry.name || geometry.uuid}" has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.`,
       );
     }
+    this.uniforms.viewportHeight!.value = renderer.getCurrentViewport(viewport).w;
     this.#writeUniforms();
   }
 
@@ -214,6 +274,11 @@ export class HatchingMaterial extends ShaderMaterial {
     this.strokeScale = source.strokeScale;
     this.strokeRotation = source.strokeRotation;
     this.strokeOffset.copy(source.strokeOffset);
+    this.#toneNormalChosen = source.#toneNormalChosen;
+    this.anchorSpacing = source.anchorSpacing;
+    this.screenConstancy = source.screenConstancy;
+    this.texelPixels = source.texelPixels;
+    this.edgePixels = source.edgePixels;
     this.toneSteps = source.toneSteps;
     this.shininess = source.shininess;
     this.creaseAngle = source.creaseAngle;
@@ -245,6 +310,20 @@ export class HatchingMaterial extends ShaderMaterial {
     const sin = Math.sin(this.strokeRotation) * this.strokeScale;
     u.strokeTransform!.value.set(cos, -sin, this.strokeOffset.x, sin, cos, this.strokeOffset.y, 0, 0, 1);
 
+    u.strokeDirection!.value.set(Math.cos(this.strokeRotation), Math.sin(this.strokeRotation));
+    u.strokeScale!.value = this.strokeScale;
+    u.anchorSpacing!.value = this.anchorSpacing;
+    u.screenConstancy!.value = this.screenConstancy;
+    u.texelPixels!.value = this.texelPixels;
+    u.edgePixels!.value = this.edgePixels;
+    if (this.tonalArtMap !== null && (this.crisp || this.technique === 'anchored')) {
+      u.thresholdMap!.value = this.tonalArtMap.thresholdTexture;
+      u.thresholdMapLevels!.value = this.tonalArtMap.levels;
+      const { variance, covariance } = this.tonalArtMap.thresholdMoments;
+      u.thresholdMoments!.value.set(variance, covariance);
+      u.thresholdMapSize!.value = this.tonalArtMap.size;
+    }
+
     writeTexture(this.map, u.map!, u.mapTransform!);
     writeTexture(this.alphaMap, u.alphaMap!, u.alphaMapTransform!);
   }
@@ -259,6 +338,8 @@ export class HatchingMaterial extends ShaderMaterial {
     this.needsUpdate = true;
   }
 }
+
+const defaultToneNormal = (technique: HatchingTechnique): ToneNormal => (technique === 'anchored' ? 'smooth' : 'face');
 
 function writeTexture(texture: Texture | null, uniform: { value: unknown }, transform: { value: Matrix3 }): void {
   uniform.value = texture;

@@ -1,4 +1,6 @@
 import adjacencyPrimitive from '../../shaders/chunks/adjacencyPrimitive.glsl?raw';
+import anchorAttributes from '../../shaders/chunks/anchorAttributes.glsl?raw';
+import anchoredHatch from '../../shaders/chunks/anchoredHatch.glsl?raw';
 import debugViews from '../../shaders/chunks/debugViews.glsl?raw';
 import emitHatchingParameters from '../../shaders/chunks/emitHatchingParameters.glsl?raw';
 import hatch from '../../shaders/chunks/hatch.glsl?raw';
@@ -7,6 +9,8 @@ import hatchingParameters from '../../shaders/chunks/hatchingParameters.glsl?raw
 import hatchingVaryings from '../../shaders/chunks/hatchingVaryings.glsl?raw';
 import lightOrientation from '../../shaders/chunks/lightOrientation.glsl?raw';
 import radiance from '../../shaders/chunks/radiance.glsl?raw';
+import simplexLattice from '../../shaders/chunks/simplexLattice.glsl?raw';
+import thresholdMap from '../../shaders/chunks/thresholdMap.glsl?raw';
 import tonalArtMap from '../../shaders/chunks/tonalArtMap.glsl?raw';
 import tone from '../../shaders/chunks/tone.glsl?raw';
 import triangleGeometry from '../../shaders/chunks/triangleGeometry.glsl?raw';
@@ -17,6 +21,8 @@ import { conventionsChunk, cornerAttributesChunk } from './shaderConventions.js'
 
 const chunks = {
   adjacencyPrimitive,
+  anchorAttributes,
+  anchoredHatch,
   conventions: conventionsChunk,
   cornerAttributes: cornerAttributesChunk,
   debugViews,
@@ -27,6 +33,8 @@ const chunks = {
   hatchingVaryings,
   lightOrientation,
   radiance,
+  simplexLattice,
+  thresholdMap,
   tonalArtMap,
   tone,
   triangleGeometry,

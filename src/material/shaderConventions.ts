@@ -1,10 +1,12 @@
 import { cornerLayout } from '../adjacency/cornerLayout.js';
 
 /** How strokes are laid on the surface; the order is the number the shader knows them by. */
-export const TECHNIQUES = ['triangle', 'adjacency'] as const;
+export const TECHNIQUES = ['triangle', 'adjacency', 'anchored'] as const;
 /**
  * - `triangle`: Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper, figure 4a).
  * - `adjacency`: Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).
+ * - `anchored`: beyond the paper. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink
+ *   is decided per pixel, after blending: continuous, crisp and independent of the mesh.
  */
 export type HatchingTechnique = (typeof TECHNIQUES)[number];
 

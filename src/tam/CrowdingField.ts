@@ -1,7 +1,7 @@
 import { type Stroke, strokeOffset } from './Stroke.js';
 
 /** Strokes that come closer than so many widths, centre line to centre line, begin to merge for the eye. */
-const MERGING_WIDTHS = 2.5;
+export const MERGING_WIDTHS = 2.5;
 
 /** Distances ahead of a line's end count so many times as much as beside it: lines may follow one another closely. */
 const AHEAD = 3;

@@ -1,9 +1,16 @@
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { assertHatchImages, checkHatchImages, type HatchImageReport } from './checkHatchImages.js';
+import { deriveThresholds } from './deriveThresholds.js';
+import type { ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageOptions, type HatchImages, resolveHatchImageOptions } from './generateHatchImages.js';
+import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
+import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
+
+/** Part of the time that drawing the images takes; the rest goes into the thresholds. */
+const IMAGES_SHARE = 0.7;
 
 /** What `TonalArtMap.generate` accepts: what to draw, and how to watch and stop the drawing. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
@@ -30,12 +37,16 @@ export class TonalArtMap {
 
   private readonly packed: PackedLevel[];
   private measured: HatchImageReport | undefined;
+  private thresholdLevels: ThresholdLevel[] | undefined;
+  private uploaded: ThresholdTexture | undefined;
+  private moments: ThresholdMoments | undefined;
 
-  private constructor({ size, images }: HatchImages) {
+  private constructor({ size, images }: HatchImages, thresholdLevels?: ThresholdLevel[]) {
     this.size = size;
     this.tones = images.length;
     this.levels = images[0].length;
     this.packed = packHatchImages(size, images);
+    this.thresholdLevels = thresholdLevels;
     this.texture = new TonalArtMapTexture(this.packed, this.tones);
   }
 
@@ -48,7 +59,16 @@ export class TonalArtMap {
     const { style, seed, size, tones, levels, strokeWidth, ...taskOptions } = options;
     const request: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
     resolveHatchImageOptions(request);
-    return new TonalArtMap(await runTask('generateHatchImages', request, taskOptions));
+    const { onProgress } = taskOptions;
+    const images = await runTask('generateHatchImages', request, {
+      ...taskOptions,
+      onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE * progress)),
+    });
+    const thresholds = await runTask('generateThresholds', request, {
+      ...taskOptions,
+      onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE + (1 - IMAGES_SHARE) * progress)),
+    });
+    return new TonalArtMap(images, thresholds);
   }
 
   /**
@@ -67,12 +87,35 @@ export class TonalArtMap {
   /** How well the images keep the constraints of a tonal art map. Measured when first asked for. */
   get report(): HatchImageReport {
     if (!this.measured) {
-      const images = Array.from({ length: this.tones }, (_, tone) =>
-        Array.from({ length: this.levels }, (_, level) => this.image(tone, level)),
-      );
-      this.measured = checkHatchImages({ size: this.size, images });
+      this.measured = checkHatchImages(this.allImages());
     }
     return this.measured;
+  }
+
+  /**
+   * The thresholds as a texture for techniques that blend before they decide on ink: one channel, no colour, with drawn
+   * mip levels. A texel t holds g = 6t − 3 = Φ⁻¹(h), clamped to ±3, of the tone h from which on it is ink, so g is normally
+   * distributed; h = Φ(g). Made when first asked for.
+   */
+  get thresholdTexture(): ThresholdTexture {
+    this.uploaded ??= new ThresholdTexture(this.thresholdMap());
+    return this.uploaded;
+  }
+
+  /** What interpolation leaves of the contrast of the thresholds, to be given back after it. Measured when first asked for. */
+  get thresholdMoments(): ThresholdMoments {
+    this.moments ??= measureThresholdMoments(this.thresholdMap());
+    return this.moments;
+  }
+
+  /**
+   * Whether the thresholds are the same after a half turn, texel [i][j] = [size−1−i][size−1−j] on every level. Techniques
+   * that know the direction of strokes only up to its sign need that. Always so for a generated map.
+   */
+  get pointSymmetric(): boolean {
+    return this.thresholdMap().every(({ thresholds }) =>
+      thresholds.every((threshold, i) => threshold === thresholds[thresholds.length - 1 - i]),
+    );
   }
 
   /**
@@ -86,16 +129,44 @@ export class TonalArtMap {
         `TonalArtMap.image: tone is ${tone}, but must be a whole number from 0 to ${this.tones - 1}.`,
       );
     }
-    if (!Number.isInteger(level) || level < 0 || level >= this.levels) {
-      throw new RangeError(
-        `TonalArtMap.image: level is ${level}, but must be a whole number from 0 to ${this.levels - 1}.`,
-      );
-    }
+    this.assertLevel('image', level);
     return unpackHatchImage(this.packed[level], tone);
   }
 
-  /** Frees the texture on the GPU. A material that still uses the map uploads it again. */
+  /**
+   * A copy of one level's thresholds: (size / 2^level)² numbers in (0, 1) in rows of growing v, uniformly distributed. A
+   * texel is ink under tone T, 0 = paper, 1 = darkest, where its number is below T; so {threshold < T} is a drawing of mean
+   * ink T. A generated map draws them; one of anyone's images derives them from the images.
+   *
+   * @throws RangeError if there is no such level
+   */
+  thresholds(level: number): Float32Array {
+    this.assertLevel('thresholds', level);
+    return this.thresholdMap()[level].thresholds.slice();
+  }
+
+  /** Frees the textures on the GPU. A material that still uses the map uploads them again. */
   dispose(): void {
     this.texture.dispose();
+    this.uploaded?.dispose();
+  }
+
+  private thresholdMap(): ThresholdLevel[] {
+    this.thresholdLevels ??= deriveThresholds(this.allImages());
+    return this.thresholdLevels;
+  }
+
+  private allImages(): HatchImages {
+    const images = Array.from({ length: this.tones }, (_, tone) =>
+      Array.from({ length: this.levels }, (_, level) => this.image(tone, level)),
+    );
+    return { size: this.size, images };
+  }
+
+  private assertLevel(method: string, level: number): void {
+    if (Number.isInteger(level) && level >= 0 && level < this.levels) return;
+    throw new RangeError(
+      `TonalArtMap.${method}: level is ${level}, but must be a whole number from 0 to ${this.levels - 1}.`,
+    );
   }
 }

@@ -1,4 +1,4 @@
-import { CrowdingField } from './CrowdingField.js';
+import { CrowdingField, MERGING_WIDTHS } from './CrowdingField.js';
 import { EndField } from './EndField.js';
 import { type Random, random } from './random.js';
 import { rasterizeStroke } from './rasterizeStroke.js';
@@ -13,6 +13,11 @@ export interface PlacementRequest {
   size: number;
   tones: number;
   levels: number;
+  /**
+   * Whether every stroke comes with its mirror image in the middle of the tile (a half turn), right after it; the map is
+   * then the same upside down.
+   */
+  pairs?: boolean | undefined;
 }
 
 /** Cells read or written between two reports of progress: about a millisecond's work. */
@@ -58,7 +63,8 @@ interface Sheet {
  * @returns the strokes in order of drawing; yields progress in [0, 1]
  */
 export function* placeStrokes(request: PlacementRequest): Generator<number, Stroke[], void> {
-  const { style, size, tones, levels } = request;
+  const { style, size, tones, levels, pairs = false } = request;
+  const copies = pairs ? 2 : 1;
   const next = random(request.seed);
   const sheets = Array.from({ length: levels }, (_, level) => createSheet(size >> level, style));
   const strokes: Stroke[] = [];
@@ -69,13 +75,17 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
       const sheet = sheets[level];
       const goal = 255 * sheet.size * sheet.size * target;
       const start = sheet.darkness;
-      while (goal - sheet.darkness > 0.5 * 255 * sheet.gain * nominalArea(style.width, style.length[0], sheet.size)) {
-        const length = chooseLength(style, sheet, goal - sheet.darkness, next);
+      const least = copies * nominalArea(style.width, style.length[0], sheet.size);
+      while (goal - sheet.darkness > 0.5 * 255 * sheet.gain * least) {
+        const length = chooseLength(style, sheet, (goal - sheet.darkness) / copies, next);
         const across = style.crossFrom !== undefined && target > style.crossFrom && sheet.drawn[1] < sheet.drawn[0];
-        const stroke = proposeBest(style, sheets, { tone, level, length, across }, next);
-        strokes.push(stroke);
+        const stroke = proposeBest(style, sheets, { tone, level, length, across }, pairs, next);
+        const drawn = pairs ? [stroke, halfTurn(stroke)] : [stroke];
+        strokes.push(...drawn);
         work += style.proposals * (level + 1) * CELLS_PER_PROPOSAL;
-        for (let finer = level; finer >= 0; finer--) work += draw(sheets[finer], stroke);
+        for (let finer = level; finer >= 0; finer--) {
+          for (const one of drawn) work += draw(sheets[finer], one);
+        }
         if (work >= WORK_PER_SLICE) {
           work = 0;
           yield (tone - 1 + levelProgress(level, (sheet.darkness - start) / (goal - start))) / (tones - 1);
@@ -122,6 +132,7 @@ function proposeBest(
   style: StrokeStyle,
   sheets: Sheet[],
   { tone, level, length, across }: Pick<Stroke, 'tone' | 'level' | 'length' | 'across'>,
+  pairs: boolean,
   next: Random,
 ): Stroke {
   const signed = (): number => 2 * next() - 1;
@@ -148,7 +159,7 @@ function proposeBest(
     stroke.slope = style.slope * signed();
     stroke.bow = style.bow * signed();
     stroke.wave = style.wave * signed();
-    let crowding = 0;
+    let crowding = pairs ? mutualCrowding(stroke, sheets) : 0;
     for (let finer = level; finer >= 0; finer--) {
       const { crowding: field, ends } = sheets[finer];
       const weight = finer === level ? OWN_LEVEL_WEIGHT : 1;
@@ -161,6 +172,30 @@ function proposeBest(
     }
   }
   return best!;
+}
+
+/** The stroke after a half turn about the origin. Exact: the generator's numbers are multiples of 2⁻³². */
+const halfTurn = (stroke: Stroke): Stroke => ({ ...stroke, u: 1 - stroke.u, v: 1 - stroke.v, bow: -stroke.bow });
+
+/**
+ * How much a stroke and its own half turn, which is parallel to it, crowd each other on all the levels that show them:
+ * each term is that of `CrowdingField`. The own level counts no more than others, or the middle of the tile stays empty.
+ */
+function mutualCrowding(stroke: Stroke, sheets: readonly Sheet[]): number {
+  const apart = (place: number): number => Math.abs(2 * place - Math.round(2 * place));
+  const forward = apart(stroke.across ? stroke.v : stroke.u);
+  const sideways = apart(stroke.across ? stroke.u : stroke.v);
+  const overlap = stroke.length > 0 ? Math.max(0, 1 - forward / stroke.length) : 1;
+  const beyond = stroke.length > 0 ? 0 : forward;
+  let crowding = 0;
+  for (let level = stroke.level; level >= 0; level--) {
+    const widths = sheets[level].size / stroke.width;
+    const distance2 = (sideways * sideways + beyond * beyond) * widths * widths;
+    const merging = Math.max(0, 1 - distance2 / (MERGING_WIDTHS * MERGING_WIDTHS));
+    const spreading = Math.sqrt(1 + distance2);
+    crowding += 1 / (spreading * Math.sqrt(spreading)) + merging * merging;
+  }
+  return overlap * crowding;
 }
 
 /** Draws a stroke on one level. Returns the work it took. */

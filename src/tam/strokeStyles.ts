@@ -28,6 +28,22 @@ export interface StrokeStyle {
   crossFrom: number | undefined;
   /** For each stroke, the best of so many proposals is drawn. 1 draws at random. */
   proposals: number;
+  /** What is different in a threshold map. */
+  thresholds: ThresholdStyle;
+}
+
+/**
+ * How a style draws thresholds, where the ink of strokes is not given but follows from what their swelling adds. Inks are
+ * therefore those of the strokes as images draw them.
+ */
+export interface ThresholdStyle {
+  /** Strokes are added up to this ink. From there on they only swell, so that even gaps remain between them and close. */
+  maxInk: number;
+  /** Ink from which on the second layer is drawn: the tone is then about a half. */
+  crossFrom: number | undefined;
+  /** Ink that is added while a stroke swells from a hairline to its width. */
+  swell: number;
+  proposals: number;
 }
 
 export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
@@ -43,6 +59,7 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     maxInk: 0.95,
     crossFrom: undefined,
     proposals: 400,
+    thresholds: { maxInk: 0.54, crossFrom: undefined, swell: 0.15, proposals: 400 },
   },
   crossHatching: {
     length: [0.28, 0.6],
@@ -56,6 +73,7 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     maxInk: 0.95,
     crossFrom: 0.45,
     proposals: 400,
+    thresholds: { maxInk: 0.6, crossFrom: 0.32, swell: 0.15, proposals: 400 },
   },
   stippling: {
     length: [0, 0],
@@ -69,5 +87,6 @@ export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
     maxInk: 0.85,
     crossFrom: undefined,
     proposals: 24,
+    thresholds: { maxInk: 0.5, crossFrom: undefined, swell: 0.05, proposals: 48 },
   },
 };

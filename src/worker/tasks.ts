@@ -1,5 +1,7 @@
 import { bake, bakeRequestBuffers, bakeResultBuffers } from '../adjacency/bake.js';
+import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from '../adjacency/bakeIndexed.js';
 import { generateHatchImages } from '../tam/generateHatchImages.js';
+import { generateThresholds } from '../tam/generateThresholds.js';
 
 /** A long computation that the worker offers. Requests and results are plain data. */
 interface Task<Request, Result> {
@@ -16,10 +18,21 @@ const task = <Request, Result>(definition: Task<Request, Result>): Task<Request,
 /** Every task of the worker, by name. The client and the worker read this one table. */
 export const tasks = {
   bake: task({ run: bake, requestBuffers: bakeRequestBuffers, resultBuffers: bakeResultBuffers }),
+  bakeIndexed: task({
+    run: bakeIndexed,
+    requestBuffers: bakeIndexedRequestBuffers,
+    resultBuffers: bakeIndexedResultBuffers,
+  }),
   generateHatchImages: task({
     run: generateHatchImages,
     requestBuffers: () => [],
     resultBuffers: ({ images }) => images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer)),
+  }),
+  generateThresholds: task({
+    run: generateThresholds,
+    requestBuffers: () => [],
+    resultBuffers: (levels) =>
+      levels.flatMap(({ thresholds, encoded }) => [thresholds.buffer as ArrayBuffer, encoded.buffer as ArrayBuffer]),
   }),
 };
 

@@ -9,7 +9,9 @@ test.use({ viewport: { width: 640, height: 480 } });
 const FACE: Region = { left: 0.42, top: 0.36, right: 0.58, bottom: 0.64 };
 const LEFT_HALF: Region = { left: 0.3, top: 0.2, right: 0.5, bottom: 0.8 };
 const RIGHT_HALF: Region = { left: 0.5, top: 0.2, right: 0.7, bottom: 0.8 };
-/** Mean darkness of the darkest hatch image of the default style. */
+/** The technique and the light of the paper, which the reference below is written for. */
+const PAPER = 'technique=adjacency&strokeDirection=towards&lightStrength=100&reflectedLight=0&mapStyle=hatching&';
+/** Mean darkness of the darkest hatch image of the style. */
 const MAX_INK = 0.95;
 /** Degrees. The strokes of a map are drawn by a slightly unsteady hand. */
 const MAX_DEVIATION = 8;
@@ -34,7 +36,7 @@ async function expectFaceAsReference(page: Page, along: 'T' | 'B'): Promise<void
 }
 
 test('strokes and tone of a face follow the lamp that the mouse drags', async ({ page }) => {
-  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&strokeScale=5');
+  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&strokeScale=5`);
   await expectFaceAsReference(page, 'B');
   const before = await lampPlace(page);
   await dragLamp(page, { x: -40, y: -90 });
@@ -52,7 +54,7 @@ test('strokes and tone of a face follow the lamp that the mouse drags', async ({
 test('the side that faces the lamp is the lighter one, and the lamp goes behind the model past the edge', async ({
   page,
 }) => {
-  await openPlayground(page, 'model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-60&lightElevation=0');
+  await openPlayground(page, `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-60&lightElevation=0`);
   const fromLeft = await readDrawing(page);
   expect(meanInk(fromLeft, RIGHT_HALF)).toBeGreaterThan(meanInk(fromLeft, LEFT_HALF) + 0.2);
 
@@ -78,7 +80,7 @@ test('the side that faces the lamp is the lighter one, and the lamp goes behind 
 });
 
 test('arrow keys move the lamp by 5°, with Shift by 1°', async ({ page }) => {
-  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&strokeScale=5');
+  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&strokeScale=5`);
   await page.locator('#lamp').focus();
   await page.keyboard.press('ArrowRight');
   expect(await lampPlace(page)).toMatchObject({ azimuth: 45, elevation: 10 });
@@ -96,7 +98,7 @@ test.describe('by touch', () => {
   test('a finger moves the lamp, a second one its distance', async ({ page }) => {
     await openPlayground(
       page,
-      'model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&strokeScale=5',
+      `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&strokeScale=5`,
     );
     const before = { place: await lampPlace(page), picture: await readDrawing(page) };
     const session = await page.context().newCDPSession(page);

@@ -48,6 +48,56 @@ export function strokeDirection(picture: PNG, region: Region): number {
   return (across + 90 + 360) % 180;
 }
 
+/** The share of pixels in a region that are neither nearly ink nor nearly paper. */
+export function greyShare(picture: PNG, region: Region): number {
+  let grey = 0;
+  let count = 0;
+  forEachPixel(picture, region, (offset) => {
+    const value = darkness(picture, offset);
+    if (value > 0.05 && value < 0.95) grey++;
+    count++;
+  });
+  return grey / count;
+}
+
+/** Mean distance, in pixels, between edges of strokes along rows and columns of a region. */
+export function edgeSpacing(picture: PNG, region: Region): number {
+  const { width } = picture;
+  let edges = 0;
+  let count = 0;
+  forEachPixel(picture, region, (offset) => {
+    const isInk = darkness(picture, offset) > 0.5;
+    if (darkness(picture, offset + 4) > 0.5 !== isInk) edges++;
+    if (darkness(picture, offset + 4 * width) > 0.5 !== isInk) edges++;
+    count += 2;
+  });
+  return count / edges;
+}
+
+/**
+ * Correlation of the darkness of two pictures in a region, 1 for the same drawing, 0 for unrelated ones. The second may be
+ * several times as large; it is averaged down.
+ */
+export function likeness(picture: PNG, larger: PNG, region: Region): number {
+  const factor = Math.round(larger.width / picture.width);
+  const pairs: [number, number][] = [];
+  forEachPixel(picture, region, (offset) => {
+    const [x, y] = [(offset / 4) % picture.width, Math.floor(offset / 4 / picture.width)];
+    let sum = 0;
+    for (let j = 0; j < factor; j++) {
+      for (let i = 0; i < factor; i++) sum += darkness(larger, 4 * ((y * factor + j) * larger.width + x * factor + i));
+    }
+    pairs.push([darkness(picture, offset), sum / factor ** 2]);
+  });
+  const mean = (k: 0 | 1): number => pairs.reduce((total, pair) => total + pair[k], 0) / pairs.length;
+  const [meanA, meanB] = [mean(0), mean(1)];
+  const covariance = (k: 0 | 1, l: 0 | 1): number => {
+    const means = [meanA, meanB];
+    return pairs.reduce((total, pair) => total + (pair[k] - means[k]!) * (pair[l] - means[l]!), 0);
+  };
+  return covariance(0, 1) / Math.sqrt(covariance(0, 0) * covariance(1, 1));
+}
+
 /** The angle between two directions that have no sign, in [0, 90]. */
 export function angleBetween(a: number, b: number): number {
   const difference = Math.abs(a - b) % 180;

@@ -1,3 +1,4 @@
+import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { expect } from '../browser/test.js';
@@ -47,6 +48,13 @@ export async function readDrawing(page: Page): Promise<PNG> {
     element.style.outline = '';
   });
   return picture;
+}
+
+/** The picture that the page saves. */
+export async function savePicture(page: Page): Promise<PNG> {
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save PNG' }).last().click();
+  return PNG.sync.read(await readFile(await (await download).path()));
 }
 
 /** Where the lamp says it is, once the frame that shows it there is drawn. */

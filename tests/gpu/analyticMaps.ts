@@ -16,4 +16,11 @@ export const analyticMaps = {
   constantPerTone: { size: 4, darkness: (tone: number, _u: number, _v: number) => darknessOfTone(tone) },
 };
 
+/** g of a threshold map, smooth and symmetric about the centre of the tile. */
+export const analyticThreshold = {
+  size: 256,
+  field: (u: number, v: number) =>
+    1.1 * Math.cos(2 * Math.PI * (4 * v + u)) + 0.7 * Math.cos(2 * Math.PI * 3 * u) * Math.cos(2 * Math.PI * v),
+};
+
 export type AnalyticMapName = keyof typeof analyticMaps;

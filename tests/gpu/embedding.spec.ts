@@ -27,32 +27,39 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.toolkit !== undefined);
 });
 
-test('an InstancedMesh gives the pixels of separate meshes, whatever the instance matrix', async ({ page }) => {
-  const [separate, instanced] = await page.evaluate(async () => {
-    const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
-    const mesh = await hatchedMesh(new THREE.TorusGeometry(0.4, 0.2, 12, 20), { tonalArtMap: stripedMap() });
-    const matrices = [
-      new THREE.Matrix4().makeRotationX(0.7).setPosition(-0.7, 0.3, 0),
-      new THREE.Matrix4()
-        .makeRotationY(1.1)
-        .scale(new THREE.Vector3(0.8, 0.8, 0.8))
-        .setPosition(0.6, -0.3, 0.2),
-    ];
-    const meshes = matrices.map((matrix) => {
-      const one = new THREE.Mesh(mesh.geometry, mesh.material);
-      one.applyMatrix4(matrix);
-      return one;
-    });
-    const instancedMesh = new THREE.InstancedMesh(mesh.geometry, mesh.material, 2);
-    matrices.forEach((matrix, i) => {
-      instancedMesh.setMatrixAt(i, matrix);
-    });
-    return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), instancedMesh))];
+for (const technique of ['adjacency', 'anchored'] as const) {
+  test(`an InstancedMesh gives the pixels of separate meshes, whatever the instance matrix: ${technique}`, async ({
+    page,
+  }) => {
+    const [separate, instanced] = await page.evaluate(async (technique) => {
+      const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+      const mesh = await hatchedMesh(new THREE.TorusGeometry(0.4, 0.2, 12, 20), {
+        tonalArtMap: stripedMap(),
+        technique,
+      });
+      const matrices = [
+        new THREE.Matrix4().makeRotationX(0.7).setPosition(-0.7, 0.3, 0),
+        new THREE.Matrix4()
+          .makeRotationY(1.1)
+          .scale(new THREE.Vector3(0.8, 0.8, 0.8))
+          .setPosition(0.6, -0.3, 0.2),
+      ];
+      const meshes = matrices.map((matrix) => {
+        const one = new THREE.Mesh(mesh.geometry, mesh.material);
+        one.applyMatrix4(matrix);
+        return one;
+      });
+      const instancedMesh = new THREE.InstancedMesh(mesh.geometry, mesh.material, 2);
+      matrices.forEach((matrix, i) => {
+        instancedMesh.setMatrixAt(i, matrix);
+      });
+      return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), instancedMesh))];
+    }, technique);
+    expect(covered(separate!)).toBeGreaterThan(800);
+    // Rounding differs between the two ways, and on a hard stripe a rounding shows.
+    expect(differing(separate!, instanced!, 8)).toBeLessThan(0.01 * covered(separate!));
   });
-  expect(covered(separate!)).toBeGreaterThan(800);
-  // Rounding differs between the two ways, and on a hard stripe a rounding shows.
-  expect(differing(separate!, instanced!, 8)).toBeLessThan(0.01 * covered(separate!));
-});
+}
 
 test('a BatchedMesh gives the pixels of separate meshes', async ({ page }) => {
   const [separate, batched] = await page.evaluate(async () => {
@@ -477,6 +484,23 @@ test('an unprepared geometry is named in the console, once', async ({ page, page
   const problems = pageProblems.splice(0);
   expect(problems).toHaveLength(1);
   expect(problems[0]).toContain('geometry "crate" has no triangle adjacency');
+});
+
+test('anchored draws a geometry that was never prepared, by its own normals', async ({ page }) => {
+  const [plain, grey] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const material = new HatchingMaterial({ tonalArtMap: stripedMap(), technique: 'anchored', edgePixels: 0 });
+    const pixels = pixelsOf(sceneOf(new THREE.Mesh(new THREE.SphereGeometry(1, 32, 24), material), sun()));
+    let inked = 0;
+    let grey = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      if (pixels[i] === pixels[i + 1] && pixels[i] === 0) inked++;
+      if (pixels[i] !== 0 && pixels[i] !== 255) grey++;
+    }
+    return [inked, grey];
+  });
+  expect(plain).toBeGreaterThan(500);
+  expect(grey).toBeLessThan(5);
 });
 
 test('without a map the surface stays paper', async ({ page }) => {

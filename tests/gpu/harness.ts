@@ -3,16 +3,20 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  DataTexture,
   DirectionalLight,
   DoubleSide,
   FrontSide,
   HemisphereLight,
   type Light,
+  LinearFilter,
   LinearSRGBColorSpace,
   Mesh,
   OrthographicCamera,
   PerspectiveCamera,
   PointLight,
+  RedFormat,
+  RepeatWrapping,
   Scene,
   SpotLight,
   Vector2,
@@ -20,7 +24,7 @@ import {
 } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
-import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps } from './analyticMaps.js';
+import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 
 const maps = new Map<AnalyticMapName, TonalArtMap>();
@@ -43,6 +47,30 @@ function analyticMap(name: AnalyticMapName): TonalArtMap {
     maps.set(name, map);
   }
   return map;
+}
+
+/** What the material needs of a map for `anchored`: nothing but thresholds. */
+function analyticThresholdMap(): TonalArtMap {
+  const { size, field } = analyticThreshold;
+  const data = new Uint8Array(size * size);
+  for (let i = 0; i < data.length; i++) {
+    const g = field(((i % size) + 0.5) / size, (Math.floor(i / size) + 0.5) / size);
+    data[i] = Math.round(127.5 + 42.5 * g);
+  }
+  const texture = new DataTexture(data, size, size, RedFormat);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.magFilter = texture.minFilter = LinearFilter;
+  texture.needsUpdate = true;
+  // Standard normal as it is, as far as the material is told: the reference does not correct the variance either.
+  const thresholdMoments = { variance: 1, covariance: 0 };
+  return {
+    size,
+    tones: 2,
+    levels: 1,
+    thresholdTexture: texture,
+    thresholdMoments,
+    texture: null,
+  } as unknown as TonalArtMap;
 }
 
 function makeLight(light: ReferenceLight, scene: Scene): Light {
@@ -73,13 +101,16 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
   if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
-  const geometry = await prepareHatchingGeometry(source);
+  const anchored = spec.material.technique === 'anchored';
+  const geometry = anchored ? source : await prepareHatchingGeometry(source);
 
   const { ink, paper, color, strokeOffset, ...material } = spec.material;
   const hatching = new HatchingMaterial({
     ...material,
     strokeOffset: new Vector2(...strokeOffset),
-    tonalArtMap: analyticMap(spec.map),
+    tonalArtMap: anchored ? analyticThresholdMap() : analyticMap(spec.map),
+    edgePixels: 0,
+    anchorSpacing: spec.anchorSpacing ?? 0.35,
     side: spec.doubleSided ? DoubleSide : FrontSide,
   });
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);

@@ -17,5 +17,7 @@ export interface HatchingSpec {
   lights: ReferenceLight[];
   material: Omit<ReferenceMaterial, 'ink' | 'paper' | 'color'> & { ink: number[]; paper: number[]; color: number[] };
   map: AnalyticMapName;
+  /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
+  anchorSpacing?: number;
   doubleSided?: boolean;
 }

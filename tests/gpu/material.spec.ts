@@ -7,65 +7,24 @@ import { referenceAdjacency, type Vec3 } from '../reference/referenceAdjacency.j
 import { ANALYTIC_TONES, analyticMaps } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 import { loadBunny } from './loadBunny.js';
+import {
+  ambient,
+  defaults,
+  directional,
+  eye,
+  hemisphere,
+  identity,
+  mirrored,
+  orthographic,
+  perspective,
+  placed,
+  point,
+  redSide,
+  rotated,
+  spot,
+} from './referenceScenes.js';
 
 const SIZE = 192;
-
-const identity = [...mat4.create()];
-const rotated = [...mat4.fromRotation(mat4.create(), 0.9, [1, 2, -0.5])!];
-const placed = [
-  ...mat4.scale(
-    mat4.create(),
-    mat4.translate(mat4.create(), rotated as unknown as mat4, [0.1, -0.15, 0.2]),
-    [0.8, 0.8, 0.8],
-  ),
-];
-const mirrored = [...mat4.scale(mat4.create(), rotated as unknown as mat4, [-1, 1, 1])];
-
-const eye: Vec3 = [0.9, 0.8, 3];
-const perspective = {
-  view: [...mat4.lookAt(mat4.create(), eye, [0, 0, 0], [0, 1, 0])],
-  projection: [...mat4.perspective(mat4.create(), 0.75, 1, 0.1, 20)],
-};
-const orthographic = {
-  view: perspective.view,
-  projection: [...mat4.ortho(mat4.create(), -1.2, 1.2, -1.2, 1.2, 0.1, 20)],
-};
-
-const white = (intensity: number): Vec3 => [intensity, intensity, intensity];
-const directional: ReferenceLight = { type: 'directional', color: white(Math.PI), position: [1, 1.5, 2] };
-const point: ReferenceLight = { type: 'point', color: white(9), position: [1.2, 1.1, 1.7], distance: 6, decay: 2 };
-const spot: ReferenceLight = {
-  type: 'spot',
-  color: white(5),
-  position: [-0.8, 1.4, 2],
-  target: [0.1, 0, 0],
-  angle: 0.45,
-  penumbra: 0.6,
-  decay: 0,
-};
-const ambient: ReferenceLight = { type: 'ambient', color: white(0.5) };
-const hemisphere: ReferenceLight = {
-  type: 'hemisphere',
-  color: [0.9, 1.2, 1.6],
-  groundColor: [0.4, 0.3, 0.2],
-  position: [0.1, 1, 0.2],
-};
-const redSide: ReferenceLight = { type: 'directional', color: [2, 0.3, 0.2], position: [-2, 0.4, 1] };
-
-const defaults: ReferenceMaterial = {
-  technique: 'adjacency',
-  toneModel: 'lambert',
-  toneSteps: 4,
-  shininess: 30,
-  toneNormal: 'face',
-  strokeScale: 1.7,
-  strokeRotation: 0.4,
-  strokeOffset: [0.13, 0.37],
-  creaseAngle: Math.PI / 2,
-  ink: [0, 0, 0],
-  paper: [1, 1, 1],
-  color: [1, 1, 1],
-};
 
 interface Case {
   name: string;

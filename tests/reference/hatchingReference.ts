@@ -26,7 +26,7 @@ export interface ReferenceLight {
 }
 
 export interface ReferenceMaterial {
-  technique: 'triangle' | 'adjacency';
+  technique: 'triangle' | 'adjacency' | 'anchored';
   toneModel: 'lambert' | 'halfLambert' | 'phong' | 'toon';
   toneSteps: number;
   shininess: number;
@@ -128,10 +128,15 @@ export class HatchingReference {
       vec3.add([0, 0, 0], vec3.add([0, 0, 0], triangle[0], triangle[1]), triangle[2]) as Vec3,
       1 / 3,
     );
-    const bitangent = this.#bitangent(n, this.toWorld(centre));
-    const frame = { tangent: cross(bitangent, n), bitangent };
+    const frame = this.frameOfNormal(n, this.toWorld(centre));
     this.#frames.set(id, frame);
     return frame;
+  }
+
+  /** T and B for a unit object-space normal, lit as at a world position. */
+  frameOfNormal(n: Vec3, worldPosition: Vec3): { tangent: Vec3; bitangent: Vec3 } {
+    const bitangent = this.#bitangent(n, worldPosition);
+    return { tangent: cross(bitangent, n), bitangent };
   }
 
   #bitangent(n: Vec3, worldCentre: Vec3): Vec3 {

@@ -77,6 +77,9 @@ describe('the prepared geometry', () => {
     expect(new Set(buffers).size).toBe(1);
     expect(buffers[0]!.stride).toBe(CORNER_STRIDE);
     expect(layoutOf(prepared)[0]!.slice(0, 8)).toEqual([1, 0, 0, 0, 0, 1, 0, 1]);
+    const hatchNormal = prepared.getAttribute('hatchNormal') as BufferAttribute;
+    expect([hatchNormal.itemSize, hatchNormal.normalized]).toEqual([4, true]);
+    expect(hatchNormal.array).toEqual(Int16Array.from({ length: 24 }, (_, i) => (i % 4 === 2 ? 32767 : 0)));
     expect([...arrayOf(prepared, 'normal')]).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
     expect(prepared.boundingBox!.min.toArray()).toEqual([0, 0, 0]);
     expect(prepared.boundingBox!.max.toArray()).toEqual([1, 1, 0]);
@@ -89,7 +92,7 @@ describe('the prepared geometry', () => {
       inconsistentEdges: 0,
       degenerateTriangles: 0,
       layout: 'corner',
-      bytes: 6 * (3 + 16 + 3) * 4,
+      bytes: 6 * ((3 + 16 + 3) * 4 + 8),
     };
     expect(prepared.userData).toEqual({ mine: { a: 1 }, hatching: statistics });
   });
@@ -449,11 +452,13 @@ describe('bad input is rejected', () => {
 
   test.each([
     [{ layout: 'pull' }, /layout 'pull' is not in this version.*Use 'corner'/],
-    [{ layout: 'indexed' }, /layout 'indexed' is not in this version/],
-    [{ layout: 'other' }, /unknown layout 'other'.*Use 'auto' or 'corner'/],
+    [{ layout: 'other' }, /unknown layout 'other'.*Use 'auto', 'corner' or 'indexed'/],
     [{ creaseAngle: -1 }, /creaseAngle is -1.*radians/],
     [{ creaseAngle: 60 }, /creaseAngle is 60.*radians/],
     [{ creaseAngle: Number.NaN }, /creaseAngle is NaN/],
+    [{ smoothingRadius: -1 }, /smoothingRadius is -1\. Pass a length/],
+    [{ smoothingRadius: Infinity }, /smoothingRadius is Infinity/],
+    [{ smoothingRadius: Number.NaN }, /smoothingRadius is NaN/],
   ])('options %o', async (options, message) => {
     await expect(prepareHatchingGeometry(quad(), options as never)).rejects.toThrow(message);
   });

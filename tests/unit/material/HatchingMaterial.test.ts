@@ -73,6 +73,35 @@ describe('HatchingMaterial', () => {
     expect(material.version).toBe(version + 1);
   });
 
+  test('tone is smooth under anchored and faceted under the paper’s techniques, unless one is asked for', () => {
+    const material = new HatchingMaterial({ technique: 'anchored' });
+    expect(material.toneNormal).toBe('smooth');
+    material.technique = 'adjacency';
+    expect(material.toneNormal).toBe('face');
+    material.toneNormal = 'smooth';
+    material.technique = 'triangle';
+    expect(material.toneNormal).toBe('smooth');
+    expect(new HatchingMaterial({ toneNormal: 'face', technique: 'anchored' }).toneNormal).toBe('face');
+    expect(material.clone().toneNormal).toBe('smooth');
+  });
+
+  test('crisp is another program, and only when it changes', () => {
+    const material = new HatchingMaterial();
+    const { version } = material;
+    material.crisp = false;
+    expect(material.version).toBe(version);
+    material.crisp = true;
+    expect(material.version).toBe(version + 1);
+    expect(material.clone().crisp).toBe(true);
+  });
+
+  test('reads thresholds only where they are drawn', () => {
+    const material = new HatchingMaterial({ tonalArtMap: map });
+    expect(material.uniforms.thresholdMap!.value).toBe(null);
+    const anchored = new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' });
+    expect(anchored.uniforms.thresholdMap!.value).toBe(map.thresholdTexture);
+  });
+
   test('clones to an equal material that shares textures and nothing else', () => {
     const source = new HatchingMaterial({
       tonalArtMap: map,
@@ -85,6 +114,10 @@ describe('HatchingMaterial', () => {
       strokeRotation: 0.5,
       strokeOffset: new Vector2(0.1, 0.2),
       creaseAngle: 0.7,
+      anchorSpacing: 0.2,
+      screenConstancy: 0.5,
+      texelPixels: 2,
+      edgePixels: 0.5,
       shininess: 8,
       ink: 'navy',
       paper: 'ivory',
@@ -107,6 +140,10 @@ describe('HatchingMaterial', () => {
       'strokeScale',
       'strokeRotation',
       'creaseAngle',
+      'anchorSpacing',
+      'screenConstancy',
+      'texelPixels',
+      'edgePixels',
       'shininess',
       'map',
       'alphaMap',

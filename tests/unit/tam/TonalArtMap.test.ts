@@ -1,4 +1,12 @@
-import { CompressedArrayTexture, LinearFilter, LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping } from 'three';
+import {
+  CompressedArrayTexture,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  NoColorSpace,
+  RedFormat,
+  RepeatWrapping,
+  UnsignedByteType,
+} from 'three';
 import { describe, expect, it } from 'vitest';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 
@@ -48,12 +56,27 @@ describe('TonalArtMap.fromHatchImages', () => {
     expect(texture.minFilter).toBe(LinearFilter);
   });
 
-  it('dispose tells the renderer to free the texture', () => {
+  it('dispose tells the renderer to free the textures', () => {
     const map = TonalArtMap.fromHatchImages({ size: 1, images: constantImages(1, [[255], [0]]) });
     let disposed = 0;
     map.texture.addEventListener('dispose', () => disposed++);
+    map.thresholdTexture.addEventListener('dispose', () => disposed++);
     map.dispose();
-    expect(disposed).toBe(1);
+    expect(disposed).toBe(2);
+  });
+
+  it('derives thresholds, copies of which it gives away', () => {
+    const ink = new Uint8Array([0, 255, 255, 255]);
+    const map = TonalArtMap.fromHatchImages({ size: 2, images: [[new Uint8Array(4).fill(255)], [ink]] });
+    const thresholds = map.thresholds(0);
+    expect(thresholds[0]).toBe(0.125);
+    expect(thresholds.toSorted()).toEqual(new Float32Array([0.125, 0.375, 0.625, 0.875]));
+    thresholds.fill(0);
+    expect(map.thresholds(0)[0]).toBe(0.125);
+    expect(map.pointSymmetric).toBe(false);
+    expect(() => map.thresholds(1)).toThrow(
+      'TonalArtMap.thresholds: level is 1, but must be a whole number from 0 to 0.',
+    );
   });
 
   it.each([
@@ -73,7 +96,35 @@ describe('TonalArtMap.generate', () => {
     const map = await TonalArtMap.generate({ size: 64, tones: 4, onProgress: (value) => progress.push(value) });
     expect([map.size, map.tones, map.levels]).toEqual([64, 4, 3]);
     expect(map.report.consistent).toBe(true);
+    expect(map.pointSymmetric).toBe(true);
     expect(progress).toEqual([...progress].sort((a, b) => a - b));
+  });
+
+  it('makes a texture of thresholds that three uploads once, as data, with its own levels', async () => {
+    const map = await TonalArtMap.generate({ size: 64, tones: 4 });
+    const texture = map.thresholdTexture;
+    expect(map.thresholdTexture).toBe(texture);
+    expect(texture.version).toBe(1);
+    expect([texture.format, texture.type, texture.colorSpace]).toEqual([RedFormat, UnsignedByteType, NoColorSpace]);
+    expect([texture.wrapS, texture.wrapT]).toEqual([RepeatWrapping, RepeatWrapping]);
+    expect([texture.minFilter, texture.magFilter]).toEqual([LinearMipmapLinearFilter, LinearFilter]);
+    expect([texture.generateMipmaps, texture.flipY]).toEqual([false, false]);
+    expect(texture.mipmaps?.map(({ width, height }) => [width, height])).toEqual([
+      [64, 64],
+      [32, 32],
+      [16, 16],
+    ]);
+    const bytes = (texture.mipmaps as { data: Uint8Array }[])[1].data;
+    map.thresholds(1).forEach((threshold, i) => {
+      // The sign is that of h − ½, the order that of h.
+      expect(Math.sign(bytes[i]! - 127.5)).toBe(Math.sign(threshold - 0.5));
+    });
+    map.dispose();
+  });
+
+  it('has thresholds without mip levels where there is one level', async () => {
+    const map = await TonalArtMap.generate({ size: 64, tones: 4, levels: 1 });
+    expect(map.thresholdTexture.minFilter).toBe(LinearFilter);
   });
 
   it('stops when aborted', async () => {

@@ -66,6 +66,17 @@ describe('placeStrokes', () => {
     expect(strokes.every(({ length }) => length === 0)).toBe(true);
   });
 
+  it.each(styleNames)('draws %s in pairs that a half turn swaps, if asked', (style) => {
+    const strokes = finish(placeStrokes({ ...request({ style, size: 64 }), pairs: true }));
+    expect(strokes.length % 2).toBe(0);
+    const ink = drawStrokes(strokes, 64);
+    expect(ink.filter((byte, i) => byte !== ink[ink.length - 1 - i]).length).toBe(0);
+    for (let i = 0; i < strokes.length; i += 2) {
+      const [one, other] = [strokes[i], strokes[i + 1]];
+      expect([other.u, other.v, other.bow]).toEqual([1 - one.u, 1 - one.v, -one.bow]);
+    }
+  });
+
   it('reports progress that rises within [0, 1], often enough to be stopped', () => {
     for (const style of styleNames) {
       const progress = [...placeStrokes(request({ style }))];

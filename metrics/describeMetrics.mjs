@@ -1,0 +1,154 @@
+import { flipsAt, requirements, toneError } from './requirements.mjs';
+
+/** @typedef {import('./page.js').ModelMetrics} ModelMetrics */
+
+const techniques = ['anchored', 'adjacency', 'adjacency, crisp', 'triangle'];
+const colours = { anchored: '#0b0b0b', adjacency: '#c0392b', 'adjacency, crisp': '#2471a3', triangle: '#8a8a8a' };
+
+const figure = (value) =>
+  value === undefined || value === null
+    ? ''
+    : value !== 0 && Math.abs(value) < 0.001
+      ? value.toExponential(0)
+      : value.toFixed(3);
+
+/** The page of the docs. @param {{ renderer: string, models: Record<string, ModelMetrics> }} report */
+export function describeMetrics({ renderer, models }) {
+  return `# Measured strokes
+
+Written by \`npm run metrics\`; drawn by ${renderer}. Every technique is measured on the same geometry, in the same run, without antialiasing
+(\`edgePixels: 0\`). ${Object.keys(models).length} models, each scaled to a bounding radius of 1 lit from one side or toned evenly.
+
+![Coherence of the strokes by number of triangles, and flips by turn of the light](metrics.svg)
+
+## What \`anchored\` must keep to
+
+The worst figure over all models, and the model it was met on; beside it the worst of the other techniques.
+
+${table(
+  ['', 'required', ...techniques],
+  requirements.map(({ name, limit, atLeast, worst }) => [
+    name,
+    `${atLeast ? '≥' : '≤'} ${figure(limit)}`,
+    ...techniques.map((technique) => {
+      const found = worst(models, technique);
+      return found ? `${figure(found.value)} (${found.model})` : '';
+    }),
+  ]),
+)}
+
+## Every model
+
+- **grey**: share of surface pixels with a luminance between 0.2 and 0.8, in linear light.
+- **jump**: mean and 95th percentile of the difference in luminance at the same points of an edge, shaded as part of the one and of the other
+  triangle. Edges that fold by more than 40° are left out.
+- **kink**: median and 95th percentile of the angle by which strokes turn at an edge, its triangles laid flat, from the frames alone; \`adjacency\`
+  blends what the frames draw, so that both show.
+- **tone**: largest distance of mean ink from the tone asked for, over tones 0.1, 0.25, 0.4, 0.6 and 0.8. Hatch images end at an ink of
+  0.95, thresholds at 1.
+- **flips**: share of pixels that turn between ink and paper as the light turns by 0.1°, 0.5°, 1° and 2°, over what it would be for two unrelated
+  pictures. The stroke scale is chosen so that strokes of all techniques lie equally far apart. On a sphere about its own origin the paper's
+  coordinates hardly change with the light (nor from place to place), so it is left out of the requirement.
+- **popping**: flips between frames of a camera that comes 8 times nearer in 45 frames with \`screenConstancy: 1\`, each point looked up where the next
+  frame shows it; the largest over the median. After it the median itself.
+- **spacing ±**: half the range of the distance between strokes on that way, in pixels, over its middle.
+- **coherence**: of the structure tensor, weighted by contrast, in the middle of a picture of 1000 pixels.
+
+${Object.entries(models)
+  .map(
+    ([model, { triangles, techniques: measured }]) => `### ${model}, ${triangles.toLocaleString('en')} triangles
+
+${table(
+  ['', 'grey', 'jump', 'kink°', 'tone', 'flips', 'popping', 'spacing ±', 'coherence'],
+  techniques.map((technique) => {
+    const m = measured[technique];
+    return [
+      technique,
+      figure(m.greyness),
+      m.edgeJump ? `${figure(m.edgeJump.mean)}, ${figure(m.edgeJump.p95)}` : '',
+      m.kink ? `${m.kink.median.toFixed(2)}, ${m.kink.p95.toFixed(1)}` : '',
+      figure(toneError(m)),
+      m.light ? m.light.flips.map(({ share }) => figure(share)).join(', ') : '',
+      m.dolly ? `${m.dolly.popping.toFixed(2)} of ${figure(median(m.dolly.flips))}` : '',
+      figure(m.zoom?.spread),
+      figure(m.coherence),
+    ];
+  }),
+)}
+`,
+  )
+  .join('\n')}`;
+}
+
+/** Two small charts side by side. @param {Record<string, ModelMetrics>} models */
+export function drawMetrics(models) {
+  const dragons = Object.entries(models).filter(([name]) => name.startsWith('dragon'));
+  const coherence = techniques.map((technique) => ({
+    technique,
+    points: dragons.map(([, { triangles, techniques: t }]) => [Math.log10(triangles), t[technique].coherence]),
+  }));
+  const lit = Object.entries(models).filter(([name, { techniques: t }]) => name !== 'sphere' && t.anchored.light);
+  const turns = lit[0]?.[1].techniques.anchored.light.flips.map(({ degrees }) => degrees) ?? [];
+  const flips = techniques.map((technique) => ({
+    technique,
+    points: turns.map((turn) => [turn, median(lit.map(([, { techniques: t }]) => flipsAt(t[technique], turn)))]),
+  }));
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 300" font-family="system-ui, sans-serif" font-size="12">
+<rect width="720" height="300" fill="#fff"/>
+${chart(
+  50,
+  'Coherence of strokes, by triangles of the dragon',
+  coherence,
+  [4, 6],
+  [
+    [4, '10 k'],
+    [5, '100 k'],
+    [6, '1 M'],
+  ],
+)}
+${chart(
+  410,
+  'Flips, by degrees the light turns',
+  flips,
+  [0, 2],
+  turns.map((turn) => [turn, `${turn}`]),
+)}
+${techniques
+  .map(
+    (technique, i) =>
+      `<path d="M${50 + 165 * i} 286h22" stroke="${colours[technique]}" stroke-width="2.5"/><text x="${78 + 165 * i}" y="290">${technique}</text>`,
+  )
+  .join('\n')}
+</svg>
+`;
+}
+
+function chart(left, title, series, [from, to], ticks) {
+  const [width, top, height] = [280, 40, 190];
+  const x = (value) => (left + ((value - from) / (to - from)) * width).toFixed(1);
+  const y = (value) => (top + (1 - value) * height).toFixed(1);
+  return [
+    `<text x="${left}" y="22" font-weight="600">${title}</text>`,
+    ...[0, 0.25, 0.5, 0.75, 1].map(
+      (value) =>
+        `<path d="M${left} ${y(value)}h${width}" stroke="#ddd"/><text x="${left - 6}" y="${Number(y(value)) + 4}" text-anchor="end">${value}</text>`,
+    ),
+    ...ticks.map(
+      ([value, label]) => `<text x="${x(value)}" y="${top + height + 18}" text-anchor="middle">${label}</text>`,
+    ),
+    ...series.map(
+      ({ technique, points }) =>
+        `<polyline points="${points.map(([a, b]) => `${x(a)},${y(b)}`).join(' ')}" fill="none" stroke="${colours[technique]}" stroke-width="2.5"/>`,
+    ),
+    ...series.flatMap(({ technique, points }) =>
+      points.map(([a, b]) => `<circle cx="${x(a)}" cy="${y(b)}" r="3" fill="${colours[technique]}"/>`),
+    ),
+  ].join('\n');
+}
+
+function table(head, rows) {
+  const line = (cells) => `| ${cells.join(' | ')} |`;
+  return [line(head), line(head.map((_, i) => (i === 0 ? '---' : '--:'))), ...rows.map(line)].join('\n');
+}
+
+const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];

@@ -1,0 +1,207 @@
+/** The page of the metrics: measures one model with every technique. */
+import { type BufferGeometry, Vector3, WebGLRenderer } from 'three';
+import {
+  HatchingMaterial,
+  type HatchingMaterialParameters,
+  prepareHatchingGeometry,
+  TonalArtMap,
+} from 'three-hatching';
+import { loadModel, type ModelName } from './loadModel.js';
+import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
+import { greyness } from './measures/greyness.js';
+import { meanInk } from './measures/meanInk.js';
+import { normalisedFlips } from './measures/normalisedFlips.js';
+import { pairedEdges } from './measures/pairedEdges.js';
+import { type LocatedImage, poppingIndex, reprojectedFlips } from './measures/reprojectedFlips.js';
+import type { SurfaceImage } from './measures/SurfaceImage.js';
+import { strokeCoherence } from './measures/strokeCoherence.js';
+import { type StrokeKink, strokeKink } from './measures/strokeKink.js';
+import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
+import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
+
+/** The first is what the others' strokes are spaced like where that matters. */
+const TECHNIQUES: [string, HatchingMaterialParameters][] = [
+  ['anchored', { technique: 'anchored' }],
+  ['adjacency', { technique: 'adjacency' }],
+  ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
+  ['triangle', { technique: 'triangle' }],
+];
+
+/** Which of the dearer measures to take. */
+export interface Plan {
+  edges: boolean;
+  light: boolean;
+  /** A hundred pictures per technique. */
+  camera: boolean;
+}
+
+export interface TechniqueMetrics {
+  greyness: number;
+  /** Mean ink per tone asked for. */
+  ink: Record<string, number>;
+  coherence: number;
+  /** Pixels between strokes. */
+  spacing: number;
+  edgeJump?: EdgeJump;
+  kink?: StrokeKink;
+  /** Normalised flips as the light turns, at the stroke scale that gives all techniques the same spacing. */
+  light?: { strokeScale: number; spacing: number; flips: { degrees: number; share: number }[] };
+  /** Normalised flips from frame to frame as the camera comes nearer. */
+  dolly?: { flips: number[]; popping: number };
+  /** Spacing in pixels on that way. */
+  zoom?: { spacings: number[]; spread: number };
+}
+
+export interface ModelMetrics {
+  triangles: number;
+  techniques: Record<string, TechniqueMetrics>;
+}
+
+declare global {
+  interface Window {
+    measureModel(model: ModelName, plan: Plan, text?: string): Promise<ModelMetrics>;
+  }
+}
+
+const SIZE = 400;
+/** Moving measures are taken smaller: they compare a picture with its like, and there are many. */
+const MOVING_SIZE = 256;
+/** Strokes as in a picture of 1000 pixels at the default scale: of the whole model in small, or its middle cut out. */
+const WHOLE = { zoom: 1, strokeScale: 1.2 };
+const MIDDLE = { zoom: 2.5, strokeScale: 3 };
+const TONES = [0.1, 0.25, 0.4, 0.6, 0.8];
+const LIGHT_TURNS = [0.1, 0.5, 1, 2];
+/** An image of the default map of eight tones, so that no technique shows two images at once. */
+const EVEN_TONE = 3 / 7;
+/** The camera comes up to eight times nearer. */
+const OCTAVES = 3;
+const DOLLY_FRAMES = 45;
+const ZOOM_STEPS = 12;
+const CREASE = (40 * Math.PI) / 180;
+/** Where the surface is seen this squarely, foreshortening hardly changes the spacing of strokes. */
+const SQUARELY = 0.8;
+
+const renderer = new WebGLRenderer({ antialias: false });
+renderer.setSize(8, 8, false);
+document.body.append(renderer.domElement);
+let tonalArtMap: TonalArtMap | undefined;
+
+window.measureModel = async (name, plan, text) => {
+  tonalArtMap ??= await TonalArtMap.generate();
+  const geometry = await prepareHatchingGeometry(await loadModel(name, text));
+  const metrics: ModelMetrics = { triangles: geometry.userData.hatching.triangles, techniques: {} };
+  const edges = plan.edges ? pairedEdges(geometry.getAttribute('position').array, CREASE) : new Uint32Array();
+  let wantedSpacing: number | undefined;
+  for (const [technique, parameters] of TECHNIQUES) {
+    const material = new HatchingMaterial({ tonalArtMap, ...parameters, edgePixels: 0 });
+    const still = new SurfaceCamera(renderer, SIZE, geometry, material);
+    const measured: TechniqueMetrics = {
+      ...measureWhole(still, material),
+      ...measureMiddle(still, material),
+      ...(edges.length > 0 && {
+        edgeJump: measureEdges(still, edges),
+        kink: measureKink(geometry, edges, parameters.technique === 'anchored'),
+      }),
+    };
+    wantedSpacing ??= measured.spacing;
+    if (plan.light) measured.light = measureLight(still, material, wantedSpacing);
+    if (plan.camera) {
+      const moving = new SurfaceCamera(renderer, MOVING_SIZE, geometry, material);
+      measured.dolly = measureDolly(moving, material);
+      measured.zoom = measureZoom(still, material);
+      moving.dispose();
+    }
+    still.dispose();
+    material.dispose();
+    metrics.techniques[technique] = measured;
+  }
+  geometry.dispose();
+  return metrics;
+};
+
+function measureWhole(camera: SurfaceCamera, material: HatchingMaterial) {
+  material.strokeScale = WHOLE.strokeScale;
+  camera.view(WHOLE.zoom);
+  return {
+    greyness: greyness(camera.lit().shoot()),
+    ink: Object.fromEntries(TONES.map((tone) => [tone, meanInk(camera.evenlyToned(tone).shoot())])),
+  };
+}
+
+function measureEdges(camera: SurfaceCamera, edges: Uint32Array): EdgeJump {
+  const half = (first: number) => edges.filter((_, i) => i % 4 === first || i % 4 === first + 1);
+  camera.view(WHOLE.zoom).lit();
+  return edgeJump(camera.shootEdges(half(0)), camera.shootEdges(half(2)));
+}
+
+function measureKink(geometry: BufferGeometry, edges: Uint32Array, hasSmoothFrames: boolean): StrokeKink {
+  const smooth = geometry.getAttribute('hatchNormal');
+  const normals = hasSmoothFrames
+    ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
+    : undefined;
+  return strokeKink(geometry.getAttribute('position').array, edges, TO_LIGHT.toArray(), normals);
+}
+
+function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
+  material.strokeScale = MIDDLE.strokeScale;
+  const even = camera.view(MIDDLE.zoom).evenlyToned(EVEN_TONE).shoot();
+  return { coherence: strokeCoherence(even), spacing: strokeSpacing(even) };
+}
+
+/** What flips per turn of the light goes with how close strokes lie; that is made equal first. */
+function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedSpacing: number) {
+  material.strokeScale = MIDDLE.strokeScale;
+  camera.view(MIDDLE.zoom);
+  // Not in one step: a coarser scale may bring in another level of the map.
+  for (let step = 0; step < 4; step++) {
+    material.strokeScale *= strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
+  }
+  const before = camera.evenlyToned(EVEN_TONE).shoot();
+  const flips = LIGHT_TURNS.map((degrees) => ({
+    degrees,
+    share: normalisedFlips(before, camera.evenlyToned(EVEN_TONE, degrees).shoot()),
+  }));
+  return { strokeScale: material.strokeScale, spacing: strokeSpacing(before), flips };
+}
+
+function measureDolly(camera: SurfaceCamera, material: HatchingMaterial) {
+  const target = sizeOnScreen(camera, material);
+  const flips: number[] = [];
+  let before = camera.dolly(target, 1).shootLocated();
+  for (let frame = 1; frame <= DOLLY_FRAMES; frame++) {
+    const after = camera.dolly(target, 2 ** ((OCTAVES * frame) / DOLLY_FRAMES)).shootLocated();
+    flips.push(reprojectedFlips(before, after));
+    before = after;
+  }
+  return { flips, popping: poppingIndex(flips) };
+}
+
+function measureZoom(camera: SurfaceCamera, material: HatchingMaterial) {
+  const target = sizeOnScreen(camera, material);
+  const spacings = Array.from({ length: ZOOM_STEPS + 1 }, (_, step) =>
+    strokeSpacing(seenSquarely(camera.dolly(target, 2 ** ((OCTAVES * step) / ZOOM_STEPS)).shootLocated())),
+  );
+  return { spacings, spread: halfSpread(spacings) };
+}
+
+/** Returns what the camera is to come near to: a point of the model in the middle of the usual view. */
+function sizeOnScreen(camera: SurfaceCamera, material: HatchingMaterial): Vector3 {
+  material.strokeScale = MIDDLE.strokeScale;
+  material.screenConstancy = 1;
+  return middleOf(camera.evenlyToned(EVEN_TONE).view().shootLocated());
+}
+
+function seenSquarely(image: LocatedImage): SurfaceImage {
+  return { ...image, surface: image.surface.map((s, i) => (image.places[4 * i + 3]! > SQUARELY ? s : 0)) };
+}
+
+/** The point of the model shown nearest to the middle of the picture and seen squarely. */
+function middleOf({ width, height, surface, places }: LocatedImage): Vector3 {
+  let [best, nearest] = [-1, Number.POSITIVE_INFINITY];
+  for (let i = 0; i < surface.length; i++) {
+    if (surface[i] === 0 || places[4 * i + 3]! < SQUARELY) continue;
+    const distance = Math.hypot((i % width) - width / 2, Math.floor(i / width) - height / 2);
+    if (distance < nearest) [best, nearest] = [i, distance];
+  }
+  return new Vector3().fromArray(places, 4 * best);
+}

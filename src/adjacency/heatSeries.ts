@@ -1,0 +1,29 @@
+/**
+ * The coefficients c₀, c₁, … of e^(−time·(1 − x)) ≈ Σ cₖ·Tₖ(x) on [−1, 1], Tₖ the Chebyshev polynomials: modified Bessel
+ * functions of the first kind, c₀ ∝ I₀(time), cₖ ∝ 2·Iₖ(time). They fall off beyond k ≈ √time; the series ends where what
+ * is left sums to less than `tolerance`, and the coefficients then sum to 1, so that a constant keeps its value exactly.
+ *
+ * With x a matrix of weighted means this is heat that has flowed for `time` steps, at the price of about
+ * √(2·time·ln(1/tolerance)) of them.
+ */
+export function heatSeries(time: number, tolerance: number): number[] {
+  // Miller's algorithm: the recurrence I(k−1) = I(k+1) + 2k/time·I(k) is stable downwards, from anything small.
+  const values: number[] = [];
+  let last = 0;
+  let value = 1e-150;
+  for (let k = Math.ceil(Math.sqrt(40 * time)) + 8; k > 0; k--) {
+    [last, value] = [value, last + ((2 * k) / time) * value];
+    values[k - 1] = value;
+  }
+  const coefficients = values.map((bessel, k) => (k === 0 ? 1 : 2) * bessel);
+  const total = sum(coefficients);
+  let rest = 0;
+  while (rest + coefficients.at(-1)! < tolerance * total) rest += coefficients.pop()!;
+  const kept = sum(coefficients);
+  return coefficients.map((coefficient) => coefficient / kept);
+}
+
+/** The longest time whose series has no more than `count` coefficients, nearly. */
+export const longestHeatTime = (count: number, tolerance: number): number => count ** 2 / (2 * Math.log(1 / tolerance));
+
+const sum = (values: readonly number[]): number => values.reduce((total, value) => total + value, 0);

@@ -1,0 +1,69 @@
+import { Box3, BufferGeometry, InstancedBufferGeometry, Sphere, Vector3 } from 'three';
+import type { BakeReport } from '../adjacency/bakeSurface.js';
+import type { CornerRange } from './cornerRange.js';
+import type { HatchingStatistics } from './HatchingStatistics.js';
+import { isInstanced } from './vertexAttributes.js';
+
+/**
+ * A new geometry with all that a bake does not touch: name, user data, groups, instancing. Made before the bake starts,
+ * so that what the caller does to `source` meanwhile has no influence.
+ */
+export function startGeometry(source: BufferGeometry, range: CornerRange): BufferGeometry {
+  const geometry = 'isInstancedBufferGeometry' in source ? new InstancedBufferGeometry() : new BufferGeometry();
+  if (geometry instanceof InstancedBufferGeometry) {
+    geometry.instanceCount = (source as InstancedBufferGeometry).instanceCount;
+  }
+  geometry.name = source.name;
+  geometry.userData = { ...source.userData };
+  geometry.morphTargetsRelative = source.morphTargetsRelative;
+  for (const group of range.groups) geometry.addGroup(group.start, group.count, group.materialIndex);
+  const clonedBuffers = {};
+  for (const [name, attribute] of Object.entries(source.attributes)) {
+    if (!isInstanced(attribute)) continue;
+    geometry.setAttribute(name, 'data' in attribute ? attribute.clone(clonedBuffers) : attribute.clone());
+  }
+  return geometry;
+}
+
+/** Sets the bounds and `userData.hatching`, when all attributes are there. */
+export function finishGeometry(
+  geometry: BufferGeometry,
+  layout: HatchingStatistics['layout'],
+  report: BakeReport,
+): void {
+  applyBounds(geometry, report);
+  const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles } = report;
+  const statistics: HatchingStatistics = {
+    triangles: (geometry.index ?? geometry.attributes.position!).count / 3,
+    borderEdges,
+    nonManifoldEdges,
+    inconsistentEdges,
+    degenerateTriangles,
+    layout,
+    bytes: bytesOf(geometry),
+  };
+  geometry.userData.hatching = statistics;
+}
+
+function applyBounds(geometry: BufferGeometry, { bounds }: BakeReport): void {
+  if (geometry.morphAttributes.position) {
+    // The bounds of three.js include the morph targets; the bake knows the rest pose only.
+    geometry.computeBoundingBox();
+    geometry.computeBoundingSphere();
+    return;
+  }
+  const box = new Box3(new Vector3(...bounds.min), new Vector3(...bounds.max));
+  geometry.boundingBox = box;
+  geometry.boundingSphere = new Sphere(box.getCenter(new Vector3()), bounds.radius);
+}
+
+function bytesOf(geometry: BufferGeometry): number {
+  const arrays = new Set<ArrayBufferView>();
+  for (const attribute of Object.values(geometry.attributes)) arrays.add(attribute.array);
+  for (const targets of Object.values(geometry.morphAttributes))
+    for (const { array } of targets ?? []) arrays.add(array);
+  if (geometry.index) arrays.add(geometry.index.array);
+  let bytes = 0;
+  for (const { byteLength } of arrays) bytes += byteLength;
+  return bytes;
+}

@@ -1,0 +1,52 @@
+import { normalQuantile, type ThresholdLevel } from './encodeThresholds.js';
+
+/** What interpolation leaves of the contrast of a threshold map, averaged over its levels. */
+export interface ThresholdMoments {
+  /** Variance of g as a texture unit interpolates it between texels; 1 at the texels themselves. */
+  variance: number;
+  /** Covariance of g, interpolated, on two neighbouring levels: how well their strokes nest. 0 if there is one level. */
+  covariance: number;
+}
+
+const SAMPLES = 8192;
+
+/**
+ * Measures the moments by sampling, at the points of the additive recurrence of Roberts' R2 sequence, which cover the
+ * tile evenly and are the same each time.
+ */
+export function measureThresholdMoments(levels: readonly ThresholdLevel[]): ThresholdMoments {
+  const fields = levels.map(({ size, thresholds }) => ({ size, field: thresholds.map(normalQuantile) }));
+  let squares = 0;
+  let products = 0;
+  let [u, v] = [0.5, 0.5];
+  for (let i = 0; i < SAMPLES; i++) {
+    u = (u + 0.7548776662466927) % 1;
+    v = (v + 0.5698402909980532) % 1;
+    let finer = 0;
+    fields.forEach(({ size, field }, level) => {
+      const g = interpolate(field, size, u, v);
+      squares += g * g;
+      if (level > 0) products += finer * g;
+      finer = g;
+    });
+  }
+  return {
+    variance: squares / (SAMPLES * levels.length),
+    covariance: levels.length > 1 ? products / (SAMPLES * (levels.length - 1)) : 0,
+  };
+}
+
+/** Bilinear interpolation at (u, v) in tiles, texel centres at half texels, as a texture unit does it. */
+function interpolate(field: Float32Array, size: number, u: number, v: number): number {
+  const x = u * size - 0.5 + size;
+  const y = v * size - 0.5 + size;
+  const column = Math.floor(x);
+  const row = Math.floor(y);
+  const right = x - column;
+  const down = y - row;
+  const mask = size - 1;
+  const at = (i: number, j: number) => field[((row + j) & mask) * size + ((column + i) & mask)]!;
+  const upper = at(0, 0) * (1 - right) + at(1, 0) * right;
+  const lower = at(0, 1) * (1 - right) + at(1, 1) * right;
+  return upper * (1 - down) + lower * down;
+}

@@ -1,0 +1,106 @@
+import type { PNG } from 'pngjs';
+import { expect, test } from '../browser/test.js';
+import { changedShare, edgeSpacing, greyShare, likeness, type Region } from './pictures.js';
+import { openPlayground, readDrawing, savePicture } from './playground.js';
+
+test.use({ viewport: { width: 640, height: 480 } });
+
+/** Within the sphere, or the face of the cube that looks at the camera. */
+const MIDDLE: Region = { left: 0.4, top: 0.34, right: 0.6, bottom: 0.66 };
+const CUBE = 'model=cube&lightAzimuth=40&lightElevation=20&lightStrength=100&reflectedLight=0';
+
+test('anchored strokes are black and white', async ({ page }) => {
+  const view = 'model=sphere&camera=0,0,6,0,0,0&lightAzimuth=60&lightElevation=10';
+  await openPlayground(page, `${view}&edge=0`);
+  expect(greyShare(await readDrawing(page), MIDDLE)).toBeLessThan(0.005);
+  await openPlayground(page, `${view}&technique=adjacency`);
+  expect(greyShare(await readDrawing(page), MIDDLE)).toBeGreaterThan(0.3);
+  await openPlayground(page, `${view}&technique=adjacencyCrisp&edge=0`);
+  // What is left are the edges of triangles, which multisampling smooths.
+  expect(greyShare(await readDrawing(page), MIDDLE)).toBeLessThan(0.03);
+});
+
+for (const [left, right] of [
+  ['triangle', 'anchored'],
+  ['adjacencyCrisp', 'adjacency'],
+] as const) {
+  test(`two techniques stand side by side, divided where the divider is: ${left} and ${right}`, async ({ page }) => {
+    const view = 'model=bunny&lightAzimuth=-30';
+    await openPlayground(page, `${view}&technique=${right}`);
+    const rightAlone = await readDrawing(page);
+    await openPlayground(page, `${view}&technique=${left}`);
+    const leftAlone = await readDrawing(page);
+    await openPlayground(page, `${view}&technique=${right}&compare=${left}`);
+    const divider = page.getByRole('slider', { name: /Divider between/ });
+    await divider.focus();
+    for (let i = 0; i < 5; i++) await divider.press('ArrowLeft');
+    await expect(divider).toHaveAttribute('aria-valuenow', '40');
+    const both = await readDrawing(page);
+    const split = Math.round(0.4 * both.width);
+    expect(differingColumns(both, leftAlone).every((column) => column >= split)).toBe(true);
+    expect(differingColumns(both, rightAlone).every((column) => column < split)).toBe(true);
+    expect(differingColumns(both, rightAlone).length).toBeGreaterThan(20);
+  });
+}
+
+function differingColumns(a: PNG, b: PNG): number[] {
+  const columns = new Set<number>();
+  for (let i = 0; i < a.data.length; i += 4) {
+    if (a.data.readUInt32LE(i) !== b.data.readUInt32LE(i)) columns.add((i / 4) % a.width);
+  }
+  return [...columns];
+}
+
+test('a hand sets everything at once, and can be undone', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page, 'model=sphere');
+  const hands = page.getByRole('group', { name: 'Hand' });
+  const undo = page.getByRole('button', { name: 'Undo' });
+  await expect(hands.getByRole('button', { name: 'Pen', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await expect(undo).toBeDisabled();
+  const pen = await readDrawing(page);
+  const seen = [pen];
+  for (const hand of ['Woodcut', 'Stipple', 'Pencil']) {
+    await hands.getByRole('button', { name: hand }).click();
+    await expect(hands.getByRole('button', { name: hand })).toHaveAttribute('aria-pressed', 'true');
+    const picture = await readDrawing(page);
+    for (const other of seen) expect(changedShare(other, picture), hand).toBeGreaterThan(0.05);
+    seen.push(picture);
+  }
+  await expect.poll(() => page.url()).toContain('mapStyle=crossHatching');
+  const width = page.getByLabel('Stroke width');
+  await width.fill('5');
+  await width.press('Enter');
+  await expect(hands.locator('[aria-pressed=true]')).toHaveCount(0);
+
+  await undo.click();
+  expect(changedShare(seen[3]!, await readDrawing(page))).toBe(0);
+  await page.keyboard.press('Control+z');
+  await expect(hands.getByRole('button', { name: 'Stipple' })).toHaveAttribute('aria-pressed', 'true');
+  await undo.click();
+  await undo.click();
+  await expect(undo).toBeDisabled();
+  expect(changedShare(pen, await readDrawing(page))).toBe(0);
+});
+
+test('a picture saved at twice the size has the same strokes', async ({ page }) => {
+  await openPlayground(page, `${CUBE}&camera=0,0,5,0,0,0&pictureSize=2`);
+  const shown = await readDrawing(page);
+  const large = await savePicture(page);
+  expect(large.width).toBe(2 * shown.width);
+  expect(likeness(shown, large, MIDDLE)).toBeGreaterThan(0.9);
+  // Not because every drawing is like every other.
+  await openPlayground(page, `${CUBE}&camera=0,0,5,0,0,0&mapSeed=2`);
+  expect(likeness(await readDrawing(page), large, MIDDLE)).toBeLessThan(0.4);
+});
+
+test('strokes sized on the screen keep their spacing when the camera comes nearer, others grow', async ({ page }) => {
+  const spacing = async (constancy: number, distance: number): Promise<number> => {
+    await openPlayground(page, `${CUBE}&screenConstancy=${constancy}&strokeScale=1&camera=0,0,${distance},0,0,0`);
+    return edgeSpacing(await readDrawing(page), MIDDLE);
+  };
+  const onScreen = (await spacing(100, 2)) / (await spacing(100, 5));
+  expect(onScreen).toBeGreaterThan(0.85);
+  expect(onScreen).toBeLessThan(1.15);
+  expect((await spacing(0, 2)) / (await spacing(0, 5))).toBeGreaterThan(1.4);
+});

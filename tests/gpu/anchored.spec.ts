@@ -1,0 +1,120 @@
+import { expect, test } from '../browser/test.js';
+import { type AnchoredSettings, anchoredExcess } from '../reference/anchoredReference.js';
+import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
+import { type PlainMesh, torus, trianglesOf } from '../reference/meshes.js';
+import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
+import type { Vec3 } from '../reference/referenceAdjacency.js';
+import { analyticThreshold } from './analyticMaps.js';
+import type { HatchingSpec } from './hatchingSpec.js';
+import {
+  defaults,
+  directional,
+  eye,
+  hemisphere,
+  identity,
+  mirrored,
+  perspective,
+  placed,
+  point,
+  redSide,
+  rotated,
+  spot,
+} from './referenceScenes.js';
+
+const SIZE = 192;
+
+interface Case {
+  name: string;
+  lights?: ReferenceLight[];
+  matrixWorld?: number[];
+  material?: Partial<ReferenceMaterial>;
+  anchorSpacing?: number;
+}
+
+const cases: Case[] = [
+  { name: 'directional light' },
+  { name: 'point light', lights: [point] },
+  { name: 'spot light', lights: [spot] },
+  { name: 'hemisphere light alone', lights: [hemisphere] },
+  { name: 'two lights', lights: [directional, redSide] },
+  { name: 'rotated object', matrixWorld: rotated },
+  { name: 'rotated, moved and scaled object', matrixWorld: placed, lights: [point] },
+  { name: 'mirrored object', matrixWorld: mirrored },
+  { name: 'no rotation, other scale and spacing', material: { strokeRotation: 0, strokeScale: 3 }, anchorSpacing: 0.6 },
+  { name: 'half-Lambert', material: { toneModel: 'halfLambert' } },
+];
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/harness.html');
+  await page.waitForFunction(() => window.renderHatching !== undefined);
+});
+
+for (const { name, lights, matrixWorld, material, anchorSpacing } of cases) {
+  test(`anchored equals the double-precision reference: ${name}`, async ({ page }) => {
+    const mesh = torus as Required<PlainMesh>;
+    const spec: HatchingSpec = {
+      width: SIZE,
+      height: SIZE,
+      ...mesh,
+      matrixWorld: matrixWorld ?? identity,
+      camera: perspective,
+      lights: lights ?? [directional],
+      material: { ...defaults, ...material, technique: 'anchored', toneNormal: 'smooth' },
+      map: 'smooth',
+      anchorSpacing: anchorSpacing ?? 0.35,
+    };
+    const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
+
+    const triangles = trianglesOf(mesh);
+    const fragments = rasterizeReference(triangles, spec.matrixWorld, spec.camera, SIZE, SIZE, false);
+    const reference = new HatchingReference({
+      matrixWorld: spec.matrixWorld,
+      eye,
+      lights: spec.lights,
+      material: spec.material as ReferenceMaterial,
+      tones: 2,
+      image: () => 0,
+    });
+    const settings: AnchoredSettings = {
+      strokeScale: spec.material.strokeScale,
+      strokeRotation: spec.material.strokeRotation,
+      anchorSpacing: spec.anchorSpacing!,
+      halfTiles: spec.lights.length > 1,
+      threshold: analyticThreshold.field,
+    };
+    const interior = interiorPixels(fragments, SIZE, SIZE);
+    expect(interior.length).toBeGreaterThan(3000);
+    let inked = 0;
+    let wrong = 0;
+    let grey = 0;
+    for (const pixel of interior) {
+      const { triangle, barycentric } = fragments[pixel]!;
+      const interpolate = (of: (corner: number) => number[]) =>
+        [0, 1, 2].map((axis) =>
+          [0, 1, 2].reduce((sum, k) => sum + barycentric[k]! * of(3 * triangle + k)[axis]!, 0),
+        ) as Vec3;
+      const vertexOf = (array: number[]) => (corner: number) => {
+        const vertex = mesh.indices[corner]!;
+        return array.slice(3 * vertex, 3 * vertex + 3);
+      };
+      const position = interpolate(vertexOf(mesh.positions));
+      const normal = interpolate(vertexOf(mesh.normals));
+      const length = Math.hypot(...normal);
+      const unit = normal.map((x) => x / length) as Vec3;
+      const excess = anchoredExcess(reference, position, unit, normal, settings);
+      const value = pixels[4 * pixel]!;
+      if (value !== 0 && value !== 255) grey++;
+      if (excess > 0) inked++;
+      // On the very edge of a stroke a rounding decides.
+      if (Math.abs(excess) > 0.01 && value < 128 !== excess > 0) wrong++;
+    }
+    expect(inked, 'pixels of ink').toBeGreaterThan(0.1 * interior.length);
+    expect(inked, 'pixels of ink').toBeLessThan(0.98 * interior.length);
+    // Where threshold and tone are the same number, rounding leaves a half.
+    expect(grey, 'grey pixels, with hard edges').toBeLessThanOrEqual(2);
+    expect(wrong / interior.length, 'share of pixels on the wrong side').toBeLessThanOrEqual(0.01);
+    test
+      .info()
+      .annotations.push({ type: 'error', description: `${((100 * wrong) / interior.length).toFixed(2)} % wrong` });
+  });
+}

@@ -1,0 +1,68 @@
+import { mat4 } from 'gl-matrix';
+import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
+import type { Vec3 } from '../reference/referenceAdjacency.js';
+
+/** Placements, cameras, lights and a material that the comparisons with the reference share. */
+
+export const identity = [...mat4.create()];
+export const rotated = [...mat4.fromRotation(mat4.create(), 0.9, [1, 2, -0.5])!];
+export const placed = [
+  ...mat4.scale(
+    mat4.create(),
+    mat4.translate(mat4.create(), rotated as unknown as mat4, [0.1, -0.15, 0.2]),
+    [0.8, 0.8, 0.8],
+  ),
+];
+export const mirrored = [...mat4.scale(mat4.create(), rotated as unknown as mat4, [-1, 1, 1])];
+
+export const eye: Vec3 = [0.9, 0.8, 3];
+export const perspective = {
+  view: [...mat4.lookAt(mat4.create(), eye, [0, 0, 0], [0, 1, 0])],
+  projection: [...mat4.perspective(mat4.create(), 0.75, 1, 0.1, 20)],
+};
+export const orthographic = {
+  view: perspective.view,
+  projection: [...mat4.ortho(mat4.create(), -1.2, 1.2, -1.2, 1.2, 0.1, 20)],
+};
+
+export const white = (intensity: number): Vec3 => [intensity, intensity, intensity];
+export const directional: ReferenceLight = { type: 'directional', color: white(Math.PI), position: [1, 1.5, 2] };
+export const point: ReferenceLight = {
+  type: 'point',
+  color: white(9),
+  position: [1.2, 1.1, 1.7],
+  distance: 6,
+  decay: 2,
+};
+export const spot: ReferenceLight = {
+  type: 'spot',
+  color: white(5),
+  position: [-0.8, 1.4, 2],
+  target: [0.1, 0, 0],
+  angle: 0.45,
+  penumbra: 0.6,
+  decay: 0,
+};
+export const ambient: ReferenceLight = { type: 'ambient', color: white(0.5) };
+export const hemisphere: ReferenceLight = {
+  type: 'hemisphere',
+  color: [0.9, 1.2, 1.6],
+  groundColor: [0.4, 0.3, 0.2],
+  position: [0.1, 1, 0.2],
+};
+export const redSide: ReferenceLight = { type: 'directional', color: [2, 0.3, 0.2], position: [-2, 0.4, 1] };
+
+export const defaults: ReferenceMaterial = {
+  technique: 'adjacency',
+  toneModel: 'lambert',
+  toneSteps: 4,
+  shininess: 30,
+  toneNormal: 'face',
+  strokeScale: 1.7,
+  strokeRotation: 0.4,
+  strokeOffset: [0.13, 0.37],
+  creaseAngle: Math.PI / 2,
+  ink: [0, 0, 0],
+  paper: [1, 1, 1],
+  color: [1, 1, 1],
+};

@@ -1,0 +1,37 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../browser/test.js';
+import type { ThresholdMapTests } from './thresholdMap.js';
+
+/** Runs one test of the page there and brings its result here. */
+async function run<Name extends keyof ThresholdMapTests>(
+  page: Page,
+  name: Name,
+): Promise<Awaited<ReturnType<ThresholdMapTests[Name]>>> {
+  await page.goto('/tests/gpu/thresholdMap.html');
+  await page.waitForFunction(() => window.thresholdMapTests);
+  return page.evaluate((key) => window.thresholdMapTests![key]() as never, name);
+}
+
+test('thresholds lie on the GPU level by level, row 0 at v = 0, point-symmetric, and repeat', async ({ page }) => {
+  const levels = await run(page, 'levels');
+  expect(levels.map(({ texels }) => texels)).toEqual([4096, 1024, 256]);
+  for (const { error, asymmetric } of levels) {
+    // Half a step of a byte.
+    expect(error).toBeLessThan(0.0119);
+    expect(asymmetric).toBe(0);
+  }
+});
+
+test('thresholds are interpolated linearly between texels, across borders too', async ({ page }) => {
+  expect(await run(page, 'interpolation')).toBeLessThan(0.015);
+});
+
+test('thresholds are uploaded once, level by level, and freed by dispose', async ({ page }) => {
+  expect(await run(page, 'uploads')).toEqual({ calls: 3, during: 1, after: 0 });
+});
+
+test('thresholds derived from images lie on the GPU', async ({ page }) => {
+  const { latestInk, earliestPaper } = await run(page, 'derived');
+  expect(latestInk).toBeLessThan(0);
+  expect(earliestPaper).toBeGreaterThan(0);
+});

@@ -1,0 +1,139 @@
+import {
+  Camera,
+  FloatType,
+  GLSL3,
+  Mesh,
+  NearestFilter,
+  PlaneGeometry,
+  RawShaderMaterial,
+  RedFormat,
+  Scene,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import { TonalArtMap } from 'three-hatching';
+import { normalQuantile } from '../../src/tam/encodeThresholds.js';
+
+const renderer = new WebGLRenderer({ antialias: false });
+const camera = new Camera();
+
+/** What the threshold texture holds at the texel centres of a level, or shifted by a part of a texel. */
+function sample(map: TonalArtMap, level: number, shift = 0): Float32Array {
+  const size = map.size >> level;
+  const target = new WebGLRenderTarget(size, size, {
+    depthBuffer: false,
+    format: RedFormat,
+    type: FloatType,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+  });
+  const material = new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
+    fragmentShader: /* glsl */ `
+      precision highp float;
+      uniform highp sampler2D thresholds;
+      uniform float size, level, shift;
+      out vec4 value;
+      // A tile further: the map repeats both ways.
+      void main() { value = 6.0 * textureLod(thresholds, (gl_FragCoord.xy + shift) / size + vec2(2.0, -1.0), level) - 3.0; }
+    `,
+    uniforms: {
+      thresholds: { value: map.thresholdTexture },
+      size: { value: size },
+      level: { value: level },
+      shift: { value: shift },
+    },
+    depthTest: false,
+    toneMapped: false,
+  });
+  const geometry = new PlaneGeometry(2, 2);
+  const scene = new Scene();
+  scene.add(new Mesh(geometry, material));
+  const values = new Float32Array(size * size);
+  renderer.setRenderTarget(target);
+  renderer.render(scene, camera);
+  renderer.readRenderTargetPixels(target, 0, 0, size, size, values);
+  renderer.setRenderTarget(null);
+  geometry.dispose();
+  material.dispose();
+  target.dispose();
+  return values;
+}
+
+const generate = () => TonalArtMap.generate({ style: 'crossHatching', size: 64, tones: 4, seed: 2 });
+
+const thresholdMapTests = {
+  /** For each level: the greatest difference to Φ⁻¹ of `.thresholds(level)`, ±3 at most, and how many texels differ after a half turn. */
+  async levels() {
+    const map = await generate();
+    const result = Array.from({ length: map.levels }, (_, level) => {
+      const values = sample(map, level);
+      let error = 0;
+      map.thresholds(level).forEach((threshold, i) => {
+        const expected = Math.max(-3, Math.min(3, normalQuantile(threshold)));
+        error = Math.max(error, Math.abs(values[i]! - expected));
+      });
+      const asymmetric = values.filter((value, i) => value !== values[values.length - 1 - i]).length;
+      return { texels: values.length, error, asymmetric };
+    });
+    map.dispose();
+    return result;
+  },
+
+  /** The greatest difference between samples halfway between texels, both ways, and the means of four texels. */
+  async interpolation() {
+    const map = await generate();
+    const texels = sample(map, 1);
+    const between = sample(map, 1, 0.5);
+    const size = map.size >> 1;
+    let error = 0;
+    for (let i = 0; i < texels.length; i++) {
+      const [row, column] = [Math.floor(i / size), i % size];
+      const at = (y: number, x: number): number => texels[((row + y) % size) * size + ((column + x) % size)]!;
+      error = Math.max(error, Math.abs(between[i]! - (at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1)) / 4));
+    }
+    map.dispose();
+    return error;
+  },
+
+  /** Calls that upload texels while the map is drawn three times; then the textures left after dispose. */
+  async uploads() {
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const upload = gl.texSubImage2D;
+    let calls = 0;
+    gl.texSubImage2D = (...args: unknown[]) => {
+      calls++;
+      Reflect.apply(upload, gl, args);
+    };
+    const before = renderer.info.memory.textures;
+    const map = await generate();
+    for (let level = 0; level < 3; level++) sample(map, level);
+    const during = renderer.info.memory.textures - before;
+    map.dispose();
+    gl.texSubImage2D = upload;
+    return { calls, during, after: renderer.info.memory.textures - before };
+  },
+
+  /** The latest ink and the earliest paper of a map derived from two images of one level. */
+  async derived() {
+    const images = [new Uint8Array(64).fill(255), new Uint8Array(64).map((_, i) => (i % 8 < 4 ? 0 : 255))];
+    const map = TonalArtMap.fromHatchImages({ size: 8, images: images.map((image) => [image]) });
+    const values = sample(map, 0);
+    // Columns 0 to 3 are ink in the darker image.
+    const ink = [...values].filter((_, i) => i % 8 < 4);
+    const paper = [...values].filter((_, i) => i % 8 >= 4);
+    map.dispose();
+    return { latestInk: Math.max(...ink), earliestPaper: Math.min(...paper) };
+  },
+};
+
+export type ThresholdMapTests = typeof thresholdMapTests;
+
+declare global {
+  interface Window {
+    thresholdMapTests?: ThresholdMapTests;
+  }
+}
+
+window.thresholdMapTests = thresholdMapTests;

@@ -1,0 +1,96 @@
+/**
+ * The technique `anchored` at one fragment, in double precision: the simplex lattice from its definition (Perlin's
+ * skewed cubes), the hash and the blend as documented. Shares no code with the shader.
+ */
+import type { HatchingReference } from './hatchingReference.js';
+import type { Vec3 } from './referenceAdjacency.js';
+
+/** g = Φ⁻¹(h) of the threshold map at (u, v) in tiles. */
+export type ThresholdFunction = (u: number, v: number) => number;
+
+export interface AnchoredSettings {
+  strokeScale: number;
+  strokeRotation: number;
+  anchorSpacing: number;
+  /** Whether the direction is known only up to its sign, so that the map may be shifted by half tiles alone. */
+  halfTiles: boolean;
+  threshold: ThresholdFunction;
+}
+
+const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** Wellons 2018, lowbias32, over the coordinates of a lattice point of lattice 0. */
+export function hashAnchor(id: Vec3): number {
+  let h = Math.imul(id[0], 0x8da6b343) ^ Math.imul(id[1], 0xd8163841) ^ Math.imul(id[2], 0xcb1ab31f);
+  h ^= h >>> 16;
+  h = Math.imul(h, 0x7feb352d);
+  h ^= h >>> 15;
+  h = Math.imul(h, 0x846ca68b);
+  return (h ^ (h >>> 16)) >>> 0;
+}
+
+/** The corners of the simplex around x: lattice coordinates and the vector from the corner to x. */
+export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
+  const skew = (x[0] + x[1] + x[2]) / 3;
+  const cell = x.map((c) => Math.floor(c + skew)) as Vec3;
+  const toSpace = (id: Vec3) => id.map((c) => c - (id[0] + id[1] + id[2]) / 6) as Vec3;
+  const origin = toSpace(cell);
+  const local = x.map((c, i) => c - origin[i]!) as Vec3;
+  // From the cell's first corner, walk along the axes in the order of the local coordinates, largest first.
+  const axes = [0, 1, 2].sort((a, b) => local[b]! - local[a]!);
+  const ids: Vec3[] = [cell];
+  for (const axis of axes) {
+    const next = [...ids.at(-1)!] as Vec3;
+    next[axis]! += 1;
+    ids.push(next);
+  }
+  return ids.map((id) => {
+    const place = toSpace(id);
+    return { id, offset: x.map((c, i) => c - place[i]!) as Vec3 };
+  });
+}
+
+/** The blended, standard normal field at a point in object space, for strokes sized on the object at level 0. */
+export function anchoredField(point: Vec3, tangent: Vec3, bitangent: Vec3, settings: AnchoredSettings): number {
+  const { strokeScale, strokeRotation, anchorSpacing, threshold } = settings;
+  const edge = anchorSpacing / strokeScale;
+  const cos = Math.cos(strokeRotation);
+  const sin = Math.sin(strokeRotation);
+  let sum = 0;
+  let squares = 0;
+  for (const { id, offset } of simplexCorners(point.map((c) => c / edge) as Vec3)) {
+    const weight = Math.max(0.5 - dot(offset, offset), 0) ** 6;
+    const hash = hashAnchor(id);
+    const shift = (word: number) => (settings.halfTiles ? 0.5 * (word & 1) : word / 65536);
+    const s = dot(offset, tangent) * anchorSpacing;
+    const t = dot(offset, bitangent) * anchorSpacing;
+    const u = (s * cos - t * sin) * (hash & 0x8000 ? -1 : 1) + shift(hash & 0xffff);
+    const v = s * sin + t * cos + shift(hash >>> 16);
+    sum += weight * threshold(u, v);
+    squares += weight * weight;
+  }
+  return sum / Math.sqrt(squares);
+}
+
+/** Φ, by Abramowitz and Stegun 7.1.26 for the error function: to 1.5e-7. */
+export function normalDistribution(g: number): number {
+  const x = Math.abs(g) / Math.SQRT2;
+  const t = 1 / (1 + 0.3275911 * x);
+  const polynomial = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
+  const erf = 1 - polynomial * Math.exp(-x * x);
+  return g < 0 ? 0.5 * (1 - erf) : 0.5 * (1 + erf);
+}
+
+/** By how much the tone exceeds the threshold: ink where positive. */
+export function anchoredExcess(
+  reference: HatchingReference,
+  point: Vec3,
+  strokeNormal: Vec3,
+  toneNormal: Vec3,
+  settings: AnchoredSettings,
+): number {
+  const world = reference.toWorld(point);
+  const { tangent, bitangent } = reference.frameOfNormal(strokeNormal, world);
+  const h = normalDistribution(anchoredField(point, tangent, bitangent, settings));
+  return reference.tone(world, reference.normalToWorld(toneNormal)) - h;
+}
