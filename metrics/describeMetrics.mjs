@@ -93,7 +93,8 @@ export function drawMetrics(models) {
     technique,
     points: turns.map((turn) => [turn, median(lit.map(([, { techniques: t }]) => flipsAt(t[technique], turn)))]),
   }));
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 300" font-family="system-ui, sans-serif" font-size="12">
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 300" font-family="system-ui, sans-serif" font-size="12" role="img">
+  <title>Coherence of the strokes by number of triangles, and flips by turn of the light</title>
 <rect width="720" height="300" fill="#fff"/>
 ${chart(
   50,

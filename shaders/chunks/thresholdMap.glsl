@@ -13,7 +13,7 @@ uniform float edgePixels; // width of the edge of a stroke
 uniform vec2 thresholdMoments; // variance of g between texels, and covariance between neighbouring levels
 
 // The share of an octave, at either end, that a level serves alone.
-#define LEVEL_FADE_START 0.35
+#define LEVEL_FADE_START 0.2
 
 // The level for strokes that would be too fine by so many octaves at the map's own size. Between two levels the texture
 // unit interpolates: strokes that only the finer one has come later, the others swell.

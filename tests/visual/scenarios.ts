@@ -16,7 +16,7 @@ export interface ScenarioLight {
 export interface Scenario {
   /** The golden's file name. */
   name: string;
-  /** The paper's figure. */
+  /** The paper's figure; 0 where the picture goes beyond the paper. */
   figure: number;
   /** What the picture shows. */
   sentence: string;
@@ -26,7 +26,12 @@ export interface Scenario {
   camera: { position: Triple; fov: number };
   lights: readonly ScenarioLight[];
   tonalArtMap: Pick<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>, 'style' | 'seed' | 'size' | 'tones'>;
-  material: Partial<Pick<HatchingMaterialOptions, 'technique' | 'strokeScale' | 'strokeRotation' | 'debugView'>>;
+  material: Partial<
+    Pick<
+      HatchingMaterialOptions,
+      'technique' | 'crisp' | 'strokeScale' | 'strokeRotation' | 'screenConstancy' | 'debugView'
+    >
+  >;
   /** Pixels. */
   size: readonly [width: number, height: number];
 }
@@ -135,5 +140,27 @@ export const scenarios: readonly Scenario[] = [
     figure: 14,
     sentence: 'Strokes drawn tangent to the direction of the light.',
     material: { strokeScale: 1.5, strokeRotation: 0 },
+  },
+  {
+    ...bunny,
+    name: 'beyond-anchored',
+    figure: 0,
+    sentence: 'Anchored strokes, sized on the object: continuous, black and white.',
+    material: { technique: 'anchored', strokeScale: 2 },
+  },
+  {
+    ...dragon,
+    name: 'beyond-anchored-screen',
+    figure: 0,
+    sentence: 'Anchored strokes, sized on the screen.',
+    lights: sun(1.2, 1, 1),
+    material: { technique: 'anchored', strokeRotation: QUARTER_TURN, screenConstancy: 1 },
+  },
+  {
+    ...bunny,
+    name: 'beyond-crisp',
+    figure: 0,
+    sentence: "The paper's frames and weights, with thresholds blended instead of greys.",
+    material: { technique: 'adjacency', crisp: true, strokeScale: 1.5 },
   },
 ];
