@@ -14,7 +14,7 @@ uniform float screenConstancy; // 0: strokes sized on the object, 1: on the scre
 
 // The blended field of one lattice. point: object space. uAxis, vAxis: the strokes' u and v in the surface. octaves: by
 // how many the map would be too fine for this lattice.
-float latticeField(
+HatchField latticeField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float lattice, const in float octaves
 ) {
   float edge = anchorSpacing / (strokeScale * exp2(lattice * LATTICE_OCTAVES));
@@ -37,17 +37,17 @@ float latticeField(
     field += w * thresholdAt(uv, level);
     squares += w * w;
   }
-  return field * inversesqrt(squares);
+  return HatchField(field * inversesqrt(squares), level.mixing);
 }
 
 // unitsPerPixel: object units to a pixel.
-float anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float unitsPerPixel) {
+HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float unitsPerPixel) {
   // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
   float magnification = -log2(strokeScale * unitsPerPixel * thresholdMapSize * texelPixels);
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
   float lattice = ceil(wanted);
   float octaves = lattice * LATTICE_OCTAVES - magnification;
-  float field = latticeField(point, uAxis, vAxis, lattice, octaves);
+  HatchField field = latticeField(point, uAxis, vAxis, lattice, octaves);
   // At screenConstancy 0 there is one lattice, and no other to fade to.
   float fade = screenConstancy > 0.0 ? smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted)) : 0.0;
   if (fade == 0.0) return field;

@@ -27,10 +27,10 @@ float hatch(const in HatchingParameters h, const in vec4 tone) {
         thresholdAt(h.uv[0], level), thresholdAt(h.uv[1], level),
         thresholdAt(h.uv[2], level), thresholdAt(h.uv[3], level)
       );
-      float field = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
-      return inkAt(field, dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
+      float g = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
+      return inkAt(HatchField(g, level.mixing), dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
     #else
-      return inkAt(thresholdAt(h.uv[0], level), tone.x);
+      return inkAt(HatchField(thresholdAt(h.uv[0], level), level.mixing), tone.x);
     #endif // TECHNIQUE
   #elif TECHNIQUE == TECHNIQUE_ADJACENCY
     vec4 darkness = vec4(

@@ -12,23 +12,26 @@ uniform float edgePixels; // width of the edge of a stroke
 
 uniform vec2 thresholdMoments; // variance of g between texels, and covariance between neighbouring levels
 
-// The share of an octave, at either end, that a level serves alone.
-#define LEVEL_FADE_START 0.2
+// A field to decide ink from: standard normal, but for the skew of mixed levels.
+struct HatchField {
+  float g;
+  float mixing; // 0 where it comes from one level, 1 half way between two
+};
 
-// The level for strokes that would be too fine by so many octaves at the map's own size. Between two levels the texture
-// unit interpolates: strokes that only the finer one has come later, the others swell.
 struct ThresholdLevel {
   float lod;
   float contrast; // gives back the variance that interpolation takes
+  float mixing;
 };
 
+// The level for strokes that would be too fine by so many octaves at the map's own size. Between two levels the texture
+// unit interpolates: strokes that only the finer one has come later, the others swell, and spacing changes evenly.
 ThresholdLevel chooseLevel(const in float octaves) {
   float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
-  // A mix of two levels is not quite normal, and tone with it: the less of the way they are mixed the better.
-  float share = smoothstep(LEVEL_FADE_START, 1.0 - LEVEL_FADE_START, fract(level));
+  float share = fract(level);
   float rest = 1.0 - share;
   float variance = thresholdMoments.x * (rest * rest + share * share) + 2.0 * rest * share * thresholdMoments.y;
-  return ThresholdLevel(floor(level) + share, inversesqrt(variance));
+  return ThresholdLevel(level, inversesqrt(variance), 4.0 * rest * share);
 }
 
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
@@ -36,9 +39,9 @@ float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
 }
 
 // Blends two independent fields without losing variance.
-float blendFields(const in float a, const in float b, const in float share) {
+HatchField blendFields(const in HatchField a, const in HatchField b, const in float share) {
   float rest = 1.0 - share;
-  return mix(a, b, share) * inversesqrt(rest * rest + share * share);
+  return HatchField(mix(a.g, b.g, share) * inversesqrt(rest * rest + share * share), max(a.mixing, b.mixing));
 }
 
 // Φ, the standard normal distribution, to 2e-4, and its slope.
@@ -47,11 +50,18 @@ vec2 normalDistribution(const in float g) {
   return vec2(h, h * (1.0 - h) * 1.5957691216 * (1.0 + 0.134145 * g * g));
 }
 
-// Ink ∈ [0, 1] of a blended field g under a tone: decided once, here. The mean over all g is exactly the tone, however
-// wide the edge.
-float inkAt(const in float g, const in float tone) {
-  vec2 h = normalDistribution(g);
-  float width = clamp(fwidth(g) * h.y * edgePixels, 1e-7, 1.0);
+// The mix of two skewed fields is not normal. This puts h right again; fitted to what generated maps show half way between
+// levels, where the tone would be up to 0.04 too light.
+float unskew(const in float h, const in float mixing) {
+  float x = h - 0.42;
+  return h + mixing * h * (1.0 - h) * (1.07 * x * x - 0.16);
+}
+
+// Ink ∈ [0, 1] of a field under a tone: decided once, here. The mean over the field is the tone, however wide the edge.
+float inkAt(const in HatchField field, const in float tone) {
+  vec2 h = normalDistribution(field.g);
+  h.x = unskew(h.x, field.mixing);
+  float width = clamp(fwidth(field.g) * h.y * edgePixels, 1e-7, 1.0);
   // Near blank and near full, an edge that reaches beyond [0, 1] would lose some of its ink; draw it elsewhere instead.
   float level = tone;
   if (tone < 0.5 * width) level = sqrt(2.0 * width * tone) - 0.5 * width;
