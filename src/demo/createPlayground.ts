@@ -24,8 +24,11 @@ import { copyText, download } from './takeAway.js';
 
 declare global {
   interface Window {
-    /** For tests: how many frames the page has drawn since it was opened. An idle page draws none. */
-    __playground?: { readonly framesDrawn: number };
+    /**
+     * For tests: how many frames the page has drawn since it was opened (an idle page draws none), and whether it is busy
+     * with no model and no map.
+     */
+    __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
 }
 
@@ -80,6 +83,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     value: {
       get framesDrawn() {
         return scene.framesDrawn;
+      },
+      get isIdle() {
+        return tasks.isIdle;
       },
     },
   });

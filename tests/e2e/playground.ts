@@ -18,8 +18,8 @@ export async function ready(page: Page): Promise<void> {
   await page.waitForFunction(
     (quiet) => {
       const state = window as unknown as { __seen?: { frames: number; since: number } };
-      const frames = window.__playground!.framesDrawn;
-      if (state.__seen?.frames !== frames) state.__seen = { frames, since: performance.now() };
+      const { framesDrawn: frames, isIdle } = window.__playground!;
+      if (!isIdle || state.__seen?.frames !== frames) state.__seen = { frames, since: performance.now() };
       return performance.now() - state.__seen.since > quiet;
     },
     QUIET_MILLISECONDS,
