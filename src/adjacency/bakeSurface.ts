@@ -17,7 +17,7 @@ export interface SurfaceRequest {
   /** Opens every error message: the function that was called and the thing it was given. */
   label: string;
   mesh: TriangleMesh;
-  /** Edges whose triangles' normals differ by more than this, in radians, get no neighbour. */
+  /** Edges whose triangles' normals differ by this or more, in radians, get no neighbour. */
   creaseAngle: number;
   /** Form finer than this, in object units, does not turn the hatch normals. `DEFAULT_SMOOTHING_SHARE` if undefined. */
   smoothingRadius?: number | undefined;

@@ -4,21 +4,22 @@ import { inChunks } from './inChunks.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 
-/** Rounding of the normals must not cut the edges of a mesh that is built with exactly the crease angle. */
+/** Rounding of the normals must not keep some edges of a mesh that is built with exactly the crease angle, and cut others. */
 const COSINE_TOLERANCE = 1e-6;
 
 /**
- * Sets the twins of all edges to NO_TWIN, in place, where the normals of the two triangles differ by more than
- * `creaseAngle` radians: the neighbour then contributes nothing (paper, section 3.3).
+ * Sets the twins of all edges to NO_TWIN, in place, where the normals of the two triangles differ by
+ * `creaseAngle` radians or more: the neighbour then contributes nothing (paper, section 3.3: the faces of a cube do not
+ * influence each other).
  */
 export function* cutCreases(adjacency: Adjacency, creaseAngle: number): Generator<number, void, void> {
-  const leastCosine = Math.cos(creaseAngle) - COSINE_TOLERANCE;
-  yield* inChunks(adjacency.twins.length, (start, end) => cutRange(adjacency, leastCosine, start, end));
+  const creaseCosine = Math.cos(creaseAngle) + COSINE_TOLERANCE;
+  yield* inChunks(adjacency.twins.length, (start, end) => cutRange(adjacency, creaseCosine, start, end));
 }
 
 function cutRange(
   { twins, canonicalCorners, areaNormals }: Adjacency,
-  leastCosine: number,
+  creaseCosine: number,
   start: number,
   end: number,
 ): void {
@@ -28,7 +29,7 @@ function cutRange(
     const cosine = cosineBetween(areaNormals, 3 * triangleOf(corner), 3 * triangleOf(twin));
     // The normal of a triangle that is wound the other way points to the other side.
     const isInconsistent = canonicalCorners[corner] === canonicalCorners[twin];
-    if ((isInconsistent ? -cosine : cosine) >= leastCosine) continue;
+    if ((isInconsistent ? -cosine : cosine) > creaseCosine) continue;
     twins[corner] = NO_TWIN;
     twins[twin] = NO_TWIN;
   }

@@ -18,7 +18,7 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    */
   layout?: 'auto' | 'corner' | 'indexed' | undefined;
   /**
-   * Triangles whose normals differ by more than this angle, in radians from 0 to π, do not blend across their common
+   * Triangles whose normals differ by this angle or more, in radians from 0 to π, do not blend across their common
    * edge. The default is π/2, the paper's rule (section 3.3). It also bounds the smoothing of normals, which are
    * computed for a geometry that has none.
    */
