@@ -54,7 +54,7 @@ vec2 normalDistribution(const in float g) {
 // levels, where the tone would be up to 0.04 too light.
 float unskew(const in float h, const in float mixing) {
   float x = h - 0.42;
-  return h + mixing * h * (1.0 - h) * (1.07 * x * x - 0.16);
+  return h + mixing * h * (1.0 - h) * (1.07 * x * x - 0.14);
 }
 
 // Ink ∈ [0, 1] of a field under a tone: decided once, here. The mean over the field is the tone, however wide the edge.
