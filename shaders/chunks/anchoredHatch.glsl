@@ -24,6 +24,8 @@ HatchField latticeField(
   float squares = 0.0;
   for (int i = 0; i < 4; i++) {
     float w = anchorWeight(anchors.offset[i]);
+    // Out of reach, as the others are close to an anchor: no fetch.
+    if (w == 0.0) continue;
     uint h = hashAnchor(anchors.id[i], uint(int(lattice)));
     #if LIGHTS_WITH_DIRECTION > 1
       // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
