@@ -245,9 +245,8 @@ export class HatchingMaterial extends ShaderMaterial {
     _object: Object3D,
     _group: Group,
   ): void {
-    const needsAdjacency = this.technique !== 'anchored';
     if (
-      needsAdjacency &&
+      this.technique !== 'anchored' &&
       geometry.attributes[cornerLayout[0].name] === undefined &&
       !geometriesWarnedOf.has(geometry)
     ) {
@@ -306,12 +305,12 @@ export class HatchingMaterial extends ShaderMaterial {
     u.tonalArtMapTones!.value = this.tonalArtMap?.tones ?? 2;
 
     // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
-    const cos = Math.cos(this.strokeRotation) * this.strokeScale;
-    const sin = Math.sin(this.strokeRotation) * this.strokeScale;
-    u.strokeTransform!.value.set(cos, -sin, this.strokeOffset.x, sin, cos, this.strokeOffset.y, 0, 0, 1);
-
-    u.strokeDirection!.value.set(Math.cos(this.strokeRotation), Math.sin(this.strokeRotation));
-    u.strokeScale!.value = this.strokeScale;
+    const { strokeScale: scale, strokeOffset: offset } = this;
+    const cos = Math.cos(this.strokeRotation);
+    const sin = Math.sin(this.strokeRotation);
+    u.strokeTransform!.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
+    u.strokeDirection!.value.set(cos, sin);
+    u.strokeScale!.value = scale;
     u.anchorSpacing!.value = this.anchorSpacing;
     u.screenConstancy!.value = this.screenConstancy;
     u.texelPixels!.value = this.texelPixels;

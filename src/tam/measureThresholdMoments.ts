@@ -1,4 +1,4 @@
-import { normalQuantile, type ThresholdLevel } from './encodeThresholds.js';
+import { LIMIT, type ThresholdLevel } from './encodeThresholds.js';
 
 /** What interpolation leaves of the contrast of a threshold map, averaged over its levels. */
 export interface ThresholdMoments {
@@ -15,7 +15,6 @@ const SAMPLES = 8192;
  * tile evenly and are the same each time.
  */
 export function measureThresholdMoments(levels: readonly ThresholdLevel[]): ThresholdMoments {
-  const fields = levels.map(({ size, thresholds }) => ({ size, field: thresholds.map(normalQuantile) }));
   let squares = 0;
   let products = 0;
   let [u, v] = [0.5, 0.5];
@@ -23,10 +22,10 @@ export function measureThresholdMoments(levels: readonly ThresholdLevel[]): Thre
     u = (u + 0.7548776662466927) % 1;
     v = (v + 0.5698402909980532) % 1;
     let finer = 0;
-    fields.forEach(({ size, field }, level) => {
-      const g = interpolate(field, size, u, v);
+    levels.forEach((level, index) => {
+      const g = interpolate(level, u, v);
       squares += g * g;
-      if (level > 0) products += finer * g;
+      if (index > 0) products += finer * g;
       finer = g;
     });
   }
@@ -36,8 +35,8 @@ export function measureThresholdMoments(levels: readonly ThresholdLevel[]): Thre
   };
 }
 
-/** Bilinear interpolation at (u, v) in tiles, texel centres at half texels, as a texture unit does it. */
-function interpolate(field: Float32Array, size: number, u: number, v: number): number {
+/** g by bilinear interpolation at (u, v) in tiles, texel centres at half texels, as a texture unit does it. */
+function interpolate({ size, encoded }: ThresholdLevel, u: number, v: number): number {
   const x = u * size - 0.5 + size;
   const y = v * size - 0.5 + size;
   const column = Math.floor(x);
@@ -45,8 +44,8 @@ function interpolate(field: Float32Array, size: number, u: number, v: number): n
   const right = x - column;
   const down = y - row;
   const mask = size - 1;
-  const at = (i: number, j: number) => field[((row + j) & mask) * size + ((column + i) & mask)]!;
+  const at = (i: number, j: number) => encoded[((row + j) & mask) * size + ((column + i) & mask)]!;
   const upper = at(0, 0) * (1 - right) + at(1, 0) * right;
   const lower = at(0, 1) * (1 - right) + at(1, 1) * right;
-  return upper * (1 - down) + lower * down;
+  return LIMIT * ((upper * (1 - down) + lower * down) / 127.5 - 1);
 }

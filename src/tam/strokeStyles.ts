@@ -46,33 +46,26 @@ export interface ThresholdStyle {
   proposals: number;
 }
 
+const hatching: StrokeStyle = {
+  length: [0.28, 0.6],
+  width: 1.9,
+  widthRange: [1.2, 2.6],
+  widthSpread: 0.12,
+  taper: 22,
+  slope: 0.016,
+  bow: 0.0025,
+  wave: 0.003,
+  maxInk: 0.95,
+  crossFrom: undefined,
+  proposals: 400,
+  thresholds: { maxInk: 0.54, crossFrom: undefined, swell: 0.15, proposals: 400 },
+};
+
 export const strokeStyles: Record<StrokeStyleName, StrokeStyle> = {
-  hatching: {
-    length: [0.28, 0.6],
-    width: 1.9,
-    widthRange: [1.2, 2.6],
-    widthSpread: 0.12,
-    taper: 22,
-    slope: 0.016,
-    bow: 0.0025,
-    wave: 0.003,
-    maxInk: 0.95,
-    crossFrom: undefined,
-    proposals: 400,
-    thresholds: { maxInk: 0.54, crossFrom: undefined, swell: 0.15, proposals: 400 },
-  },
+  hatching,
   crossHatching: {
-    length: [0.28, 0.6],
-    width: 1.9,
-    widthRange: [1.2, 2.6],
-    widthSpread: 0.12,
-    taper: 22,
-    slope: 0.016,
-    bow: 0.0025,
-    wave: 0.003,
-    maxInk: 0.95,
+    ...hatching,
     crossFrom: 0.45,
-    proposals: 400,
     thresholds: { maxInk: 0.6, crossFrom: 0.32, swell: 0.15, proposals: 400 },
   },
   stippling: {

@@ -1,0 +1,188 @@
+import { expect, test } from '../browser/test.js';
+import { at, centre, covered, difference } from './pixels.js';
+
+/** From new to disposed: copies, renderers, frames without waste, and what is drawn where something is missing or extreme. */
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+test('clone and copy draw the same picture', async ({ page }) => {
+  const [original, cloned, copied] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(0.6, 0.3, 12, 24), {
+      tonalArtMap: stripedMap(),
+      strokeScale: 2,
+      strokeRotation: 0.3,
+      technique: 'triangle',
+      ink: 'darkred',
+    });
+    const scene = sceneOf(mesh, sun());
+    const original = pixelsOf(scene, renderer);
+    const textures = renderer.info.memory.textures;
+    mesh.material = mesh.material.clone();
+    const cloned = pixelsOf(scene, renderer);
+    mesh.material = new HatchingMaterial().copy(mesh.material);
+    const copied = pixelsOf(scene, renderer);
+    if (renderer.info.memory.textures !== textures) throw new Error('a clone uploaded its map again');
+    return [original, cloned, copied];
+  });
+  expect(difference(original!, cloned!)).toBe(0);
+  expect(difference(original!, copied!)).toBe(0);
+});
+
+test('two renderers on one page share geometry, material and map', async ({ page }) => {
+  const [a, b] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(0.6, 0.3, 12, 24), { tonalArtMap: stripedMap() });
+    const scene = sceneOf(mesh, sun());
+    return [pixelsOf(scene, makeRenderer()), pixelsOf(scene, makeRenderer())];
+  });
+  expect(covered(a!)).toBeGreaterThan(800);
+  expect(difference(a!, b!)).toBe(0);
+});
+
+test('several materials and a plain one share a scene', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const left = await hatchedMesh(new THREE.PlaneGeometry(0.5, 1), { color: 'red', technique: 'triangle' });
+    const right = await hatchedMesh(new THREE.PlaneGeometry(0.5, 1), { color: 'blue', toneModel: 'toon' });
+    const plain = new THREE.Mesh(new THREE.PlaneGeometry(0.5, 1), new THREE.MeshLambertMaterial());
+    left.position.x = -0.7;
+    right.position.x = 0.7;
+    return pixelsOf(sceneOf(left, plain, right, sun(Math.PI, [0, 0, 1])));
+  });
+  expect(at(pixels, 25, 48)).toEqual([255, 0, 0]);
+  expect(centre(pixels)).toEqual([255, 255, 255]);
+  expect(at(pixels, 71, 48)).toEqual([0, 0, 255]);
+});
+
+test('dispose gives everything back', async ({ page }) => {
+  const [during, after] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.BoxGeometry());
+    pixelsOf(sceneOf(mesh, sun()), renderer);
+    const count = () => [
+      renderer.info.memory.geometries,
+      renderer.info.memory.textures,
+      renderer.info.programs!.length,
+    ];
+    const during = count();
+    mesh.geometry.dispose();
+    mesh.material.tonalArtMap!.dispose();
+    mesh.material.dispose();
+    return [during, count()];
+  });
+  expect(Math.min(...during!.slice(0, 1))).toBeGreaterThan(0);
+  expect(after![0]).toBe(0);
+  expect(after![1]).toBeLessThan(during![1]!);
+  expect(after![2]).toBeLessThan(during![2]!);
+});
+
+test('a slider does not recompile, and a frame allocates no textures or geometries', async ({ page }) => {
+  const [programs, calls] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12));
+    const light = sun();
+    const scene = sceneOf(mesh, light);
+    pixelsOf(scene, renderer);
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    let compiled = 0;
+    let uploaded = 0;
+    for (const name of ['compileShader', 'linkProgram'] as const) {
+      const call = gl[name].bind(gl) as (x: WebGLShader & WebGLProgram) => void;
+      gl[name] = (x: WebGLShader & WebGLProgram) => {
+        compiled++;
+        call(x);
+      };
+    }
+    for (const name of ['bufferData', 'texSubImage3D', 'texSubImage2D'] as const) {
+      const call = (gl[name] as (...args: unknown[]) => void).bind(gl);
+      (gl as unknown as Record<string, unknown>)[name] = (...args: unknown[]) => {
+        uploaded++;
+        call(...args);
+      };
+    }
+    for (let i = 0; i < 5; i++) {
+      mesh.material.strokeScale = 2 + i;
+      mesh.material.strokeRotation = i;
+      mesh.material.strokeOffset.x = i / 5;
+      mesh.material.ink.setRGB(i / 5, 0, 0);
+      mesh.material.toneSteps = 2 + i;
+      mesh.material.creaseAngle = 0.2 + i / 5;
+      light.position.x = i;
+      renderer.render(scene, new THREE.PerspectiveCamera());
+    }
+    return [compiled, uploaded];
+  });
+  expect(programs).toBe(0);
+  expect(calls).toBe(0);
+});
+
+test('an unprepared geometry is named in the console, once', async ({ page, pageProblems }) => {
+  await page.evaluate(() => {
+    const { THREE, HatchingMaterial, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const geometry = new THREE.BoxGeometry();
+    geometry.name = 'crate';
+    const renderer = makeRenderer();
+    const scene = sceneOf(new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap: greyMap() })), sun());
+    pixelsOf(scene, renderer);
+    pixelsOf(scene, renderer);
+  });
+  const problems = pageProblems.splice(0);
+  expect(problems).toHaveLength(1);
+  expect(problems[0]).toContain('geometry "crate" has no triangle adjacency');
+});
+
+test('anchored draws a geometry that was never prepared, by its own normals', async ({ page }) => {
+  const [plain, grey] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const material = new HatchingMaterial({ tonalArtMap: stripedMap(), technique: 'anchored', edgePixels: 0 });
+    const pixels = pixelsOf(sceneOf(new THREE.Mesh(new THREE.SphereGeometry(1, 32, 24), material), sun()));
+    let inked = 0;
+    let grey = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      if (pixels[i] === pixels[i + 1] && pixels[i] === 0) inked++;
+      if (pixels[i] !== 0 && pixels[i] !== 255) grey++;
+    }
+    return [inked, grey];
+  });
+  expect(plain).toBeGreaterThan(500);
+  expect(grey).toBeLessThan(5);
+});
+
+test('without a map the surface stays paper', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    return pixelsOf(
+      sceneOf(await hatchedMesh(new THREE.PlaneGeometry(2, 2), { tonalArtMap: null, paper: 'gold' }), sun()),
+    );
+  });
+  expect(centre(pixels)[0]).toBe(255);
+  expect(centre(pixels)[2]).toBe(0);
+});
+
+test('degenerate, tiny, huge and far meshes give no NaN and no error', async ({ page }) => {
+  const counts = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const results: number[][] = [];
+    for (const scale of [1e-6, 1e-3, 1e3, 1e6]) {
+      const geometry = new THREE.SphereGeometry(1, 16, 12).scale(scale, scale, scale);
+      const mesh = await hatchedMesh(geometry, { tonalArtMap: stripedMap(), strokeScale: 2 / scale, ink: 'blue' });
+      mesh.scale.setScalar(1 / scale);
+      const pixels = pixelsOf(sceneOf(mesh, sun()));
+      const seen = new Set<string>();
+      for (let i = 0; i < pixels.length; i += 4) seen.add(pixels.slice(i, i + 3).join());
+      results.push([seen.size, pixels.filter((_, i) => i % 4 === 1 && pixels[i + 1] === 255).length]);
+    }
+    return results;
+  });
+  for (const [colours, inked] of counts) {
+    expect(colours).toBeGreaterThan(2);
+    expect(inked).toBeGreaterThan(500);
+  }
+});
