@@ -11,6 +11,11 @@ export class FrameClock {
     this.request ||= requestAnimationFrame(this.onFrame);
   }
 
+  /** Whether a frame was asked for that is not drawn yet. */
+  get isWaiting(): boolean {
+    return this.request !== 0;
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.request);
   }

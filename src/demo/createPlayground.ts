@@ -26,7 +26,7 @@ declare global {
   interface Window {
     /**
      * For tests: how many frames the page has drawn since it was opened (an idle page draws none), and whether it is busy
-     * with no model and no map.
+     * with no model, no map and no frame.
      */
     __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
@@ -85,7 +85,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         return scene.framesDrawn;
       },
       get isIdle() {
-        return tasks.isIdle;
+        return tasks.isIdle && !scene.isWaiting;
       },
     },
   });

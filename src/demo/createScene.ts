@@ -188,6 +188,11 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       return clock.frames;
     },
 
+    /** Whether a frame was asked for that is not drawn yet. */
+    get isWaiting(): boolean {
+      return clock.isWaiting;
+    },
+
     /** Asks for one frame. */
     invalidate(): void {
       clock.invalidate();
