@@ -25,6 +25,7 @@ varying vec3 vViewPosition;
 #include <clipping_planes_pars_fragment>
 
 #include "hatchingFragmentParameters"
+#include "toneNormals"
 #include "radiance"
 #include "tone"
 #include "hatch"
@@ -42,11 +43,11 @@ void main() {
   HatchingParameters parameters = readHatchingParameters();
 
   #include <normal_fragment_begin>
-  HatchingSurface material = HatchingSurface(readToneNormals(normal, faceDirection), vec4(0.0));
+  HatchingSurface material = HatchingSurface(readToneNormals(normal, faceDirection), PerToneNormal(0.0));
   ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   #include <lights_fragment_begin>
   addIndirectRadiance(material);
-  vec4 tone = toneFromRadiance(material.radiance);
+  PerToneNormal tone = toneFromRadiance(material.radiance);
 
   float darkness = hatch(parameters, tone);
   #include <alphatest_fragment>

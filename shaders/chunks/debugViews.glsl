@@ -1,10 +1,10 @@
 // What goes into the hatch, made visible.
-vec3 debugColor(const in HatchingParameters h, const in vec4 tone) {
+vec3 debugColor(const in HatchingParameters h, const in PerToneNormal tone) {
   #if DEBUG_VIEW == DEBUG_VIEW_BLEND_FACTORS
     // Contribution of α, β, γ as red, green, blue (paper, figure 8); white where only c counts.
     return 1.0 - vec3(h.weights.z + h.weights.w, h.weights.y + h.weights.w, h.weights.y + h.weights.z) * 0.5;
   #elif DEBUG_VIEW == DEBUG_VIEW_TONE
-    return vec3(1.0 - dot(tone, h.weights) / dot(h.weights, vec4(1.0)));
+    return vec3(1.0 - dot(vec4(tone), h.weights) / dot(h.weights, vec4(1.0)));
   #else
     // A checker of one square per tile in the frame of c: its lines are the strokes' u and v.
     #if TECHNIQUE == TECHNIQUE_ANCHORED

@@ -44,29 +44,3 @@ HatchingParameters readHatchingParameters() {
   #endif // TECHNIQUE
   return h;
 }
-
-// N_t of the triangles c, α, β, γ in view space, turned towards the side that is seen. three has turned smoothNormal.
-mat4x3 readToneNormals(const in vec3 smoothNormal, const in float faceDirection) {
-  #ifdef DOUBLE_SIDED
-    float side = faceDirection;
-  #elif defined(FLIP_SIDED)
-    float side = -1.0;
-  #else
-    float side = 1.0;
-  #endif // DOUBLE_SIDED
-  #if TONE_NORMAL == TONE_NORMAL_SMOOTH
-    return mat4x3(smoothNormal, smoothNormal, smoothNormal, smoothNormal);
-  #elif TECHNIQUE == TECHNIQUE_ADJACENCY
-    return mat4x3(
-      safeNormalize(vFaceNormals[0]) * side, safeNormalize(vFaceNormals[1]) * side,
-      safeNormalize(vFaceNormals[2]) * side, safeNormalize(vFaceNormals[3]) * side
-    );
-  #elif TECHNIQUE == TECHNIQUE_ANCHORED
-    // Nothing is expanded, so no face normal came along; the derivatives' one looks at the viewer by itself.
-    vec3 n = safeNormalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
-    return mat4x3(n, n, n, n);
-  #else
-    vec3 n = safeNormalize(vFaceNormal) * side;
-    return mat4x3(n, n, n, n);
-  #endif // TONE_NORMAL
-}

@@ -1,30 +1,39 @@
-// R: the radiance that a white surface shows under the scene's lights, for the normals of c, α, β, γ at once.
+// R: the radiance that a white surface shows under the scene's lights, for each of its tone normals.
 // three's own <lights_fragment_begin> walks the lights and calls RE_Direct with each, shadows included.
 
 uniform float shininess;
 
 struct HatchingSurface {
-  mat4x3 normals; // unit, view space
-  vec4 radiance;
+  ToneNormals normals; // unit, view space
+  PerToneNormal radiance;
 };
+
+float cosines(const in vec3 direction, const in vec3 normal) {
+  return dot(direction, normal);
+}
+
+vec4 cosines(const in vec3 direction, const in mat4x3 normals) {
+  return direction * normals;
+}
 
 void addDirectRadiance(
   const in IncidentLight light, const in vec3 geometryPosition, const in vec3 geometryNormal,
   const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, inout HatchingSurface surface,
   inout ReflectedLight reflectedLight
 ) {
-  vec4 cosine = light.direction * surface.normals;
+  PerToneNormal cosine = cosines(light.direction, surface.normals);
   #if TONE_MODEL == TONE_MODEL_HALF_LAMBERT
     // The terminator moves from 90° to 180°: nothing is lost in flat black.
-    vec4 halfway = 0.5 * cosine + 0.5;
-    vec4 response = halfway * halfway;
+    PerToneNormal halfway = 0.5 * cosine + 0.5;
+    PerToneNormal response = halfway * halfway;
   #else
-    vec4 response = max(cosine, 0.0);
+    PerToneNormal response = max(cosine, 0.0);
   #endif // TONE_MODEL
   #if TONE_MODEL == TONE_MODEL_PHONG
     // R·V of Phong's model, where R is the light mirrored at the normal.
-    vec4 mirrored = 2.0 * cosine * (geometryViewDir * surface.normals) - dot(light.direction, geometryViewDir);
-    response += step(0.0, cosine) * pow(max(mirrored, 1e-6), vec4(shininess));
+    PerToneNormal mirrored =
+      2.0 * cosine * cosines(geometryViewDir, surface.normals) - dot(light.direction, geometryViewDir);
+    response += step(0.0, cosine) * pow(max(mirrored, 1e-6), PerToneNormal(shininess));
   #endif // TONE_MODEL
   surface.radiance += luminance(light.color) * RECIPROCAL_PI * response;
 }
@@ -41,9 +50,12 @@ float indirectRadiance(const in vec3 n) {
   return luminance(irradiance) * RECIPROCAL_PI;
 }
 
-void addIndirectRadiance(inout HatchingSurface surface) {
-  surface.radiance += vec4(
-    indirectRadiance(surface.normals[0]), indirectRadiance(surface.normals[1]),
-    indirectRadiance(surface.normals[2]), indirectRadiance(surface.normals[3])
+vec4 indirectRadiance(const in mat4x3 normals) {
+  return vec4(
+    indirectRadiance(normals[0]), indirectRadiance(normals[1]), indirectRadiance(normals[2]), indirectRadiance(normals[3])
   );
+}
+
+void addIndirectRadiance(inout HatchingSurface surface) {
+  surface.radiance += indirectRadiance(surface.normals);
 }

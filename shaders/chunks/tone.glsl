@@ -2,8 +2,8 @@
 
 uniform float toneSteps;
 
-vec4 toneFromRadiance(const in vec4 radiance) {
-  vec4 tone = 1.0 - clamp(radiance, 0.0, 1.0);
+PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
+  PerToneNormal tone = 1.0 - clamp(radiance, 0.0, 1.0);
   #if TONE_MODEL == TONE_MODEL_TOON
     float last = max(toneSteps - 1.0, 1.0);
     tone = floor(tone * last + 0.5) / last;

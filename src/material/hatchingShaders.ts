@@ -13,6 +13,7 @@ import simplexLattice from '../../shaders/chunks/simplexLattice.glsl?raw';
 import thresholdMap from '../../shaders/chunks/thresholdMap.glsl?raw';
 import tonalArtMap from '../../shaders/chunks/tonalArtMap.glsl?raw';
 import tone from '../../shaders/chunks/tone.glsl?raw';
+import toneNormals from '../../shaders/chunks/toneNormals.glsl?raw';
 import triangleGeometry from '../../shaders/chunks/triangleGeometry.glsl?raw';
 import fragmentSource from '../../shaders/hatching.frag?raw';
 import vertexSource from '../../shaders/hatching.vert?raw';
@@ -37,6 +38,7 @@ const chunks = {
   thresholdMap,
   tonalArtMap,
   tone,
+  toneNormals,
   triangleGeometry,
 };
 
