@@ -1,11 +1,10 @@
 // Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the fragment shader stage.
 #include "conventions"
+#include "strokeLayers"
 #include "hatchingVaryings"
 
 uniform vec3 diffuse;
 uniform float opacity;
-uniform vec3 ink;
-uniform vec3 paper;
 
 varying vec3 vViewPosition;
 
@@ -29,6 +28,7 @@ varying vec3 vViewPosition;
 #include "radiance"
 #include "tone"
 #include "hatch"
+#include "printedColor"
 #include "debugViews"
 
 void main() {
@@ -47,12 +47,14 @@ void main() {
   ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   #include <lights_fragment_begin>
   addIndirectRadiance(material);
+  addReflectedRadiance(geometryPosition, material);
   PerToneNormal tone = toneFromRadiance(material.radiance);
 
-  float darkness = hatch(parameters, tone);
+  vec4 printed = printedColor(paper * diffuseColor.rgb, hatch(parameters, tone));
+  diffuseColor.a *= printed.a;
   #include <alphatest_fragment>
   #include <alphahash_fragment>
-  vec3 outgoingLight = mix(paper * diffuseColor.rgb, ink, darkness);
+  vec3 outgoingLight = printed.rgb;
   #if DEBUG_VIEW != DEBUG_VIEW_NONE
     outgoingLight = debugColor(parameters, tone);
   #endif // DEBUG_VIEW

@@ -1,8 +1,11 @@
 // Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the geometry shader stage.
 #include "conventions"
+#include "strokeLayers"
 #include "hatchingVaryings"
 
 varying vec3 vViewPosition;
+
+uniform float viewportHeight; // pixels
 
 #include <common>
 #include <batching_pars_vertex>

@@ -1,9 +1,17 @@
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
-export type { HatchingMaterialOptions, HatchingMaterialParameters } from './material/HatchingMaterial.js';
+export type { ToneCurvePoint } from './material/fitToneCurve.js';
+export type { HatchingMaterialOptions, HatchingMaterialParameters, ToneCurve } from './material/HatchingMaterial.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
-export type { DebugView, HatchingTechnique, ToneModel, ToneNormal } from './material/shaderConventions.js';
+export type {
+  DebugView,
+  HatchingTechnique,
+  InkBlend,
+  LevelRule,
+  ToneModel,
+  ToneNormal,
+} from './material/shaderConventions.js';
 export type { HatchImageReport } from './tam/checkHatchImages.js';
 export type { HatchImages } from './tam/generateHatchImages.js';
 export type { StrokeStyleName } from './tam/strokeStyles.js';

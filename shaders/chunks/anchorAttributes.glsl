@@ -1,3 +1,1 @@
 attribute vec3 hatchNormal; // smoothed to the scale of a stroke; zero where the geometry has none
-
-uniform float viewportHeight; // pixels

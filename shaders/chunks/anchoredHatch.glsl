@@ -3,8 +3,6 @@
 // the fields are blended, and ink is decided once. Independent of the mesh, and continuous wherever its normals are.
 #include "simplexLattice"
 
-uniform float strokeScale; // tiles per object unit
-uniform float anchorSpacing; // tiles between anchors
 uniform float screenConstancy; // 0: strokes sized on the object, 1: on the screen
 
 // Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
@@ -42,10 +40,9 @@ HatchField latticeField(
   return HatchField(field * inversesqrt(squares), level.mixing);
 }
 
-// unitsPerPixel: object units to a pixel.
-HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float unitsPerPixel) {
+HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis) {
   // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
-  float magnification = -log2(strokeScale * unitsPerPixel * thresholdMapSize * texelPixels);
+  float magnification = -levelByDepth(thresholdMapSize);
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
   float lattice = ceil(wanted);
   float octaves = lattice * LATTICE_OCTAVES - magnification;

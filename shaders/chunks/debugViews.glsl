@@ -8,7 +8,7 @@ vec3 debugColor(const in HatchingParameters h, const in PerToneNormal tone) {
   #else
     // A checker of one square per tile in the frame of c: its lines are the strokes' u and v.
     #if TECHNIQUE == TECHNIQUE_ANCHORED
-      vec2 uv = strokeScale * vec2(dot(vRestPosition, h.uAxis), dot(vRestPosition, h.vAxis));
+      vec2 uv = strokeScale * vec2(dot(h.point, h.uAxis), dot(h.point, h.vAxis));
     #else
       vec2 uv = h.uv[0];
     #endif // TECHNIQUE

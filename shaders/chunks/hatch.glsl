@@ -1,3 +1,12 @@
+uniform float texelPixels; // wanted pixels per texel
+
+#ifdef USE_UNITS_PER_PIXEL
+  // The level of a map of so many texels per tile by the depth of the fragment alone (paper, section 3.4).
+  float levelByDepth(const in float size) {
+    return log2(strokeScale * vUnitsPerPixel * size * texelPixels);
+  }
+#endif // USE_UNITS_PER_PIXEL
+
 #if TECHNIQUE == TECHNIQUE_ANCHORED || defined(CRISP)
   #include "thresholdMap"
 #else
@@ -8,16 +17,20 @@
 #endif // TECHNIQUE
 
 #ifdef CRISP
-  // Octaves by which the map would be too fine at a fragment, from the screen derivatives of its coordinates.
+  // Octaves by which the map would be too fine at a fragment.
   float minification(const in vec2 uv) {
-    return log2(thresholdMapSize * texelPixels * max(length(dFdx(uv)), length(dFdy(uv))));
+    #if LEVEL_RULE == LEVEL_RULE_DEPTH
+      return levelByDepth(thresholdMapSize);
+    #else
+      return log2(thresholdMapSize * texelPixels * max(length(dFdx(uv)), length(dFdy(uv))));
+    #endif // LEVEL_RULE
   }
 #endif // CRISP
 
-// Algorithm 3: the darkness of the hatch, blended over the triangles of the adjacency primitive.
-float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
+// Algorithm 3: the darkness of one layer of strokes, blended over the triangles of the adjacency primitive.
+float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
   #if TECHNIQUE == TECHNIQUE_ANCHORED
-    return inkAt(anchoredField(vRestPosition, h.uAxis, h.vAxis, vUnitsPerPixel), tone);
+    return inkAt(anchoredField(h.point, h.uAxis, h.vAxis), tone);
   #elif defined(CRISP)
     // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
     // have the same scale, so one choice of level serves them all.
@@ -43,4 +56,19 @@ float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
   #else
     return sampleTonalArtMap(h.uv[0], tone);
   #endif // TECHNIQUE
+}
+
+// The darkness of the hatch. A second layer takes over as much of the tone as the lights disagree, so that one printed
+// over the other, 1 − (1 − T₁)(1 − T₂), they give the tone again.
+float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
+  #if STROKE_LAYERS == 2
+    // Where nothing stays blank, any share of the tone would fill both layers.
+    PerToneNormal blank = max(1.0 - tone, 1e-3);
+    float share = 0.5 * h.crossing;
+    float first = hatchLayer(h, 1.0 - pow(blank, PerToneNormal(1.0 - share)));
+    float second = hatchLayer(secondLayer(h), 1.0 - pow(blank, PerToneNormal(share)));
+    return 1.0 - (1.0 - first) * (1.0 - second);
+  #else
+    return hatchLayer(h, tone);
+  #endif // STROKE_LAYERS
 }

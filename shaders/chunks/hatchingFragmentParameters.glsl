@@ -4,15 +4,23 @@
   #include "lightOrientation"
 
   uniform vec2 strokeDirection; // cosine and sine of the strokes' rotation
+  uniform float anchorSpacing; // tiles between anchors
 #endif // TECHNIQUE
+#ifdef USE_UNITS_PER_PIXEL
+  uniform float strokeScale; // tiles per object unit
+#endif // USE_UNITS_PER_PIXEL
 
 struct HatchingParameters {
   #if TECHNIQUE == TECHNIQUE_ANCHORED
+    vec3 point; // object space
     vec3 uAxis, vAxis; // the strokes' u and v in the surface, object space
   #else
     vec2 uv[TRIANGLE_COUNT]; // in the frames of c, α, β, γ
   #endif // TECHNIQUE
   vec4 weights; // f of c, α, β, γ, clamped
+  #if STROKE_LAYERS == 2
+    float crossing; // how far the lights disagree
+  #endif // STROKE_LAYERS
 };
 
 // A zero-area triangle has no normal; one towards the viewer is as good as any for the pixel it may still cover.
@@ -33,8 +41,10 @@ HatchingParameters readHatchingParameters() {
     h.weights = vec4(1.0, max(vBlendFactors, 0.0));
   #elif TECHNIQUE == TECHNIQUE_ANCHORED
     vec3 n = safeNormalize(vStrokeNormal);
-    vec3 bitangent = lightBitangent(n, -vViewPosition, vViewToObject);
+    float crossing;
+    vec3 bitangent = lightBitangent(n, -vViewPosition, vViewToObject, crossing);
     vec3 tangent = cross(bitangent, n);
+    h.point = vRestPosition;
     h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;
     h.vAxis = strokeDirection.y * tangent + strokeDirection.x * bitangent;
     h.weights = vec4(1.0, 0.0, 0.0, 0.0);
@@ -42,5 +52,32 @@ HatchingParameters readHatchingParameters() {
     h.uv[0] = vStrokeUv;
     h.weights = vec4(1.0, 0.0, 0.0, 0.0);
   #endif // TECHNIQUE
+  #if STROKE_LAYERS == 2
+    #if TECHNIQUE == TECHNIQUE_ANCHORED
+      h.crossing = crossing;
+    #else
+      h.crossing = dot(vCrossing, h.weights) / dot(h.weights, vec4(1.0));
+    #endif // TECHNIQUE
+  #endif // STROKE_LAYERS
   return h;
 }
+
+#if STROKE_LAYERS == 2
+  // What shifts the second layer's pattern against the first's, in tiles or, for `anchored`, in anchors.
+  #define LAYER_SHIFT vec3(17.37, 5.71, 11.13)
+
+  // The same place in the second layer, whose strokes run along the other direction of the tensor: all turned by 90°.
+  HatchingParameters secondLayer(const in HatchingParameters h) {
+    HatchingParameters second = h;
+    #if TECHNIQUE == TECHNIQUE_ANCHORED
+      second.point = h.point + LAYER_SHIFT * anchorSpacing / strokeScale;
+      second.uAxis = -h.vAxis;
+      second.vAxis = h.uAxis;
+    #else
+      for (int i = 0; i < TRIANGLE_COUNT; i++) {
+        second.uv[i] = vec2(-h.uv[i].y, h.uv[i].x) + LAYER_SHIFT.xy;
+      }
+    #endif // TECHNIQUE
+    return second;
+  }
+#endif // STROKE_LAYERS

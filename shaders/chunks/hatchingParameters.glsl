@@ -3,15 +3,16 @@
 uniform mat3 strokeTransform; // H(s, t) → texture coordinates: rotation, then scale, then offset
 uniform float creaseCosine; // cos of the angle between normals from which neighbours no longer blend
 
-// Texture coordinates of `vertex` in the frame (T, B, N) of a triangle with normal n and barycentre `centre`.
+// Texture coordinates of `vertex`, and `crossing` of the lights, in the frame (T, B, N) of a triangle with normal n and barycentre `centre`.
 // Algorithm 2 projects the vertex into the plane of the triangle first. T and B lie in that plane, so V'·T = V·T and
 // V'·B = V·B, and there is nothing to project.
-vec2 strokeCoordinates(
+vec3 strokeCoordinates(
   const in vec3 vertex, const in vec3 n, const in vec3 centre, const in mat4 objectToView, const in mat3 viewToObject
 ) {
-  vec3 bitangent = lightBitangent(n, (objectToView * vec4(centre, 1.0)).xyz, viewToObject);
+  float crossing;
+  vec3 bitangent = lightBitangent(n, (objectToView * vec4(centre, 1.0)).xyz, viewToObject, crossing);
   vec3 tangent = cross(bitangent, n);
-  return (strokeTransform * vec3(dot(vertex, tangent), dot(vertex, bitangent), 1.0)).xy;
+  return vec3((strokeTransform * vec3(dot(vertex, tangent), dot(vertex, bitangent), 1.0)).xy, crossing);
 }
 
 // Algorithm 2's f at the vertices shared with a neighbour: N_c·N_t, with the crease angle moved to zero.

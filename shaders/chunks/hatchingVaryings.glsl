@@ -8,8 +8,14 @@
   varying vec3 vRestPosition; // object space
   varying vec3 vStrokeNormal; // at the scale of a stroke, object space
   varying mat3 vViewToObject; // linear part
-  varying float vUnitsPerPixel; // object units to a pixel
 #else
   varying vec2 vStrokeUv;
   varying vec3 vFaceNormal; // view space
+#endif // TECHNIQUE
+#if STROKE_LAYERS == 2 && TECHNIQUE != TECHNIQUE_ANCHORED
+  varying vec4 vCrossing; // how far the lights disagree in the frames of c, α, β, γ
+#endif // STROKE_LAYERS
+#if TECHNIQUE == TECHNIQUE_ANCHORED || LEVEL_RULE == LEVEL_RULE_DEPTH
+  #define USE_UNITS_PER_PIXEL
+  varying float vUnitsPerPixel; // object units to a pixel
 #endif // TECHNIQUE

@@ -4,13 +4,14 @@
 // up to sign (a structure tensor, i.e. vectors of the doubled angle): lights from opposite sides reinforce each other
 // instead of cancelling, and a light in line with the normal has no say. The sign follows the weighted sum of the
 // lights, which with one light is the sign of the paper.
+//
+// `crossing` ∈ [0, 1] is how far the lights disagree: 1 − A of the tensor, 0 where they lie in one line, 1 where no
+// direction prevails.
 
 // three declares luminance() for fragment shaders only; these are its Rec. 709 weights.
 float lightLuminance(const in vec3 rgb) {
   return dot(rgb, vec3(0.2126, 0.7152, 0.0722));
 }
-
-#define LIGHTS_WITH_DIRECTION (NUM_DIR_LIGHTS + NUM_SUN_LIGHTS + NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS)
 
 // Below this squared sine of the angle between light and normal, the light gives no direction.
 #define PARALLEL_SQUARED_SINE 1e-8
@@ -19,7 +20,10 @@ float lightLuminance(const in vec3 rgb) {
 
 // Algorithm 1 as it stands. n: unit normal, object space. viewPosition: where the direction to a positional light is
 // taken, view space. viewToObject: linear part of the inverse of the model-view matrix.
-vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject) {
+vec3 lightBitangent(
+  const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject, out float crossing
+) {
+  crossing = 0.0;
   IncidentLight light;
   #if NUM_DIR_LIGHTS == 1
     getDirectionalLightInfo(directionalLights[0], light);
@@ -45,6 +49,7 @@ struct LightOrientation {
   vec3 e1, e2; // orthonormal basis of the tangent plane
   vec2 tensor; // Σ w (lx² − ly², 2 lx ly)
   vec2 sum; // Σ w l
+  float extent; // Σ w |l|²
   float weight; // Σ w
 };
 
@@ -57,17 +62,21 @@ void addLight(inout LightOrientation o, const in vec3 toLight, const in vec3 arr
   float w = lightLuminance(arriving) * facing + UNLIT_WEIGHT * lightLuminance(emitted);
   o.tensor += w * vec2(l.x * l.x - l.y * l.y, 2.0 * l.x * l.y);
   o.sum += w * l;
+  o.extent += w * dot(l, l);
   o.weight += w;
 }
 
 // The same with several lights, or none.
-vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject) {
+vec3 lightBitangent(
+  const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject, out float crossing
+) {
   LightOrientation o;
   o.n = n;
   o.e1 = anyTangent(n);
   o.e2 = cross(n, o.e1);
   o.tensor = vec2(0.0);
   o.sum = vec2(0.0);
+  o.extent = 0.0;
   o.weight = 0.0;
 
   IncidentLight light;
@@ -104,6 +113,8 @@ vec3 lightBitangent(const in vec3 n, const in vec3 viewPosition, const in mat3 v
 #endif // NUM_HEMI_LIGHTS
 
   float amplitude = length(o.tensor);
+  // Lights in line with the normal say nothing, so they do not disagree either.
+  crossing = o.extent > PARALLEL_SQUARED_SINE * o.weight ? max(1.0 - amplitude / o.extent, 0.0) : 0.0;
   if (!(amplitude > PARALLEL_SQUARED_SINE * o.weight)) return o.e1;
 
   // Half of the doubled angle without trigonometry, from the side on which nothing cancels.

@@ -2,6 +2,7 @@
 // three's own <lights_fragment_begin> walks the lights and calls RE_Direct with each, shadows included.
 
 uniform float shininess;
+uniform float reflectedShare;
 
 struct HatchingSurface {
   ToneNormals normals; // unit, view space
@@ -58,4 +59,39 @@ vec4 indirectRadiance(const in mat4x3 normals) {
 
 void addIndirectRadiance(inout HatchingSurface surface) {
   surface.radiance += indirectRadiance(surface.normals);
+}
+
+// What the surroundings throw back of one light: they are a sky of that light from the opposite side, so shade is
+// darkest at the terminator and opens up behind it (an engraver's reflected light).
+void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSurface surface) {
+  PerToneNormal seen = 0.5 - 0.5 * cosines(toLight, surface.normals);
+  surface.radiance += reflectedShare * luminance(color) * RECIPROCAL_PI * seen;
+}
+
+// The same of all lights that have a direction. Light from all around knows no shadow and no cone.
+void addReflectedRadiance(const in vec3 position, inout HatchingSurface surface) {
+  if (reflectedShare == 0.0) return;
+  #if NUM_DIR_LIGHTS > 0
+    for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
+      addReflection(directionalLights[i].direction, directionalLights[i].color, surface);
+    }
+  #endif // NUM_DIR_LIGHTS
+  #if NUM_SUN_LIGHTS > 0
+    for (int i = 0; i < NUM_SUN_LIGHTS; i++) addReflection(sunLights[i].direction, sunLights[i].color, surface);
+  #endif // NUM_SUN_LIGHTS
+  #if NUM_POINT_LIGHTS > 0
+    for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
+      IncidentLight light;
+      getPointLightInfo(pointLights[i], position, light);
+      addReflection(light.direction, light.color, surface);
+    }
+  #endif // NUM_POINT_LIGHTS
+  #if NUM_SPOT_LIGHTS > 0
+    for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
+      vec3 toLight = spotLights[i].position - position;
+      float away = length(toLight);
+      float strength = getDistanceAttenuation(away, spotLights[i].distance, spotLights[i].decay);
+      addReflection(toLight / away, strength * spotLights[i].color, surface);
+    }
+  #endif // NUM_SPOT_LIGHTS
 }

@@ -7,7 +7,6 @@
 uniform highp sampler2D thresholdMap;
 uniform float thresholdMapSize; // texels per side of level 0
 uniform float thresholdMapLevels;
-uniform float texelPixels; // wanted pixels per texel
 uniform float edgePixels; // width of the edge of a stroke
 
 uniform vec2 thresholdMoments; // variance of g between texels, and covariance between neighbouring levels

@@ -4,11 +4,20 @@
 uniform highp sampler2DArray tonalArtMap;
 uniform float tonalArtMapTones;
 
-// Darkness ∈ [0, 1] of the hatch at uv: the two neighbouring hatch images interpolated by tone. Derivatives of uv choose
-// the level, so call it in uniform control flow.
+// Darkness ∈ [0, 1] of the hatch at uv: the two neighbouring hatch images interpolated by tone or, for bands as hard as
+// those of `toon`, the nearest one. Call it in uniform control flow: derivatives of uv may choose the level.
 float sampleTonalArtMap(const in vec2 uv, const in float tone) {
   float x = tone * (tonalArtMapTones - 1.0);
+  #if TONE_MODEL == TONE_MODEL_TOON
+    x = floor(x + 0.5);
+  #endif // TONE_MODEL
   float layer = clamp(floor(x / 3.0), 0.0, max(ceil((tonalArtMapTones - 1.0) / 3.0) - 1.0, 0.0));
   vec4 weights = max(1.0 - abs(x - 3.0 * layer - vec4(0.0, 1.0, 2.0, 3.0)), 0.0);
-  return dot(1.0 - texture(tonalArtMap, vec3(uv, layer)), weights);
+  #if LEVEL_RULE == LEVEL_RULE_DEPTH
+    float level = levelByDepth(float(textureSize(tonalArtMap, 0).x));
+    vec4 images = textureLod(tonalArtMap, vec3(uv, layer), level);
+  #else
+    vec4 images = texture(tonalArtMap, vec3(uv, layer));
+  #endif // LEVEL_RULE
+  return dot(1.0 - images, weights);
 }

@@ -1,4 +1,5 @@
 // Tone ∈ [0, 1]: 0 is paper, 1 the darkest hatch image (paper, section 3.4).
+#include "toneCurve"
 
 uniform float toneSteps;
 
@@ -8,5 +9,5 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
     float last = max(toneSteps - 1.0, 1.0);
     tone = floor(tone * last + 0.5) / last;
   #endif // TONE_MODEL
-  return tone;
+  return curvedTone(tone);
 }

@@ -20,12 +20,18 @@ import {
 import { cornerLayout } from '../adjacency/cornerLayout.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
+import { fitToneCurve, type ToneCurvePoint } from './fitToneCurve.js';
 import { hatchingFragmentShader, hatchingVertexShader } from './hatchingShaders.js';
 import {
   DEBUG_VIEWS,
   type DebugView,
   type HatchingTechnique,
+  INK_BLENDS,
+  type InkBlend,
+  LEVEL_RULES,
+  type LevelRule,
   TECHNIQUES,
+  TONE_CURVES,
   TONE_MODELS,
   TONE_NORMALS,
   type ToneModel,
@@ -59,6 +65,25 @@ export interface HatchingMaterialOptions {
    */
   toneNormal: ToneNormal;
   /**
+   * From the tone of the light to the tone that is printed. `linear` (default): the same. `perceptual`: half the paper is
+   * covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points
+   * [light, printed], joined by a smooth curve; both run from 0, paper, to 1, the darkest hatch image. Going from one of
+   * the three to another builds another program, other points do not.
+   */
+  toneCurve: ToneCurve;
+  /**
+   * In [0, 1], how much of each light the surroundings throw back: the side turned away is lit by so much from behind, so
+   * that shade is darkest at the terminator, as engravers draw it. Default 0.
+   */
+  reflectedLight: number;
+  /**
+   * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
+   * the tone. Default false. With one light there is no difference. Changing it builds another program.
+   */
+  secondLayer: boolean;
+  /** `triangle` and `adjacency`; `anchored` always goes by depth. Default `derivatives`. Changing it builds another program. */
+  levelRule: LevelRule;
+  /**
    * `triangle` and `adjacency` only: blends the fields that ink is decided from instead of the grey of the strokes, so
    * that they stay black and white. Default false, the paper's way. Changing it builds another program.
    */
@@ -88,6 +113,13 @@ export interface HatchingMaterialOptions {
   ink: ColorRepresentation;
   /** Colour of the ground between strokes, multiplied by the surface colour. Default white. */
   paper: ColorRepresentation;
+  /** What ink does to the colour below it. Default `cover`. Changing it builds another program. */
+  inkBlend: InkBlend;
+  /**
+   * In [0, 1]. Below 1 (default) one sees through the paper, at 0 there are strokes and nothing else. Asks for
+   * `transparent`, `alphaTest` or `alphaHash`; a material that is drawn opaque keeps its paper.
+   */
+  paperOpacity: number;
   /** Surface colour. Default white. */
   color: ColorRepresentation;
   /** Surface colour map, multiplied by `color`. */
@@ -95,6 +127,9 @@ export interface HatchingMaterialOptions {
   /** Opacity map (green channel), as three's own. */
   alphaMap: Texture | null;
 }
+
+/** See {@link HatchingMaterialOptions.toneCurve}. */
+export type ToneCurve = 'linear' | 'perceptual' | readonly ToneCurvePoint[];
 
 export type HatchingMaterialParameters = MaterialParameters &
   Partial<HatchingMaterialOptions> & {
@@ -126,6 +161,7 @@ export class HatchingMaterial extends ShaderMaterial {
   readonly strokeOffset = new Vector2();
   toneSteps = 4;
   shininess = 30;
+  reflectedLight = 0;
   anchorSpacing = 0.45;
   screenConstancy = 0;
   texelPixels = 1;
@@ -134,12 +170,14 @@ export class HatchingMaterial extends ShaderMaterial {
   readonly ink = new Color(0x000000);
   readonly paper = new Color(0xffffff);
   readonly color = new Color(0xffffff);
+  paperOpacity = 1;
   map: Texture | null = null;
   alphaMap: Texture | null = null;
 
   #toneNormalChosen = false;
+  #toneCurve: ToneCurve = 'linear';
 
-  /** @throws Error if `technique`, `toneModel`, `toneNormal` or `debugView` is none of the known names. */
+  /** @throws Error if a choice is none of the known names, or `toneCurve` no curve. */
   constructor(parameters?: HatchingMaterialParameters) {
     super({
       uniforms: UniformsUtils.merge([
@@ -158,6 +196,8 @@ export class HatchingMaterial extends ShaderMaterial {
           mapTransform: { value: new Matrix3() },
           opacity: { value: 1 },
           paper: { value: null },
+          paperOpacity: { value: 1 },
+          reflectedShare: { value: 0 },
           screenConstancy: { value: 0 },
           shininess: { value: 0 },
           strokeDirection: { value: new Vector2() },
@@ -170,6 +210,9 @@ export class HatchingMaterial extends ShaderMaterial {
           thresholdMapSize: { value: 1 },
           tonalArtMap: { value: null },
           tonalArtMapTones: { value: 2 },
+          toneCurveCubics: { value: null },
+          toneCurveSpans: { value: null },
+          toneCurveStart: { value: 0 },
           toneSteps: { value: 0 },
           viewportHeight: { value: 1 },
         },
@@ -178,6 +221,9 @@ export class HatchingMaterial extends ShaderMaterial {
         TECHNIQUE: TECHNIQUES.indexOf('adjacency'),
         TONE_MODEL: TONE_MODELS.indexOf('lambert'),
         TONE_NORMAL: TONE_NORMALS.indexOf('face'),
+        TONE_CURVE: TONE_CURVES.indexOf('linear'),
+        LEVEL_RULE: LEVEL_RULES.indexOf('derivatives'),
+        INK_BLEND: INK_BLENDS.indexOf('cover'),
         DEBUG_VIEW: DEBUG_VIEWS.indexOf('none'),
       },
       vertexShader: hatchingVertexShader,
@@ -206,10 +252,47 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   set crisp(value: boolean) {
-    if (value === this.crisp) return;
-    if (value) this.defines.CRISP = '';
-    else delete this.defines.CRISP;
-    this.needsUpdate = true;
+    this.#switch('CRISP', value);
+  }
+
+  get secondLayer(): boolean {
+    return this.defines.SECOND_LAYER !== undefined;
+  }
+
+  set secondLayer(value: boolean) {
+    this.#switch('SECOND_LAYER', value);
+  }
+
+  get toneCurve(): ToneCurve {
+    return this.#toneCurve;
+  }
+
+  set toneCurve(value: ToneCurve) {
+    const isNamed = value === 'linear' || value === 'perceptual';
+    if (!isNamed) {
+      const { start, spans, cubics } = fitToneCurve(value);
+      this.uniforms.toneCurveStart!.value = start;
+      this.uniforms.toneCurveSpans!.value = spans;
+      this.uniforms.toneCurveCubics!.value = cubics;
+    }
+    this.#define('TONE_CURVE', 'toneCurve', TONE_CURVES, isNamed ? value : 'points');
+    this.#toneCurve = value;
+  }
+
+  get levelRule(): LevelRule {
+    return LEVEL_RULES[this.defines.LEVEL_RULE as number]!;
+  }
+
+  set levelRule(value: LevelRule) {
+    this.#define('LEVEL_RULE', 'levelRule', LEVEL_RULES, value);
+  }
+
+  get inkBlend(): InkBlend {
+    return INK_BLENDS[this.defines.INK_BLEND as number]!;
+  }
+
+  set inkBlend(value: InkBlend) {
+    this.#define('INK_BLEND', 'inkBlend', INK_BLENDS, value);
   }
 
   get toneModel(): ToneModel {
@@ -268,6 +351,7 @@ export class HatchingMaterial extends ShaderMaterial {
     this.wireframe = source.wireframe;
     this.wireframeLinewidth = source.wireframeLinewidth;
     this.defines = { ...source.defines };
+    this.toneCurve = source.toneCurve;
 
     this.tonalArtMap = source.tonalArtMap;
     this.strokeScale = source.strokeScale;
@@ -280,9 +364,11 @@ export class HatchingMaterial extends ShaderMaterial {
     this.edgePixels = source.edgePixels;
     this.toneSteps = source.toneSteps;
     this.shininess = source.shininess;
+    this.reflectedLight = source.reflectedLight;
     this.creaseAngle = source.creaseAngle;
     this.ink.copy(source.ink);
     this.paper.copy(source.paper);
+    this.paperOpacity = source.paperOpacity;
     this.color.copy(source.color);
     this.map = source.map;
     this.alphaMap = source.alphaMap;
@@ -298,6 +384,8 @@ export class HatchingMaterial extends ShaderMaterial {
     u.alphaTest!.value = this.alphaTest;
     u.ink!.value = this.ink;
     u.paper!.value = this.paper;
+    u.paperOpacity!.value = this.paperOpacity;
+    u.reflectedShare!.value = this.reflectedLight;
     u.shininess!.value = this.shininess;
     u.toneSteps!.value = this.toneSteps;
     u.creaseCosine!.value = Math.cos(this.creaseAngle);
@@ -325,6 +413,13 @@ export class HatchingMaterial extends ShaderMaterial {
 
     writeTexture(this.map, u.map!, u.mapTransform!);
     writeTexture(this.alphaMap, u.alphaMap!, u.alphaMapTransform!);
+  }
+
+  #switch(define: string, value: boolean): void {
+    if (value === (this.defines[define] !== undefined)) return;
+    if (value) this.defines[define] = '';
+    else delete this.defines[define];
+    this.needsUpdate = true;
   }
 
   #define<Name extends string>(define: string, property: string, names: readonly Name[], value: Name): void {

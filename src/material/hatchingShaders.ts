@@ -8,11 +8,14 @@ import hatchingFragmentParameters from '../../shaders/chunks/hatchingFragmentPar
 import hatchingParameters from '../../shaders/chunks/hatchingParameters.glsl?raw';
 import hatchingVaryings from '../../shaders/chunks/hatchingVaryings.glsl?raw';
 import lightOrientation from '../../shaders/chunks/lightOrientation.glsl?raw';
+import printedColor from '../../shaders/chunks/printedColor.glsl?raw';
 import radiance from '../../shaders/chunks/radiance.glsl?raw';
 import simplexLattice from '../../shaders/chunks/simplexLattice.glsl?raw';
+import strokeLayers from '../../shaders/chunks/strokeLayers.glsl?raw';
 import thresholdMap from '../../shaders/chunks/thresholdMap.glsl?raw';
 import tonalArtMap from '../../shaders/chunks/tonalArtMap.glsl?raw';
 import tone from '../../shaders/chunks/tone.glsl?raw';
+import toneCurve from '../../shaders/chunks/toneCurve.glsl?raw';
 import toneNormals from '../../shaders/chunks/toneNormals.glsl?raw';
 import triangleGeometry from '../../shaders/chunks/triangleGeometry.glsl?raw';
 import fragmentSource from '../../shaders/hatching.frag?raw';
@@ -33,11 +36,14 @@ const chunks = {
   hatchingParameters,
   hatchingVaryings,
   lightOrientation,
+  printedColor,
   radiance,
   simplexLattice,
+  strokeLayers,
   thresholdMap,
   tonalArtMap,
   tone,
+  toneCurve,
   toneNormals,
   triangleGeometry,
 };

@@ -32,6 +32,28 @@ export const DEBUG_VIEWS = ['none', 'blendFactors', 'tone', 'frames'] as const;
  */
 export type DebugView = (typeof DEBUG_VIEWS)[number];
 
+export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
+/** The most spans a tone curve of one's own can have: one less than it has points. */
+export const TONE_CURVE_SPANS = 7;
+
+export const LEVEL_RULES = ['derivatives', 'depth'] as const;
+/**
+ * From what `triangle` and `adjacency` choose the level of the map.
+ * - `derivatives`: from how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer
+ *   than drawn, and wider where the surface is seen at a slant.
+ * - `depth`: from the depth of the fragment alone (paper, section 3.4). Strokes are as wide as drawn where the surface is
+ *   seen face on, and foreshortened like the surface elsewhere.
+ */
+export type LevelRule = (typeof LEVEL_RULES)[number];
+
+export const INK_BLENDS = ['cover', 'multiply'] as const;
+/**
+ * What ink does to the colour below it.
+ * - `cover`: hides it, as gouache or a printer's black.
+ * - `multiply`: tints it, as transparent ink.
+ */
+export type InkBlend = (typeof INK_BLENDS)[number];
+
 const constantCase = (name: string) => name.replace(/([A-Z])/g, '_$1').toUpperCase();
 
 const numbered = (prefix: string, names: readonly string[]) =>
@@ -42,7 +64,11 @@ export const conventionsChunk = [
   numbered('TECHNIQUE', TECHNIQUES),
   numbered('TONE_MODEL', TONE_MODELS),
   numbered('TONE_NORMAL', TONE_NORMALS),
+  numbered('TONE_CURVE', TONE_CURVES),
+  numbered('LEVEL_RULE', LEVEL_RULES),
+  numbered('INK_BLEND', INK_BLENDS),
   numbered('DEBUG_VIEW', DEBUG_VIEWS),
+  `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
   // The triangles c, α, β, γ, or c alone.
   '#if TECHNIQUE == TECHNIQUE_ADJACENCY\n#define TRIANGLE_COUNT 4\n#else\n#define TRIANGLE_COUNT 1\n#endif // TECHNIQUE',
 ].join('\n');

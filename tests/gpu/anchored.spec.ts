@@ -41,7 +41,30 @@ const cases: Case[] = [
   { name: 'rotated, moved and scaled object', matrixWorld: placed, lights: [point] },
   { name: 'mirrored object', matrixWorld: mirrored },
   { name: 'no rotation, other scale and spacing', material: { strokeRotation: 0, strokeScale: 3 }, anchorSpacing: 0.6 },
-  { name: 'half-Lambert', material: { toneModel: 'halfLambert' } },
+  ...(['halfLambert', 'phong', 'toon'] as const).flatMap((toneModel) => [
+    { name: toneModel, material: { toneModel } },
+    { name: `${toneModel}, point light, moved object`, lights: [point], matrixWorld: placed, material: { toneModel } },
+  ]),
+  { name: 'perceptual tone', material: { toneCurve: 'perceptual' } },
+  {
+    name: 'tone curve of points',
+    material: {
+      toneCurve: [
+        [0, 0.2],
+        [0.4, 0.9],
+        [1, 0.5],
+      ],
+    },
+  },
+  { name: 'reflected light', lights: [spot], material: { reflectedLight: 0.4 } },
+  { name: 'second layer under two lights', lights: [directional, redSide], material: { secondLayer: true } },
+  {
+    name: 'second layer under three lights, moved object',
+    lights: [redSide, point, spot],
+    matrixWorld: placed,
+    material: { secondLayer: true, toneCurve: 'perceptual' },
+  },
+  { name: 'second layer under one light: none', material: { secondLayer: true } },
 ];
 
 test.beforeEach(async ({ page }) => {

@@ -32,17 +32,16 @@ const maps = new Map<AnalyticMapName, TonalArtMap>();
 function analyticMap(name: AnalyticMapName): TonalArtMap {
   let map = maps.get(name);
   if (map === undefined) {
-    const { size, darkness } = analyticMaps[name];
-    const images = Array.from({ length: ANALYTIC_TONES }, (_, tone) => {
-      const image = new Uint8Array(size * size);
-      for (let row = 0; row < size; row++) {
-        for (let column = 0; column < size; column++) {
-          const value = darkness(tone, (column + 0.5) / size, (row + 0.5) / size);
-          image[row * size + column] = Math.round(255 * (1 - value));
-        }
-      }
-      return [image];
-    });
+    const { size, levels, darkness } = analyticMaps[name];
+    const images = Array.from({ length: ANALYTIC_TONES }, (_, tone) =>
+      Array.from({ length: levels }, (_, level) => {
+        const side = size >> level;
+        return Uint8Array.from({ length: side * side }, (_, i) => {
+          const value = darkness(tone, ((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side, level);
+          return Math.round(255 * (1 - value));
+        });
+      }),
+    );
     map = TonalArtMap.fromHatchImages({ size, images });
     maps.set(name, map);
   }

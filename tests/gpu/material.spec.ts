@@ -39,6 +39,24 @@ interface Case {
 
 const meshes = { cube, torus, sheet, bunny: loadBunny };
 const lights = { directional: [directional], point: [point], spot: [spot] };
+const every = { ...lights, 'hemisphere and directional': [hemisphere, directional] };
+const placements = { identity, placed, mirrored };
+const models = ['lambert', 'halfLambert', 'phong', 'toon'] as const;
+const curves = {
+  perceptual: 'perceptual',
+  'through two points': [
+    [0.1, 0.05],
+    [0.8, 0.9],
+  ],
+  'through six points': [
+    [0, 0.1],
+    [0.2, 0.15],
+    [0.35, 0.6],
+    [0.5, 0.6],
+    [0.9, 0.3],
+    [1, 1],
+  ],
+} satisfies Record<string, ReferenceMaterial['toneCurve']>;
 
 const cases: Case[] = [
   // Every mesh, light and technique, with both maps.
@@ -56,6 +74,78 @@ const cases: Case[] = [
       ),
     ),
   ),
+  // Every tone model under every light; the placements take turns.
+  ...models.flatMap((toneModel, i) =>
+    Object.entries(every).map(([lightName, list], j) => {
+      const [placement, matrixWorld] = Object.entries(placements)[(i + j) % 3]!;
+      return {
+        name: `${toneModel}, ${lightName}, ${placement}`,
+        mesh: torus,
+        lights: list,
+        matrixWorld,
+        material: { toneModel, shininess: 12, toneSteps: 3, toneNormal: j % 2 ? 'smooth' : 'face' } as const,
+      };
+    }),
+  ),
+  ...Object.entries(curves).flatMap(([name, toneCurve], i) => [
+    { name: `tone curve ${name}`, mesh: torus, material: { toneCurve } },
+    {
+      name: `tone curve ${name}, per triangle, with ${models[i + 1]}`,
+      mesh: loadBunny,
+      lights: [point],
+      material: { toneCurve, toneModel: models[i + 1]!, technique: 'triangle' } as const,
+    },
+  ]),
+  ...Object.entries({ ...every, 'several lights': [directional, redSide, spot] }).map(([name, list], i) => ({
+    name: `reflected light, ${name}`,
+    mesh: torus,
+    lights: list,
+    matrixWorld: [identity, placed, mirrored][i % 3]!,
+    material: { reflectedLight: 0.4 },
+  })),
+  ...(['triangle', 'adjacency'] as const).flatMap((technique) => [
+    {
+      name: `second layer under two lights, ${technique}`,
+      mesh: torus,
+      lights: [directional, redSide],
+      material: { technique, secondLayer: true },
+    },
+    {
+      name: `second layer under three lights, moved object, ${technique}`,
+      mesh: torus,
+      lights: [redSide, point, spot],
+      matrixWorld: placed,
+      material: { technique, secondLayer: true, toneNormal: 'smooth' } as const,
+    },
+    {
+      name: `second layer, ${technique}, blend alone`,
+      mesh: torus,
+      lights: [directional, redSide],
+      map: 'constantPerTone' as const,
+      matrixWorld: mirrored,
+      material: { technique, secondLayer: true, toneCurve: 'perceptual' } as const,
+    },
+    {
+      name: `level by depth, ${technique}`,
+      mesh: torus,
+      map: 'constantPerLevel' as const,
+      material: { technique, levelRule: 'depth' } as const,
+    },
+    {
+      name: `level by depth on a smaller object, ${technique}`,
+      mesh: loadBunny,
+      matrixWorld: placed,
+      map: 'constantPerLevel' as const,
+      material: { technique, levelRule: 'depth', strokeScale: 0.6 } as const,
+    },
+  ]),
+  {
+    name: 'level by depth, orthographic camera',
+    mesh: torus,
+    orthographic: true,
+    map: 'constantPerLevel',
+    material: { levelRule: 'depth', strokeScale: 0.9 },
+  },
   { name: 'rotated, moved and scaled object', mesh: loadBunny, matrixWorld: placed, lights: [point] },
   { name: 'rotated object under a directional light', mesh: torus, matrixWorld: rotated },
   { name: 'mirrored object', mesh: loadBunny, matrixWorld: mirrored },
@@ -72,9 +162,6 @@ const cases: Case[] = [
   { name: 'hemisphere light alone', mesh: loadBunny, lights: [hemisphere] },
   { name: 'two coloured directional lights', mesh: torus, lights: [directional, redSide] },
   { name: 'directional, point and spot light together', mesh: loadBunny, lights: [redSide, point, spot] },
-  { name: 'half-Lambert', mesh: torus, material: { toneModel: 'halfLambert' } },
-  { name: 'phong', mesh: torus, material: { toneModel: 'phong', shininess: 12 } },
-  { name: 'toon', mesh: torus, material: { toneModel: 'toon', toneSteps: 3 } },
   { name: 'smooth tone', mesh: torus, material: { toneNormal: 'smooth' }, lights: [point] },
   { name: 'smooth tone on a mirrored object', mesh: torus, material: { toneNormal: 'smooth' }, matrixWorld: mirrored },
   { name: 'crease angle of 30°', mesh: torus, material: { creaseAngle: Math.PI / 6 } },
@@ -82,6 +169,11 @@ const cases: Case[] = [
     name: 'ink, paper and colour',
     mesh: torus,
     material: { ink: [0.1, 0.02, 0.3], paper: [0.9, 0.8, 0.6], color: [0.5, 0.9, 0.7] },
+  },
+  {
+    name: 'ink that multiplies',
+    mesh: torus,
+    material: { ink: [0.2, 0.5, 0.9], paper: [0.9, 0.8, 0.6], color: [0.5, 0.9, 0.7], inkBlend: 'multiply' },
   },
 ];
 
@@ -98,6 +190,14 @@ function expected(spec: HatchingSpec): Map<number, Vec3> {
     material: spec.material as ReferenceMaterial,
     tones: ANALYTIC_TONES,
     image: analyticMaps[spec.map].darkness,
+    size: analyticMaps[spec.map].size,
+    levels: analyticMaps[spec.map].levels,
+    unitsPerPixel: (at) => {
+      const [x, y, z] = at;
+      const view = spec.camera.view;
+      const depth = -(view[2]! * x + view[6]! * y + view[10]! * z + view[14]!);
+      return ((spec.orthographic ? 1 : depth) * 2) / (spec.camera.projection[5]! * SIZE);
+    },
   });
   const normalOf = (corner: number) => {
     const vertex = spec.indices[corner]!;

@@ -2,7 +2,7 @@
  * The technique `anchored` at one fragment, in double precision: the simplex lattice from its definition (Perlin's
  * skewed cubes), the hash and the blend as documented. Shares no code with the shader.
  */
-import type { HatchingReference } from './hatchingReference.js';
+import { type HatchingReference, LAYER_SHIFT } from './hatchingReference.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
 /** g = Φ⁻¹(h) of the threshold map at (u, v) in tiles. */
@@ -81,7 +81,7 @@ export function normalDistribution(g: number): number {
   return g < 0 ? 0.5 * (1 - erf) : 0.5 * (1 + erf);
 }
 
-/** By how much the tone exceeds the threshold: ink where positive. */
+/** By how much the tone exceeds the threshold, of the layer where it does most: ink where positive. */
 export function anchoredExcess(
   reference: HatchingReference,
   point: Vec3,
@@ -90,7 +90,15 @@ export function anchoredExcess(
   settings: AnchoredSettings,
 ): number {
   const world = reference.toWorld(point);
-  const { tangent, bitangent } = reference.frameOfNormal(strokeNormal, world);
-  const h = normalDistribution(anchoredField(point, tangent, bitangent, settings));
-  return reference.tone(world, reference.normalToWorld(toneNormal)) - h;
+  const { tangent, bitangent, crossing } = reference.frameOfNormal(strokeNormal, world);
+  const edge = settings.anchorSpacing / settings.strokeScale;
+  const shifted = point.map((c, i) => c + LAYER_SHIFT[i]! * edge) as Vec3;
+  const negated = bitangent.map((c) => -c) as Vec3;
+  const fields = [
+    () => anchoredField(point, tangent, bitangent, settings),
+    // The frame turned by 90° about the normal.
+    () => anchoredField(shifted, negated, tangent, settings),
+  ];
+  const tones = reference.layers(reference.tone(world, reference.normalToWorld(toneNormal)), crossing);
+  return Math.max(...tones.map((tone, i) => tone - normalDistribution(fields[i]!())));
 }

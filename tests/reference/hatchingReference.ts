@@ -35,13 +35,18 @@ export interface ReferenceMaterial {
   strokeRotation: number;
   strokeOffset: [number, number];
   creaseAngle: number;
+  toneCurve: 'linear' | 'perceptual' | [number, number][];
+  reflectedLight: number;
+  secondLayer: boolean;
+  levelRule: 'derivatives' | 'depth';
+  inkBlend: 'cover' | 'multiply';
   ink: Vec3;
   paper: Vec3;
   color: Vec3;
 }
 
-/** Darkness ∈ [0, 1] of hatch image `tone` at (u, v), in tiles. */
-export type HatchImageFunction = (tone: number, u: number, v: number) => number;
+/** Darkness ∈ [0, 1] of hatch image `tone` at (u, v), in tiles, on a level. */
+export type HatchImageFunction = (tone: number, u: number, v: number, level: number) => number;
 
 export interface ReferenceScene {
   matrixWorld: number[];
@@ -52,7 +57,14 @@ export interface ReferenceScene {
   material: ReferenceMaterial;
   tones: number;
   image: HatchImageFunction;
+  /** For the level by depth: texels per side and levels of the map, and world units to a pixel at a world position. */
+  size?: number;
+  levels?: number;
+  unitsPerPixel?: (at: Vec3) => number;
 }
+
+/** By how much the second layer's pattern is shifted, in tiles or anchors. */
+export const LAYER_SHIFT: Vec3 = [17.37, 5.71, 11.13];
 
 const LUMINANCE: Vec3 = [0.2126729, 0.7151522, 0.072175];
 const luminance = (rgb: Vec3) => rgb[0] * LUMINANCE[0] + rgb[1] * LUMINANCE[1] + rgb[2] * LUMINANCE[2];
@@ -73,25 +85,66 @@ interface Incident {
   direction: Vec3;
   /** What arrives, linear RGB. */
   color: Vec3;
+  /** What would arrive if the light had no cone. */
+  coneless: Vec3;
+}
+
+/** CIE lightness of a luminance, both in [0, 1]. */
+function lightness(y: number): number {
+  return (y > (6 / 29) ** 3 ? 116 * Math.cbrt(y) - 16 : (29 / 3) ** 3 * y) / 100;
+}
+
+/** Through points by Hermite's cubics, with the slopes of Fritsch and Butland; constant outside. */
+function curveThrough(points: readonly [number, number][], x: number): number {
+  const last = points.length - 1;
+  if (x <= points[0]![0]) return points[0]![1];
+  if (x >= points[last]![0]) return points[last]![1];
+  const secant = (i: number) => (points[i + 1]![1] - points[i]![1]) / (points[i + 1]![0] - points[i]![0]);
+  const slope = (i: number) => {
+    if (i === 0) return secant(0);
+    if (i === last) return secant(last - 1);
+    const [before, after] = [secant(i - 1), secant(i)];
+    if (Math.sign(before) * Math.sign(after) <= 0) return 0;
+    const alpha = (1 + (points[i + 1]![0] - points[i]![0]) / (points[i + 1]![0] - points[i - 1]![0])) / 3;
+    return (before * after) / (alpha * after + (1 - alpha) * before);
+  };
+  const i = points.findIndex((_, k) => x < points[k + 1]![0]);
+  const [[x0, y0], [x1, y1]] = [points[i]!, points[i + 1]!];
+  const h = x1 - x0;
+  const t = (x - x0) / h;
+  return (
+    (1 + 2 * t) * (1 - t) ** 2 * y0 +
+    t * (1 - t) ** 2 * h * slope(i) +
+    t * t * (3 - 2 * t) * y1 -
+    t * t * (1 - t) * h * slope(i + 1)
+  );
 }
 
 /** What a light sends to a world position. Attenuation and cone as three documents them. */
 function incident(light: ReferenceLight, at: Vec3): Incident | null {
   if (light.type === 'ambient' || light.type === 'hemisphere') return null;
   const axis = normalize(subtract(light.position!, light.target ?? [0, 0, 0]));
-  if (light.type === 'directional') return { direction: axis, color: light.color };
+  if (light.type === 'directional') return { direction: axis, color: light.color, coneless: light.color };
   const toLight = subtract(light.position!, at);
   const length = vec3.length(toLight);
   const direction = normalize(toLight);
   let strength = 1 / Math.max(length ** (light.decay ?? 2), 0.01);
   if (light.distance) strength *= clamp01(1 - (length / light.distance) ** 4) ** 2;
+  const coneless = scale(light.color, strength);
   if (light.type === 'spot') {
     const outer = Math.cos(light.angle!);
     const inner = Math.cos(light.angle! * (1 - (light.penumbra ?? 0)));
     const x = clamp01((dot(direction, axis) - outer) / (inner - outer || Number.EPSILON));
     strength *= x * x * (3 - 2 * x);
   }
-  return { direction, color: scale(light.color, strength) };
+  return { direction, color: scale(light.color, strength), coneless };
+}
+
+/** T and B in object space, and how far the lights disagree about them: 1 − A of the structure tensor. */
+interface Frame {
+  tangent: Vec3;
+  bitangent: Vec3;
+  crossing: number;
 }
 
 /** Per scene, everything that does not depend on the fragment. */
@@ -99,7 +152,7 @@ export class HatchingReference {
   readonly #scene: ReferenceScene;
   readonly #normalMatrix: number[];
   readonly #worldToObjectLinear: number[];
-  readonly #frames = new Map<string, { tangent: Vec3; bitangent: Vec3 }>();
+  readonly #frames = new Map<string, Frame>();
 
   constructor(scene: ReferenceScene) {
     this.#scene = scene;
@@ -118,8 +171,8 @@ export class HatchingReference {
     return normalize(vec3.transformMat3([0, 0, 0], n, this.#normalMatrix as unknown as mat3) as Vec3);
   }
 
-  /** Algorithm 1: T and B of a triangle, object space. */
-  frame(triangle: Triangle): { tangent: Vec3; bitangent: Vec3 } {
+  /** Algorithm 1: the frame of a triangle. */
+  frame(triangle: Triangle): Frame {
     const id = triangle.flat().join(',');
     const known = this.#frames.get(id);
     if (known) return known;
@@ -134,18 +187,18 @@ export class HatchingReference {
   }
 
   /** T and B for a unit object-space normal, lit as at a world position. */
-  frameOfNormal(n: Vec3, worldPosition: Vec3): { tangent: Vec3; bitangent: Vec3 } {
-    const bitangent = this.#bitangent(n, worldPosition);
-    return { tangent: cross(bitangent, n), bitangent };
+  frameOfNormal(n: Vec3, worldPosition: Vec3): Frame {
+    const { bitangent, crossing } = this.#bitangent(n, worldPosition);
+    return { tangent: cross(bitangent, n), bitangent, crossing };
   }
 
-  #bitangent(n: Vec3, worldCentre: Vec3): Vec3 {
+  #bitangent(n: Vec3, worldCentre: Vec3): { bitangent: Vec3; crossing: number } {
     const axis = [0, 1, 2].reduce((least, i) => (Math.abs(n[i]!) < Math.abs(n[least]!) ? i : least), 0);
     const unit: Vec3 = [0, 0, 0];
     unit[axis] = 1;
     const e1 = normalize(subtract(unit, scale(n, dot(n, unit))));
     const e2 = cross(n, e1);
-    let [q, r, x, y, weights] = [0, 0, 0, 0, 0];
+    let [q, r, x, y, weights, extent] = [0, 0, 0, 0, 0, 0];
     const directed = this.#scene.lights.filter((light) => incident(light, worldCentre) !== null);
     const skies = this.#scene.lights.filter((light) => light.type === 'hemisphere');
     for (const light of directed.length > 0 ? directed : skies) {
@@ -161,11 +214,14 @@ export class HatchingReference {
       x += w * lx;
       y += w * ly;
       weights += w;
+      extent += w * (lx * lx + ly * ly);
     }
-    if (!(Math.hypot(q, r) > 1e-8 * weights)) return e1;
+    const crossing = directed.length > 1 && extent > 1e-8 * weights ? 1 - Math.hypot(q, r) / extent : 0;
+    if (!(Math.hypot(q, r) > 1e-8 * weights)) return { bitangent: e1, crossing };
     const angle = Math.atan2(r, q) / 2;
     const sign = x * Math.cos(angle) + y * Math.sin(angle) < 0 ? -1 : 1;
-    return vec3.scaleAndAdd([0, 0, 0], scale(e1, sign * Math.cos(angle)), e2, sign * Math.sin(angle)) as Vec3;
+    const along = scale(e1, sign * Math.cos(angle));
+    return { bitangent: vec3.scaleAndAdd([0, 0, 0], along, e2, sign * Math.sin(angle)) as Vec3, crossing };
   }
 
   /** Texture coordinates of an object-space point in the frame of a triangle: project (Algorithm 2), then measure. */
@@ -203,20 +259,48 @@ export class HatchingReference {
         response += Math.max(dot(mirrored, view), 0) ** material.shininess;
       }
       radiance += (luminance(arriving.color) / Math.PI) * response;
+      // A hemisphere of that light, from the other side.
+      radiance += (material.reflectedLight * luminance(arriving.coneless) * (1 - cosine)) / (2 * Math.PI);
     }
-    const tone = 1 - clamp01(radiance);
-    if (material.toneModel !== 'toon') return tone;
-    const last = Math.max(material.toneSteps - 1, 1);
-    return Math.floor(tone * last + 0.5) / last;
+    let tone = 1 - clamp01(radiance);
+    if (material.toneModel === 'toon') {
+      const last = Math.max(material.toneSteps - 1, 1);
+      tone = Math.floor(tone * last + 0.5) / last;
+    }
+    if (material.toneCurve === 'linear') return tone;
+    if (material.toneCurve === 'perceptual') return 1 - lightness(1 - tone);
+    return curveThrough(material.toneCurve, tone);
   }
 
-  /** Darkness of the hatch in one frame: the two neighbouring hatch images, interpolated by tone. */
-  #hatch(uv: [number, number], tone: number): number {
-    const x = tone * (this.#scene.tones - 1);
-    const lower = Math.min(Math.floor(x), this.#scene.tones - 1);
-    const upper = Math.min(lower + 1, this.#scene.tones - 1);
-    const share = x - lower;
-    return (1 - share) * this.#scene.image(lower, ...uv) + share * this.#scene.image(upper, ...uv);
+  /** The tones of the layers of strokes that together give a tone, 1 − T = (1 − T₁)(1 − T₂), as the lights disagree. */
+  layers(tone: number, crossing: number): number[] {
+    if (!this.#scene.material.secondLayer || crossing === 0) return [tone];
+    const blank = Math.max(1 - tone, 1e-3);
+    return [1 - blank ** (1 - crossing / 2), 1 - blank ** (crossing / 2)];
+  }
+
+  /**
+   * Darkness of the hatch in one frame: the two neighbouring hatch images interpolated by tone, or the nearest under
+   * `toon`; each from the two neighbouring levels.
+   */
+  #hatch([u, v]: readonly [number, number], tone: number, level: number): number {
+    const { tones, image, levels = 1 } = this.#scene;
+    const fine = Math.min(Math.max(level, 0), levels - 1);
+    const between = (x: number, last: number, at: (index: number) => number) => {
+      const lower = Math.min(Math.floor(x), last);
+      return (1 - (x - lower)) * at(lower) + (x - lower) * at(Math.min(lower + 1, last));
+    };
+    let x = tone * (tones - 1);
+    if (this.#scene.material.toneModel === 'toon') x = Math.round(x);
+    return between(x, tones - 1, (i) => between(fine, levels - 1, (k) => image(i, u, v, k)));
+  }
+
+  /** Octaves by which the map is too fine at a world position: texels to a pixel, by depth and scale alone. */
+  #level(world: Vec3): number {
+    const { size = 1, unitsPerPixel, material } = this.#scene;
+    if (material.levelRule !== 'depth') return 0;
+    const objectPerWorld = Math.cbrt(Math.abs(mat3.determinant(this.#worldToObjectLinear as unknown as mat3)));
+    return Math.log2(material.strokeScale * size * objectPerWorld * unitsPerPixel!(world));
   }
 
   /**
@@ -250,16 +334,24 @@ export class HatchingReference {
         shades.push({ t: neighbour, n, f: Math.max(f, 0) });
       });
     }
-    let darkness = 0;
-    let sum = 0;
+    const sum = shades.reduce((total, { f }) => total + f, 0);
+    const level = this.#level(world);
+    // Each layer is blended like a picture of its own, then one is printed over the other.
+    const crossing = shades.reduce((total, { t, f }) => total + f * this.frame(t).crossing, 0) / sum;
+    const layers = [0, 0];
     for (const { t, n, f } of shades) {
       const toneNormal = this.normalToWorld(material.toneNormal === 'smooth' ? smoothNormal : n);
       const tone = this.tone(world, scale(toneNormal, faceDirection));
-      darkness += f * this.#hatch(this.coordinates(point, t), tone);
-      sum += f;
+      const [u, v] = this.coordinates(point, t);
+      const places = [[u, v] as const, [LAYER_SHIFT[0] - v, LAYER_SHIFT[1] + u] as const];
+      this.layers(tone, crossing).forEach((layerTone, i) => {
+        layers[i]! += (f / sum) * this.#hatch(places[i]!, layerTone, level);
+      });
     }
-    darkness /= sum;
-    const { ink, paper, color } = material;
-    return [0, 1, 2].map((i) => paper[i]! * color[i]! * (1 - darkness) + ink[i]! * darkness) as Vec3;
+    const darkness = 1 - (1 - layers[0]!) * (1 - layers[1]!);
+    const { paper, color } = material;
+    const ground = paper.map((c, i) => c * color[i]!);
+    const stroke = material.ink.map((c, i) => (material.inkBlend === 'multiply' ? c * ground[i]! : c));
+    return ground.map((c, i) => c * (1 - darkness) + stroke[i]! * darkness) as Vec3;
   }
 }

@@ -44,6 +44,7 @@ window.renderScenario = async (scenario, deviation = {}) => {
       ? await TonalArtMap.generate(scenario.tonalArtMap)
       : TonalArtMap.fromHatchImages(widenStrokes(scenario.tonalArtMap, deviation.strokeWidth));
   const geometry = await prepareHatchingGeometry(await loadScenarioModel(scenario.model));
+  tonalArtMap.texture.anisotropy = scenario.anisotropy ?? 1;
   const material = new HatchingMaterial({ tonalArtMap, ...scenario.material });
   const mesh = new Mesh(geometry, material);
   mesh.rotation.fromArray([...(scenario.modelRotation ?? [0, 0, 0])]);

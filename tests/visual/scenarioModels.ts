@@ -1,4 +1,4 @@
-import { BufferAttribute, BufferGeometry, Mesh } from 'three';
+import { BufferAttribute, BufferGeometry, Mesh, PlaneGeometry } from 'three';
 import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
 import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
@@ -17,6 +17,9 @@ export async function loadScenarioModel(model: ScenarioModel): Promise<BufferGeo
 
 const loaders: Record<ScenarioModel, () => Promise<BufferGeometry>> = {
   patch: async () => patch(),
+
+  /** A long floor, its far end at z = −1. */
+  floor: async () => new PlaneGeometry(1, 4, 4, 16).rotateX(-Math.PI / 2),
 
   /** Suzanne, of the Blender Foundation, from `@pmndrs/assets`. */
   suzanne: async () => {

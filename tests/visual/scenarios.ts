@@ -3,7 +3,7 @@ import type { HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
 type Triple = readonly [x: number, y: number, z: number];
 
 /** The models a scenario can show; each is centred and has a bounding radius of 1. */
-export type ScenarioModel = 'patch' | 'suzanne' | 'bunny' | 'dragon';
+export type ScenarioModel = 'patch' | 'floor' | 'suzanne' | 'bunny' | 'dragon';
 
 /** A light of the scene. Intensities are three's: π makes a directional light the paper's N·L. */
 export interface ScenarioLight {
@@ -26,10 +26,21 @@ export interface Scenario {
   camera: { position: Triple; fov: number };
   lights: readonly ScenarioLight[];
   tonalArtMap: Pick<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>, 'style' | 'seed' | 'size' | 'tones'>;
+  /** Most texels along a slanting pixel, where the card has that filter. */
+  anisotropy?: number;
   material: Partial<
     Pick<
       HatchingMaterialOptions,
-      'technique' | 'crisp' | 'strokeScale' | 'strokeRotation' | 'screenConstancy' | 'debugView'
+      | 'technique'
+      | 'crisp'
+      | 'strokeScale'
+      | 'strokeRotation'
+      | 'screenConstancy'
+      | 'debugView'
+      | 'toneCurve'
+      | 'reflectedLight'
+      | 'secondLayer'
+      | 'levelRule'
     >
   >;
   /** Pixels. */

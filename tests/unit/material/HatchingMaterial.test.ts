@@ -20,6 +20,12 @@ describe('HatchingMaterial', () => {
       strokeScale: 3,
       strokeRotation: 0,
       tonalArtMap: null,
+      toneCurve: 'linear',
+      reflectedLight: 0,
+      secondLayer: false,
+      levelRule: 'derivatives',
+      inkBlend: 'cover',
+      paperOpacity: 1,
     });
     expect(material.paper.getHex()).toBe(0xffffff);
     expect(material.ink.getHex()).toBe(0x000000);
@@ -48,14 +54,17 @@ describe('HatchingMaterial', () => {
     expect(warn.mock.calls.flat().join(' ')).toContain('strokeScales');
   });
 
-  test.each(['technique', 'toneModel', 'toneNormal', 'debugView'] as const)('refuses an unknown %s', (property) => {
-    const material = new HatchingMaterial();
-    const before = material[property];
-    expect(() => {
-      (material as unknown as Record<string, string>)[property] = 'nonsense';
-    }).toThrow(`HatchingMaterial.${property}: "nonsense" is not known; use one of`);
-    expect(material[property]).toBe(before);
-  });
+  test.each(['technique', 'toneModel', 'toneNormal', 'levelRule', 'inkBlend', 'debugView'] as const)(
+    'refuses an unknown %s',
+    (property) => {
+      const material = new HatchingMaterial();
+      const before = material[property];
+      expect(() => {
+        (material as unknown as Record<string, string>)[property] = 'nonsense';
+      }).toThrow(`HatchingMaterial.${property}: "nonsense" is not known; use one of`);
+      expect(material[property]).toBe(before);
+    },
+  );
 
   test('asks for another program only where the shader changes', () => {
     const material = new HatchingMaterial({ tonalArtMap: map });
@@ -66,11 +75,50 @@ describe('HatchingMaterial', () => {
     material.toneSteps = 6;
     material.shininess = 5;
     material.creaseAngle = 1;
+    material.reflectedLight = 0.3;
+    material.paperOpacity = 0.5;
     material.ink.set('red');
     material.technique = 'adjacency';
+    material.toneCurve = 'linear';
+    material.levelRule = 'derivatives';
+    material.inkBlend = 'cover';
+    material.secondLayer = false;
     expect(material.version).toBe(version);
     material.technique = 'triangle';
+    material.levelRule = 'depth';
+    material.inkBlend = 'multiply';
+    material.secondLayer = true;
+    expect(material.version).toBe(version + 4);
+  });
+
+  test('another tone curve is another program only where it is another kind of curve', () => {
+    const material = new HatchingMaterial();
+    const { version } = material;
+    material.toneCurve = [
+      [0, 0],
+      [1, 0.8],
+    ];
     expect(material.version).toBe(version + 1);
+    const points = [
+      [0, 0.1],
+      [0.5, 0.2],
+      [1, 1],
+    ] as const;
+    material.toneCurve = points;
+    expect(material.version).toBe(version + 1);
+    expect(material.toneCurve).toBe(points);
+    expect(material.uniforms.toneCurveStart!.value).toBe(0.1);
+    material.toneCurve = 'perceptual';
+    expect(material.version).toBe(version + 2);
+  });
+
+  test.each(['dark', 'points', [[0, 0]]])('refuses the tone curve %j and keeps the one it has', (curve) => {
+    const material = new HatchingMaterial({ toneCurve: 'perceptual' });
+    expect(() => {
+      material.toneCurve = curve as 'linear';
+    }).toThrow('HatchingMaterial.toneCurve: ');
+    expect(material.toneCurve).toBe('perceptual');
+    expect(material.defines).toEqual(new HatchingMaterial({ toneCurve: 'perceptual' }).defines);
   });
 
   test('tone is smooth under anchored and faceted under the paper’s techniques, unless one is asked for', () => {
@@ -119,6 +167,15 @@ describe('HatchingMaterial', () => {
       texelPixels: 2,
       edgePixels: 0.5,
       shininess: 8,
+      toneCurve: [
+        [0, 0.1],
+        [1, 0.9],
+      ],
+      reflectedLight: 0.3,
+      secondLayer: true,
+      levelRule: 'depth',
+      inkBlend: 'multiply',
+      paperOpacity: 0.4,
       ink: 'navy',
       paper: 'ivory',
       color: 'tan',
@@ -145,6 +202,12 @@ describe('HatchingMaterial', () => {
       'texelPixels',
       'edgePixels',
       'shininess',
+      'toneCurve',
+      'reflectedLight',
+      'secondLayer',
+      'levelRule',
+      'inkBlend',
+      'paperOpacity',
       'map',
       'alphaMap',
       'fog',
@@ -160,6 +223,7 @@ describe('HatchingMaterial', () => {
     expect(clone.strokeOffset.toArray()).toEqual([0.1, 0.2]);
     expect(clone.uniforms).not.toBe(source.uniforms);
     expect(clone.uniforms.tonalArtMap!.value).toBe(map.texture);
+    expect(clone.uniforms.toneCurveCubics!.value).toEqual(source.uniforms.toneCurveCubics!.value);
     clone.technique = 'adjacency';
     clone.ink.set('red');
     expect(source.technique).toBe('triangle');

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { defaults } from '../../gpu/referenceScenes.js';
 import {
   faceNormal,
   HatchingReference,
@@ -9,20 +10,7 @@ import { cube, torus, trianglesOf } from '../../reference/meshes.js';
 import { referenceAdjacency, type Triangle, type Vec3 } from '../../reference/referenceAdjacency.js';
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-const material: ReferenceMaterial = {
-  technique: 'adjacency',
-  toneModel: 'lambert',
-  toneSteps: 4,
-  shininess: 30,
-  toneNormal: 'face',
-  strokeScale: 1,
-  strokeRotation: 0,
-  strokeOffset: [0, 0],
-  creaseAngle: Math.PI / 2,
-  ink: [0, 0, 0],
-  paper: [1, 1, 1],
-  color: [1, 1, 1],
-};
+const material: ReferenceMaterial = { ...defaults, strokeScale: 1, strokeRotation: 0, strokeOffset: [0, 0] };
 const sun: ReferenceLight = { type: 'directional', color: [Math.PI, Math.PI, Math.PI], position: [1, 2, 3] };
 
 const reference = (lights: ReferenceLight[], overrides: Partial<ReferenceMaterial> = {}) =>

@@ -1,0 +1,64 @@
+import { TONE_CURVE_SPANS } from './shaderConventions.js';
+
+/** A point of a tone curve: the tone of the light, and the tone to print there; both in [0, 1], 0 is paper. */
+export type ToneCurvePoint = readonly [light: number, printed: number];
+
+/** A tone curve as the shader adds it up: `start`, and a cubic for each span. Spans that are not in use add nothing. */
+export interface FittedToneCurve {
+  start: number;
+  /** Per span, where it begins and 1 / its width. */
+  spans: Float32Array;
+  /** Per span, the coefficients of t, t² and t³, with t from 0 to 1 over the span. */
+  cubics: Float32Array;
+}
+
+/**
+ * A curve through the points that never leaves the range between two neighbouring ones (a cubic spline with the slopes
+ * of Fritsch and Butland, 1984). Before the first and after the last point it is constant. Two points give a straight
+ * line.
+ *
+ * @param points 2 to 8, from light to dark
+ * @throws Error if there are fewer or more, if one is not a pair of numbers in [0, 1], or if their lights do not rise
+ */
+export function fitToneCurve(points: readonly ToneCurvePoint[]): FittedToneCurve {
+  checkPoints(points);
+  const widths = differences(points.map(([light]) => light));
+  const rises = differences(points.map(([, printed]) => printed));
+  const secants = rises.map((rise, i) => rise / widths[i]!);
+  const slopes = points.map((_, i) => slopeBetween(secants[i - 1], secants[i], widths[i - 1], widths[i]));
+
+  const spans = new Float32Array(2 * TONE_CURVE_SPANS);
+  const cubics = new Float32Array(3 * TONE_CURVE_SPANS);
+  widths.forEach((width, i) => {
+    const begin = width * slopes[i]!;
+    const end = width * slopes[i + 1]!;
+    spans.set([points[i]![0], 1 / width], 2 * i);
+    cubics.set([begin, 3 * rises[i]! - 2 * begin - end, begin + end - 2 * rises[i]!], 3 * i);
+  });
+  return { start: points[0]![1], spans, cubics };
+}
+
+/** The slope at a point between two spans: a harmonic mean, so that neither is overshot; flat at a turning point. */
+function slopeBetween(before = Number.NaN, after = Number.NaN, widthBefore = 0, widthAfter = 0): number {
+  if (Number.isNaN(before)) return after;
+  if (Number.isNaN(after)) return before;
+  if (before * after <= 0) return 0;
+  const [a, b] = [2 * widthAfter + widthBefore, widthAfter + 2 * widthBefore];
+  return (a + b) / (a / before + b / after);
+}
+
+const differences = (values: readonly number[]): number[] => values.slice(1).map((value, i) => value - values[i]!);
+
+function checkPoints(points: readonly ToneCurvePoint[]): void {
+  const fail = (what: string): never => {
+    throw new Error(`HatchingMaterial.toneCurve: ${what}; give 2 to ${TONE_CURVE_SPANS + 1} pairs [light, printed].`);
+  };
+  if (!Array.isArray(points))
+    fail(`${JSON.stringify(points)} is neither 'linear' nor 'perceptual' nor a list of points`);
+  if (points.length < 2 || points.length > TONE_CURVE_SPANS + 1) fail(`${points.length} points are not a curve`);
+  points.forEach((point, i) => {
+    const isPair = Array.isArray(point) && point.length === 2 && point.every((x) => x >= 0 && x <= 1);
+    if (!isPair) fail(`point ${i}, ${JSON.stringify(point)}, is not a pair of tones in [0, 1]`);
+    if (i > 0 && !(point[0] > points[i - 1]![0])) fail(`point ${i} is not at a darker light than the one before it`);
+  });
+}
