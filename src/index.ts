@@ -1,7 +1,10 @@
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
+export type { ApplyHatchingOptions } from './material/applyHatching.js';
+export { applyHatching } from './material/applyHatching.js';
 export type { ToneCurvePoint } from './material/fitToneCurve.js';
+export type { HatchedScene, SkippedMesh } from './material/HatchedScene.js';
 export type { HatchingMaterialOptions, HatchingMaterialParameters, ToneCurve } from './material/HatchingMaterial.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type {

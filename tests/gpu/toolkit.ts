@@ -1,6 +1,8 @@
 /** What the embedding tests build their scenes from, as a global, since a test's own code runs inside `evaluate`. */
 import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import {
+  applyHatching,
   HatchingMaterial,
   type HatchingMaterialParameters,
   prepareHatchingGeometry,
@@ -79,6 +81,8 @@ function pixelsOf(
 
 const toolkit = {
   THREE,
+  GLTFLoader,
+  applyHatching,
   HatchingMaterial,
   prepareHatchingGeometry,
   TonalArtMap,

@@ -1,0 +1,23 @@
+import type { Mesh } from 'three';
+
+const claimed = new WeakSet<Mesh>();
+
+/**
+ * Marks meshes as hatched, or being so, until the function returned is called; calling it again does nothing.
+ *
+ * @throws Error if one of them is marked already
+ */
+export function claimMeshes(meshes: readonly Mesh[]): () => void {
+  const taken = meshes.find((mesh) => claimed.has(mesh));
+  if (taken) {
+    throw new Error(
+      `applyHatching: the mesh "${taken.name || taken.uuid}" is hatched already, or is being hatched. Call restore() or dispose() of what the first call resolves with, then apply again.`,
+    );
+  }
+  for (const mesh of meshes) claimed.add(mesh);
+  let held = meshes;
+  return () => {
+    for (const mesh of held) claimed.delete(mesh);
+    held = [];
+  };
+}

@@ -1,0 +1,21 @@
+import type { Material, Mesh, Object3D } from 'three';
+
+/**
+ * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, also lines
+ * that three.js makes of meshes (`Line2`), and meshes that only catch shadows.
+ */
+export function surfaceMeshes(root: Object3D): Mesh[] {
+  const meshes: Mesh[] = [];
+  root.traverse((object) => {
+    if (isMesh(object) && !('isLineSegments2' in object) && [object.material].flat().some(isSurface)) {
+      meshes.push(object);
+    }
+  });
+  return meshes;
+}
+
+/** Whether a material is of a kind that hatching can stand for. */
+export const isSurface = (material: Material | undefined): material is Material =>
+  material !== undefined && !('isShadowMaterial' in material || 'isLineMaterial' in material);
+
+const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;

@@ -1,0 +1,215 @@
+import { expect, test } from '../browser/test.js';
+import { at, covered, difference, differing, isGround, SIZE } from './pixels.js';
+import { hasSharedModels, NO_MODELS, serveSharedModels } from './sharedModels.js';
+
+/** Whole scenes in one call: the pictures they give, and what is left on the graphics card. */
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+test('groups keep their colours, nested meshes their places', async ({ page }) => {
+  const pixels = await page.evaluate(async () => {
+    const { THREE, applyHatching, greyMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const geometry = new THREE.PlaneGeometry(1, 1, 2, 1);
+    geometry.clearGroups();
+    geometry.addGroup(0, 6, 1);
+    geometry.addGroup(6, 6, 0);
+    const inner = new THREE.Mesh(
+      geometry,
+      [0xff0000, 0x0000ff].map((color) => new THREE.MeshStandardMaterial({ color })),
+    );
+    inner.position.x = 1;
+    const outer = new THREE.Group().add(inner);
+    outer.position.set(-1, 0, 0);
+    outer.scale.setScalar(2);
+    outer.position.x = -2;
+    await applyHatching(outer, { tonalArtMap: greyMap() });
+    return pixelsOf(sceneOf(outer, sun(Math.PI, [0, 0, 1])));
+  });
+  expect(at(pixels, 30, 48)).toEqual([0, 0, 255]);
+  expect(at(pixels, 66, 48)).toEqual([255, 0, 0]);
+});
+
+for (const technique of ['adjacency', 'anchored'] as const) {
+  test(`instances and separate meshes give the same pixels: ${technique}`, async ({ page }) => {
+    const [separate, instanced] = await page.evaluate(async (technique) => {
+      const { THREE, applyHatching, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+      const geometry = new THREE.TorusGeometry(0.4, 0.2, 12, 20);
+      const paint = new THREE.MeshLambertMaterial({ color: 0xffaa88 });
+      const matrices = [
+        new THREE.Matrix4().makeRotationX(0.7).setPosition(-0.7, 0.3, 0),
+        new THREE.Matrix4().makeRotationY(1.1).setPosition(0.6, -0.3, 0.2),
+      ];
+      const separate = new THREE.Group();
+      const instanced = new THREE.InstancedMesh(geometry, paint, 2);
+      matrices.forEach((matrix, i) => {
+        const one = new THREE.Mesh(geometry, paint);
+        one.applyMatrix4(matrix);
+        separate.add(one);
+        instanced.setMatrixAt(i, matrix);
+      });
+      const options = { tonalArtMap: stripedMap(), material: { technique } };
+      const pictures: number[][] = [];
+      for (const root of [separate, instanced]) {
+        await applyHatching(root, options);
+        pictures.push(pixelsOf(sceneOf(sun(), root)));
+      }
+      return pictures;
+    }, technique);
+    expect(covered(separate!)).toBeGreaterThan(800);
+    // Rounding differs between the two ways, and on a hard stripe a rounding shows.
+    expect(differing(separate!, instanced!, 8)).toBeLessThan(0.01 * covered(separate!));
+  });
+
+  test(`strokes are as large on a scaled object as on one modelled in that size: ${technique}`, async ({ page }) => {
+    const [modelled, scaled, unscaled] = await page.evaluate(async (technique) => {
+      const { THREE, applyHatching, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+      const show = async (size: number, scale: number, material: object = {}) => {
+        const mesh = new THREE.Mesh(new THREE.SphereGeometry(size, 48, 32), new THREE.MeshBasicMaterial());
+        const root = new THREE.Group().add(new THREE.Group().add(mesh));
+        mesh.scale.setScalar(scale / 4);
+        root.scale.setScalar(4);
+        await applyHatching(root, { tonalArtMap: stripedMap(), strokeScale: 2, material: { technique, ...material } });
+        return pixelsOf(sceneOf(root, sun()));
+      };
+      return [await show(1, 1), await show(0.05, 20), await show(0.05, 20, { strokeScale: 2 })];
+    }, technique);
+    expect(covered(modelled!)).toBeGreaterThan(800);
+    // Stripes fall on other pixels where positions are rounded otherwise.
+    expect(differing(modelled!, scaled!, 8)).toBeLessThan(0.03 * covered(modelled!));
+    expect(differing(modelled!, unscaled!, 8)).toBeGreaterThan(0.2 * covered(modelled!));
+  });
+}
+
+test('a mirrored object is lit and covered as one modelled mirrored', async ({ page }) => {
+  const [mirrored, modelled] = await page.evaluate(async () => {
+    const { THREE, applyHatching, greyMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const shape = () => new THREE.ConeGeometry(0.7, 1.6, 24).rotateZ(0.5).translate(0.3, 0, 0);
+    const mirror = new THREE.Mesh(shape(), new THREE.MeshStandardMaterial({ color: 0xddeeff }));
+    mirror.scale.x = -1;
+    const geometry = shape().scale(-1, 1, 1);
+    const { array } = geometry.index!;
+    for (let i = 0; i < array.length; i += 3) [array[i], array[i + 1]] = [array[i + 1]!, array[i]!];
+    const model = new THREE.Mesh(geometry, mirror.material);
+    const pictures: number[][] = [];
+    for (const mesh of [mirror, model]) {
+      await applyHatching(mesh, { tonalArtMap: greyMap() });
+      pictures.push(pixelsOf(sceneOf(mesh, sun())));
+    }
+    return pictures;
+  });
+  expect(covered(mirrored!)).toBeGreaterThan(800);
+  expect(differing(mirrored!, modelled!, 2)).toBeLessThan(0.005 * covered(mirrored!));
+});
+
+test('a batch is hatched as it is by anchored', async ({ page }) => {
+  const [batched, separate] = await page.evaluate(async () => {
+    const { THREE, applyHatching, greyMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const geometry = new THREE.SphereGeometry(0.5, 16, 12);
+    const paint = new THREE.MeshBasicMaterial();
+    const batch = new THREE.BatchedMesh(2, 400, 2000, paint);
+    const id = batch.addGeometry(geometry);
+    const group = new THREE.Group();
+    for (const x of [-0.6, 0.6]) {
+      const matrix = new THREE.Matrix4().makeTranslation(x, 0, 0);
+      batch.setMatrixAt(batch.addInstance(id), matrix);
+      const mesh = new THREE.Mesh(geometry, paint);
+      mesh.applyMatrix4(matrix);
+      group.add(mesh);
+    }
+    const pictures: number[][] = [];
+    for (const root of [batch, group]) {
+      await applyHatching(root, { tonalArtMap: greyMap(), strokeScale: 2, material: { technique: 'anchored' } });
+      pictures.push(pixelsOf(sceneOf(root, sun())));
+    }
+    return pictures;
+  });
+  expect(covered(batched!)).toBeGreaterThan(800);
+  expect(differing(batched!, separate!, 8)).toBeLessThan(0.01 * covered(batched!));
+});
+
+test('restore brings the picture back, dispose leaves nothing on the graphics card', async ({ page }) => {
+  const { before, hatched, restored, memory } = await page.evaluate(async () => {
+    const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const map = new THREE.DataTexture(new Uint8Array([200, 100, 100, 255]), 1, 1);
+    map.needsUpdate = true;
+    const morphed = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshStandardMaterial({ map }));
+    morphed.geometry.morphAttributes.position = [morphed.geometry.attributes.position!.clone()];
+    morphed.updateMorphTargets();
+    morphed.position.x = -0.8;
+    const plain = new THREE.Mesh(new THREE.SphereGeometry(0.6), new THREE.MeshStandardMaterial({ color: 'teal' }));
+    plain.position.x = 0.8;
+    const root = new THREE.Group().add(morphed, plain);
+    const scene = sceneOf(root, sun());
+    const use = () => ({ ...renderer.info.memory, programs: renderer.info.programs!.length });
+    const before = pixelsOf(scene, renderer);
+    const memory = [use()];
+    const handle = await applyHatching(root, { material: { technique: 'anchored' } });
+    const hatched = pixelsOf(scene, renderer);
+    memory.push(use());
+    handle.restore();
+    const restored = pixelsOf(scene, renderer);
+    handle.dispose();
+    memory.push(use());
+    return { before, hatched, restored, memory };
+  });
+  expect(differing(before, hatched, 8)).toBeGreaterThan(500);
+  expect(difference(before, restored)).toBe(0);
+  expect(memory[1]!.geometries).toBe(memory[0]!.geometries + 2);
+  expect(memory[1]!.textures).toBeGreaterThan(memory[0]!.textures);
+  expect(memory[1]!.programs).toBeGreaterThan(memory[0]!.programs);
+  // What every hatching material shares, such as the one blank texel, may stay.
+  expect(memory[2]!.geometries).toBe(memory[0]!.geometries);
+  expect(memory[2]!.programs).toBe(memory[0]!.programs);
+  expect(memory[2]!.textures - memory[0]!.textures).toBeLessThanOrEqual(1);
+});
+
+test.describe('loaded glTF', () => {
+  test.skip(!hasSharedModels(), NO_MODELS);
+
+  for (const [name, meshes, materials] of [
+    ['Lantern.gltf', 3, 1],
+    ['VertexColorTest.glb', 2, 2],
+    ['CesiumMan.glb', 1, 1],
+  ] as const) {
+    test(`${name} is drawn in its colours, in ink, where it was drawn before`, async ({ page }) => {
+      await serveSharedModels(page);
+      const [before, after, counts] = await page.evaluate(async (name) => {
+        const { THREE, GLTFLoader, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+        const { scene: root } = await new GLTFLoader().loadAsync(`models/${name}`);
+        const box = new THREE.Box3().setFromObject(root, true);
+        const { center, radius } = box.getBoundingSphere(new THREE.Sphere());
+        const holder = new THREE.Group().add(root);
+        root.position.sub(center);
+        holder.scale.setScalar(1.3 / radius);
+        const renderer = makeRenderer();
+        const scene = sceneOf(holder, sun(Math.PI, [2, 1, 1]));
+        const before = pixelsOf(scene, renderer);
+        const { materials, skipped } = await applyHatching(holder, {
+          material: { ink: 'magenta', technique: 'anchored' },
+        });
+        let meshes = 0;
+        holder.traverse((object) => {
+          if ('isMesh' in object) meshes++;
+        });
+        return [before, pixelsOf(scene, renderer), { meshes, materials: materials.length, skipped: skipped.length }];
+      }, name);
+      expect(counts).toEqual({ meshes, materials, skipped: 0 });
+      expect(covered(before)).toBeGreaterThan(400);
+      expect(covered(after) / covered(before)).toBeCloseTo(1, 1);
+      let [ink, coloured] = [0, 0];
+      for (let y = 0; y < SIZE; y++) {
+        for (let x = 0; x < SIZE; x++) {
+          const [r, g, b] = at(after, x, y) as [number, number, number];
+          if (r > 180 && g < 60 && b > 180) ink++;
+          else if (!isGround([r, g, b]) && Math.abs(r - b) > 40) coloured++;
+        }
+      }
+      expect(ink).toBeGreaterThan(20);
+      expect(coloured).toBeGreaterThan(40);
+    });
+  }
+});

@@ -1,0 +1,514 @@
+import {
+  AdditiveBlending,
+  BackSide,
+  BatchedMesh,
+  Bone,
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  InstancedMesh,
+  Line,
+  LineBasicMaterial,
+  LOD,
+  type Material,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshDepthMaterial,
+  MeshStandardMaterial,
+  type Object3D,
+  Plane,
+  PlaneGeometry,
+  Points,
+  PointsMaterial,
+  ShadowMaterial,
+  Skeleton,
+  SkinnedMesh,
+  SphereGeometry,
+  Sprite,
+  Texture,
+  Vector3,
+} from 'three';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { describe, expect, test, vi } from 'vitest';
+import { applyHatching } from '../../../src/material/applyHatching.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+
+const tonalArtMap = TonalArtMap.fromHatchImages({
+  size: 4,
+  images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]),
+});
+
+const hatched = (mesh: Mesh): HatchingMaterial => {
+  expect(mesh.material).toBeInstanceOf(HatchingMaterial);
+  return mesh.material as HatchingMaterial;
+};
+
+/** Everything that hatching could change, by identity. */
+const dressOf = (root: Object3D) => {
+  const dress: unknown[] = [];
+  root.traverse((object) => {
+    if ('geometry' in object) dress.push(object, object.geometry, (object as Mesh).material);
+  });
+  return dress;
+};
+
+function brokenMesh(): Mesh {
+  const mesh = new Mesh(new PlaneGeometry(), new MeshBasicMaterial());
+  mesh.name = 'torn';
+  mesh.geometry.attributes.position!.array[0] = Number.NaN;
+  return mesh;
+}
+
+/** Counts the `dispose` events of whatever `watch` is given. */
+function disposals() {
+  let count = 0;
+  const onDispose = () => {
+    count++;
+  };
+  return {
+    watch: (things: { addEventListener(type: 'dispose', listener: () => void): void }[]) => {
+      for (const thing of things) thing.addEventListener('dispose', onDispose);
+    },
+    get count() {
+      return count;
+    },
+  };
+}
+
+describe('what it makes of a scene', () => {
+  test('every mesh gets a baked geometry and a material, shared ones once', async () => {
+    const box = new BoxGeometry();
+    const paint = new MeshStandardMaterial({ color: 'tomato' });
+    const [a, b, c] = [new Mesh(box, paint), new Mesh(box, paint), new Mesh(new SphereGeometry(), paint)];
+    const root = new Group().add(a, new Group().add(b), new LOD().addLevel(c, 3));
+    c.visible = false;
+    const { materials, skipped } = await applyHatching(root, { tonalArtMap });
+    expect(skipped).toEqual([]);
+    expect(materials).toEqual([a.material]);
+    expect(b.material).toBe(a.material);
+    expect(c.material).toBe(a.material);
+    expect(hatched(a).tonalArtMap).toBe(tonalArtMap);
+    expect(b.geometry).toBe(a.geometry);
+    expect(a.geometry).not.toBe(box);
+    expect(a.geometry.userData.hatching).toMatchObject({ triangles: 12, layout: 'corner' });
+    expect(c.geometry.userData.hatching).toMatchObject({ layout: 'corner' });
+  });
+
+  test('a material keeps everything that has a meaning on paper', async () => {
+    const planes = [new Plane(new Vector3(1, 0, 0), 2)];
+    const circular: { self?: object } = {};
+    circular.self = circular;
+    const source = new MeshStandardMaterial({
+      name: 'leaf',
+      color: '#336699',
+      map: new Texture(),
+      alphaMap: new Texture(),
+      alphaTest: 0.25,
+      opacity: 0.5,
+      transparent: true,
+      side: BackSide,
+      vertexColors: true,
+      depthWrite: false,
+      depthTest: false,
+      blending: AdditiveBlending,
+      fog: false,
+      wireframe: true,
+      wireframeLinewidth: 2,
+      clippingPlanes: planes,
+      clipShadows: true,
+      polygonOffset: true,
+      polygonOffsetFactor: 3,
+      toneMapped: false,
+      colorWrite: false,
+      alphaHash: true,
+      stencilWrite: true,
+      stencilRef: 7,
+      visible: false,
+      userData: circular,
+    });
+    const mesh = new Mesh(new PlaneGeometry(), source);
+    await applyHatching(mesh, { tonalArtMap });
+    const material = hatched(mesh);
+    for (const key of [
+      'name',
+      'map',
+      'alphaMap',
+      'alphaTest',
+      'opacity',
+      'transparent',
+      'side',
+      'vertexColors',
+      'depthWrite',
+      'depthTest',
+      'blending',
+      'fog',
+      'wireframe',
+      'wireframeLinewidth',
+      'clippingPlanes',
+      'clipShadows',
+      'polygonOffset',
+      'polygonOffsetFactor',
+      'toneMapped',
+      'colorWrite',
+      'alphaHash',
+      'stencilWrite',
+      'stencilRef',
+      'visible',
+    ] as const) {
+      expect(material[key], key).toBe(source[key]);
+    }
+    expect(material.color.equals(new Color('#336699'))).toBe(true);
+    expect(material.color).not.toBe(source.color);
+    expect(material.userData.self).toBe(circular);
+    expect(material.uniforms.map!.value).not.toBe(undefined);
+  });
+
+  test('several materials of a mesh stay as many, in their order, with the groups', async () => {
+    const [red, blue] = [new MeshBasicMaterial({ color: 'red' }), new MeshStandardMaterial({ color: 'blue' })];
+    const mesh = new Mesh(new BoxGeometry(), [red, blue, red, blue, red, blue]);
+    const groups = structuredClone(mesh.geometry.groups);
+    const { materials } = await applyHatching(mesh, { tonalArtMap });
+    const worn = mesh.material as unknown as HatchingMaterial[];
+    expect(worn.map(({ color }) => color.getHexString())).toEqual([
+      'ff0000',
+      '0000ff',
+      'ff0000',
+      '0000ff',
+      'ff0000',
+      '0000ff',
+    ]);
+    expect(new Set(worn)).toEqual(new Set(materials));
+    expect(materials).toHaveLength(2);
+    expect(mesh.geometry.groups).toEqual(groups);
+  });
+
+  test('lines, points, sprites, shadow catchers and what is hatched already are left alone', async () => {
+    const own = new Mesh(new PlaneGeometry(), new HatchingMaterial());
+    const others = [
+      new Line(new BufferGeometry(), new LineBasicMaterial()),
+      new Points(new BufferGeometry(), new PointsMaterial()),
+      new Sprite(),
+      new LineSegments2(new LineSegmentsGeometry().setPositions([0, 0, 0, 1, 0, 0])),
+      new Mesh(new PlaneGeometry(), new ShadowMaterial()),
+      own,
+    ];
+    const root = new Group().add(...others);
+    const before = dressOf(root);
+    const { materials, skipped } = await applyHatching(root, { tonalArtMap });
+    expect(dressOf(root)).toEqual(before);
+    expect([materials, skipped]).toEqual([[], []]);
+  });
+
+  test('instances, skins, morph targets, shadows and the materials for them go on', async () => {
+    const instanced = new InstancedMesh(new BoxGeometry(), new MeshBasicMaterial(), 3);
+    const { instanceMatrix } = instanced;
+    const geometry = new PlaneGeometry();
+    geometry.setAttribute('skinIndex', new BufferAttribute(new Uint8Array(16), 4));
+    geometry.setAttribute('skinWeight', new BufferAttribute(new Float32Array(16).fill(0.25), 4));
+    geometry.morphAttributes.position = [new BufferAttribute(new Float32Array(12).fill(0.1), 3)];
+    const skinned = new SkinnedMesh(geometry, new MeshBasicMaterial());
+    const skeleton = new Skeleton([new Bone()]);
+    skinned.add(skeleton.bones[0]!);
+    skinned.bind(skeleton);
+    skinned.morphTargetInfluences = [0.5];
+    skinned.castShadow = true;
+    const depth = new MeshDepthMaterial();
+    skinned.customDepthMaterial = depth;
+    await applyHatching(new Group().add(instanced, skinned), { tonalArtMap });
+    expect(instanced.instanceMatrix).toBe(instanceMatrix);
+    expect(instanced.count).toBe(3);
+    expect(skinned.skeleton).toBe(skeleton);
+    expect(Object.keys(skinned.geometry.attributes)).toEqual(expect.arrayContaining(['skinIndex', 'skinWeight']));
+    expect(skinned.geometry.morphAttributes.position).toHaveLength(1);
+    expect(skinned.morphTargetInfluences).toEqual([0.5]);
+    expect([skinned.castShadow, skinned.customDepthMaterial]).toEqual([true, depth]);
+  });
+
+  test('a batch keeps its geometry: anchored hatches it as it is, other techniques say what they need', async () => {
+    const make = () => {
+      const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
+      batch.addInstance(batch.addGeometry(new BoxGeometry()));
+      return batch;
+    };
+    const anchored = make();
+    const { geometry } = anchored;
+    await applyHatching(anchored, { tonalArtMap, material: { technique: 'anchored' } });
+    expect(anchored.geometry).toBe(geometry);
+    hatched(anchored);
+    await expect(applyHatching(make(), { tonalArtMap })).rejects.toThrow(/BatchedMesh .* has no triangle adjacency/);
+  });
+
+  test('geometries that only anchored draws are baked without corners, unless a layout is asked for', async () => {
+    const shared = new BoxGeometry();
+    const [a, b, c] = [
+      new Mesh(shared, new MeshBasicMaterial({ name: 'plain' })),
+      new Mesh(shared, new MeshBasicMaterial({ name: 'special' })),
+      new Mesh(new BoxGeometry(), new MeshBasicMaterial({ name: 'plain' })),
+    ];
+    const root = new Group().add(a, b, c);
+    const layouts = () => [a, b, c].map(({ geometry }) => geometry.userData.hatching.layout);
+    const scene = await applyHatching(root, {
+      tonalArtMap,
+      material: ({ name }) => ({ technique: name === 'special' ? 'adjacency' : 'anchored' }),
+    });
+    expect(layouts()).toEqual(['corner', 'corner', 'indexed']);
+    scene.dispose();
+    await applyHatching(root, { tonalArtMap, layout: 'corner', material: { technique: 'anchored' } });
+    expect(layouts()).toEqual(['corner', 'corner', 'corner']);
+  });
+});
+
+describe('options', () => {
+  test('parameters win over what is taken over; a function is asked once for every material made', async () => {
+    const [a, b] = [new MeshBasicMaterial({ color: 'red' }), new MeshBasicMaterial({ color: 'green' })];
+    const box = new BoxGeometry();
+    const meshes = [new Mesh(box, a), new Mesh(box, b), new Mesh(box, a)];
+    const material = vi.fn((source: Material) => ({
+      ink: 'navy',
+      side: DoubleSide,
+      ...(source === a ? { color: 'white' } : {}),
+    }));
+    await applyHatching(new Group().add(...meshes), { tonalArtMap, material });
+    expect(material.mock.calls).toEqual([
+      [a, meshes[0]],
+      [b, meshes[1]],
+    ]);
+    expect(hatched(meshes[0]!).color.getHexString()).toBe('ffffff');
+    expect(hatched(meshes[1]!).color.getHexString()).toBe(new Color('green').getHexString());
+    expect(hatched(meshes[1]!).ink.equals(new Color('navy'))).toBe(true);
+    expect(hatched(meshes[1]!).side).toBe(DoubleSide);
+  });
+
+  test('strokes have one size in the world: three tiles over the radius of the whole', async () => {
+    const paint = new MeshBasicMaterial();
+    const [small, large, alike] = [0.5, 2, 0.5].map((scale) => {
+      const mesh = new Mesh(new SphereGeometry(1, 64, 32), paint);
+      mesh.scale.set(-scale, scale, scale);
+      return mesh;
+    }) as unknown as [Mesh, Mesh, Mesh];
+    alike.rotation.set(1, 2, 3);
+    const instanced = new InstancedMesh(new SphereGeometry(1), paint, 2);
+    for (const i of [0, 1]) instanced.setMatrixAt(i, new Matrix4().makeScale(0.25, 0.25, 0.25));
+    const root = new Group().add(small, new Group().add(large), alike, instanced);
+    root.scale.setScalar(10);
+    const scene = await applyHatching(root, { tonalArtMap });
+    const perWorldUnit = 3 / 20;
+    expect(hatched(small).strokeScale).toBeCloseTo(perWorldUnit * 5, 6);
+    expect(hatched(large).strokeScale).toBeCloseTo(perWorldUnit * 20, 6);
+    expect(hatched(instanced).strokeScale).toBeCloseTo(perWorldUnit * 2.5, 6);
+    expect(alike.material).toBe(small.material);
+    expect(scene.materials).toHaveLength(3);
+    scene.dispose();
+    await applyHatching(root, {
+      tonalArtMap,
+      strokeScale: 2,
+      material: (_, mesh) => (mesh === large ? { strokeScale: 7 } : {}),
+    });
+    expect(hatched(small).strokeScale).toBeCloseTo(10, 6);
+    expect(hatched(large).strokeScale).toBe(7);
+  });
+
+  test('the size of a skinned mesh is that of its bones, wherever its node stands', async () => {
+    const geometry = new SphereGeometry(1, 64, 32);
+    const count = geometry.attributes.position!.count;
+    geometry.setAttribute('skinIndex', new BufferAttribute(new Uint8Array(4 * count), 4));
+    geometry.setAttribute('skinWeight', new BufferAttribute(new Float32Array(4 * count).fill(0.25), 4));
+    const skinned = new SkinnedMesh(geometry, new MeshBasicMaterial());
+    const bone = new Bone();
+    bone.scale.setScalar(4);
+    const root = new Group().add(bone, skinned);
+    skinned.bind(new Skeleton([bone], [new Matrix4()]), new Matrix4());
+    skinned.scale.setScalar(100);
+    await applyHatching(root, { tonalArtMap, strokeScale: 1 });
+    expect(hatched(skinned).strokeScale).toBeCloseTo(4, 6);
+  });
+
+  test('a filter leaves meshes out, and crease angle and progress reach the bake', async () => {
+    const meshes = [1, 2, 3].map((n) => new Mesh(new BoxGeometry(n), new MeshBasicMaterial()));
+    const progress: number[] = [];
+    const { materials } = await applyHatching(new Group().add(...meshes), {
+      tonalArtMap,
+      filter: (mesh) => mesh !== meshes[1],
+      onProgress: (value) => progress.push(value),
+    });
+    expect(materials).toHaveLength(2);
+    expect(meshes[1]!.material).toBeInstanceOf(MeshBasicMaterial);
+    expect(progress.at(-1)).toBe(1);
+    expect([...progress].sort((a, b) => a - b)).toEqual(progress);
+  });
+
+  test('without a map one is generated, and is freed with the rest', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const progress: number[] = [];
+    const scene = await applyHatching(mesh, { onProgress: (value) => progress.push(value) });
+    const map = hatched(mesh).tonalArtMap!;
+    expect(map.tones).toBeGreaterThan(2);
+    expect([...progress].sort((a, b) => a - b)).toEqual(progress);
+    expect(progress.at(-1)).toBe(1);
+    const gone = disposals();
+    gone.watch([map.texture]);
+    scene.dispose();
+    expect(gone.count).toBe(1);
+  });
+
+  test('a map that was given is not freed', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const gone = disposals();
+    gone.watch([tonalArtMap.texture]);
+    (await applyHatching(mesh, { tonalArtMap })).dispose();
+    (await applyHatching(mesh, { material: { tonalArtMap } })).dispose();
+    expect(gone.count).toBe(0);
+  });
+});
+
+describe('the way back', () => {
+  test('restore brings the very objects back, once, and the scene can be hatched again', async () => {
+    const root = new Group().add(
+      new Mesh(
+        new BoxGeometry(),
+        [1, 2, 3, 4, 5, 6].map(() => new MeshBasicMaterial()),
+      ),
+      new Mesh(new SphereGeometry(), new MeshStandardMaterial()),
+    );
+    const before = dressOf(root);
+    const first = await applyHatching(root, { tonalArtMap });
+    expect(dressOf(root)).not.toEqual(before);
+    first.restore();
+    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(before[i]);
+
+    const second = await applyHatching(root, { tonalArtMap });
+    const during = dressOf(root);
+    first.restore();
+    first.dispose();
+    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(during[i]);
+    await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(/hatched already/);
+    second.restore();
+    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(before[i]);
+  });
+
+  test('dispose restores and frees every geometry and material made, once, and no other', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const root = new Group().add(mesh, new Mesh(mesh.geometry, new MeshStandardMaterial()));
+    const [mine, theirs] = [disposals(), disposals()];
+    mine.watch([mesh.geometry, mesh.material]);
+    const before = dressOf(root);
+    const scene = await applyHatching(root, { tonalArtMap });
+    theirs.watch([mesh.geometry, ...scene.materials]);
+    scene.dispose();
+    scene.dispose();
+    expect(dressOf(root)).toEqual(before);
+    expect([mine.count, theirs.count]).toEqual([0, 3]);
+  });
+
+  test('a batch geometry, which is not made here, is not freed', async () => {
+    const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
+    batch.addInstance(batch.addGeometry(new BoxGeometry()));
+    const gone = disposals();
+    gone.watch([batch.geometry]);
+    (await applyHatching(batch, { tonalArtMap, material: { technique: 'anchored' } })).dispose();
+    expect(gone.count).toBe(0);
+  });
+});
+
+describe('when something is wrong', () => {
+  test('a scene that is hatched, or being hatched, in whole or in part, is refused', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    mesh.name = 'crate';
+    const root = new Group().add(mesh);
+    const first = applyHatching(mesh, { tonalArtMap });
+    await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(
+      'applyHatching: the mesh "crate" is hatched already, or is being hatched.',
+    );
+    const during = (await first).materials[0];
+    await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(/hatched already/);
+    expect(mesh.material).toBe(during);
+  });
+
+  test('a broken mesh stays as it is and is named; the others are hatched', async () => {
+    const torn = brokenMesh();
+    const bare = new Mesh(new BufferGeometry(), torn.material);
+    const sound = new Mesh(new BoxGeometry(), torn.material);
+    const root = new Group().add(torn, bare, sound);
+    const [geometry, material] = [torn.geometry, torn.material];
+    const { skipped, materials } = await applyHatching(root, { tonalArtMap });
+    expect(materials).toEqual([sound.material]);
+    hatched(sound);
+    expect([torn.geometry, torn.material, bare.material]).toEqual([geometry, material, material]);
+    expect(skipped.map(({ mesh }) => mesh)).toEqual([torn, bare]);
+    expect(skipped.map(({ error }) => error.message)).toEqual([
+      expect.stringContaining('must be finite'),
+      expect.stringContaining('has no attribute "position"'),
+    ]);
+  });
+
+  test('a mesh that is changed meanwhile is left as it was changed', async () => {
+    const [changed, kept] = [1, 2].map(() => new Mesh(new BoxGeometry(), new MeshBasicMaterial())) as unknown as [
+      Mesh,
+      Mesh,
+    ];
+    const promise = applyHatching(new Group().add(changed, kept), { tonalArtMap });
+    const replacement = new MeshStandardMaterial();
+    changed.material = replacement;
+    const { skipped } = await promise;
+    expect(changed.material).toBe(replacement);
+    expect(skipped.map(({ mesh }) => mesh)).toEqual([changed]);
+    expect(skipped[0]!.error.message).toContain('while it was being baked');
+    hatched(kept);
+  });
+
+  /** Every way to fail half-way: the scene is as it was, what was made is freed, and it can be hatched afterwards. */
+  const failures: [
+    how: string,
+    options: (abort: AbortController) => Parameters<typeof applyHatching>[1],
+    says: RegExp,
+  ][] = [
+    [
+      'aborted',
+      (abort) => ({ signal: abort.signal, onProgress: (value) => value > 0.55 && abort.abort(new Error('enough')) }),
+      /enough/,
+    ],
+    [
+      'its listener throws',
+      () => {
+        let told = 0;
+        return {
+          // Once only: what comes after must not make up for it.
+          onProgress: (value) => {
+            if (value > 0.55 && told++ === 0) throw new TypeError('listener');
+          },
+        };
+      },
+      /listener/,
+    ],
+    ['a wrong parameter', () => ({ material: { technique: 'magic' as 'anchored' } }), /"magic" is not known/],
+    ['a wrong option', () => ({ creaseAngle: 90 }), /creaseAngle is 90/],
+  ];
+  test.each(failures)('%s: everything is as before', async (_how, optionsOf, says) => {
+    const meshes = [1, 2, 3].map((n) => new Mesh(new SphereGeometry(n, 32, 16), new MeshStandardMaterial()));
+    const root = new Group().add(...meshes);
+    const before = dressOf(root);
+    const disposed = vi.spyOn(HatchingMaterial.prototype, 'dispose');
+    const freed = vi.spyOn(BufferGeometry.prototype, 'dispose');
+    await expect(applyHatching(root, { tonalArtMap, ...optionsOf(new AbortController()) })).rejects.toThrow(says);
+    const [materials, geometries] = [disposed.mock.calls.length, freed.mock.calls.length];
+    vi.restoreAllMocks();
+    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(before[i]);
+    if (says.test('enough listener')) {
+      expect(materials).toBe(3);
+      expect(geometries).toBeGreaterThan(0);
+    }
+    (await applyHatching(root, { tonalArtMap })).restore();
+  });
+
+  test('a scene of nothing but broken meshes rejects with what is wrong, no scene at all with what to pass', async () => {
+    await expect(applyHatching(brokenMesh(), { tonalArtMap })).rejects.toThrow(/must be finite/);
+    await expect(applyHatching({ scene: new Group() } as unknown as Group)).rejects.toThrow(/pass gltf\.scene/);
+    expect((await applyHatching(new Group())).materials).toEqual([]);
+  });
+});
