@@ -9,6 +9,7 @@ export type {
   HatchingTechnique,
   InkBlend,
   LevelRule,
+  StrokeAnchor,
   ToneModel,
   ToneNormal,
 } from './material/shaderConventions.js';
