@@ -22,6 +22,7 @@ uniform float viewportHeight; // pixels
 #include "triangleGeometry"
 #if TECHNIQUE == TECHNIQUE_ANCHORED
   #include "anchorAttributes"
+  #include "deformedToRest"
 #else
   #include <lights_pars_begin>
   #include "lightOrientation"
@@ -37,15 +38,10 @@ void main() {
   #include <batching_vertex>
 
   #include <beginnormal_vertex>
-  #include <morphnormal_vertex>
-  #include <skinbase_vertex>
-  #include <skinnormal_vertex>
+  #include <begin_vertex>
+  #include "deformVertex"
   #include <defaultnormal_vertex>
   #include <normal_vertex>
-
-  #include <begin_vertex>
-  #include <morphtarget_vertex>
-  #include <skinning_vertex>
   #include <project_vertex>
   #include <logdepthbuf_vertex>
   #include <clipping_planes_vertex>

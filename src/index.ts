@@ -12,6 +12,7 @@ export type {
   HatchingTechnique,
   InkBlend,
   LevelRule,
+  StrokeAnchor,
   ToneModel,
   ToneNormal,
 } from './material/shaderConventions.js';

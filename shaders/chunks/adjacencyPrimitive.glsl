@@ -1,6 +1,4 @@
 // The triangle adjacency primitive (paper, figure 5) of the corner being processed, in object space.
-// #include "cornerAttributes" declares the attributes from the table in src/adjacency/cornerLayout.ts.
-#include "cornerAttributes"
 
 struct AdjacencyPrimitive {
   int corner; // which of v0, v1, v2 this vertex is
@@ -8,7 +6,12 @@ struct AdjacencyPrimitive {
   vec3 vAlpha, vBeta, vGamma;
 };
 
-AdjacencyPrimitive readAdjacencyPrimitive() {
+#if VERTEX_LAYOUT == VERTEX_LAYOUT_CORNER
+
+// #include "cornerAttributes" declares the attributes from the table in src/adjacency/cornerLayout.ts.
+#include "cornerAttributes"
+
+AdjacencyPrimitive readDrawnPrimitive() {
   int corner = int(cornerNext.w + 0.5);
   // The others are stored relative to the own corner. Undoing that gives all three corners of the triangle the same
   // operands in the same order, hence bit-identical frames and nothing to interpolate but what differs by corner.
@@ -18,3 +21,47 @@ AdjacencyPrimitive readAdjacencyPrimitive() {
   vec3 v2 = corner == 2 ? position : corner == 0 ? cornerPrevious : next;
   return AdjacencyPrimitive(corner, v0, v1, v2, oppositeAlpha, oppositeBeta, oppositeGamma);
 }
+
+#else
+
+#include "pulledVertices"
+#if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING
+  uniform highp sampler2D deformedPositions;
+  uniform highp sampler2D deformedNormals;
+#endif // VERTEX_LAYOUT
+
+AdjacencyPrimitive pullPrimitive(const in highp sampler2D positions) {
+  uvec4 own = ownVertices(gl_VertexID / 3);
+  uvec4 opposite = oppositeVertices(gl_VertexID / 3);
+  return AdjacencyPrimitive(
+    gl_VertexID % 3,
+    pullVertex(positions, own.x), pullVertex(positions, own.y), pullVertex(positions, own.z),
+    pullVertex(positions, opposite.x), pullVertex(positions, opposite.y), pullVertex(positions, opposite.z)
+  );
+}
+
+AdjacencyPrimitive readDrawnPrimitive() {
+  #if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING
+    return pullPrimitive(deformedPositions);
+  #else
+    return pullPrimitive(restPositions);
+  #endif // VERTEX_LAYOUT
+}
+
+#endif // VERTEX_LAYOUT
+
+// What the strokes are fixed to.
+AdjacencyPrimitive readAnchorPrimitive(const in AdjacencyPrimitive drawn) {
+  #ifdef ANCHORED_AT_REST
+    return pullPrimitive(restPositions);
+  #else
+    return drawn;
+  #endif // ANCHORED_AT_REST
+}
+
+// Each neighbour is rebuilt from the shared edge, turned round, and its opposite vertex. That orients it like c even where
+// the mesh winds it the other way.
+Triangle triangleC(const in AdjacencyPrimitive p) { return Triangle(p.v0, p.v1, p.v2); }
+Triangle triangleAlpha(const in AdjacencyPrimitive p) { return Triangle(p.v1, p.v0, p.vAlpha); }
+Triangle triangleBeta(const in AdjacencyPrimitive p) { return Triangle(p.v2, p.v1, p.vBeta); }
+Triangle triangleGamma(const in AdjacencyPrimitive p) { return Triangle(p.v0, p.v2, p.vGamma); }

@@ -7,27 +7,55 @@
     objectToView = objectToView * instanceMatrix;
   #endif // USE_INSTANCING
   mat3 viewToObject = inverse(mat3(objectToView));
+  mat3 viewToAnchor = viewToObject;
 
 #if TECHNIQUE == TECHNIQUE_ANCHORED
-  vRestPosition = position;
+  mat3 deformedToRest = mat3(1.0);
+  #ifdef USE_SKINNING
+    mat3 skin = mat3(skinMatrix);
+    if (determinant(skin) != 0.0) deformedToRest = inverse(skin);
+  #endif // USE_SKINNING
+  #ifdef USE_MORPHNORMALS
+    // Morph targets move vertices, they turn nothing. What they do to the normal is all that is known here.
+    deformedToRest = rotationBetween(morphedNormal, normal) * deformedToRest;
+  #endif // USE_MORPHNORMALS
+
   // Geometry that was never prepared still has its own normals.
   vStrokeNormal = dot(hatchNormal, hatchNormal) > 0.25 ? hatchNormal : normal;
-  vViewToObject = viewToObject;
+  #if STROKE_ANCHOR == STROKE_ANCHOR_REST
+    vRestPosition = position;
+    viewToAnchor = deformedToRest * viewToObject;
+  #else
+    vRestPosition = transformed;
+    // From the left is the transpose: what the inverse transpose of the deformation is to the normal.
+    vStrokeNormal = vStrokeNormal * deformedToRest;
+  #endif // STROKE_ANCHOR
+  vViewToObject = viewToAnchor;
 #else
-  AdjacencyPrimitive p = readAdjacencyPrimitive();
-  vec3 normalC = triangleNormal(p.v0, p.v1, p.v2);
-  vec3 strokesC = strokeCoordinates(position, normalC, (p.v0 + p.v1 + p.v2) / 3.0, objectToView, viewToObject);
+  AdjacencyPrimitive drawn = readDrawnPrimitive();
+  AdjacencyPrimitive anchor = readAnchorPrimitive(drawn);
+  #if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING && !defined(ANCHORED_AT_REST)
+    vec3 anchorPosition = transformed;
+  #else
+    vec3 anchorPosition = position;
+  #endif // VERTEX_LAYOUT
+  vec3 normalC = normalOf(triangleC(drawn));
+  vec3 strokesC = strokeCoordinates(anchorPosition, triangleC(anchor), triangleC(drawn), normalC, objectToView, viewToObject);
 
   // A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
   #if TECHNIQUE == TECHNIQUE_ADJACENCY
-    // Each neighbour is rebuilt from the shared edge, turned round, and its opposite vertex. That orients it like c
-    // even where the mesh winds it the other way.
-    vec3 normalAlpha = triangleNormal(p.v1, p.v0, p.vAlpha);
-    vec3 normalBeta = triangleNormal(p.v2, p.v1, p.vBeta);
-    vec3 normalGamma = triangleNormal(p.v0, p.v2, p.vGamma);
-    vec3 strokesAlpha = strokeCoordinates(position, normalAlpha, (p.v1 + p.v0 + p.vAlpha) / 3.0, objectToView, viewToObject);
-    vec3 strokesBeta = strokeCoordinates(position, normalBeta, (p.v2 + p.v1 + p.vBeta) / 3.0, objectToView, viewToObject);
-    vec3 strokesGamma = strokeCoordinates(position, normalGamma, (p.v0 + p.v2 + p.vGamma) / 3.0, objectToView, viewToObject);
+    vec3 normalAlpha = normalOf(triangleAlpha(drawn));
+    vec3 normalBeta = normalOf(triangleBeta(drawn));
+    vec3 normalGamma = normalOf(triangleGamma(drawn));
+    vec3 strokesAlpha = strokeCoordinates(
+      anchorPosition, triangleAlpha(anchor), triangleAlpha(drawn), normalAlpha, objectToView, viewToObject
+    );
+    vec3 strokesBeta = strokeCoordinates(
+      anchorPosition, triangleBeta(anchor), triangleBeta(drawn), normalBeta, objectToView, viewToObject
+    );
+    vec3 strokesGamma = strokeCoordinates(
+      anchorPosition, triangleGamma(anchor), triangleGamma(drawn), normalGamma, objectToView, viewToObject
+    );
     vStrokeUvCentralAlpha = vec4(strokesC.xy, strokesAlpha.xy);
     vStrokeUvBetaGamma = vec4(strokesBeta.xy, strokesGamma.xy);
     #if STROKE_LAYERS == 2
@@ -35,9 +63,9 @@
     #endif // STROKE_LAYERS
     // −1 at the vertex that does not belong to the neighbour (Algorithm 2): corner 2 for α, 0 for β, 1 for γ.
     vBlendFactors = vec3(
-      p.corner == 2 ? -1.0 : sharedBlendFactor(normalC, normalAlpha),
-      p.corner == 0 ? -1.0 : sharedBlendFactor(normalC, normalBeta),
-      p.corner == 1 ? -1.0 : sharedBlendFactor(normalC, normalGamma)
+      drawn.corner == 2 ? -1.0 : sharedBlendFactor(normalC, normalAlpha),
+      drawn.corner == 0 ? -1.0 : sharedBlendFactor(normalC, normalBeta),
+      drawn.corner == 1 ? -1.0 : sharedBlendFactor(normalC, normalGamma)
     );
     vFaceNormals = mat4x3(
       normalC * viewToObject, normalAlpha * viewToObject, normalBeta * viewToObject, normalGamma * viewToObject
@@ -54,7 +82,7 @@
 #ifdef USE_UNITS_PER_PIXEL
   float distance = isOrthographic ? 1.0 : -mvPosition.z;
   // The cube root of the volume a view-space unit cube takes in object space: the mean of the scale over directions.
-  float scale = pow(abs(determinant(viewToObject)), 1.0 / 3.0);
+  float scale = pow(abs(determinant(viewToAnchor)), 1.0 / 3.0);
   vUnitsPerPixel = distance * scale * 2.0 / (projectionMatrix[1][1] * viewportHeight);
 #endif // USE_UNITS_PER_PIXEL
 }

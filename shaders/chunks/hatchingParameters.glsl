@@ -3,14 +3,26 @@
 uniform mat3 strokeTransform; // H(s, t) → texture coordinates: rotation, then scale, then offset
 uniform float creaseCosine; // cos of the angle between normals from which neighbours no longer blend
 
-// Texture coordinates of `vertex`, and `crossing` of the lights, in the frame (T, B, N) of a triangle with normal n and barycentre `centre`.
+// Texture coordinates of `vertex`, and `crossing` of the lights, in the frame (T, B, N) of the triangle `anchor`, which is drawn
+// as `drawn` with the normal `drawnNormal`: the same triangle unless strokes of a mesh that deforms are anchored in its rest pose. The light falls on
+// the drawn one and is carried to the other by the map that takes the one to the other.
+//
 // Algorithm 2 projects the vertex into the plane of the triangle first. T and B lie in that plane, so V'·T = V·T and
 // V'·B = V·B, and there is nothing to project.
 vec3 strokeCoordinates(
-  const in vec3 vertex, const in vec3 n, const in vec3 centre, const in mat4 objectToView, const in mat3 viewToObject
+  const in vec3 vertex, const in Triangle anchor, const in Triangle drawn, const in vec3 drawnNormal,
+  const in mat4 objectToView, const in mat3 viewToObject
 ) {
+  #ifdef ANCHORED_AT_REST
+    vec3 n = normalOf(anchor);
+    mat3 viewToAnchor = triangleToTriangle(drawn, anchor) * viewToObject;
+  #else
+    vec3 n = drawnNormal;
+    mat3 viewToAnchor = viewToObject;
+  #endif // ANCHORED_AT_REST
+  vec3 centre = (drawn.a + drawn.b + drawn.c) / 3.0;
   float crossing;
-  vec3 bitangent = lightBitangent(n, (objectToView * vec4(centre, 1.0)).xyz, viewToObject, crossing);
+  vec3 bitangent = lightBitangent(n, (objectToView * vec4(centre, 1.0)).xyz, viewToAnchor, crossing);
   vec3 tangent = cross(bitangent, n);
   return vec3((strokeTransform * vec3(dot(vertex, tangent), dot(vertex, bitangent), 1.0)).xy, crossing);
 }

@@ -15,3 +15,23 @@ vec3 anyTangent(const in vec3 n) {
   vec3 axis = a.x <= a.y && a.x <= a.z ? vec3(1.0, 0.0, 0.0) : a.y <= a.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
   return normalize(axis - n * dot(n, axis));
 }
+
+struct Triangle {
+  vec3 a, b, c;
+};
+
+vec3 normalOf(const in Triangle t) {
+  return triangleNormal(t.a, t.b, t.c);
+}
+
+// The linear map that takes `from` to `to`, and the unit normal of the one to that of the other.
+mat3 triangleToTriangle(const in Triangle from, const in Triangle to) {
+  vec3 n = normalOf(from);
+  vec3 ab = from.b - from.a;
+  vec3 ac = from.c - from.a;
+  float doubleArea = dot(n, cross(ab, ac));
+  if (!(doubleArea > 0.0)) return mat3(1.0);
+  // What is dual to ab, ac and n: a vector's components along them are its products with these.
+  mat3 dual = mat3(cross(ac, n) / doubleArea, cross(n, ab) / doubleArea, n);
+  return mat3(to.b - to.a, to.c - to.a, normalOf(to)) * transpose(dual);
+}

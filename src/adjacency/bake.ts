@@ -1,25 +1,17 @@
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
-import { expandPerCorner, type VertexWords, type Words } from './expandPerCorner.js';
-import { packHatchNormals } from './hatchNormal.js';
+import type { VertexWords } from './expandPerCorner.js';
 import { asPhase } from './inChunks.js';
+import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
 import { type PackedCorners, packCorners } from './packCorners.js';
-import { packNormals } from './packNormals.js';
 
-/** What the bake of the `corner` layout is asked to do. Plain data: it travels to the worker. */
+/** What the bakes of the `corner` and `pull` layouts are asked to do. Plain data: it travels to the worker. */
 export interface BakeRequest extends SurfaceRequest {
   /** Attributes to copy from vertices to corners. */
   attributes: VertexWords[];
 }
 
 /** What the bake of the `corner` layout returns. Plain data: it travels back from the worker. */
-export interface BakeResult extends PackedCorners, BakeReport {
-  /** Each corner's `hatchNormal`. */
-  hatchNormals: Int16Array<ArrayBuffer>;
-  /** x, y, z of each corner's smooth normal, if asked for. */
-  normals: Float32Array<ArrayBuffer> | null;
-  /** The attributes of the request, in its order, one entry per corner. */
-  attributes: Words[];
-}
+export interface BakeResult extends PackedCorners, CornerAttributes, BakeReport {}
 
 /**
  * Bakes triangle adjacency into the `corner` layout: weld, pair the edges, cut the creases, smooth the normals, pack.
@@ -27,20 +19,11 @@ export interface BakeResult extends PackedCorners, BakeReport {
  * bytes everywhere.
  */
 export function* bake(request: BakeRequest): Generator<number, BakeResult, void> {
-  const { mesh } = request;
+  const { mesh, attributes } = request;
   const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
-  const { hatchNormals, smoothNormals } = surface;
   const packed = yield* asPhase(packCorners(mesh, surface.adjacency.twins), 0.7, 0.85);
-  const packedHatchNormals = yield* asPhase(packHatchNormals(hatchNormals, null), 0.85, 0.88);
-  const normals = smoothNormals && (yield* asPhase(packNormals(smoothNormals, null), 0.88, 0.9));
-
-  const attributes: Words[] = [];
-  const share = 0.1 / Math.max(1, request.attributes.length);
-  for (const [i, attribute] of request.attributes.entries()) {
-    const from = 0.9 + i * share;
-    attributes.push(yield* asPhase(expandPerCorner(attribute, mesh.indices), from, from + share));
-  }
-  return { ...packed, ...reportOf(surface), hatchNormals: packedHatchNormals, normals, attributes };
+  const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 1);
+  return { ...packed, ...reportOf(surface), ...ofCorners };
 }
 
 /** The buffers of a request, to be transferred with it. */
@@ -51,16 +34,8 @@ export const bakeRequestBuffers = ({ mesh, attributes }: BakeRequest): ArrayBuff
 ];
 
 /** The buffers of a result, to be transferred with it. */
-export const bakeResultBuffers = ({
-  positions,
-  corners,
-  hatchNormals,
-  normals,
-  attributes,
-}: BakeResult): ArrayBuffer[] => [
-  positions.buffer,
-  corners.buffer,
-  hatchNormals.buffer,
-  ...(normals ? [normals.buffer] : []),
-  ...attributes.map((words) => words.buffer),
+export const bakeResultBuffers = (result: BakeResult): ArrayBuffer[] => [
+  result.positions.buffer,
+  result.corners.buffer,
+  ...cornerAttributeBuffers(result),
 ];

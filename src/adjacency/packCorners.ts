@@ -1,7 +1,7 @@
 import { CORNER_STRIDE } from './cornerLayout.js';
-import { NO_TWIN, previousCorner } from './corners.js';
 import { inChunks } from './inChunks.js';
 import type { TriangleMesh } from './TriangleMesh.js';
+import { vertexAcross } from './vertexAcross.js';
 
 /** The vertex buffers of the `corner` layout. */
 export interface PackedCorners {
@@ -51,12 +51,6 @@ function packRange(
       previous = rotated;
     }
   }
-}
-
-/** The vertex opposite to the edge in the neighbour across it or, where there is none, in the triangle itself. */
-function vertexAcross(indices: Uint32Array, twins: Int32Array, corner: number): number {
-  const twin = twins[corner]!;
-  return indices[previousCorner(twin === NO_TWIN ? corner : twin)]!;
 }
 
 function copyPosition(vertices: Float32Array, vertex: number, target: Float32Array, offset: number): void {

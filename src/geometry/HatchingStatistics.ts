@@ -5,7 +5,7 @@ export interface HatchingStatistics extends EdgeCounts {
   /** Triangles drawn, degenerate ones included. */
   triangles: number;
   /** The vertex layout. */
-  layout: 'corner' | 'indexed';
-  /** Bytes of all vertex, index and morph data of the prepared geometry. */
+  layout: 'corner' | 'pull' | 'indexed';
+  /** Bytes of all vertex, index, morph and texture data of the prepared geometry. */
   bytes: number;
 }

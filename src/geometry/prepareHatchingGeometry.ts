@@ -5,18 +5,23 @@ import { checkGeometry } from './checkGeometry.js';
 import { applyCorners } from './cornerGeometry.js';
 import { cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
+import type { HatchingStatistics } from './HatchingStatistics.js';
 import { applyIndexed } from './indexedGeometry.js';
 import { startGeometry } from './preparedGeometry.js';
+import { applyPull } from './pulledGeometry.js';
 import { extractWords, keptAttributes } from './vertexAttributes.js';
 
 /** Options of `prepareHatchingGeometry`. */
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
   /**
    * What is stored per vertex. `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per
-   * triangle; every technique can draw it. `'indexed'`: the geometry as it is, with eight more bytes per vertex, for
-   * techniques that need no adjacency when they draw. `'auto'` (the default) chooses; today it always chooses `'corner'`.
+   * triangle; every technique can draw it. `'pull'`: the positions lie in a texture, where a pre-pass may deform them, and
+   * every corner finds its six there: 32 bytes per triangle and 16 per vertex. The same pixels, and the layout for all that
+   * deforms. `'indexed'`: the geometry as it is, with eight more bytes per vertex, for techniques that need no adjacency when
+   * they draw. `'auto'` (the default) is `'pull'` for a geometry with a skin or with morph targets of position or normal, and
+   * `'corner'` otherwise.
    */
-  layout?: 'auto' | 'corner' | 'indexed' | undefined;
+  layout?: 'auto' | 'corner' | 'pull' | 'indexed' | undefined;
   /**
    * Triangles whose normals differ by this angle or more, in radians from 0 to π, do not blend across their common
    * edge. The default is π/2, the paper's rule (section 3.3). It also bounds the smoothing of normals, which are
@@ -34,12 +39,14 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
 const PAPER_CREASE_ANGLE = Math.PI / 2;
 
 /**
- * Makes the geometry that `HatchingMaterial` draws. Runs in a worker. Either layout has the attribute `hatchNormal`, the
+ * Makes the geometry that `HatchingMaterial` draws. Runs in a worker. Every layout has the attribute `hatchNormal`, the
  * normal at the scale of a stroke (four normalised 16-bit integers, the last is 0).
  *
  * - Layout `'corner'`: finds the three neighbours of every triangle and stores, for each corner, the positions of the six
  *   adjacency vertices (paper, section 3.2, figure 5; `cornerLayout`). Non-indexed; positions become 32-bit floats. With
  *   normal, uv, colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
+ * - Layout `'pull'`: non-indexed too; which vertices are adjacent and where they are lies in two textures that belong to
+ *   the geometry and to its clones. They do not survive `toJSON`, and a `BatchedMesh` cannot draw them.
  * - Layout `'indexed'`: all vertices, with copies only of those at an edge of the form, which need a normal on either side;
  *   an index also where there was none, 16-bit where that is enough.
  *
@@ -75,7 +82,8 @@ export async function prepareHatchingGeometry(
     wantsNormals: !geometry.hasAttribute('normal'),
   };
 
-  if (options.layout === 'indexed') {
+  const layout = chooseLayout(geometry, options);
+  if (layout === 'indexed') {
     const attributes = [{ name: 'position', isMorphTarget: false, attribute: position }, ...kept].map((entry) => ({
       ...entry,
       ...extractWords(entry.attribute, position.count),
@@ -83,22 +91,28 @@ export async function prepareHatchingGeometry(
     applyIndexed(prepared, attributes, await runTask('bakeIndexed', request, options));
   } else {
     const attributes = kept.map(({ attribute }) => extractWords(attribute, position.count));
-    applyCorners(prepared, kept, await runTask('bake', { ...request, attributes }, options));
+    if (layout === 'pull') applyPull(prepared, kept, await runTask('bakePull', { ...request, attributes }, options));
+    else applyCorners(prepared, kept, await runTask('bake', { ...request, attributes }, options));
   }
   return prepared;
+}
+
+function chooseLayout(
+  { attributes, morphAttributes }: BufferGeometry,
+  { layout = 'auto' }: PrepareHatchingGeometryOptions,
+): HatchingStatistics['layout'] {
+  if (layout !== 'auto') return layout;
+  return attributes.skinIndex || morphAttributes.position || morphAttributes.normal ? 'pull' : 'corner';
 }
 
 function checkOptions(
   { layout = 'auto', smoothingRadius = 0 }: PrepareHatchingGeometryOptions,
   creaseAngle: number,
 ): void {
-  if ((layout as string) === 'pull') {
+  if (!['auto', 'corner', 'pull', 'indexed'].includes(layout)) {
     throw new RangeError(
-      `prepareHatchingGeometry: the layout 'pull' is not in this version of three-hatching. Use 'corner' or 'indexed', or leave the option out.`,
+      `prepareHatchingGeometry: unknown layout '${layout}'. Use 'auto', 'corner', 'pull' or 'indexed'.`,
     );
-  }
-  if (!['auto', 'corner', 'indexed'].includes(layout)) {
-    throw new RangeError(`prepareHatchingGeometry: unknown layout '${layout}'. Use 'auto', 'corner' or 'indexed'.`);
   }
   if (!(creaseAngle >= 0 && creaseAngle <= Math.PI)) {
     throw new RangeError(

@@ -30,6 +30,7 @@ export function finishGeometry(
   geometry: BufferGeometry,
   layout: HatchingStatistics['layout'],
   report: BakeReport,
+  textureBytes = 0,
 ): void {
   applyBounds(geometry, report);
   const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles } = report;
@@ -40,7 +41,7 @@ export function finishGeometry(
     inconsistentEdges,
     degenerateTriangles,
     layout,
-    bytes: bytesOf(geometry),
+    bytes: bytesOf(geometry) + textureBytes,
   };
   geometry.userData.hatching = statistics;
 }

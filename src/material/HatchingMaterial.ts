@@ -17,8 +17,8 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { cornerLayout } from '../adjacency/cornerLayout.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { bindVertices } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { fitToneCurve, type ToneCurvePoint } from './fitToneCurve.js';
 import { hatchingFragmentShader, hatchingVertexShader } from './hatchingShaders.js';
@@ -30,12 +30,15 @@ import {
   type InkBlend,
   LEVEL_RULES,
   type LevelRule,
+  STROKE_ANCHORS,
+  type StrokeAnchor,
   TECHNIQUES,
   TONE_CURVES,
   TONE_MODELS,
   TONE_NORMALS,
   type ToneModel,
   type ToneNormal,
+  VERTEX_LAYOUTS,
 } from './shaderConventions.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
@@ -53,6 +56,11 @@ export interface HatchingMaterialOptions {
   strokeRotation: number;
   /** Shift of the strokes along T and B, in tiles. Default (0, 0). */
   strokeOffset: Vector2;
+  /**
+   * What the strokes of a mesh that deforms are fixed to: `rest` (default), its surface; `deformed`, object space, as in the
+   * paper. Changing it builds another program.
+   */
+  strokeAnchor: StrokeAnchor;
   /** Default `lambert`. Changing it builds another program. */
   toneModel: ToneModel;
   /** Number of bands of the `toon` tone model, from 2. Default 4. */
@@ -140,7 +148,6 @@ export type HatchingMaterialParameters = MaterialParameters &
   };
 
 const viewport = new Vector4();
-const geometriesWarnedOf = new WeakSet<BufferGeometry>();
 
 /**
  * Hatches a surface: strokes lie in it, turn with the light and grow denser in the shade. An implementation of Suarez,
@@ -189,6 +196,8 @@ export class HatchingMaterial extends ShaderMaterial {
           alphaTest: { value: 0 },
           anchorSpacing: { value: 0 },
           creaseCosine: { value: 0 },
+          deformedNormals: { value: null },
+          deformedPositions: { value: null },
           diffuse: { value: null },
           edgePixels: { value: 0 },
           ink: { value: null },
@@ -198,6 +207,7 @@ export class HatchingMaterial extends ShaderMaterial {
           paper: { value: null },
           paperOpacity: { value: 1 },
           reflectedShare: { value: 0 },
+          restPositions: { value: null },
           screenConstancy: { value: 0 },
           shininess: { value: 0 },
           strokeDirection: { value: new Vector2() },
@@ -214,6 +224,7 @@ export class HatchingMaterial extends ShaderMaterial {
           toneCurveSpans: { value: null },
           toneCurveStart: { value: 0 },
           toneSteps: { value: 0 },
+          triangleVertices: { value: null },
           viewportHeight: { value: 1 },
         },
       ]),
@@ -225,6 +236,8 @@ export class HatchingMaterial extends ShaderMaterial {
         LEVEL_RULE: LEVEL_RULES.indexOf('derivatives'),
         INK_BLEND: INK_BLENDS.indexOf('cover'),
         DEBUG_VIEW: DEBUG_VIEWS.indexOf('none'),
+        STROKE_ANCHOR: STROKE_ANCHORS.indexOf('rest'),
+        VERTEX_LAYOUT: VERTEX_LAYOUTS.indexOf('corner'),
       },
       vertexShader: hatchingVertexShader,
       fragmentShader: hatchingFragmentShader,
@@ -295,6 +308,14 @@ export class HatchingMaterial extends ShaderMaterial {
     this.#define('INK_BLEND', 'inkBlend', INK_BLENDS, value);
   }
 
+  get strokeAnchor(): StrokeAnchor {
+    return STROKE_ANCHORS[this.defines.STROKE_ANCHOR as number]!;
+  }
+
+  set strokeAnchor(value: StrokeAnchor) {
+    this.#define('STROKE_ANCHOR', 'strokeAnchor', STROKE_ANCHORS, value);
+  }
+
   get toneModel(): ToneModel {
     return TONE_MODELS[this.defines.TONE_MODEL as number]!;
   }
@@ -323,23 +344,18 @@ export class HatchingMaterial extends ShaderMaterial {
   override onBeforeRender(
     renderer: WebGLRenderer,
     _scene: Scene,
-    _camera: Camera,
+    camera: Camera,
     geometry: BufferGeometry,
-    _object: Object3D,
+    object: Object3D,
     _group: Group,
   ): void {
-    if (
-      this.technique !== 'anchored' &&
-      geometry.attributes[cornerLayout[0].name] === undefined &&
-      !geometriesWarnedOf.has(geometry)
-    ) {
-      geometriesWarnedOf.add(geometry);
-      console.error(
-        `HatchingMaterial: geometry "${geometry.name || geometry.uuid}" has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.`,
-      );
-    }
-    this.uniforms.viewportHeight!.value = renderer.getCurrentViewport(viewport).w;
+    // The cameras of an ArrayCamera have a part of the target each.
+    const part = (camera as Camera & { viewport?: Vector4 }).viewport;
+    this.uniforms.viewportHeight!.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.#writeUniforms();
+    if (this.technique === 'anchored') return;
+    const layout = bindVertices(renderer, camera, geometry, object, this);
+    this.#define('VERTEX_LAYOUT', 'vertex layout', VERTEX_LAYOUTS, layout);
   }
 
   override copy(source: this): this {

@@ -54,6 +54,18 @@ export const INK_BLENDS = ['cover', 'multiply'] as const;
  */
 export type InkBlend = (typeof INK_BLENDS)[number];
 
+export const STROKE_ANCHORS = ['rest', 'deformed'] as const;
+/**
+ * What strokes are fixed to on a mesh that deforms.
+ * - `rest`: to the surface. Coordinates are those of the rest pose, and the light is carried into it.
+ * - `deformed`: to object space, through which the surface moves; the paper to the letter.
+ */
+export type StrokeAnchor = (typeof STROKE_ANCHORS)[number];
+
+export const VERTEX_LAYOUTS = ['corner', 'pull', 'deforming'] as const;
+/** Where a vertex finds its adjacency primitive: in its attributes, in textures, or in textures that a pre-pass writes. */
+export type VertexLayout = (typeof VERTEX_LAYOUTS)[number];
+
 const constantCase = (name: string) => name.replace(/([A-Z])/g, '_$1').toUpperCase();
 
 const numbered = (prefix: string, names: readonly string[]) =>
@@ -69,8 +81,11 @@ export const conventionsChunk = [
   numbered('INK_BLEND', INK_BLENDS),
   numbered('DEBUG_VIEW', DEBUG_VIEWS),
   `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
+  numbered('STROKE_ANCHOR', STROKE_ANCHORS),
+  numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
   // The triangles c, α, β, γ, or c alone.
   '#if TECHNIQUE == TECHNIQUE_ADJACENCY\n#define TRIANGLE_COUNT 4\n#else\n#define TRIANGLE_COUNT 1\n#endif // TECHNIQUE',
+  '#if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING && STROKE_ANCHOR == STROKE_ANCHOR_REST\n#define ANCHORED_AT_REST\n#endif // VERTEX_LAYOUT',
 ].join('\n');
 
 /** Declarations of the attributes of the `corner` layout. */

@@ -1,5 +1,6 @@
 import { bake, bakeRequestBuffers, bakeResultBuffers } from '../adjacency/bake.js';
 import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from '../adjacency/bakeIndexed.js';
+import { bakePull, bakePullResultBuffers } from '../adjacency/bakePull.js';
 import { generateHatchImages } from '../tam/generateHatchImages.js';
 import { generateThresholds } from '../tam/generateThresholds.js';
 
@@ -23,6 +24,7 @@ export const tasks = {
     requestBuffers: bakeIndexedRequestBuffers,
     resultBuffers: bakeIndexedResultBuffers,
   }),
+  bakePull: task({ run: bakePull, requestBuffers: bakeRequestBuffers, resultBuffers: bakePullResultBuffers }),
   generateHatchImages: task({
     run: generateHatchImages,
     requestBuffers: () => [],

@@ -10,6 +10,7 @@ import {
   InterleavedBuffer,
   InterleavedBufferAttribute,
   IntType,
+  TorusKnotGeometry,
   type TypedArray,
 } from 'three';
 import { describe, expect, test } from 'vitest';
@@ -451,8 +452,7 @@ describe('bad input is rejected', () => {
   });
 
   test.each([
-    [{ layout: 'pull' }, /layout 'pull' is not in this version.*Use 'corner'/],
-    [{ layout: 'other' }, /unknown layout 'other'.*Use 'auto', 'corner' or 'indexed'/],
+    [{ layout: 'other' }, /unknown layout 'other'.*Use 'auto', 'corner', 'pull' or 'indexed'/],
     [{ creaseAngle: -1 }, /creaseAngle is -1.*radians/],
     [{ creaseAngle: 60 }, /creaseAngle is 60.*radians/],
     [{ creaseAngle: Number.NaN }, /creaseAngle is NaN/],
@@ -465,6 +465,31 @@ describe('bad input is rejected', () => {
 });
 
 describe('options', () => {
+  test.each<[string, (geometry: BufferGeometry) => void, HatchingStatistics['layout']]>([
+    ['nothing that deforms', () => {}, 'corner'],
+    ['a skin', (g) => g.setAttribute('skinIndex', new BufferAttribute(new Uint8Array(16), 4)), 'pull'],
+    ['morphed positions', (g) => Reflect.set(g.morphAttributes, 'position', [g.attributes.position]), 'pull'],
+    ['morphed normals', (g) => Reflect.set(g.morphAttributes, 'normal', [g.attributes.position]), 'pull'],
+    ['morphed colours', (g) => Reflect.set(g.morphAttributes, 'color', [g.attributes.position]), 'corner'],
+  ])('the layout auto, with %s', async (_, change, layout) => {
+    const geometry = quad();
+    change(geometry);
+    const prepared = await prepareHatchingGeometry(geometry);
+    expect(prepared.userData.hatching.layout).toBe(layout);
+    expect(prepared.hasAttribute('cornerNext')).toBe(layout === 'corner');
+  });
+
+  test('the layout pull takes 32 bytes per triangle and 16 per vertex beside what the corners have', async () => {
+    const source = new TorusKnotGeometry(1, 0.3, 400, 32);
+    const { triangles, bytes, borderEdges } = (await prepareHatchingGeometry(source, { layout: 'pull' })).userData
+      .hatching;
+    const rows = (texels: number) => 2048 * Math.ceil(texels / 2048);
+    const textures = 16 * (rows(2 * triangles) + rows(source.attributes.position!.count));
+    expect(bytes).toBe(triangles * 3 * (12 + 12 + 8 + 8) + textures);
+    expect(textures / triangles).toBeLessThan(41);
+    expect(borderEdges).toBe(0);
+  });
+
   test('creaseAngle cuts neighbours and splits added normals', async () => {
     const box = new BoxGeometry().deleteAttribute('normal');
     const opposite = async (creaseAngle?: number) => {

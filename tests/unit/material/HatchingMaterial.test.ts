@@ -17,6 +17,7 @@ describe('HatchingMaterial', () => {
       toneModel: 'lambert',
       toneNormal: 'face',
       debugView: 'none',
+      strokeAnchor: 'rest',
       strokeScale: 3,
       strokeRotation: 0,
       tonalArtMap: null,
@@ -54,7 +55,7 @@ describe('HatchingMaterial', () => {
     expect(warn.mock.calls.flat().join(' ')).toContain('strokeScales');
   });
 
-  test.each(['technique', 'toneModel', 'toneNormal', 'levelRule', 'inkBlend', 'debugView'] as const)(
+  test.each(['technique', 'toneModel', 'toneNormal', 'levelRule', 'inkBlend', 'strokeAnchor', 'debugView'] as const)(
     'refuses an unknown %s',
     (property) => {
       const material = new HatchingMaterial();
@@ -158,6 +159,7 @@ describe('HatchingMaterial', () => {
       toneSteps: 6,
       toneNormal: 'smooth',
       debugView: 'tone',
+      strokeAnchor: 'deformed',
       strokeScale: 5,
       strokeRotation: 0.5,
       strokeOffset: new Vector2(0.1, 0.2),
@@ -194,6 +196,7 @@ describe('HatchingMaterial', () => {
       'toneSteps',
       'toneNormal',
       'debugView',
+      'strokeAnchor',
       'strokeScale',
       'strokeRotation',
       'creaseAngle',

@@ -1,0 +1,34 @@
+// The pre-pass of a mesh that deforms. Drawn with its corners as points: each vertex lands on its texel, at the first of its
+// corners, with the position and normal that three's own chunks give it. The other corners are dropped.
+
+#include <common>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include "pulledVertices"
+
+flat varying vec3 vPosition;
+flat varying vec3 vNormal;
+
+void main() {
+  gl_PointSize = 1.0;
+  uvec4 own = ownVertices(gl_VertexID / 3);
+  int k = gl_VertexID % 3;
+  if ((own.w & (1u << k)) == 0u) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
+
+  #include <beginnormal_vertex>
+  #include <morphnormal_vertex>
+  #include <skinbase_vertex>
+  #include <skinnormal_vertex>
+  #include <begin_vertex>
+  #include <morphtarget_vertex>
+  #include <skinning_vertex>
+  vPosition = transformed;
+  vNormal = objectNormal;
+
+  ivec2 size = textureSize(restPositions, 0);
+  vec2 texel = vec2(texelOf(int(own[k]), size.x)) + 0.5;
+  gl_Position = vec4(2.0 * texel / vec2(size) - 1.0, 0.0, 1.0);
+}

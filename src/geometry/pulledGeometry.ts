@@ -1,0 +1,17 @@
+import { BufferAttribute, type BufferGeometry } from 'three';
+import type { BakePullResult } from '../adjacency/bakePull.js';
+import { hatchNormal } from '../adjacency/hatchNormal.js';
+import { PulledVertices, setPulledVertices } from './PulledVertices.js';
+import { finishGeometry } from './preparedGeometry.js';
+import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
+
+/** Fills the geometry with the baked corners, the textures, the kept attributes, the bounds and the statistics. */
+export function applyPull(geometry: BufferGeometry, kept: readonly KeptAttribute[], result: BakePullResult): void {
+  geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
+  geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
+  for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]!);
+  if (result.normals) geometry.setAttribute('normal', new BufferAttribute(result.normals, 3));
+  const { triangleVertices, vertexPositions } = result;
+  finishGeometry(geometry, 'pull', result, triangleVertices.byteLength + vertexPositions.byteLength);
+  setPulledVertices(geometry, new PulledVertices(result));
+}

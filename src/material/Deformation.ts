@@ -1,0 +1,137 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  FloatType,
+  GLSL3,
+  type Material,
+  type Matrix4,
+  type Mesh,
+  NearestFilter,
+  NoBlending,
+  Points,
+  Scene,
+  ShaderMaterial,
+  type Skeleton,
+  type SkinnedMesh,
+  type Texture,
+  type Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import type { PulledVertices } from '../geometry/PulledVertices.js';
+import { deformationFragmentShader, deformationVertexShader } from './hatchingShaders.js';
+import { Pose } from './Pose.js';
+
+/** The corners of a mesh as points. three.js brings bones and morph targets to them as it would to the mesh. */
+class CornerPoints extends Points {
+  isSkinnedMesh = false;
+  skeleton: Skeleton | undefined;
+  bindMatrix: Matrix4 | undefined;
+  bindMatrixInverse: Matrix4 | undefined;
+}
+
+const noScene = new Scene();
+const allCorners = { start: 0, count: Infinity };
+
+/**
+ * Positions and normals of one mesh of the `pull` layout in its present pose, one texel per vertex, on one graphics context.
+ * Each vertex is deformed once for a pose, however many corners, materials, cameras and frames ask for it.
+ */
+export class Deformation {
+  readonly #points: CornerPoints;
+  readonly #shader: ShaderMaterial;
+  readonly #target: WebGLRenderTarget;
+  readonly #pose = new Pose();
+  readonly #users = new Set<Material>();
+  #isDisposed = false;
+
+  constructor(
+    readonly geometry: BufferGeometry,
+    { triangleVertices, positions }: PulledVertices,
+  ) {
+    const { width, height } = positions.image;
+    this.#target = new WebGLRenderTarget(width, height, {
+      count: 2,
+      type: FloatType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      depthBuffer: false,
+    });
+    this.#shader = new ShaderMaterial({
+      name: 'HatchingDeformation',
+      uniforms: { triangleVertices: { value: triangleVertices }, restPositions: { value: positions } },
+      vertexShader: deformationVertexShader,
+      fragmentShader: deformationFragmentShader,
+      glslVersion: GLSL3,
+      blending: NoBlending,
+      depthTest: false,
+      depthWrite: false,
+    });
+    this.#points = new CornerPoints(geometry);
+    geometry.addEventListener('dispose', this.dispose);
+  }
+
+  /** x, y, z of each vertex as drawn, object space. */
+  get positions(): Texture {
+    return this.#target.textures[0]!;
+  }
+
+  /** x, y, z of each vertex's normal as drawn, object space, not of unit length. */
+  get normals(): Texture {
+    return this.#target.textures[1]!;
+  }
+
+  get isDisposed(): boolean {
+    return this.#isDisposed;
+  }
+
+  /**
+   * Brings the textures up to date, while `renderer` draws `mesh` with `material` for `camera`. Does nothing where the pose
+   * is the one of the last time, and leaves the renderer as it was. Allocates nothing.
+   */
+  update(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, material: Material): void {
+    if (!this.#users.has(material)) {
+      this.#users.add(material);
+      material.addEventListener('dispose', this.dispose);
+    }
+    if (this.#pose.take(mesh)) this.#draw(renderer, camera, mesh);
+  }
+
+  /** Frees the graphics memory. Called when the geometry or a material that draws it is disposed of. */
+  readonly dispose = (): void => {
+    this.#isDisposed = true;
+    this.#target.dispose();
+    this.#shader.dispose();
+    this.geometry.removeEventListener('dispose', this.dispose);
+    for (const material of this.#users) material.removeEventListener('dispose', this.dispose);
+  };
+
+  #draw(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
+    const points = this.#points;
+    points.morphTargetInfluences = mesh.morphTargetInfluences;
+    if ('isSkinnedMesh' in mesh) {
+      const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
+      points.isSkinnedMesh = true;
+      points.skeleton = skeleton;
+      points.bindMatrix = bindMatrix;
+      points.bindMatrixInverse = bindMatrixInverse;
+    }
+
+    const target = renderer.getRenderTarget();
+    const face = renderer.getActiveCubeFace();
+    const level = renderer.getActiveMipmapLevel();
+    const { start, count } = this.geometry.drawRange;
+    this.geometry.setDrawRange(0, Infinity);
+    renderer.setRenderTarget(this.#target);
+    // Not render(): that would be a frame of its own, with lights, shadows, a background and counters.
+    renderer.renderBufferDirect(camera, noScene, this.geometry, this.#shader, points, allCorners);
+    renderer.setRenderTarget(target, face, level);
+    this.geometry.setDrawRange(start, count);
+    // The cameras of an ArrayCamera have a part of the target each.
+    const { viewport } = camera as Camera & { viewport?: Vector4 };
+    if (viewport) renderer.state.viewport(viewport);
+
+    // The bones know the mesh, and it should be free to go.
+    points.skeleton = undefined;
+  }
+}

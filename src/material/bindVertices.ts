@@ -1,0 +1,89 @@
+import type {
+  BufferGeometry,
+  Camera,
+  InstancedMesh,
+  Mesh,
+  Object3D,
+  ShaderMaterial,
+  Texture,
+  WebGLRenderer,
+} from 'three';
+import { cornerLayout } from '../adjacency/cornerLayout.js';
+import { pulledVerticesOf } from '../geometry/PulledVertices.js';
+import { deformationOf } from './deformationOf.js';
+import type { VertexLayout } from './shaderConventions.js';
+
+const geometriesComplainedOf = new WeakSet<BufferGeometry>();
+
+function complain(geometry: BufferGeometry, complaint: string): void {
+  if (geometriesComplainedOf.has(geometry)) return;
+  geometriesComplainedOf.add(geometry);
+  console.error(`HatchingMaterial: geometry "${geometry.name || geometry.uuid}" ${complaint}`);
+}
+
+/**
+ * Brings the textures of the object's vertices, if it has any, to the uniforms of a material that is about to draw it, in
+ * its present pose. Returns where the vertices find their adjacency. Says once what is wrong with a geometry.
+ */
+export function bindVertices(
+  renderer: WebGLRenderer,
+  camera: Camera,
+  geometry: BufferGeometry,
+  object: Object3D,
+  material: ShaderMaterial,
+): VertexLayout {
+  const vertices = pulledVerticesOf(geometry);
+  const isDeforming = deforms(geometry, object);
+  if (!vertices) {
+    if (geometry.attributes[cornerLayout[0].name] === undefined) {
+      complain(
+        geometry,
+        'has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.',
+      );
+    } else if (isDeforming) {
+      complain(
+        geometry,
+        "deforms, but its layout 'corner' knows the rest pose only; prepare it with the layout 'pull' or 'auto'.",
+      );
+    }
+    return 'corner';
+  }
+  bind(material, 'triangleVertices', vertices.triangleVertices);
+  bind(material, 'restPositions', vertices.positions);
+  if (!isDeforming || !canDeform(renderer, geometry, object)) return 'pull';
+
+  const deformation = deformationOf(renderer, object as Mesh, geometry, vertices);
+  deformation.update(renderer, camera, object as Mesh, material);
+  bind(material, 'deformedPositions', deformation.positions);
+  bind(material, 'deformedNormals', deformation.normals);
+  return 'deforming';
+}
+
+const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
+  'isSkinnedMesh' in object || morphAttributes.position !== undefined || morphAttributes.normal !== undefined;
+
+function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Object3D): boolean {
+  if (!renderer.extensions.has('EXT_color_buffer_float')) {
+    complain(
+      geometry,
+      "stays in its rest pose: this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which has no need to.",
+    );
+    return false;
+  }
+  if ('isInstancedMesh' in object && (object as InstancedMesh).morphTexture !== null) {
+    complain(
+      geometry,
+      "stays in its rest pose: the instances of an InstancedMesh cannot have morph targets each of their own. Use the technique 'anchored', or meshes.",
+    );
+    return false;
+  }
+  return true;
+}
+
+/** Uniforms that differ from mesh to mesh; three.js reads them once for all meshes of a material unless told otherwise. */
+function bind(material: ShaderMaterial, name: string, texture: Texture): void {
+  const uniform = material.uniforms[name]!;
+  if (uniform.value === texture) return;
+  uniform.value = texture;
+  material.uniformsNeedUpdate = true;
+}
