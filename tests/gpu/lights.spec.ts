@@ -1,0 +1,197 @@
+import { expect, test } from '../browser/test.js';
+import { centre, covered, difference } from './pixels.js';
+
+/** Lights that come and go while the page runs, and layers of strokes where several disagree. */
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+for (const technique of ['adjacency', 'anchored'] as const) {
+  test(`a number of lights seen before needs no new program, and no light that only changes does: ${technique}`, async ({
+    page,
+  }) => {
+    const compiled = await page.evaluate(async (technique) => {
+      const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const renderer = makeRenderer();
+      const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12), {
+        tonalArtMap: stripedMap(),
+        technique,
+        secondLayer: true,
+        reflectedLight: 0.3,
+      });
+      const second = new THREE.SpotLight(0xffffff, 3, 0, 0.5, 0.5, 0);
+      second.position.set(-2, 1, 2);
+      const scene = sceneOf(mesh, sun(), second);
+      const gl = renderer.getContext();
+      const link = gl.linkProgram.bind(gl);
+      let linked = 0;
+      gl.linkProgram = (program) => {
+        linked++;
+        link(program);
+      };
+      const steps: Record<string, () => void> = {
+        start: () => {},
+        moved: () => second.position.set(2, -1, 2),
+        'turned down to nothing': () => {
+          second.intensity = 0;
+        },
+        'other cone, colour and distance': () => {
+          Object.assign(second, { intensity: 2, angle: 0.7, penumbra: 0.1, distance: 9, decay: 1 });
+          second.color.set('orange');
+        },
+        'switched off': () => {
+          second.visible = false;
+        },
+        'switched on again': () => {
+          second.visible = true;
+        },
+        'off once more': () => {
+          second.visible = false;
+        },
+        removed: () => scene.remove(second),
+        'back again': () => {
+          second.visible = true;
+          scene.add(second);
+        },
+      };
+      return Object.entries(steps).map(([name, step]) => {
+        const before = linked;
+        step();
+        pixelsOf(scene, renderer);
+        return [name, linked - before] as const;
+      });
+    }, technique);
+    expect(Object.fromEntries(compiled)).toEqual({
+      start: 1,
+      moved: 0,
+      'turned down to nothing': 0,
+      'other cone, colour and distance': 0,
+      'switched off': 1,
+      'switched on again': 0,
+      'off once more': 0,
+      removed: 0,
+      'back again': 0,
+    });
+  });
+}
+
+test('compileAsync prepares a number of lights before they are switched on', async ({ page, pageProblems }) => {
+  const linked = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
+    const renderer = makeRenderer();
+    const second = sun(1, [-1, 0, 1]);
+    const scene = sceneOf(await hatchedMesh(new THREE.SphereGeometry(1, 16, 12)), sun(), second);
+    await renderer.compileAsync(scene, makeCamera());
+    second.visible = false;
+    pixelsOf(scene, renderer);
+    const gl = renderer.getContext();
+    let linked = 0;
+    const link = gl.linkProgram.bind(gl);
+    gl.linkProgram = (program) => {
+      linked++;
+      link(program);
+    };
+    second.visible = true;
+    pixelsOf(scene, renderer);
+    return linked;
+  });
+  expect(linked).toBe(0);
+  // A software rasterizer compiles while one waits.
+  expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);
+});
+
+test('a light probe is light from all around; a rectangular light gives none, and does no harm', async ({ page }) => {
+  const [dark, rectangular, probe] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, pixelsOf } = window.toolkit;
+    const wall = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+    const rectangle = new THREE.RectAreaLight(0xffffff, 10, 2, 2);
+    rectangle.position.z = 2;
+    const sh = new THREE.SphericalHarmonics3();
+    // Irradiance is 0.886227 times the first coefficient.
+    sh.coefficients[0]!.setScalar(Math.PI / 2 / 0.886227);
+    return [
+      pixelsOf(sceneOf(wall)),
+      pixelsOf(sceneOf(wall, rectangle)),
+      pixelsOf(sceneOf(wall, new THREE.LightProbe(sh))),
+    ];
+  });
+  expect(centre(dark!)).toEqual([0, 0, 0]);
+  expect(difference(dark!, rectangular!)).toBe(0);
+  expect(Math.abs(centre(probe!)[0]! - 128)).toBeLessThanOrEqual(1);
+});
+
+test('reflected light knows no shadow', async ({ page }) => {
+  const [shaded, opened] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const floor = await hatchedMesh(new THREE.PlaneGeometry(3, 3));
+    const blocker = await hatchedMesh(new THREE.BoxGeometry(0.5, 0.5, 0.2));
+    blocker.position.set(1.2, 0, 1.2);
+    blocker.castShadow = true;
+    floor.receiveShadow = true;
+    const light = sun(Math.PI, [3, 0, 3]);
+    light.castShadow = true;
+    const renderer = makeRenderer();
+    renderer.shadowMap.enabled = true;
+    const scene = sceneOf(floor, blocker, light);
+    const shaded = pixelsOf(scene, renderer);
+    floor.material.reflectedLight = 1;
+    return [shaded, pixelsOf(scene, renderer)];
+  });
+  expect(centre(shaded!)[0]).toBeLessThan(10);
+  // (1 − cos 45°) / 2 of the light.
+  expect(Math.abs(centre(opened!)[0]! - 255 * 0.1464)).toBeLessThanOrEqual(2);
+});
+
+for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+  for (const crisp of technique === 'anchored' ? [false] : [false, true]) {
+    test(`a second layer: none with one light, and the same tone with two: ${technique}${crisp ? ', crisp' : ''}`, async ({
+      page,
+    }) => {
+      const [one, oneLayered, two, twoLayered] = await page.evaluate(
+        async ([technique, crisp]) => {
+          const { THREE, TonalArtMap, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+          const tonalArtMap = await TonalArtMap.generate({ size: 128 });
+          const geometry = new THREE.PlaneGeometry(4, 4);
+          const strokeScale = 0.6;
+          const show = async (secondLayer: boolean, ...lights: InstanceType<typeof THREE.Light>[]) =>
+            pixelsOf(
+              sceneOf(
+                await hatchedMesh(geometry, { tonalArtMap, technique, crisp, secondLayer, strokeScale }),
+                ...lights,
+              ),
+            );
+          const left = () => sun(Math.PI / 3, [-1, 0, 1]);
+          const above = () => sun(Math.PI / 4, [0, 1, 1]);
+          return [
+            await show(false, left()),
+            await show(true, left()),
+            await show(false, left(), above()),
+            await show(true, left(), above()),
+          ];
+        },
+        [technique, crisp] as const,
+      );
+      expect(difference(one!, oneLayered!), 'one light').toBe(0);
+      const mean = (pixels: number[]) =>
+        pixels.reduce((sum, x, i) => (i % 4 === 0 ? sum + x : sum), 0) / (255 * 96 * 96);
+      expect(difference(two!, twoLayered!), 'two lights').toBeGreaterThan(100);
+      // Crisp blending takes neighbours for independent, which on a flat wall they are not: its tone is not exact there.
+      const tolerance = technique === 'adjacency' && crisp ? 0.05 : 0.02;
+      expect(Math.abs(mean(two!) - mean(twoLayered!)), 'mean ink').toBeLessThan(tolerance);
+      // The stronger light is on the left: strokes run up and down. The second layer runs across.
+      const [before, after] = [two!, twoLayered!].map((pixels) => {
+        let [alongRows, alongColumns] = [0, 0];
+        for (let i = 4 * 96; i < pixels.length; i += 4) {
+          alongRows += Math.abs(pixels[i]! - pixels[i - 4]!);
+          alongColumns += Math.abs(pixels[i]! - pixels[i - 4 * 96]!);
+        }
+        return alongRows / alongColumns;
+      });
+      expect(before).toBeGreaterThan(1.8);
+      expect(after).toBeLessThan(1.5);
+      expect(covered(twoLayered!)).toBeGreaterThan(9000);
+    });
+  }
+}
