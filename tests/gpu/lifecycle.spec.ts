@@ -86,7 +86,12 @@ test('a slider does not recompile, and a frame allocates no textures or geometri
   const [programs, calls] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
     const renderer = makeRenderer();
-    const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12));
+    const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12), {
+      toneCurve: [
+        [0, 0],
+        [1, 0.5],
+      ],
+    });
     const light = sun();
     const scene = sceneOf(mesh, light);
     pixelsOf(scene, renderer);
@@ -114,6 +119,12 @@ test('a slider does not recompile, and a frame allocates no textures or geometri
       mesh.material.ink.setRGB(i / 5, 0, 0);
       mesh.material.toneSteps = 2 + i;
       mesh.material.creaseAngle = 0.2 + i / 5;
+      mesh.material.reflectedLight = i / 5;
+      mesh.material.paperOpacity = i / 5;
+      mesh.material.toneCurve = [
+        [0, i / 10],
+        [1, 1],
+      ];
       light.position.x = i;
       renderer.render(scene, new THREE.PerspectiveCamera());
     }
@@ -122,6 +133,39 @@ test('a slider does not recompile, and a frame allocates no textures or geometri
   expect(programs).toBe(0);
   expect(calls).toBe(0);
 });
+
+for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+  test(`scale, rotation and shift count from the next frame on, for their material alone: ${technique}`, async ({
+    page,
+  }) => {
+    const { before, after, fresh } = await page.evaluate(async (technique) => {
+      const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const renderer = makeRenderer();
+      const tonalArtMap = stripedMap();
+      const common = { tonalArtMap, technique, strokeScale: 2, toneNormal: 'smooth' } as const;
+      const changed = { strokeScale: 1.3, strokeRotation: 0.7, strokeOffset: new THREE.Vector2(0.1, 0.3) };
+      const sphere = () => new THREE.SphereGeometry(0.6, 24, 16);
+      const left = await hatchedMesh(sphere(), common);
+      const right = await hatchedMesh(sphere(), common);
+      left.position.x = -0.7;
+      right.position.x = 0.7;
+      const scene = sceneOf(left, right, sun());
+      const before = pixelsOf(scene, renderer);
+      right.material.strokeScale = changed.strokeScale;
+      right.material.strokeRotation = changed.strokeRotation;
+      right.material.strokeOffset.copy(changed.strokeOffset);
+      const after = pixelsOf(scene, renderer);
+      right.material = new window.toolkit.HatchingMaterial({ ...common, ...changed });
+      return { before, after, fresh: pixelsOf(scene, renderer) };
+    }, technique);
+    const half = (pixels: number[], right: boolean) => pixels.filter((_, i) => Math.floor(i / 4) % 96 >= 48 === right);
+    expect(difference(after, fresh)).toBe(0);
+    expect(difference(half(before, false), half(after, false))).toBe(0);
+    const now = half(after, true);
+    const moved = half(before, true).filter((x, i) => Math.abs(x - now[i]!) > 100).length;
+    expect(moved).toBeGreaterThan(300);
+  });
+}
 
 test('an unprepared geometry is named in the console, once', async ({ page, pageProblems }) => {
   await page.evaluate(() => {

@@ -146,6 +146,17 @@ const cases: Case[] = [
     map: 'constantPerLevel',
     material: { levelRule: 'depth', strokeScale: 0.9 },
   },
+  ...[0, Math.PI / 2, 2.4].map((strokeRotation, i) => ({
+    name: `strokes turned by ${strokeRotation.toFixed(1)}, scaled and shifted`,
+    mesh: torus,
+    lights: [i % 2 ? point : directional],
+    material: {
+      technique: i % 2 ? ('triangle' as const) : ('adjacency' as const),
+      strokeRotation,
+      strokeScale: 0.8 + i,
+      strokeOffset: [0.7 * i, -0.2] as [number, number],
+    },
+  })),
   { name: 'rotated, moved and scaled object', mesh: loadBunny, matrixWorld: placed, lights: [point] },
   { name: 'rotated object under a directional light', mesh: torus, matrixWorld: rotated },
   { name: 'mirrored object', mesh: loadBunny, matrixWorld: mirrored },

@@ -1,0 +1,127 @@
+import type { Page } from '@playwright/test';
+import type { HatchingMaterialOptions } from 'three-hatching';
+import { expect, test } from '../browser/test.js';
+import { difference } from './pixels.js';
+
+/** Strokes keep the width they are drawn with, near and far (paper, sections 3.1 and 3.4). */
+
+type Way = Partial<Pick<HatchingMaterialOptions, 'technique' | 'crisp' | 'levelRule' | 'screenConstancy'>>;
+
+const SIDE = 256;
+/** Pixels, as the style draws them on every level of the map. */
+const DRAWN_WIDTH = 1.9;
+const DISTANCES = [1, 2, 4, 8];
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+test.setTimeout(240_000);
+
+const ways: Record<string, Way> = {
+  'adjacency, level by derivatives': { technique: 'adjacency', levelRule: 'derivatives' },
+  'adjacency, level by depth': { technique: 'adjacency', levelRule: 'depth' },
+  'crisp, level by derivatives': { technique: 'triangle', crisp: true, levelRule: 'derivatives' },
+  'crisp, level by depth': { technique: 'triangle', crisp: true, levelRule: 'depth' },
+  'anchored, sized on the object': { technique: 'anchored', screenConstancy: 0 },
+  'anchored, sized on the screen': { technique: 'anchored', screenConstancy: 1 },
+};
+
+for (const [name, parameters] of Object.entries(ways)) {
+  test(`strokes are as wide as drawn at distances of 1, 2, 4 and 8: ${name}`, async ({ page }) => {
+    const pictures = await drawWall(page, parameters, DISTANCES);
+    const widths = pictures.map(medianStrokeWidth);
+    test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
+    for (const width of widths) {
+      // Strokes of thresholds swell with the tone: the first is the drawn width for the others.
+      const drawn = parameters.crisp || parameters.technique === 'anchored' ? widths[0]! : DRAWN_WIDTH;
+      expect(width / drawn, widths.join()).toBeGreaterThan(0.75);
+      expect(width / drawn, widths.join()).toBeLessThan(1.25);
+    }
+  });
+}
+
+for (const crisp of [false, true]) {
+  test(`face on, both rules choose the same level${crisp ? ', crisp' : ''}`, async ({ page }) => {
+    const [derivatives, depth] = await Promise.all(
+      (['derivatives', 'depth'] as const).map((levelRule) => drawWall(page, { crisp, levelRule }, DISTANCES)),
+    );
+    derivatives!.forEach((picture, i) => {
+      expect(difference(picture, depth![i]!), `distance ${DISTANCES[i]}`).toBeLessThanOrEqual(12);
+    });
+  });
+}
+
+test('seen at a slant, depth chooses a finer level than derivatives, and so does anisotropy', async ({ page }) => {
+  const [derivatives, depth, anisotropic] = [
+    await drawWall(page, { levelRule: 'derivatives' }, [4], { slant: 1.3 }),
+    await drawWall(page, { levelRule: 'depth' }, [4], { slant: 1.3 }),
+    await drawWall(page, { levelRule: 'derivatives' }, [4], { slant: 1.3, anisotropy: 8 }),
+  ].map(([picture]) => medianStrokeWidth(picture!));
+  expect(depth! / derivatives!).toBeLessThan(0.75);
+  expect(anisotropic! / derivatives!).toBeLessThan(0.75);
+});
+
+/**
+ * Red of a wall of level strokes at each distance, bottom row first. At a distance of 1 a texel is a pixel. `slant` turns
+ * the wall about the upright axis.
+ */
+async function drawWall(
+  page: Page,
+  parameters: Way,
+  distances: readonly number[],
+  { slant = 0, anisotropy = 1 } = {},
+): Promise<number[][]> {
+  return page.evaluate(
+    async ([parameters, distances, slant, anisotropy, side]) => {
+      const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf, sun } = window.toolkit;
+      const tonalArtMap = await TonalArtMap.generate({ size: 256 });
+      tonalArtMap.texture.anisotropy = anisotropy;
+      const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);
+      const unitsPerPixel = (2 * Math.tan(Math.PI / 9)) / side;
+      const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 8), {
+        ...parameters,
+        tonalArtMap,
+        strokeScale: 1 / (256 * unitsPerPixel),
+      });
+      mesh.rotation.y = slant;
+      // N·L = 5/7: exactly the third of eight hatch images. Turned with the wall.
+      const light = sun(Math.PI, [0, Math.sqrt(24) / 5, 1]);
+      light.position.applyAxisAngle(new THREE.Vector3(0, 1, 0), slant);
+      const scene = sceneOf(mesh, light);
+      const renderer = makeRenderer();
+      renderer.setSize(side, side, false);
+      return distances.map((distance) => {
+        camera.position.z = distance;
+        renderer.render(scene, camera);
+        const gl = renderer.getContext();
+        const pixels = new Uint8Array(side * side * 4);
+        gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        return Array.from({ length: side * side }, (_, i) => pixels[4 * i]!);
+      });
+    },
+    [parameters, distances, slant, anisotropy, SIDE] as const,
+  );
+}
+
+/** The ink of a stroke across it, in pixels: the median over all upright lines of pixels. */
+function medianStrokeWidth(red: number[]): number {
+  const widths: number[] = [];
+  for (let x = 0; x < SIDE; x++) {
+    let [ink, darkest] = [0, 0];
+    for (let y = 0; y < SIDE; y++) {
+      const darkness = 1 - red[y * SIDE + x]! / 255;
+      if (darkness > 0.05) {
+        ink += darkness;
+        darkest = Math.max(darkest, darkness);
+      } else {
+        // Grey alone is the end of a stroke, or one that only another tone has.
+        if (darkest > 0.6) widths.push(ink);
+        [ink, darkest] = [0, 0];
+      }
+    }
+  }
+  expect(widths.length, 'strokes measured').toBeGreaterThan(300);
+  return widths.sort((a, b) => a - b)[widths.length >> 1]!;
+}
