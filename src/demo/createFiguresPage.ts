@@ -129,7 +129,8 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
 
   turn.addEventListener('input', () => {
     turned = turn.valueAsNumber;
-    turnValue.textContent = `${turned < 0 ? '−' : ''}${Math.abs(turned)}°`;
+    turn.ariaValueText = `${turned < 0 ? '−' : ''}${Math.abs(turned)}°`;
+    turnValue.textContent = turn.ariaValueText;
     spoilAll();
   });
   hand.addEventListener('change', (event) => {

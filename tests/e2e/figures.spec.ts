@@ -8,7 +8,7 @@ import { FIGURES } from '../../src/demo/figures.js';
 import { expect, test } from '../browser/test.js';
 import { serveFolders } from '../consumers/serveFolders.js';
 import { angleBetween, changedShare, strokeDirection } from './pictures.js';
-import { framesDrawn, openPlayground } from './playground.js';
+import { openPlayground, ready } from './playground.js';
 
 test.use({ viewport: { width: 860, height: 560 } });
 
@@ -154,7 +154,7 @@ test('the playground leads to the figures and the figures back', async ({ page }
   await settled(page);
   await page.getByRole('link', { name: 'Playground' }).click();
   await expect(page.locator('#drawing')).toBeVisible();
-  await expect.poll(() => framesDrawn(page)).toBeGreaterThan(0);
+  await ready(page);
 });
 
 test('a lost graphics context is said, and the figures come back', async ({ page }) => {
@@ -165,10 +165,10 @@ test('a lost graphics context is said, and the figures come back', async ({ page
     (window as unknown as { __bringBack: () => void }).__bringBack = () => extension.restoreContext();
     extension.loseContext();
   });
-  await expect(page.getByRole('status')).toHaveText(/^The graphics card has let go of the figures/);
+  await expect(page.locator('#status')).toHaveText(/^The graphics card has let go of the figures/);
   await page.locator('#turn').press('ArrowLeft');
   await page.evaluate(() => (window as unknown as { __bringBack: () => void }).__bringBack());
-  await expect(page.getByRole('status')).toHaveText('');
+  await expect(page.locator('#status')).toHaveText('');
   expect(changedShare(before, await readPanel(page, panelOf(4, 'b')))).toBeGreaterThan(0.02);
 });
 
@@ -177,7 +177,7 @@ test('a browser without WebGL 2 is told so, and can read the captions', async ({
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await page.goto('./figures/');
-  await expect(page.getByRole('status')).toHaveText(/^The figures need WebGL 2/);
+  await expect(page.locator('#status')).toHaveText(/^The figures need WebGL 2/);
   await expect(page.getByRole('figure')).toHaveCount(FIGURES.length);
 });
 

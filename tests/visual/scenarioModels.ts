@@ -4,7 +4,9 @@ import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?u
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../src/demo/fourTriangles.js';
+import { shellChair } from '../../src/demo/shellChair.js';
 import type { ScenarioModel } from './scenarios.js';
 
 /** Loads a model, centres it and scales it to a bounding radius of 1. */
@@ -40,6 +42,11 @@ const loaders: Record<ScenarioModel, () => Promise<BufferGeometry>> = {
     });
     if (!found) throw new Error('loadScenarioModel: suzi.glb holds no mesh.');
     return found;
+  },
+
+  chair: async () => {
+    const { shell, legs, cushion } = shellChair();
+    return mergeGeometries([shell, ...legs, cushion].map((part) => part.deleteAttribute('uv')));
   },
 
   /** The Stanford bunny, 3,674 triangles, from `bunny`. */
