@@ -1,5 +1,20 @@
+import type { ServerResponse } from 'node:http';
 import { fileURLToPath } from 'node:url';
-import { defineConfig, type UserConfig } from 'vite';
+import { defineConfig, type Plugin, type UserConfig } from 'vite';
+
+const page = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/** Hosts of static files answer `/figures` with `/figures/`, the folder; the development server would not. */
+const figuresFolder: Plugin = {
+  name: 'figures-folder',
+  configureServer: ({ middlewares }) => void middlewares.use(toFolder),
+  configurePreviewServer: ({ middlewares }) => void middlewares.use(toFolder),
+};
+
+function toFolder({ url }: { url?: string }, response: ServerResponse, next: () => void): void {
+  if (url === '/figures') response.writeHead(301, { Location: '/figures/' }).end();
+  else next();
+}
 
 /**
  * The playground. It imports the library by its package name; `--mode use-build` runs it on the built library.
@@ -10,18 +25,17 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
+    plugins: [figuresFolder],
     resolve: {
       alias: {
         // Named in both cases: left alone, the name would be resolved by the paths in tsconfig.json, to the source again.
-        'three-hatching': fileURLToPath(
-          new URL(mode === 'use-build' ? './dist/index.js' : './src/index.ts', import.meta.url),
-        ),
+        'three-hatching': page(mode === 'use-build' ? './dist/index.js' : './src/index.ts'),
       },
     },
     assetsInclude: ['**/*.ply.gz'],
     worker: { format: 'es' },
     optimizeDeps: {
-      entries: ['index.html', 'tests/**/*.html', '!tests/output/**'],
+      entries: ['index.html', 'figures/index.html', 'tests/**/*.html', '!tests/output/**'],
       // Named, because a dependency that is first met while a page runs makes the server reload that page.
       include: [
         'three',
@@ -43,7 +57,12 @@ export default defineConfig(
         ].map((path) => `three/addons/${path}`),
       ],
     },
-    build: { outDir: 'dist-demo', target: 'es2022', chunkSizeWarningLimit: 1500 },
+    build: {
+      outDir: 'dist-demo',
+      target: 'es2022',
+      chunkSizeWarningLimit: 1500,
+      rolldownOptions: { input: [page('index.html'), page('figures/index.html')] },
+    },
     ...(mode === 'test' && {
       cacheDir: `node_modules/.vite-test-${process.env.HATCH_PORT ?? 'default'}`,
       server: { hmr: false, watch: null },

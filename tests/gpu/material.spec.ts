@@ -22,6 +22,7 @@ import {
   redSide,
   rotated,
   spot,
+  squashed,
 } from './referenceScenes.js';
 
 const SIZE = 192;
@@ -57,6 +58,10 @@ const curves = {
     [1, 1],
   ],
 } satisfies Record<string, ReferenceMaterial['toneCurve']>;
+
+/** The mesh, so many units along each axis from the origin of its space, and the placement that brings it back. */
+const moved = (mesh: PlainMesh, by: number): PlainMesh => ({ ...mesh, positions: mesh.positions.map((x) => x + by) });
+const movedBack = (by: number) => [...mat4.fromTranslation(mat4.create(), [-by, -by, -by])];
 
 const cases: Case[] = [
   // Every mesh, light and technique, with both maps.
@@ -161,6 +166,10 @@ const cases: Case[] = [
   { name: 'rotated object under a directional light', mesh: torus, matrixWorld: rotated },
   { name: 'mirrored object', mesh: loadBunny, matrixWorld: mirrored },
   { name: 'mirrored object, point light', mesh: torus, matrixWorld: mirrored, lights: [point] },
+  { name: 'object scaled unequally', mesh: loadBunny, matrixWorld: squashed },
+  { name: 'object scaled unequally, point light', mesh: torus, matrixWorld: squashed, lights: [point] },
+  { name: 'geometry far from its origin', mesh: moved(torus, 50), matrixWorld: movedBack(50) },
+  { name: 'light along normals', mesh: cube, lights: [{ ...directional, position: [0, 0, 1] }] },
   {
     name: 'back side of a double-sided sheet',
     mesh: sheet,

@@ -14,6 +14,7 @@ export const placed = [
   ),
 ];
 export const mirrored = [...mat4.scale(mat4.create(), rotated as unknown as mat4, [-1, 1, 1])];
+export const squashed = [...mat4.scale(mat4.create(), rotated as unknown as mat4, [1.2, 0.6, 0.9])];
 
 export const eye: Vec3 = [0.9, 0.8, 3];
 export const perspective = {

@@ -4,6 +4,9 @@ import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?u
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../src/demo/fourTriangles.js';
+import { shellChair } from '../../src/demo/shellChair.js';
 import type { ScenarioModel } from './scenarios.js';
 
 /** Loads a model, centres it and scales it to a bounding radius of 1. */
@@ -16,7 +19,11 @@ export async function loadScenarioModel(model: ScenarioModel): Promise<BufferGeo
 }
 
 const loaders: Record<ScenarioModel, () => Promise<BufferGeometry>> = {
-  patch: async () => patch(),
+  patch: async () => {
+    const positions = new BufferAttribute(new Float32Array(FOUR_TRIANGLES_POSITIONS), 3);
+    const { c, alpha, beta, gamma } = FOUR_TRIANGLES;
+    return new BufferGeometry().setAttribute('position', positions).setIndex([...c, ...beta, ...gamma, ...alpha]);
+  },
 
   /** A long floor, its far end at z = −1. */
   floor: async () => new PlaneGeometry(1, 4, 4, 16).rotateX(-Math.PI / 2),
@@ -35,6 +42,11 @@ const loaders: Record<ScenarioModel, () => Promise<BufferGeometry>> = {
     });
     if (!found) throw new Error('loadScenarioModel: suzi.glb holds no mesh.');
     return found;
+  },
+
+  chair: async () => {
+    const { shell, legs, cushion } = shellChair();
+    return mergeGeometries([shell, ...legs, cushion].map((part) => part.deleteAttribute('uv')));
   },
 
   /** The Stanford bunny, 3,674 triangles, from `bunny`. */
@@ -57,30 +69,4 @@ async function gunzip(blob: Blob): Promise<ArrayBuffer> {
   const [first, second] = new Uint8Array(await blob.slice(0, 2).arrayBuffer());
   if (first !== 0x1f || second !== 0x8b) return blob.arrayBuffer();
   return new Response(blob.stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-}
-
-/**
- * The paper's figure 4: a triangle in the middle and one across each of its edges, every one with another normal.
- *
- *        3-------2-------4
- *         \  β' / \  α' /
- *          \   / c \   /
- *           \ /     \ /
- *            0-------1
- *             \  γ' /
- *              \   /
- *                5
- */
-function patch(): BufferGeometry {
-  const geometry = new BufferGeometry();
-  // biome-ignore format: one vertex per line
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array([
-    -0.5, -0.29,  0.35,
-     0.5, -0.29,  0.25,
-     0.0,  0.58,  0.3,
-    -1.0,  0.58, -0.15,
-     1.0,  0.58,  0.0,
-     0.0, -1.15, -0.2,
-  ]), 3));
-  return geometry.setIndex([0, 1, 2, 1, 4, 2, 2, 3, 0, 0, 5, 1]);
 }

@@ -3,7 +3,7 @@ import type { HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
 type Triple = readonly [x: number, y: number, z: number];
 
 /** The models a scenario can show; each is centred and has a bounding radius of 1. */
-export type ScenarioModel = 'patch' | 'floor' | 'suzanne' | 'bunny' | 'dragon';
+export type ScenarioModel = 'patch' | 'floor' | 'suzanne' | 'bunny' | 'dragon' | 'chair';
 
 /** A light of the scene. Intensities are three's: π makes a directional light the paper's N·L. */
 export interface ScenarioLight {
@@ -37,6 +37,9 @@ export interface Scenario {
       | 'strokeRotation'
       | 'screenConstancy'
       | 'debugView'
+      | 'toneModel'
+      | 'toneSteps'
+      | 'color'
       | 'toneCurve'
       | 'reflectedLight'
       | 'secondLayer'
@@ -73,6 +76,14 @@ const face = {
 
 const dragon = { ...common, size: [560, 420], model: 'dragon', camera: { position: [0, 0.5, 4], fov: 28 } } as const;
 
+const chair = {
+  ...common,
+  size: [300, 360],
+  model: 'chair',
+  camera: { position: [2.5, 1.7, 3.4], fov: 28 },
+  lights: sun(-2, 0.7, 1.1),
+} as const;
+
 const bunny = {
   ...common,
   model: 'bunny',
@@ -103,6 +114,13 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'What each neighbour contributes: red, green and blue stand for the triangles across edges 0, 1 and 2.',
     material: { technique: 'adjacency', strokeScale: 1.2, debugView: 'blendFactors' },
   },
+  ...(['lambert', 'halfLambert', 'phong', 'toon'] as const).map((toneModel) => ({
+    ...face,
+    name: `figure-09-${toneModel}`,
+    figure: 9,
+    sentence: `Texture numbers by the lighting technique ${toneModel}.`,
+    material: { strokeScale: 1.5, toneModel, toneSteps: 4 },
+  })),
   ...[0, 45, 90].map((degrees) => ({
     ...face,
     name: `figure-10-rotation-${degrees}`,
@@ -137,6 +155,22 @@ export const scenarios: readonly Scenario[] = [
     sentence: `Details of the form stay visible with the light ${side === 'above' ? 'above' : `on the ${side}`}.`,
     lights,
     material: { strokeScale: 1.5 },
+  })),
+  ...(['hatching', 'crossHatching', 'stippling'] as const).map((style) => ({
+    ...dragon,
+    name: `figure-12-${style}`,
+    figure: 12,
+    sentence: `The dragon drawn with the map ${style}.`,
+    lights: sun(-2, 0.6, 1),
+    tonalArtMap: { ...common.tonalArtMap, style },
+    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN },
+  })),
+  ...Object.entries({ without: 'triangle', with: 'adjacency' } as const).map(([blending, technique]) => ({
+    ...chair,
+    name: `figure-13-${blending}-blending`,
+    figure: 13,
+    sentence: `A coloured chair ${blending} blending between its triangles.`,
+    material: { technique, strokeScale: 1.2, color: '#c9573f' },
   })),
   {
     ...bunny,

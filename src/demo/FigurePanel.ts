@@ -1,0 +1,92 @@
+import { FigureDrawing, type Hand } from './FigureDrawing.js';
+import type { FigurePainter } from './FigurePainter.js';
+import type { Figure, Panel } from './figures.js';
+
+/** Like a drawing made for reduction: panels are small, and strokes of two pixels would be coarse in them. */
+const PIXEL_RATIO = 2;
+
+/** What a panel needs of the page. */
+export interface PanelSurroundings {
+  ink: string;
+  paper: string;
+  /** Called when the panel has something to draw. */
+  onStale(): void;
+  /** Called with one sentence when the panel cannot be drawn. */
+  onFailure(sentence: string): void;
+}
+
+/** A canvas with its caption. Its model is loaded when it is first seen. */
+export class FigurePanel {
+  readonly element: HTMLElement;
+  readonly canvas = document.createElement('canvas');
+  /** In view, or nearly. */
+  isSeen = false;
+  /** What the canvas shows is not what it should. */
+  isStale = true;
+  private drawing: FigureDrawing | undefined;
+  private making: Promise<void> | undefined;
+
+  constructor(
+    private readonly figure: Figure,
+    private readonly panel: Panel,
+    private readonly surroundings: PanelSurroundings,
+  ) {
+    this.element = document.createElement('div');
+    this.element.className = 'panel';
+    this.canvas.dataset.panel = panel.name;
+    this.canvas.role = 'img';
+    this.canvas.ariaLabel = `Figure ${figure.number}, ${figure.title}: ${panel.label}`;
+    this.canvas.width = 0;
+    this.canvas.height = 0;
+    const label = document.createElement('p');
+    label.textContent = panel.label;
+    this.element.append(this.canvas, label);
+  }
+
+  /** Whether there is nothing to wait for: unseen, or drawn as it should be. */
+  get isSettled(): boolean {
+    return !this.isSeen || !this.isStale;
+  }
+
+  /** Whether it is time to draw. */
+  get isReady(): boolean {
+    return this.isSeen && this.isStale && this.drawing !== undefined;
+  }
+
+  see(isSeen: boolean): void {
+    this.isSeen = isSeen;
+    if (isSeen) this.making ??= this.make();
+    if (this.isReady) this.surroundings.onStale();
+  }
+
+  /** What is shown is out of date. */
+  spoil(): void {
+    this.isStale = true;
+    if (this.isReady) this.surroundings.onStale();
+  }
+
+  paint(painter: FigurePainter, turn: number, hand: Hand): void {
+    const drawing = this.drawing;
+    if (!drawing) return;
+    const width = Math.round(this.canvas.clientWidth * PIXEL_RATIO);
+    const height = Math.round(this.canvas.clientHeight * PIXEL_RATIO);
+    if (width === 0 || height === 0) return;
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    drawing.setHand(hand);
+    drawing.turnLight(turn);
+    if (painter.paint(drawing, this.canvas)) this.isStale = false;
+  }
+
+  private async make(): Promise<void> {
+    const { ink, paper, onFailure, onStale } = this.surroundings;
+    try {
+      this.drawing = await FigureDrawing.make(this.figure, this.panel, ink, paper);
+      onStale();
+    } catch (error) {
+      this.isStale = false;
+      onFailure(
+        `Figure ${this.figure.number} cannot be drawn: ${error instanceof Error ? error.message : String(error)}`,
+      );
+    }
+  }
+}

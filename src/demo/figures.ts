@@ -1,0 +1,323 @@
+/** The paper's figures that are drawn again, as plain data: the page, the pictures in the documentation and their tests read this table. */
+import type { HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
+import type { FigureModelName } from './figureModels.js';
+
+export type MapStyle = NonNullable<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>['style']>;
+
+/** How a part of a panel's model is drawn, where it differs from the rest of the figure. */
+export interface Look
+  extends Partial<
+    Pick<
+      HatchingMaterialOptions,
+      | 'technique'
+      | 'strokeScale'
+      | 'strokeRotation'
+      | 'toneModel'
+      | 'toneSteps'
+      | 'shininess'
+      | 'toneNormal'
+      | 'debugView'
+      | 'color'
+      | 'ink'
+    >
+  > {
+  style?: MapStyle;
+}
+
+type Triple = readonly [x: number, y: number, z: number];
+
+export interface PanelLight {
+  /** Where it stands; the middle of the model is the origin. */
+  position: Triple;
+  /** A sun by default: its light comes from the position, everywhere in the same direction. */
+  kind?: 'sun' | 'lamp';
+  /** What the surroundings reflect, as a share of the light. */
+  reflected?: number;
+}
+
+/** What the panels of a figure share. Each may say something else. */
+interface PanelDefaults {
+  model: FigureModelName;
+  light: PanelLight;
+  look?: Look;
+  /** Direction from the model to the eye. */
+  view?: Triple;
+  /** How many times as large the picture is as one that the model just fills. */
+  times?: number;
+}
+
+/** One picture of a figure. */
+export interface Panel extends Partial<PanelDefaults> {
+  /** Unique within the figure; a word or two in the manner of a file's name. */
+  name: string;
+  /** What stands below it. */
+  label: string;
+  /** Where parts of the model are drawn in their own way. */
+  parts?: Record<string, Look>;
+  /** Degrees by which the model is turned about its upright axis. */
+  turned?: number;
+}
+
+export interface Row {
+  /** What the panels of the row have in common. */
+  label?: string;
+  panels: readonly Panel[];
+}
+
+export interface Figure extends PanelDefaults {
+  number: number;
+  title: string;
+  /** One sentence on what the paper shows. */
+  paper: string;
+  /** One sentence on what is shown here. */
+  ours: string;
+  rows: readonly Row[];
+  /** Rows stand beside each other on a wide page. */
+  beside?: true;
+  /** Width to height of each panel. */
+  shape: number;
+  /** The axis the light turns about: upright, or the line of sight where the light would end up behind something flat. */
+  turnAxis?: 'y' | 'z';
+  /** Nothing here is left of the paper's technique with another one. */
+  paperOnly?: true;
+}
+
+const degrees = (angle: number) => (angle * Math.PI) / 180;
+
+const SIDES = {
+  left: { label: 'light from the left', position: [-2, 0.7, 1.1] },
+  front: { label: 'from the front', position: [-0.5, 0.9, 2] },
+  above: { label: 'from above', position: [0.2, 2.1, 0.7] },
+  right: { label: 'from the right', position: [2, 0.7, 1.1] },
+} as const satisfies Record<string, { label: string; position: Triple }>;
+
+const flat = { light: { position: [1.5, 1, 1.2], reflected: 0 }, view: [0, 0, 1], turnAxis: 'z' } as const;
+
+/** What c takes from its neighbour, which is drawn as it is. */
+const contributions = { centre: { debugView: 'blendFactors' }, others: { technique: 'triangle' } } as const;
+
+const liveries = {
+  cafe: { shell: { color: '#c9573f' }, legs: { color: '#c79a62' }, cushion: { style: 'stippling', color: '#f0dfb4' } },
+  garden: {
+    shell: { style: 'crossHatching', color: '#93ac86' },
+    legs: { color: '#a9a49a' },
+    cushion: { style: 'stippling', color: '#dcc48a' },
+  },
+} as const satisfies Record<string, Record<string, Look>>;
+
+export const FIGURES: readonly Figure[] = [
+  {
+    ...flat,
+    number: 4,
+    title: 'Four triangles',
+    paper:
+      'Four adjacent triangles with different normals break the strokes at their edges (a); blended, they fade over (b).',
+    ours: 'The same: without blending every edge shows; with it strokes run out into grey before the edge.',
+    model: 'fourTriangles',
+    shape: 1.1,
+    look: { strokeScale: 1.2 },
+    rows: [
+      {
+        panels: [
+          { name: 'a', label: '(a) without blending', look: { technique: 'triangle' } },
+          { name: 'b', label: '(b) with blending' },
+        ],
+      },
+    ],
+  },
+  {
+    ...flat,
+    number: 8,
+    title: 'Contributions',
+    paper: 'What each neighbour contributes to the triangle in the middle, what that does to the strokes, and the sum.',
+    ours: 'The same, a neighbour a row: its contribution in colour, the two triangles blended, and at the right none, one and all.',
+    model: 'fourTriangles',
+    shape: 1.1,
+    paperOnly: true,
+    look: { strokeScale: 1.2 },
+    rows: [
+      {
+        panels: [
+          { name: 'alpha-factor', label: 'contribution of α', model: 'cAndAlpha', parts: contributions },
+          { name: 'alpha', label: 'applied', model: 'cAndAlpha' },
+          { name: 'none', label: 'without blending', look: { technique: 'triangle' } },
+        ],
+      },
+      {
+        panels: [
+          { name: 'beta-factor', label: 'of β', model: 'cAndBeta', parts: contributions },
+          { name: 'beta', label: 'applied', model: 'cAndBeta' },
+          { name: 'centre', label: 'blended in the middle only', parts: { others: { technique: 'triangle' } } },
+        ],
+      },
+      {
+        panels: [
+          { name: 'gamma-factor', label: 'of γ', model: 'cAndGamma', parts: contributions },
+          { name: 'gamma', label: 'applied', model: 'cAndGamma' },
+          { name: 'all', label: 'blended everywhere' },
+        ],
+      },
+    ],
+  },
+  {
+    number: 9,
+    title: 'Lighting techniques',
+    paper: 'The number of the texture is determined per fragment, with different lighting techniques.',
+    ours: 'Tone as grey and the strokes that it asks for, for four techniques: bands are hard with toon, soft with the rest.',
+    model: 'teapot',
+    shape: 1.45,
+    beside: true,
+    light: { position: [-1.6, 1.3, 1.3], reflected: 0 },
+    view: [0.1, 0.3, 1],
+    look: { strokeScale: 2, toneNormal: 'smooth' },
+    rows: (
+      [
+        ['lambert', 'Lambert', {}],
+        ['halfLambert', 'half Lambert', {}],
+        ['phong', 'Phong', { shininess: 24 }],
+        ['toon', 'toon, four tones', { toneSteps: 4 }],
+      ] as const
+    ).map(([toneModel, label, look]) => ({
+      panels: [
+        { name: `${toneModel}-tone`, label, look: { ...look, toneModel, debugView: 'tone' } },
+        { name: toneModel, label: 'its strokes', look: { ...look, toneModel } },
+      ],
+    })),
+  },
+  {
+    number: 10,
+    title: 'All effects on a head',
+    paper:
+      'A face under every effect: strokes turned about the normal, scaled, lit from several places, and the model turned.',
+    ours: 'Suzanne stands in for the face; the lamp of the third row is near, so its strokes spread from it, and the last row is in colour.',
+    model: 'suzanne',
+    shape: 1,
+    light: { position: [1, 1.2, 1.5] },
+    view: [0.05, 0.1, 1],
+    look: { strokeScale: 1.3 },
+    rows: [
+      {
+        label: 'Strokes turned about the normal of each triangle',
+        panels: [0, 30, 60, 90].map((angle) => ({
+          name: `rotation-${angle}`,
+          label: `${angle}°`,
+          look: { strokeRotation: degrees(angle) },
+        })),
+      },
+      {
+        label: 'Strokes scaled',
+        panels: [0.3, 0.6, 1.2, 2.4].map((strokeScale) => ({
+          name: `scale-${strokeScale}`,
+          label: `${strokeScale} tiles to a unit`,
+          look: { strokeScale },
+        })),
+      },
+      {
+        label: 'Light in several places',
+        panels: Object.entries(SIDES).map(([name, { label, position }]) => ({
+          name: `light-${name}`,
+          label,
+          light: { kind: 'lamp', position },
+        })),
+      },
+      {
+        label: 'Model turned, light fixed',
+        panels: [-50, -20, 20, 50].map((angle) => ({
+          name: `model-${angle}`,
+          label: `${angle < 0 ? '−' : ''}${Math.abs(angle)}°`,
+          turned: angle,
+          times: 0.84,
+          look: { color: '#e0a878', ink: '#4a1f14' },
+        })),
+      },
+    ],
+  },
+  {
+    number: 11,
+    title: 'Fine geometry',
+    paper: 'A hand under several lights: geometric details are always visible.',
+    ours: 'A hand of 2,314 triangles from the WebXR input profiles: knuckles, fingers and thumb stay legible from every side.',
+    model: 'hand',
+    shape: 0.8,
+    light: { position: SIDES.left.position },
+    view: [0.1, 0.05, 1],
+    look: { strokeScale: 1.6, strokeRotation: degrees(90) },
+    rows: [
+      {
+        panels: Object.entries(SIDES).map(([name, { label, position }]) => ({ name, label, light: { position } })),
+      },
+    ],
+  },
+  {
+    number: 12,
+    title: 'Materials as maps',
+    paper: 'The Stanford dragon with several lights and maps that represent different materials.',
+    ours: 'The same scan in 47,794 triangles: a style a row, a light a column.',
+    model: 'dragon',
+    shape: 1.3,
+    light: { position: SIDES.left.position },
+    look: { strokeScale: 1.6, strokeRotation: degrees(90) },
+    rows: (
+      [
+        ['hatching', 'Pen'],
+        ['crossHatching', 'Cross-hatching'],
+        ['stippling', 'Stippling'],
+      ] as const
+    ).map(([style, label]) => ({
+      label,
+      panels: (['left', 'above', 'right'] as const).map((side) => ({
+        name: `${style}-${side}`,
+        label: SIDES[side].label,
+        light: { position: SIDES[side].position },
+        look: { style },
+      })),
+    })),
+  },
+  {
+    number: 13,
+    title: 'Maps and colour',
+    paper:
+      'A chair whose parts have maps and colours of their own, under several lights; the first column is not blended.',
+    ours: 'A shell chair made by code, in two liveries: unblended, strokes stop at every triangle of the shell; blended, they run on.',
+    model: 'chair',
+    shape: 0.8,
+    light: { position: SIDES.left.position },
+    view: [0.75, 0.5, 1],
+    look: { strokeScale: 1.2 },
+    rows: Object.entries(liveries).map(([name, parts]) => ({
+      panels: [
+        {
+          name: `${name}-unblended`,
+          label: 'without blending',
+          parts,
+          look: { technique: 'triangle' },
+        },
+        ...(['left', 'above', 'right'] as const).map((side) => ({
+          name: `${name}-${side}`,
+          label: SIDES[side].label,
+          light: { position: SIDES[side].position },
+          parts,
+        })),
+      ],
+    })),
+  },
+  {
+    number: 14,
+    title: 'Orientation',
+    paper: 'The Stanford bunny with strokes towards the light, and tangent to its direction.',
+    ours: 'The same: on the left strokes point at the light, on the right they run around it.',
+    model: 'bunny',
+    shape: 1.1,
+    light: { position: [-1.2, 1.4, 1.2] },
+    view: [0, 0.1, 1],
+    look: { strokeScale: 1.6 },
+    rows: [
+      {
+        panels: [
+          { name: 'towards', label: 'towards the light', look: { strokeRotation: degrees(90) } },
+          { name: 'tangent', label: 'tangent to it', look: { strokeRotation: 0 } },
+        ],
+      },
+    ],
+  },
+];

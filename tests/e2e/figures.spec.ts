@@ -1,0 +1,193 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { build } from 'vite';
+import { FIGURES } from '../../src/demo/figures.js';
+import { expect, test } from '../browser/test.js';
+import { serveFolders } from '../consumers/serveFolders.js';
+import { angleBetween, changedShare, strokeDirection } from './pictures.js';
+import { openPlayground, ready } from './playground.js';
+
+test.use({ viewport: { width: 860, height: 560 } });
+
+/** Within the middle triangle of figure 4, which faces the viewer almost. */
+const MIDDLE_TRIANGLE = { left: 0.44, top: 0.2, right: 0.54, bottom: 0.4 };
+
+const panelOf = (number: number, name: string) => `#figure-${number} [data-panel="${name}"]`;
+
+async function openFigures(page: Page): Promise<void> {
+  await page.goto('./figures');
+  await settled(page);
+}
+
+/** Waits until every panel in view is drawn as it should be. */
+async function settled(page: Page): Promise<void> {
+  // Two frames, so that the page knows what is in view.
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: 90_000 });
+}
+
+async function scrollTo(page: Page, selector: string): Promise<void> {
+  await page.locator(selector).evaluate((element) => element.scrollIntoView({ block: 'center' }));
+  await settled(page);
+}
+
+/** What a panel shows, as it was drawn. */
+async function readPanel(page: Page, selector: string): Promise<PNG> {
+  await scrollTo(page, selector);
+  const address = await page.locator(selector).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+  return PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+}
+
+const isBlank = ({ data }: PNG) => new Set(new Uint32Array(new Uint8Array(data).buffer)).size === 1;
+
+test('every figure is told in words and every panel of it drawn, in one graphics context', async ({ page }) => {
+  const addresses: string[] = [];
+  page.on('request', (request) => addresses.push(request.url()));
+  await page.addInitScript(() => {
+    const moved: string[] = [];
+    (window as unknown as { __moved: string[] }).__moved = moved;
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) moved.push(JSON.stringify(entry));
+    }).observe({ type: 'layout-shift', buffered: true });
+    addEventListener('securitypolicyviolation', (event) => moved.push(`forbidden: ${event.violatedDirective}`));
+  });
+  await openFigures(page);
+  expect(FIGURES.map(({ number }) => number)).toEqual([4, 8, 9, 10, 11, 12, 13, 14]);
+  for (const figure of FIGURES) {
+    const caption = page.getByRole('figure').filter({ hasText: `Figure ${figure.number}. ${figure.title}` });
+    await expect(caption).toContainText(figure.paper);
+    await expect(caption).toContainText(figure.ours);
+    for (const { name } of figure.rows.flatMap(({ panels }) => panels)) {
+      const picture = await readPanel(page, panelOf(figure.number, name));
+      expect(isBlank(picture), `figure ${figure.number}, ${name}`).toBe(false);
+    }
+  }
+  expect(await page.evaluate(() => window.__webglContexts?.length)).toBe(1);
+  expect(await page.evaluate(() => (window as unknown as { __moved: string[] }).__moved)).toEqual([]);
+  const { origin } = new URL(page.url());
+  expect(addresses.filter((address) => !address.startsWith(origin) && !/^(blob|data):/.test(address))).toEqual([]);
+});
+
+test('the lamp turns the strokes of every figure, by key and by touch', async ({ page }) => {
+  await openFigures(page);
+  const selectors = FIGURES.map(({ number, rows }) => panelOf(number, rows.at(-1)!.panels.at(-1)!.name));
+  const before: PNG[] = [];
+  for (const selector of selectors) before.push(await readPanel(page, selector));
+  const direction = strokeDirection(await readPanel(page, panelOf(4, 'a')), MIDDLE_TRIANGLE);
+
+  const lamp = page.getByRole('slider', { name: 'Turn the light' });
+  await lamp.focus();
+  for (let i = 0; i < 9; i++) await page.keyboard.press('ArrowRight');
+  await expect(page.locator('#turn-value')).toHaveText('45°');
+  const turned = strokeDirection(await readPanel(page, panelOf(4, 'a')), MIDDLE_TRIANGLE);
+  // Strokes of a flat triangle that faces the viewer follow a light that turns about the line of sight.
+  expect(angleBetween(turned, direction)).toBeGreaterThan(35);
+  expect(angleBetween(turned, direction + 45)).toBeLessThan(10);
+  for (const [i, selector] of selectors.entries()) {
+    expect(changedShare(before[i]!, await readPanel(page, selector)), selector).toBeGreaterThan(0.02);
+  }
+
+  const { x, y, width, height } = (await lamp.boundingBox())!;
+  await page.mouse.click(x + width / 2, y + height / 2);
+  await expect(page.locator('#turn-value')).toHaveText('0°');
+  for (const [i, selector] of selectors.entries()) {
+    expect(changedShare(before[i]!, await readPanel(page, selector)), selector).toBe(0);
+  }
+});
+
+test('the technique changes where the paper would blend, and nowhere else', async ({ page }) => {
+  await openFigures(page);
+  const names = [panelOf(4, 'a'), panelOf(4, 'b'), panelOf(8, 'all'), panelOf(14, 'tangent')];
+  const before: PNG[] = [];
+  for (const name of names) before.push(await readPanel(page, name));
+  await page.getByRole('radio', { name: 'as in the paper' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('radio', { name: 'anchored' })).toBeChecked();
+  const changed = [];
+  for (const [i, name] of names.entries()) changed.push(changedShare(before[i]!, await readPanel(page, name)) > 0.02);
+  expect(changed).toEqual([false, true, false, true]);
+});
+
+test('draws nothing while nothing changes, and only what is in view when something does', async ({ page }) => {
+  await openFigures(page);
+  const frames = () => page.evaluate(() => window.__figures!.framesDrawn);
+  const before = await frames();
+  await page.waitForTimeout(1000);
+  expect(await frames()).toBe(before);
+  const sizeOfLast = () => page.locator(panelOf(14, 'tangent')).evaluate((canvas: HTMLCanvasElement) => canvas.width);
+  expect(await sizeOfLast()).toBe(0);
+  await page.locator('#turn').press('ArrowLeft');
+  await settled(page);
+  expect(await frames()).toBeGreaterThan(before);
+  expect(await sizeOfLast()).toBe(0);
+});
+
+test('fits a screen 360 pixels wide in dark surroundings, with the lamp large enough for a thumb', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 360, height: 640 });
+  await openFigures(page);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
+  const lamp = page.getByRole('slider', { name: 'Turn the light' });
+  for (const target of [
+    lamp,
+    page.getByRole('link', { name: 'Playground' }),
+    page.getByText('anchored', { exact: true }),
+  ]) {
+    const box = (await target.boundingBox())!;
+    expect(box.height).toBeGreaterThanOrEqual(44);
+    expect(box.x + box.width).toBeLessThanOrEqual(360);
+  }
+  await scrollTo(page, panelOf(14, 'tangent'));
+  const { y, height } = (await lamp.boundingBox())!;
+  expect(y + height).toBeLessThanOrEqual(640);
+  const box = (await page.locator(panelOf(14, 'tangent')).boundingBox())!;
+  expect(box.width).toBeGreaterThan(140);
+});
+
+test('the playground leads to the figures and the figures back', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  await page.getByRole('link', { name: 'Figures' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('The figures of the paper');
+  await settled(page);
+  await page.getByRole('link', { name: 'Playground' }).click();
+  await expect(page.locator('#drawing')).toBeVisible();
+  await ready(page);
+});
+
+test('a lost graphics context is said, and the figures come back', async ({ page }) => {
+  await openFigures(page);
+  const before = await readPanel(page, panelOf(4, 'b'));
+  await page.evaluate(() => {
+    const extension = window.__webglContexts![0]!.getExtension('WEBGL_lose_context')!;
+    (window as unknown as { __bringBack: () => void }).__bringBack = () => extension.restoreContext();
+    extension.loseContext();
+  });
+  await expect(page.locator('#status')).toHaveText(/^The graphics card has let go of the figures/);
+  await page.locator('#turn').press('ArrowLeft');
+  await page.evaluate(() => (window as unknown as { __bringBack: () => void }).__bringBack());
+  await expect(page.locator('#status')).toHaveText('');
+  expect(changedShare(before, await readPanel(page, panelOf(4, 'b')))).toBeGreaterThan(0.02);
+});
+
+test('a browser without WebGL 2 is told so, and can read the captions', async ({ page }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto('./figures/');
+  await expect(page.locator('#status')).toHaveText(/^The figures need WebGL 2/);
+  await expect(page.getByRole('figure')).toHaveCount(FIGURES.length);
+});
+
+test('the built pages work in any folder of a host', async ({ page }) => {
+  const folder = mkdtempSync(join(tmpdir(), 'playground-'));
+  await build({ logLevel: 'error', build: { outDir: folder, emptyOutDir: true } });
+  const server = await serveFolders({ '/some/folder/': folder });
+  await page.goto(`${server.url}/some/folder/figures/index.html`);
+  await settled(page);
+  expect(isBlank(await readPanel(page, panelOf(11, 'left')))).toBe(false);
+  await server.close();
+  rmSync(folder, { recursive: true });
+});
