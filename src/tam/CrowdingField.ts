@@ -20,16 +20,21 @@ const AHEAD = 3;
 export class CrowdingField {
   private readonly columns: number;
   private readonly values: Float32Array;
+  /** Distance over distance along the columns, squared. */
+  private readonly cosine2: number;
 
   /**
    * @param size texels per side of the level, a power of two
-   * @param dots whether the strokes are dots, which need a column per texel
+   * @param short whether the strokes are dots or not much longer, which need a column per texel
+   * @param slope the mean angle of the strokes to their axis, as a tangent
    */
   constructor(
     private readonly size: number,
-    dots: boolean,
+    short: boolean,
+    slope: number,
   ) {
-    this.columns = dots ? size : Math.min(size, 64);
+    this.columns = short ? size : Math.min(size, 64);
+    this.cosine2 = 1 / (1 + slope * slope);
     this.values = new Float32Array(size * this.columns);
   }
 
@@ -40,7 +45,7 @@ export class CrowdingField {
    * @returns the number of cells visited
    */
   add(stroke: Stroke, reach: number): number {
-    const { size, columns, values } = this;
+    const { size, columns, values, cosine2 } = this;
     const cell = size / columns;
     const centre = (stroke.across ? stroke.v : stroke.u) * size;
     const base = (stroke.across ? stroke.u : stroke.v) * size;
@@ -57,12 +62,12 @@ export class CrowdingField {
       const along = Math.min(halfLength, Math.max(-halfLength, forward));
       const beyond = (forward - along) * ahead;
       const middle = base + size * strokeOffset(stroke, halfLength > 0 ? along / halfLength : 0);
-      const height = Math.sqrt(Math.max(0, reach * reach - beyond * beyond));
+      const height = Math.sqrt(Math.max(0, reach * reach - beyond * beyond) / cosine2);
       const start = (column & (columns - 1)) * size;
       const lastRow = Math.floor(middle + height - 0.5);
       for (let row = Math.ceil(middle - height - 0.5); row <= lastRow; row++) {
         const sideways = row + 0.5 - middle;
-        const distance2 = sideways * sideways + beyond * beyond;
+        const distance2 = sideways * sideways * cosine2 + beyond * beyond;
         const fade = 1 - distance2 * inverseReach2;
         const widths = 1 + distance2 * inverseWidth2;
         const merging = Math.max(0, 1 - distance2 * inverseMerging2);
@@ -80,8 +85,10 @@ export class CrowdingField {
     const centre = (stroke.across ? stroke.v : stroke.u) * columns;
     const base = (stroke.across ? stroke.u : stroke.v) * size - 0.5;
     const halfLength = 0.5 * stroke.length * columns;
-    const first = halfLength > 0 ? Math.ceil(centre - halfLength - 0.5) : Math.floor(centre);
-    const last = halfLength > 0 ? Math.floor(centre + halfLength - 0.5) : first;
+    let first = Math.ceil(centre - halfLength - 0.5);
+    let last = Math.floor(centre + halfLength - 0.5);
+    // Between the middles of two columns.
+    if (last < first) first = last = Math.floor(centre);
     let sum = 0;
     for (let column = first; column <= last; column++) {
       const x = halfLength > 0 ? (column + 0.5 - centre) / halfLength : 0;

@@ -11,7 +11,9 @@ export interface Stroke {
   u: number;
   /** Centre along the texture's v axis, in tiles. */
   v: number;
-  /** False: the stroke runs along u. True: along v, the second layer of a cross-hatching. */
+  /** The layer of its style that it belongs to: strokes of one layer keep apart, those of others they cross. */
+  layer: number;
+  /** False: the stroke runs along u. True: along v. */
   across: boolean;
   /** From end to end, in tiles; 0 draws a dot. */
   length: number;
@@ -25,6 +27,8 @@ export interface Stroke {
   width: number;
   /** Each end narrows over this many texels, but over a quarter of the length at most; 0 leaves it blunt. */
   taper: number;
+  /** How far it fills the tooth of a paper that has grain: from 0, only its peaks, to 1, all of it. */
+  pressure: number;
   /** The first tone that shows the stroke; every darker one does too. */
   tone: number;
   /** The coarsest level that shows the stroke; every finer one does too. */

@@ -1,3 +1,4 @@
+import { findLostInk } from './findLostInk.js';
 import type { HatchImages } from './generateHatchImages.js';
 
 /** How well hatch images keep the constraints of section 3.1 of the paper. None of it stops them from being drawn. */
@@ -75,7 +76,7 @@ export function checkHatchImages({ size, images }: HatchImages): HatchImageRepor
     row.map((image, level) => (tone === 0 ? 0 : countLighterTexels(images[tone - 1][level], image))),
   );
   const levelNesting = images.map((row) =>
-    row.map((image, level) => (level === 0 ? 0 : countLostInk(image, row[level - 1], size >> level))),
+    row.map((image, level) => (level === 0 ? 0 : findLostInk(image, row[level - 1], size >> level).length)),
   );
   const meansOutOfOrder = means.flatMap((row, tone) =>
     row.flatMap((mean, level) => (tone > 0 && mean < means[tone - 1][level] ? [{ tone, level }] : [])),
@@ -100,25 +101,5 @@ export function meanInk(image: Uint8Array): number {
 function countLighterTexels(lighter: Uint8Array, darker: Uint8Array): number {
   let count = 0;
   for (let i = 0; i < darker.length; i++) if (darker[i] > lighter[i] + 1) count++;
-  return count;
-}
-
-/** Texels of `coarse` (size²) with at least half ink but none of `fine` (twice the size) around the same place. */
-function countLostInk(coarse: Uint8Array, fine: Uint8Array, size: number): number {
-  const fineSize = 2 * size;
-  const mask = fineSize - 1;
-  let count = 0;
-  for (let row = 0; row < size; row++) {
-    for (let column = 0; column < size; column++) {
-      if (coarse[row * size + column] > 127) continue;
-      let darkest = 255;
-      for (let y = 2 * row - 1; y <= 2 * row + 2; y++) {
-        for (let x = 2 * column - 1; x <= 2 * column + 2; x++) {
-          darkest = Math.min(darkest, fine[(y & mask) * fineSize + (x & mask)]);
-        }
-      }
-      if (darkest > 127) count++;
-    }
-  }
   return count;
 }

@@ -1,3 +1,4 @@
+import { blurToroidal } from './blurToroidal.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './generateHatchImages.js';
 import { orderOf } from './orderOf.js';
@@ -42,29 +43,8 @@ function smoothed(field: Float32Array, size: number): Float32Array {
   const sum = new Float32Array(field.length);
   let blurred = field;
   for (const { radius, weight } of BLURS) {
-    blurred = blurRows(blurRows(blurred, size, radius), size, radius);
+    blurred = blurToroidal(blurred, size, radius);
     for (let i = 0; i < sum.length; i++) sum[i] += weight * blurred[i];
   }
   return sum;
-}
-
-/**
- * Blurs the rows of a toroidal field by a tent of 2·radius + 1 texels, and transposes it, so that applying it twice blurs
- * both ways. The tent sums to one.
- */
-function blurRows(field: Float32Array, size: number, radius: number): Float32Array {
-  const mask = size - 1;
-  const result = new Float32Array(field.length);
-  const scale = 1 / ((radius + 1) * (radius + 1));
-  for (let row = 0; row < size; row++) {
-    const start = row * size;
-    for (let column = 0; column < size; column++) {
-      let sum = 0;
-      for (let offset = -radius; offset <= radius; offset++) {
-        sum += (radius + 1 - Math.abs(offset)) * field[start + ((column + offset) & mask)];
-      }
-      result[column * size + row] = sum * scale;
-    }
-  }
-  return result;
 }

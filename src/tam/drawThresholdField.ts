@@ -41,7 +41,7 @@ export function drawThresholdField(
   const halfLength = 0.5 * stroke.length * size;
   const isDot = halfLength === 0;
   const sidewaysScale = (4 * swell) / (stroke.width * stroke.width);
-  const reachForward = isDot ? REACH : Math.min(REACH_FORWARD * halfLength, 0.5 * size);
+  const reachForward = isDot ? REACH : REACH_FORWARD * halfLength;
   const first = Math.ceil((centre - reachForward) * cellsPerTexel - 0.5);
   const last = Math.floor((centre + reachForward) * cellsPerTexel - 0.5);
   let visited = 0;

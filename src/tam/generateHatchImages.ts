@@ -1,3 +1,5 @@
+import { nestLevels } from './nestLevels.js';
+import { type PaperTooth, paperTooth } from './paperTooth.js';
 import { placeStrokes } from './placeStrokes.js';
 import { rasterizeStroke } from './rasterizeStroke.js';
 import type { Stroke } from './Stroke.js';
@@ -16,8 +18,8 @@ export interface HatchImageOptions {
   /** Number of levels. Default and maximum: all from `size` down to 16 texels. */
   levels?: number | undefined;
   /**
-   * Width of a stroke or diameter of a dot in texels, the same on every level: 1.2 to 2.6 for lines (default 1.9), 1.65
-   * to 2.5 for dots (default 2.4).
+   * Width of a stroke or diameter of a dot in texels, the same on every level. Its default and its range depend on the
+   * style: 1.9 of 1.2 to 2.6 for pen strokes, 2.4 of 1.65 to 2.5 for dots.
    */
   strokeWidth?: number | undefined;
 }
@@ -63,7 +65,7 @@ export function resolveHatchImageOptions(options: HatchImageOptions = {}): Hatch
   if (!Number.isInteger(levels) || levels < 1 || levels > allLevels) {
     fail('levels', levels, `a whole number from 1 to ${allLevels} at size ${size}, or left out`);
   }
-  const style = strokeStyles[name];
+  const style: StrokeStyle = strokeStyles[name];
   const width = options.strokeWidth ?? style.width;
   const [narrowest, widest] = style.widthRange;
   if (!(width >= narrowest && width <= widest)) {
@@ -89,21 +91,30 @@ function fail(option: keyof HatchImageOptions, value: unknown, allowed: string):
 export function* generateHatchImages(options: HatchImageOptions = {}): Generator<number, HatchImages, void> {
   const request = resolveHatchImageOptions(options);
   const strokes = yield* placeStrokes(request);
+  const teeth = Array.from({ length: request.levels }, (_, level) => paperTooth(request, level));
   const images: Uint8Array[][] = [];
   for (let tone = 0; tone < request.tones; tone++) {
-    images.push(drawTone(strokes, tone, request, images.at(-1)));
+    images.push(drawTone(strokes, tone, request, teeth, images.at(-1)));
     yield 1;
   }
+  // Lines nest because they are drawn so; where grain breaks them up, it takes one more step.
+  if (request.style.grain) nestLevels({ size: request.size, images });
   return { size: request.size, images };
 }
 
 /** All levels of one tone: those of the tone before and the strokes that are new in it. */
-function drawTone(strokes: Stroke[], tone: number, request: HatchImageRequest, lighter?: Uint8Array[]): Uint8Array[] {
+function drawTone(
+  strokes: Stroke[],
+  tone: number,
+  request: HatchImageRequest,
+  teeth: (PaperTooth | undefined)[],
+  lighter?: Uint8Array[],
+): Uint8Array[] {
   const added = strokes.filter((stroke) => stroke.tone === tone);
   return Array.from({ length: request.levels }, (_, level) => {
     const size = request.size >> level;
     const image = lighter ? lighter[level].slice() : new Uint8Array(size * size).fill(255);
-    for (const stroke of added) if (stroke.level >= level) rasterizeStroke(image, size, stroke);
+    for (const stroke of added) if (stroke.level >= level) rasterizeStroke(image, size, stroke, teeth[level]);
     return image;
   });
 }

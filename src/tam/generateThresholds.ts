@@ -1,7 +1,9 @@
+import { blurToroidal } from './blurToroidal.js';
 import { drawThresholdField } from './drawThresholdField.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOptions } from './generateHatchImages.js';
 import { orderOf } from './orderOf.js';
+import { paperTooth } from './paperTooth.js';
 import { placeStrokes } from './placeStrokes.js';
 import { rasterizeStroke } from './rasterizeStroke.js';
 import type { Stroke } from './Stroke.js';
@@ -21,6 +23,9 @@ const TENT = [0.125, 0.375, 0.375, 0.125] as const;
 /** Cells visited between two reports of progress: about a millisecond's work. */
 const WORK_PER_SLICE = 300_000;
 
+/** Within so many texels thresholds have the same mean everywhere: several strokes side by side. */
+const NEIGHBOURHOOD = 16;
+
 /** Progress when the strokes are placed. */
 const PLACED = 0.8;
 
@@ -39,8 +44,10 @@ const PLACED = 0.8;
  */
 export function* generateThresholds(options: HatchImageOptions = {}): Generator<number, ThresholdLevel[], void> {
   const request = resolveHatchImageOptions(options);
-  const { maxInk, crossFrom, proposals } = request.style.thresholds;
-  const style = { ...request.style, maxInk, crossFrom, proposals };
+  const { maxInk, proposals } = request.style.thresholds;
+  const layers = request.style.layers.map((layer) => ({ ...layer, from: layer.thresholdsFrom }));
+  // Grain is added to the thresholds afterwards.
+  const style = { ...request.style, maxInk, layers, proposals, grain: undefined };
   const placing = placeStrokes({ ...request, style, tones: STEPS + 1, pairs: true });
   let step = placing.next();
   for (; !step.done; step = placing.next()) yield PLACED * step.value;
@@ -63,15 +70,14 @@ function* drawLevel(
   const progress = PLACED + (1 - PLACED) * (1 - 1 / 4 ** (level + 1));
   const image = new Uint8Array(size * size).fill(255);
   const cells = size * CELLS_PER_TEXEL;
-  const directions = request.style.thresholds.crossFrom === undefined ? 1 : 2;
-  const fields = Array.from({ length: directions }, () => new Float32Array(cells * cells).fill(UNREACHED));
+  const fields = request.style.layers.map(() => new Float32Array(cells * cells).fill(UNREACHED));
   let darkness = 0;
   let work = 0;
   for (let i = 0; i < strokes.length; i += 2) {
     const stroke = strokes[i];
     if (stroke.level < level) continue;
     darkness += rasterizeStroke(image, size, stroke) + rasterizeStroke(image, size, strokes[i + 1]);
-    const field = fields[stroke.across ? 1 : 0];
+    const field = fields[stroke.layer];
     work += drawThresholdField(field, size, CELLS_PER_TEXEL, stroke, darkness / (255 * size * size), swell);
     if (work >= WORK_PER_SLICE) {
       work = 0;
@@ -80,23 +86,38 @@ function* drawLevel(
   }
   const half = averageHalf(fields[0], size);
   yield progress;
-  if (fields[1]) {
-    // Averaged apart, the second layer leaves no bumps on strokes of the first where it will cross them.
-    const across = averageHalf(fields[1], size);
+  for (const field of fields.slice(1)) {
+    // Averaged apart, a further layer leaves no bumps on strokes of the first where it will cross them.
+    const across = averageHalf(field, size);
     for (let i = 0; i < half.length; i++) half[i] = Math.min(half[i], across[i]);
     yield progress;
   }
-  const order = orderOf(half);
-  yield progress;
-  const thresholds = new Float32Array(size * size);
-  const last = thresholds.length - 1;
-  for (let rank = 0; rank < order.length; rank++) {
-    const threshold = (rank + 0.5) / order.length;
-    thresholds[order[rank]] = threshold;
-    thresholds[last - order[rank]] = threshold;
+  const tooth = paperTooth(request, level);
+  if (tooth) {
+    const roughness = request.style.grain!.roughness;
+    // Thresholds stay positive: only their order matters.
+    for (let i = 0; i < half.length; i++) half[i] += (roughness * tooth.depths[i]) / 255;
   }
+  const uneven = ranked(half);
+  yield progress;
+  // Where strokes happen to lie closer the tile would be darker at every tone, and with every tile the eye sees it again.
+  const local = blurToroidal(uneven, size, NEIGHBOURHOOD);
+  yield progress;
+  for (let i = 0; i < half.length; i++) half[i] = uneven[i] + 1 - local[i];
+  const thresholds = ranked(half);
   yield progress;
   return encodeThresholds(size, thresholds);
+}
+
+/** The ranks of half a field as numbers evenly distributed over (0, 1), and the same after a half turn. */
+function ranked(half: Float32Array): Float32Array {
+  const order = orderOf(half);
+  const thresholds = new Float32Array(2 * half.length);
+  const last = thresholds.length - 1;
+  for (let rank = 0; rank < order.length; rank++) {
+    thresholds[order[rank]] = thresholds[last - order[rank]] = (rank + 0.5) / order.length;
+  }
+  return thresholds;
 }
 
 /**

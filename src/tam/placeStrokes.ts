@@ -1,5 +1,6 @@
 import { CrowdingField, MERGING_WIDTHS } from './CrowdingField.js';
 import { EndField } from './EndField.js';
+import { type PaperTooth, paperTooth } from './paperTooth.js';
 import { type Random, random } from './random.js';
 import { rasterizeStroke } from './rasterizeStroke.js';
 import type { Stroke } from './Stroke.js';
@@ -34,6 +35,9 @@ const LINE_REACH = 6;
 const END_REACH = 4;
 const DOT_REACH = 3;
 
+/** Strokes shorter than this, in tiles, are no lines: where they end does not matter. */
+const SHORT = 0.15;
+
 /** Cells that a proposal reads in one level, about. */
 const CELLS_PER_PROPOSAL = 16;
 
@@ -43,11 +47,13 @@ interface Sheet {
   image: Uint8Array;
   /** 255·ink, summed over the image. */
   darkness: number;
-  /** For strokes along u and, for cross-hatching, along v. */
+  /** What its strokes are drawn on, where that has grain. */
+  tooth: PaperTooth | undefined;
+  /** For each layer of the style. */
   crowding: CrowdingField[];
-  /** Nearness of stroke ends, likewise; empty for dots. */
+  /** Nearness of stroke ends, likewise; empty for short strokes. */
   ends: EndField[];
-  /** Ink drawn so far in each direction, overlaps counted again: what keeps the two layers in step. */
+  /** Ink drawn so far in each layer, overlaps counted again: what keeps the layers in step. */
   drawn: number[];
   /** Part of the last stroke that fell on paper: what remained of it after overlaps. */
   gain: number;
@@ -66,7 +72,9 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
   const { style, size, tones, levels, pairs = false } = request;
   const copies = pairs ? 2 : 1;
   const next = random(request.seed);
-  const sheets = Array.from({ length: levels }, (_, level) => createSheet(size >> level, style));
+  const sheets = Array.from({ length: levels }, (_, level) =>
+    createSheet(size >> level, style, paperTooth(request, level)),
+  );
   const strokes: Stroke[] = [];
   let work = 0;
   for (let tone = 1; tone < tones; tone++) {
@@ -78,8 +86,8 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
       const least = copies * nominalArea(style.width, style.length[0], sheet.size);
       while (goal - sheet.darkness > 0.5 * 255 * sheet.gain * least) {
         const length = chooseLength(style, sheet, (goal - sheet.darkness) / copies, next);
-        const across = style.crossFrom !== undefined && target > style.crossFrom && sheet.drawn[1] < sheet.drawn[0];
-        const stroke = proposeBest(style, sheets, { tone, level, length, across }, pairs, next);
+        const layer = chooseLayer(style, sheet, target);
+        const stroke = proposeBest(style, sheets, { tone, level, length, layer }, pairs, next);
         const drawn = pairs ? [stroke, halfTurn(stroke)] : [stroke];
         strokes.push(...drawn);
         work += style.proposals * (level + 1) * CELLS_PER_PROPOSAL;
@@ -102,16 +110,17 @@ function levelProgress(level: number, part: number): number {
   return before + (4 * before - before) * Math.min(1, part);
 }
 
-function createSheet(size: number, style: StrokeStyle): Sheet {
-  const dots = style.length[1] === 0;
-  const directions = style.crossFrom === undefined ? 1 : 2;
+function createSheet(size: number, style: StrokeStyle, tooth: PaperTooth | undefined): Sheet {
+  const { layers } = style;
+  const short = style.length[1] < SHORT;
   return {
     size,
     image: new Uint8Array(size * size).fill(255),
     darkness: 0,
-    crowding: Array.from({ length: directions }, () => new CrowdingField(size, dots)),
-    ends: dots ? [] : Array.from({ length: directions }, () => new EndField(size)),
-    drawn: new Array(directions).fill(0),
+    tooth,
+    crowding: layers.map(({ slope }) => new CrowdingField(size, short, slope)),
+    ends: short ? [] : layers.map(() => new EndField(size)),
+    drawn: layers.map(() => 0),
     gain: 1,
   };
 }
@@ -127,22 +136,32 @@ function chooseLength(style: StrokeStyle, sheet: Sheet, missing: number, next: R
   return Math.max(shortest, Math.min(length, needed));
 }
 
+/** Of the layers that this ink has, the one with the least ink so far. */
+function chooseLayer({ layers }: StrokeStyle, { drawn }: Sheet, target: number): number {
+  let chosen = 0;
+  for (let i = 1; i < layers.length; i++) if (target > layers[i].from && drawn[i] < drawn[chosen]) chosen = i;
+  return chosen;
+}
+
 /** The least crowded of the style's number of proposals, all of one length so that short ones have no advantage. */
 function proposeBest(
   style: StrokeStyle,
   sheets: Sheet[],
-  { tone, level, length, across }: Pick<Stroke, 'tone' | 'level' | 'length' | 'across'>,
+  { tone, level, length, layer }: Pick<Stroke, 'tone' | 'level' | 'length' | 'layer'>,
   pairs: boolean,
   next: Random,
 ): Stroke {
   const signed = (): number => 2 * next() - 1;
   const width = style.width * (1 + style.widthSpread * signed());
-  const direction = across ? 1 : 0;
+  const { across, slope } = style.layers[layer];
+  const [least, most] = style.grain?.pressure ?? [1, 1];
+  const pressure = least < most ? least + (most - least) * next() : most;
   let best: Stroke | undefined;
   let bestCrowding = Number.POSITIVE_INFINITY;
   const stroke: Stroke = {
     u: 0,
     v: 0,
+    layer,
     across,
     length,
     slope: 0,
@@ -150,21 +169,22 @@ function proposeBest(
     wave: 0,
     width,
     taper: style.taper,
+    pressure,
     tone,
     level,
   };
   for (let i = 0; i < style.proposals; i++) {
     stroke.u = next();
     stroke.v = next();
-    stroke.slope = style.slope * signed();
+    stroke.slope = slope + style.slope * signed();
     stroke.bow = style.bow * signed();
     stroke.wave = style.wave * signed();
-    let crowding = pairs ? mutualCrowding(stroke, sheets) : 0;
+    let crowding = pairs ? mutualCrowding(stroke, slope, sheets) : 0;
     for (let finer = level; finer >= 0; finer--) {
       const { crowding: field, ends } = sheets[finer];
       const weight = finer === level ? OWN_LEVEL_WEIGHT : 1;
-      crowding += weight * field[direction].along(stroke);
-      if (ends.length > 0) crowding += weight * END_WEIGHT * ends[direction].atEnds(stroke);
+      crowding += weight * field[layer].along(stroke);
+      if (ends.length > 0) crowding += weight * END_WEIGHT * ends[layer].atEnds(stroke);
     }
     if (crowding < bestCrowding) {
       bestCrowding = crowding;
@@ -181,11 +201,11 @@ const halfTurn = (stroke: Stroke): Stroke => ({ ...stroke, u: 1 - stroke.u, v: 1
  * How much a stroke and its own half turn, which is parallel to it, crowd each other on all the levels that show them:
  * each term is that of `CrowdingField`. The own level counts no more than others, or the middle of the tile stays empty.
  */
-function mutualCrowding(stroke: Stroke, sheets: readonly Sheet[]): number {
-  const apart = (place: number): number => Math.abs(2 * place - Math.round(2 * place));
+function mutualCrowding(stroke: Stroke, slope: number, sheets: readonly Sheet[]): number {
+  const apart = (place: number): number => 2 * place - Math.round(2 * place);
   const forward = apart(stroke.across ? stroke.v : stroke.u);
-  const sideways = apart(stroke.across ? stroke.u : stroke.v);
-  const overlap = stroke.length > 0 ? Math.max(0, 1 - forward / stroke.length) : 1;
+  const sideways = (apart(stroke.across ? stroke.u : stroke.v) - slope * forward) / Math.sqrt(1 + slope * slope);
+  const overlap = stroke.length > 0 ? Math.max(0, 1 - Math.abs(forward) / stroke.length) : 1;
   const beyond = stroke.length > 0 ? 0 : forward;
   let crowding = 0;
   for (let level = stroke.level; level >= 0; level--) {
@@ -200,18 +220,18 @@ function mutualCrowding(stroke: Stroke, sheets: readonly Sheet[]): number {
 
 /** Draws a stroke on one level. Returns the work it took. */
 function draw(sheet: Sheet, stroke: Stroke): number {
-  const direction = stroke.across ? 1 : 0;
+  const { layer } = stroke;
   const area = sheet.size * sheet.size;
-  const gain = rasterizeStroke(sheet.image, sheet.size, stroke);
+  const gain = rasterizeStroke(sheet.image, sheet.size, stroke, sheet.tooth);
   sheet.darkness += gain;
   const own = nominalArea(stroke.width, stroke.length, sheet.size);
   sheet.gain = Math.min(1, gain / (255 * own));
-  sheet.drawn[direction] += own;
+  sheet.drawn[layer] += own;
   // A few times the mean distance of strokes at this density; the first ones repel across the whole tile.
-  const density = sheet.drawn[direction] / area;
+  const density = sheet.drawn[layer] / area;
   const distance = stroke.length > 0 ? stroke.width / density : stroke.width / Math.sqrt(density);
   const reach = (times: number): number => Math.min(0.5 * sheet.size, times * distance);
-  let work = own + sheet.crowding[direction].add(stroke, reach(stroke.length > 0 ? LINE_REACH : DOT_REACH));
-  if (sheet.ends.length > 0) work += sheet.ends[direction].add(stroke, reach(END_REACH));
+  let work = own + sheet.crowding[layer].add(stroke, reach(stroke.length > 0 ? LINE_REACH : DOT_REACH));
+  if (sheet.ends.length > 0) work += sheet.ends[layer].add(stroke, reach(END_REACH));
   return work;
 }

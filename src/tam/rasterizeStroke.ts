@@ -1,3 +1,4 @@
+import type { PaperTooth } from './paperTooth.js';
 import { type Stroke, strokeOffset } from './Stroke.js';
 
 /** Width of the drawn line, in texels, at the very tip of a tapered stroke. Thinner, and it would break into grey dots. */
@@ -12,9 +13,10 @@ const TIP_WIDTH = 1;
  *
  * @param image size² bytes in rows of growing v, 255 = paper, 0 = ink; changed in place
  * @param size texels per side, a power of two
+ * @param tooth of a paper with grain: the stroke then has a soft edge, and ink stays on what stands out of the paper
  * @returns by how much the sum of the bytes fell
  */
-export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke): number {
+export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke, tooth?: PaperTooth): number {
   const mask = size - 1;
   // "Forward" is the axis the stroke runs along, "sideways" the other one.
   const forwardStride = stroke.across ? size : 1;
@@ -39,16 +41,19 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke)
     const fromEnd = halfLength - Math.abs(along);
     const rest = fromEnd < taper ? 1 - fromEnd / taper : 0;
     const radius = halfWidth - (halfWidth - tip) * rest * rest;
-    const reach = (radius + 0.5) / cosine;
+    // No wider than the line, or its middle would be grey.
+    const edge = tooth ? Math.min(tooth.edge, 2 * radius) : 1;
+    const reach = (radius + 0.5 * edge) / cosine;
     const lastRow = Math.floor(middle + reach - 0.5);
     const columnStart = (column & mask) * forwardStride;
     for (let row = Math.ceil(middle - reach - 0.5); row <= lastRow; row++) {
       const sideways = (row + 0.5 - middle) * cosine;
       const distance = beyond === 0 ? Math.abs(sideways) : Math.sqrt(sideways * sideways + beyond * beyond);
-      const ink = radius + 0.5 - distance;
+      let ink = (radius + 0.5 * edge - distance) / edge;
       if (ink <= 0) continue;
-      const byte = ink >= 1 ? 0 : Math.round(255 * (1 - ink));
       const texel = columnStart + (row & mask) * sidewaysStride;
+      if (tooth) ink = inkOnTooth(Math.min(1, ink), stroke.pressure, tooth, texel);
+      const byte = ink >= 1 ? 0 : Math.round(255 * (1 - ink));
       const before = image[texel];
       if (byte < before) {
         image[texel] = byte;
@@ -57,4 +62,10 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke)
     }
   }
   return darkened;
+}
+
+/** What of a stroke's coverage ∈ (0, 1] stays on the paper: the more it presses, the deeper it reaches. */
+function inkOnTooth(coverage: number, pressure: number, { depths, contrast }: PaperTooth, texel: number): number {
+  const fill = (pressure * coverage - depths[texel] / 255) * contrast + 0.5;
+  return coverage * Math.max(0, Math.min(1, fill));
 }

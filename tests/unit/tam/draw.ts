@@ -1,9 +1,10 @@
 import { generateHatchImages, type HatchImageOptions, type HatchImages } from '../../../src/tam/generateHatchImages.js';
 import { rasterizeStroke } from '../../../src/tam/rasterizeStroke.js';
 import type { Stroke } from '../../../src/tam/Stroke.js';
+import { type StrokeStyleName, strokeStyles } from '../../../src/tam/strokeStyles.js';
 
 /** The styles, for test matrices. */
-export const styleNames = ['hatching', 'crossHatching', 'stippling'] as const;
+export const styleNames = Object.keys(strokeStyles) as StrokeStyleName[];
 
 /** Runs a generator to its end. */
 export function finish<Result>(task: Generator<number, Result, void>): Result {

@@ -7,6 +7,7 @@ const SIZE = 32;
 const line: Stroke = {
   u: 0.5,
   v: 0.5,
+  layer: 0,
   across: false,
   length: 0.5,
   slope: 0,
@@ -14,6 +15,7 @@ const line: Stroke = {
   wave: 0,
   width: 2,
   taper: 4,
+  pressure: 1,
   tone: 1,
   level: 0,
 };

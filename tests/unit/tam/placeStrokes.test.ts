@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { resolveHatchImageOptions } from '../../../src/tam/generateHatchImages.js';
 import { type PlacementRequest, placeStrokes } from '../../../src/tam/placeStrokes.js';
+import type { Stroke } from '../../../src/tam/Stroke.js';
 import { drawStrokes, finish, styleNames } from './draw.js';
 
 const request = resolveHatchImageOptions;
@@ -59,6 +60,16 @@ describe('placeStrokes', () => {
     expect(firstAcross('hatching')).toBeUndefined();
     // Image 5 of 9 has 0.59 ink, image 4 has 0.475.
     expect([4, 5]).toContain(firstAcross('crossHatching'));
+  });
+
+  it('draws three directions sixty degrees apart, one after the other, for a triple hatching', () => {
+    const strokes = finish(placeStrokes(request({ style: 'tripleHatching', size: 64, tones: 16 })));
+    const degrees = ({ across, slope }: Stroke): number => (Math.atan(across ? 1 / slope : slope) * 180) / Math.PI;
+    const first = [0, 1, 2].map((layer) => strokes.find((stroke) => stroke.layer === layer)!);
+    expect(first.map(({ tone }) => tone)).toEqual(first.map(({ tone }) => tone).toSorted((a, b) => a - b));
+    expect(new Set(first.map(({ tone }) => tone)).size).toBe(3);
+    const expected = [0, 60, -60];
+    for (const stroke of strokes) expect(Math.abs(degrees(stroke) - expected[stroke.layer])).toBeLessThan(2);
   });
 
   it('draws dots for a stippling', () => {

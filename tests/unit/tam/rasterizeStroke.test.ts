@@ -8,6 +8,7 @@ import { drawStrokes, finish, styleNames } from './draw.js';
 const stroke = (values: Partial<Stroke>): Stroke => ({
   u: 0.5,
   v: 0.5,
+  layer: 0,
   across: false,
   length: 0,
   slope: 0,
@@ -15,6 +16,7 @@ const stroke = (values: Partial<Stroke>): Stroke => ({
   wave: 0,
   width: 2,
   taper: 0,
+  pressure: 1,
   tone: 1,
   level: 0,
   ...values,

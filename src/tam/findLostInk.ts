@@ -1,0 +1,34 @@
+/** Bytes up to this are ink rather than paper. */
+export const HALF_INK = 127;
+
+/**
+ * Finds what breaks the nesting of two levels: texels of the coarser one with at least half ink while nothing near the same
+ * place of the finer one is as dark, neither in its 2 × 2 block nor in the texels around that.
+ *
+ * @param coarse size² bytes
+ * @param fine (2·size)² bytes
+ * @returns for each of them the darkest texel of `fine` there, as an index
+ */
+export function findLostInk(coarse: Uint8Array, fine: Uint8Array, size: number): number[] {
+  const fineSize = 2 * size;
+  const mask = fineSize - 1;
+  const lost: number[] = [];
+  for (let row = 0; row < size; row++) {
+    for (let column = 0; column < size; column++) {
+      if (coarse[row * size + column] > HALF_INK) continue;
+      let darkest = 256;
+      let place = 0;
+      for (let y = 2 * row - 1; y <= 2 * row + 2; y++) {
+        for (let x = 2 * column - 1; x <= 2 * column + 2; x++) {
+          const texel = (y & mask) * fineSize + (x & mask);
+          if (fine[texel] < darkest) {
+            darkest = fine[texel];
+            place = texel;
+          }
+        }
+      }
+      if (darkest > HALF_INK) lost.push(place);
+    }
+  }
+  return lost;
+}

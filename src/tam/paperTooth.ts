@@ -1,0 +1,42 @@
+import { blurToroidal } from './blurToroidal.js';
+import { orderOf } from './orderOf.js';
+import { random } from './random.js';
+import type { StrokeStyle } from './strokeStyles.js';
+
+/** The rough paper under one level: pencil and charcoal stay on what stands out of it. */
+export interface PaperTooth {
+  /**
+   * size² bytes in rows of growing v, evenly distributed: from 0, what every stroke touches, to 255, what only the
+   * strongest reaches. The same after a half turn.
+   */
+  depths: Uint8Array;
+  /** Texels over which a stroke fades at its edge. */
+  edge: number;
+  /** How sharply depth decides between ink and paper. */
+  contrast: number;
+}
+
+interface ToothRequest {
+  style: StrokeStyle;
+  seed: number;
+  /** Texels per side of the finest level. */
+  size: number;
+}
+
+/** The paper of a level, or undefined where the style knows no grain. Grains are as wide in texels on every level. */
+export function paperTooth({ style, seed, size: finest }: ToothRequest, level: number): PaperTooth | undefined {
+  if (!style.grain) return undefined;
+  const { edge, contrast, radius } = style.grain;
+  const size = finest >> level;
+  const next = random(seed ^ (0x5bd1e995 * (level + 1)));
+  const noise = new Float32Array(size * size);
+  const last = noise.length - 1;
+  for (let i = 0; i < noise.length / 2; i++) noise[i] = noise[last - i] = next();
+  const order = orderOf(blurToroidal(noise, size, radius).subarray(0, noise.length / 2));
+  const depths = new Uint8Array(noise.length);
+  for (let rank = 0; rank < order.length; rank++) {
+    const depth = Math.floor((256 * rank) / order.length);
+    depths[order[rank]] = depths[last - order[rank]] = depth;
+  }
+  return { depths, edge, contrast };
+}
