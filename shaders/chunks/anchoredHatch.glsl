@@ -15,29 +15,26 @@ uniform float screenConstancy; // 0: strokes sized on the object, 1: on the scre
 HatchField latticeField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float lattice, const in float octaves
 ) {
-  float edge = anchorSpacing / (strokeScale * exp2(lattice * LATTICE_OCTAVES));
-  LatticeAnchors anchors = nearestAnchors(point / edge);
+  LatticeAnchors anchors = nearestAnchors(point * (strokeScale * exp2(lattice * LATTICE_OCTAVES) / anchorSpacing), lattice);
+  #if LIGHTS_WITH_DIRECTION > 1
+    // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
+    // only: where B turns into −B the strokes stay.
+    vec4 shiftU = 0.5 * vec4(anchors.hashes & 1u);
+    vec4 shiftV = 0.5 * vec4((anchors.hashes >> 16u) & 1u);
+  #else
+    vec4 shiftU = vec4(anchors.hashes & 0xffffu) * (1.0 / 65536.0);
+    vec4 shiftV = vec4(anchors.hashes >> 16u) * (1.0 / 65536.0);
+  #endif // LIGHTS_WITH_DIRECTION
+  vec4 mirror = 1.0 - 2.0 * vec4((anchors.hashes >> 15u) & 1u);
+  vec4 u = mirror * (anchorSpacing * uAxis * anchors.offsets) + shiftU;
+  vec4 v = anchorSpacing * vAxis * anchors.offsets + shiftV;
   ThresholdLevel level = chooseLevel(octaves);
-  float field = 0.0;
-  float squares = 0.0;
-  for (int i = 0; i < 4; i++) {
-    float w = anchorWeight(anchors.offset[i]);
-    // Out of reach, as the others are close to an anchor: no fetch.
-    if (w == 0.0) continue;
-    uint h = hashAnchor(anchors.id[i], uint(int(lattice)));
-    #if LIGHTS_WITH_DIRECTION > 1
-      // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
-      // only: where B turns into −B the strokes stay.
-      vec2 shift = 0.5 * vec2(h & 1u, (h >> 16u) & 1u);
-    #else
-      vec2 shift = vec2(h & 0xffffu, h >> 16u) * (1.0 / 65536.0);
-    #endif // LIGHTS_WITH_DIRECTION
-    float mirror = (h & 0x8000u) == 0u ? 1.0 : -1.0;
-    vec2 uv = anchorSpacing * vec2(mirror * dot(anchors.offset[i], uAxis), dot(anchors.offset[i], vAxis)) + shift;
-    field += w * thresholdAt(uv, level);
-    squares += w * w;
-  }
-  return HatchField(field * inversesqrt(squares), level.mixing);
+  vec4 fields = vec4(
+    thresholdAt(vec2(u.x, v.x), level), thresholdAt(vec2(u.y, v.y), level),
+    thresholdAt(vec2(u.z, v.z), level), thresholdAt(vec2(u.w, v.w), level)
+  );
+  float g = dot(fields, anchors.weights) * inversesqrt(dot(anchors.weights, anchors.weights));
+  return HatchField(g, level.mixing);
 }
 
 HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis) {
@@ -46,9 +43,19 @@ HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
   float lattice = ceil(wanted);
   float octaves = lattice * LATTICE_OCTAVES - magnification;
-  HatchField field = latticeField(point, uAxis, vAxis, lattice, octaves);
   // At screenConstancy 0 there is one lattice, and no other to fade to.
   float fade = screenConstancy > 0.0 ? smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted)) : 0.0;
-  if (fade == 0.0) return field;
-  return blendFields(field, latticeField(point, uAxis, vAxis, lattice + 1.0, octaves + LATTICE_OCTAVES), fade);
+  HatchField field = HatchField(0.0, 0.0);
+  float i = 0.0;
+  // A loop that is left after its body, not a branch, of which some devices compute either side.
+  do {
+    HatchField one = latticeField(point, uAxis, vAxis, lattice + i, octaves + i * LATTICE_OCTAVES);
+    field.g += one.g * (i == 0.0 ? 1.0 - fade : fade);
+    field.mixing = max(field.mixing, one.mixing);
+    if (fade == 0.0) break;
+    i++;
+  } while (i < 2.0);
+  // The fields are independent: their variances add.
+  field.g *= inversesqrt(1.0 - 2.0 * fade * (1.0 - fade));
+  return field;
 }

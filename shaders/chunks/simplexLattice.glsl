@@ -1,45 +1,44 @@
-// The four nearest points of a 3-D simplex lattice of edge 1, and a kernel around each.
+// The four nearest points of a 3-D simplex lattice of edge 1, and a kernel around each. All four at once, as vectors: an
+// array that a loop walks through would live in memory on some devices.
 
 struct LatticeAnchors {
-  vec3 offset[4]; // from the anchor to the point
-  ivec3 id[4];
+  mat4x3 offsets; // from each anchor to the point
+  vec4 weights;
+  uvec4 hashes; // a random word each
 };
 
-// Ties go the same way in all components, or the lattice would tear along its diagonals.
-LatticeAnchors nearestAnchors(const in vec3 x) {
-  vec3 cell = floor(x + dot(x, vec3(1.0 / 3.0)));
-  vec3 first = x - cell + dot(cell, vec3(1.0 / 6.0));
-  vec3 greater = step(first.yzx, first.xyz);
-  vec3 less = 1.0 - greater;
-  vec3 second = min(greater, less.zxy);
-  vec3 third = max(greater, less.zxy);
-  ivec3 base = ivec3(cell);
-  LatticeAnchors anchors;
-  anchors.offset[0] = first;
-  anchors.offset[1] = first - second + 1.0 / 6.0;
-  anchors.offset[2] = first - third + 1.0 / 3.0;
-  anchors.offset[3] = first - 0.5;
-  anchors.id[0] = base;
-  anchors.id[1] = base + ivec3(second);
-  anchors.id[2] = base + ivec3(third);
-  anchors.id[3] = base + 1;
-  return anchors;
-}
-
-// Zero where an anchor comes into or drops out of the four nearest: 0.5 is the squared distance at which it does.
-float anchorWeight(const in vec3 offset) {
-  float w = max(0.5 - dot(offset, offset), 0.0);
-  w = w * w * w;
-  return w * w;
-}
-
-// A random word for a lattice point (finaliser: Wellons, "Prospecting for Hash Functions", 2018).
-uint hashAnchor(const in ivec3 id, const in uint lattice) {
-  uvec3 words = uvec3(id) * uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
-  uint h = words.x ^ words.y ^ words.z ^ (lattice * 0x9e3779b9u);
+// Random words for the lattice points at cell, cell + second, cell + third and cell + 1 (finaliser: Wellons, "Prospecting
+// for Hash Functions", 2018).
+uvec4 hashAnchors(const in ivec3 cell, const in uvec3 second, const in uvec3 third, const in uint lattice) {
+  uvec3 base = uvec3(cell);
+  uvec4 h = (base.x + uvec4(0u, second.x, third.x, 1u)) * 0x8da6b343u;
+  h ^= (base.y + uvec4(0u, second.y, third.y, 1u)) * 0xd8163841u;
+  h ^= (base.z + uvec4(0u, second.z, third.z, 1u)) * 0xcb1ab31fu;
+  h ^= lattice * 0x9e3779b9u;
   h ^= h >> 16u;
   h *= 0x7feb352du;
   h ^= h >> 15u;
   h *= 0x846ca68bu;
   return h ^ (h >> 16u);
+}
+
+// lattice: anchors of different lattices get different words.
+LatticeAnchors nearestAnchors(const in vec3 x, const in float lattice) {
+  vec3 cell = floor(x + dot(x, vec3(1.0 / 3.0)));
+  vec3 first = x - cell + dot(cell, vec3(1.0 / 6.0));
+  // Ties go the same way in all components, or the lattice would tear along its diagonals.
+  vec3 greater = step(first.yzx, first.xyz);
+  vec3 less = 1.0 - greater;
+  vec3 second = min(greater, less.zxy);
+  vec3 third = max(greater, less.zxy);
+  mat4x3 offsets = mat4x3(first, first - second + 1.0 / 6.0, first - third + 1.0 / 3.0, first - 0.5);
+  vec4 squares = vec4(
+    dot(offsets[0], offsets[0]), dot(offsets[1], offsets[1]), dot(offsets[2], offsets[2]), dot(offsets[3], offsets[3])
+  );
+  // Zero where an anchor comes into or drops out of the four nearest: 0.5 is the squared distance at which it does.
+  vec4 weights = max(0.5 - squares, 0.0);
+  weights = weights * weights * weights;
+  return LatticeAnchors(
+    offsets, weights * weights, hashAnchors(ivec3(cell), uvec3(second), uvec3(third), uint(int(lattice)))
+  );
 }

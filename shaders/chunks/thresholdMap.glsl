@@ -2,14 +2,16 @@
 // ink, h uniform on [0, 1], so that fields may be blended without losing contrast or tone: for independent g_i,
 // Σ w_i g_i / √(Σ w_i²) is standard normal again (Heitz and Neyret, "High-Performance By-Example Noise", 2018).
 //
-// Its levels are those of the map: drawn, with strokes as wide in texels on each.
+// Its levels are those of the map: drawn, with strokes as wide in texels on each. They lie side by side in one texture
+// (src/tam/packThresholds.ts), and beside each, in green, the next coarser one: one plain fetch reads two levels.
 
 uniform highp sampler2D thresholdMap;
 uniform float thresholdMapSize; // texels per side of level 0
 uniform float thresholdMapLevels;
 uniform float edgePixels; // width of the edge of a stroke
 
-uniform vec2 thresholdMoments; // variance of g between texels, and covariance between neighbouring levels
+// Variance of g between texels, of a level and of the next coarser one, and their covariance.
+uniform vec3 thresholdMoments;
 
 // A field to decide ink from: standard normal, but for the skew of mixed levels.
 struct HatchField {
@@ -18,29 +20,31 @@ struct HatchField {
 };
 
 struct ThresholdLevel {
-  float lod;
+  vec2 corner; // where it begins in the texture
+  vec2 side; // of the texture
+  float share; // of the next coarser level
   float contrast; // gives back the variance that interpolation takes
   float mixing;
 };
 
-// The level for strokes that would be too fine by so many octaves at the map's own size. Between two levels the texture
-// unit interpolates: strokes that only the finer one has come later, the others swell, and spacing changes evenly.
+// The level for strokes that would be too fine by so many octaves at the map's own size. Between two levels both are
+// interpolated: strokes that only the finer one has come later, the others swell, and spacing changes evenly.
 ThresholdLevel chooseLevel(const in float octaves) {
   float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
-  float share = fract(level);
+  float finer = floor(level);
+  float share = level - finer;
   float rest = 1.0 - share;
-  float variance = thresholdMoments.x * (rest * rest + share * share) + 2.0 * rest * share * thresholdMoments.y;
-  return ThresholdLevel(level, inversesqrt(variance), 4.0 * rest * share);
+  float variance = dot(thresholdMoments, vec3(rest * rest, share * share, 2.0 * rest * share));
+  float size = thresholdMapSize * exp2(-finer);
+  vec2 texel = 1.0 / vec2(textureSize(thresholdMap, 0));
+  // Every level has a margin of one texel.
+  vec2 corner = vec2(2.0 * (thresholdMapSize - size + finer) + 1.0, 1.0);
+  return ThresholdLevel(corner * texel, size * texel, share, inversesqrt(variance), 4.0 * rest * share);
 }
 
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
-  return level.contrast * (6.0 * textureLod(thresholdMap, uv, level.lod).r - 3.0);
-}
-
-// Blends two independent fields without losing variance.
-HatchField blendFields(const in HatchField a, const in HatchField b, const in float share) {
-  float rest = 1.0 - share;
-  return HatchField(mix(a.g, b.g, share) * inversesqrt(rest * rest + share * share), max(a.mixing, b.mixing));
+  vec2 encoded = texture(thresholdMap, level.corner + level.side * fract(uv)).rg;
+  return level.contrast * (6.0 * mix(encoded.r, encoded.g, level.share) - 3.0);
 }
 
 // Φ, the standard normal distribution, to 2e-4, and its slope.

@@ -14,6 +14,7 @@ import {
   UniformsLib,
   UniformsUtils,
   Vector2,
+  Vector3,
   Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -216,7 +217,7 @@ export class HatchingMaterial extends ShaderMaterial {
           texelPixels: { value: 1 },
           thresholdMap: { value: null },
           thresholdMapLevels: { value: 1 },
-          thresholdMoments: { value: new Vector2(1, 0) },
+          thresholdMoments: { value: new Vector3(1, 1, 0) },
           thresholdMapSize: { value: 1 },
           tonalArtMap: { value: null },
           tonalArtMapTones: { value: 2 },
@@ -422,8 +423,8 @@ export class HatchingMaterial extends ShaderMaterial {
     if (this.tonalArtMap !== null && (this.crisp || this.technique === 'anchored')) {
       u.thresholdMap!.value = this.tonalArtMap.thresholdTexture;
       u.thresholdMapLevels!.value = this.tonalArtMap.levels;
-      const { variance, covariance } = this.tonalArtMap.thresholdMoments;
-      u.thresholdMoments!.value.set(variance, covariance);
+      const { variance, coarserVariance, covariance } = this.tonalArtMap.thresholdMoments;
+      u.thresholdMoments!.value.set(variance, coarserVariance, covariance);
       u.thresholdMapSize!.value = this.tonalArtMap.size;
     }
 

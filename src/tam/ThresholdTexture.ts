@@ -1,29 +1,22 @@
-import {
-  DataTexture,
-  LinearFilter,
-  LinearMipmapLinearFilter,
-  NoColorSpace,
-  RedFormat,
-  RepeatWrapping,
-  UnsignedByteType,
-} from 'three';
-import type { ThresholdLevel } from './encodeThresholds.js';
+import { DataTexture, LinearFilter, NoColorSpace, RGFormat, UnsignedByteType } from 'three';
+import { packThresholds } from './packThresholds.js';
+import type { ThresholdPair } from './pairThresholdLevels.js';
 
 /**
- * The texture of a threshold map: one byte per texel, 0 for g = −3 and 255 for g = 3, with drawn mip levels. Averaged levels would have less
- * variance, so less contrast of tone, and thinner strokes.
+ * The texture of a threshold map: 0 for g = −3 and 1 for g = 3, red of a level, green of the next coarser one in the same
+ * place; all levels side by side (see {@link packThresholds}).
  */
 export class ThresholdTexture extends DataTexture {
-  constructor(levels: readonly ThresholdLevel[]) {
-    super(levels[0].encoded, levels[0].size, levels[0].size, RedFormat, UnsignedByteType);
+  constructor(pairs: readonly ThresholdPair[]) {
+    const { data, width, height } = packThresholds(pairs);
+    super(data, width, height, RGFormat, UnsignedByteType);
     this.name = 'Thresholds';
-    this.mipmaps = levels.map(({ encoded, size }) => ({ data: encoded, width: size, height: size }));
     this.colorSpace = NoColorSpace;
-    this.wrapS = RepeatWrapping;
-    this.wrapT = RepeatWrapping;
     this.magFilter = LinearFilter;
-    this.minFilter = levels.length > 1 ? LinearMipmapLinearFilter : LinearFilter;
+    this.minFilter = LinearFilter;
     this.generateMipmaps = false;
+    // A row may be of any even number of bytes.
+    this.unpackAlignment = 2;
     this.needsUpdate = true;
   }
 }

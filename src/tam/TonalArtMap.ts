@@ -6,6 +6,7 @@ import type { ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageOptions, type HatchImages, resolveHatchImageOptions } from './generateHatchImages.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
+import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.js';
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
 
@@ -38,6 +39,7 @@ export class TonalArtMap {
   private readonly packed: PackedLevel[];
   private measured: HatchImageReport | undefined;
   private thresholdLevels: ThresholdLevel[] | undefined;
+  private pairs: ThresholdPair[] | undefined;
   private uploaded: ThresholdTexture | undefined;
   private moments: ThresholdMoments | undefined;
 
@@ -93,18 +95,18 @@ export class TonalArtMap {
   }
 
   /**
-   * The thresholds as a texture for techniques that blend before they decide on ink: one channel, no colour, with drawn
-   * mip levels. A texel t holds g = 6t − 3 = Φ⁻¹(h), clamped to ±3, of the tone h from which on it is ink, so g is normally
-   * distributed; h = Φ(g). Made when first asked for.
+   * The thresholds as a texture for techniques that blend before they decide on ink: no colour, and its levels side by
+   * side instead of as mip levels. A texel t holds g = 6t − 3 = Φ⁻¹(h), clamped to ±3, of the tone h from which on it is ink,
+   * so g is normally distributed; h = Φ(g). Red is the level itself, green the next coarser one. Made when first asked for.
    */
   get thresholdTexture(): ThresholdTexture {
-    this.uploaded ??= new ThresholdTexture(this.thresholdMap());
+    this.uploaded ??= new ThresholdTexture(this.thresholdPairs());
     return this.uploaded;
   }
 
   /** What interpolation leaves of the contrast of the thresholds, to be given back after it. Measured when first asked for. */
   get thresholdMoments(): ThresholdMoments {
-    this.moments ??= measureThresholdMoments(this.thresholdMap());
+    this.moments ??= measureThresholdMoments(this.thresholdPairs());
     return this.moments;
   }
 
@@ -154,6 +156,11 @@ export class TonalArtMap {
   private thresholdMap(): ThresholdLevel[] {
     this.thresholdLevels ??= deriveThresholds(this.allImages());
     return this.thresholdLevels;
+  }
+
+  private thresholdPairs(): ThresholdPair[] {
+    this.pairs ??= pairThresholdLevels(this.thresholdMap());
+    return this.pairs;
   }
 
   private allImages(): HatchImages {

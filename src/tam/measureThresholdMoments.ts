@@ -1,10 +1,13 @@
-import { LIMIT, type ThresholdLevel } from './encodeThresholds.js';
+import { LIMIT } from './encodeThresholds.js';
+import type { ThresholdPair } from './pairThresholdLevels.js';
 
 /** What interpolation leaves of the contrast of a threshold map, averaged over its levels. */
 export interface ThresholdMoments {
   /** Variance of g as a texture unit interpolates it between texels; 1 at the texels themselves. */
   variance: number;
-  /** Covariance of g, interpolated, on two neighbouring levels: how well their strokes nest. 0 if there is one level. */
+  /** The same of the next coarser level, interpolated to the resolution of the level before. 0 if there is one level. */
+  coarserVariance: number;
+  /** Covariance of the two: how well the strokes of neighbouring levels nest. 0 if there is one level. */
   covariance: number;
 }
 
@@ -14,29 +17,33 @@ const SAMPLES = 8192;
  * Measures the moments by sampling, at the points of the additive recurrence of Roberts' R2 sequence, which cover the
  * tile evenly and are the same each time.
  */
-export function measureThresholdMoments(levels: readonly ThresholdLevel[]): ThresholdMoments {
+export function measureThresholdMoments(pairs: readonly ThresholdPair[]): ThresholdMoments {
   let squares = 0;
+  let coarserSquares = 0;
   let products = 0;
   let [u, v] = [0.5, 0.5];
   for (let i = 0; i < SAMPLES; i++) {
     u = (u + 0.7548776662466927) % 1;
     v = (v + 0.5698402909980532) % 1;
-    let finer = 0;
-    levels.forEach((level, index) => {
-      const g = interpolate(level, u, v);
+    pairs.forEach(({ size, own, coarser }, index) => {
+      const g = interpolate(own, size, u, v);
       squares += g * g;
-      if (index > 0) products += finer * g;
-      finer = g;
+      if (index === pairs.length - 1) return;
+      const next = interpolate(coarser, size, u, v);
+      coarserSquares += next * next;
+      products += g * next;
     });
   }
+  const steps = SAMPLES * Math.max(pairs.length - 1, 1);
   return {
-    variance: squares / (SAMPLES * levels.length),
-    covariance: levels.length > 1 ? products / (SAMPLES * (levels.length - 1)) : 0,
+    variance: squares / (SAMPLES * pairs.length),
+    coarserVariance: coarserSquares / steps,
+    covariance: products / steps,
   };
 }
 
 /** g by bilinear interpolation at (u, v) in tiles, texel centres at half texels, as a texture unit does it. */
-function interpolate({ size, encoded }: ThresholdLevel, u: number, v: number): number {
+function interpolate(encoded: Uint8Array, size: number, u: number, v: number): number {
   const x = u * size - 0.5 + size;
   const y = v * size - 0.5 + size;
   const column = Math.floor(x);

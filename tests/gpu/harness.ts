@@ -3,26 +3,23 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
-  DataTexture,
   DirectionalLight,
   DoubleSide,
   FrontSide,
   HemisphereLight,
   type Light,
-  LinearFilter,
   LinearSRGBColorSpace,
   Mesh,
   OrthographicCamera,
   PerspectiveCamera,
   PointLight,
-  RedFormat,
-  RepeatWrapping,
   Scene,
   SpotLight,
   Vector2,
   WebGLRenderer,
 } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { ThresholdTexture } from '../../src/tam/ThresholdTexture.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
@@ -56,17 +53,13 @@ function analyticThresholdMap(): TonalArtMap {
     const g = field(((i % size) + 0.5) / size, (Math.floor(i / size) + 0.5) / size);
     data[i] = Math.round(127.5 + 42.5 * g);
   }
-  const texture = new DataTexture(data, size, size, RedFormat);
-  texture.wrapS = texture.wrapT = RepeatWrapping;
-  texture.magFilter = texture.minFilter = LinearFilter;
-  texture.needsUpdate = true;
   // Standard normal as it is, as far as the material is told: the reference does not correct the variance either.
-  const thresholdMoments = { variance: 1, covariance: 0 };
+  const thresholdMoments = { variance: 1, coarserVariance: 1, covariance: 0 };
   return {
     size,
     tones: 2,
     levels: 1,
-    thresholdTexture: texture,
+    thresholdTexture: new ThresholdTexture([{ size, own: data, coarser: data }]),
     thresholdMoments,
     texture: null,
   } as unknown as TonalArtMap;

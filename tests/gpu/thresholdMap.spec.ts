@@ -26,8 +26,14 @@ test('thresholds are interpolated linearly between texels, across borders too', 
   expect(await run(page, 'interpolation')).toBeLessThan(0.015);
 });
 
-test('thresholds are uploaded once, level by level, and freed by dispose', async ({ page }) => {
-  expect(await run(page, 'uploads')).toEqual({ calls: 3, during: 1, after: 0 });
+test('between two levels, both are read and weighed', async ({ page }) => {
+  const { error, apart } = await run(page, 'betweenLevels');
+  expect(error).toBeLessThan(0.015);
+  expect(apart).toBeGreaterThan(1);
+});
+
+test('thresholds are uploaded once, all levels in one call, and freed by dispose', async ({ page }) => {
+  expect(await run(page, 'uploads')).toEqual({ calls: 1, during: 1, after: 0 });
 });
 
 test('thresholds derived from images lie on the GPU', async ({ page }) => {

@@ -8,17 +8,22 @@ import {
   RawShaderMaterial,
   RedFormat,
   Scene,
+  Vector3,
   WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
 import { TonalArtMap } from 'three-hatching';
+import thresholdMapChunk from '../../shaders/chunks/thresholdMap.glsl?raw';
 import { normalQuantile } from '../../src/tam/encodeThresholds.js';
 
 const renderer = new WebGLRenderer({ antialias: false });
 const camera = new Camera();
 
-/** What the threshold texture holds at the texel centres of a level, or shifted by a part of a texel. */
-function sample(map: TonalArtMap, level: number, shift = 0): Float32Array {
+/**
+ * g as the material's own chunk reads it, at the texel centres of a level or shifted by a part of a texel, so many octaves
+ * above the finest level.
+ */
+function sample(map: TonalArtMap, level: number, shift = 0, octaves = level): Float32Array {
   const size = map.size >> level;
   const target = new WebGLRenderTarget(size, size, {
     depthBuffer: false,
@@ -32,16 +37,21 @@ function sample(map: TonalArtMap, level: number, shift = 0): Float32Array {
     vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
     fragmentShader: /* glsl */ `
       precision highp float;
-      uniform highp sampler2D thresholds;
-      uniform float size, level, shift;
+      precision highp sampler2D;
+      ${thresholdMapChunk}
+      uniform float size, octaves, shift;
       out vec4 value;
       // A tile further: the map repeats both ways.
-      void main() { value = 6.0 * textureLod(thresholds, (gl_FragCoord.xy + shift) / size + vec2(2.0, -1.0), level) - 3.0; }
+      void main() { value = vec4(thresholdAt((gl_FragCoord.xy + shift) / size + vec2(2.0, -1.0), chooseLevel(octaves))); }
     `,
     uniforms: {
-      thresholds: { value: map.thresholdTexture },
+      thresholdMap: { value: map.thresholdTexture },
+      thresholdMapSize: { value: map.size },
+      thresholdMapLevels: { value: map.levels },
+      // No contrast is given back, so that what is read is what is stored.
+      thresholdMoments: { value: new Vector3(1, 1, 1) },
       size: { value: size },
-      level: { value: level },
+      octaves: { value: octaves },
       shift: { value: shift },
     },
     depthTest: false,
@@ -74,7 +84,8 @@ const thresholdMapTests = {
         const expected = Math.max(-3, Math.min(3, normalQuantile(threshold)));
         error = Math.max(error, Math.abs(values[i]! - expected));
       });
-      const asymmetric = values.filter((value, i) => value !== values[values.length - 1 - i]).length;
+      // A step of a byte is 0.024; what is less comes of rounding coordinates.
+      const asymmetric = values.filter((value, i) => Math.abs(value - values[values.length - 1 - i]!) > 0.005).length;
       return { texels: values.length, error, asymmetric };
     });
     map.dispose();
@@ -95,6 +106,22 @@ const thresholdMapTests = {
     }
     map.dispose();
     return error;
+  },
+
+  /** The greatest difference between samples between two levels and what the two say there, weighed. */
+  async betweenLevels() {
+    const map = await generate();
+    const finer = sample(map, 0);
+    // Level 1 at the texel centres of level 0: between its own.
+    const coarser = sample(map, 0, 0, 1);
+    const mixed = sample(map, 0, 0, 0.25);
+    const error = mixed.reduce(
+      (worst, g, i) => Math.max(worst, Math.abs(g - 0.75 * finer[i]! - 0.25 * coarser[i]!)),
+      0,
+    );
+    const apart = finer.reduce((worst, g, i) => Math.max(worst, Math.abs(g - coarser[i]!)), 0);
+    map.dispose();
+    return { error, apart };
   },
 
   /** Calls that upload texels while the map is drawn three times; then the textures left after dispose. */

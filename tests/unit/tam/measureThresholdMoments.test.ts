@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { encodeThresholds } from '../../../src/tam/encodeThresholds.js';
 import { generateThresholds } from '../../../src/tam/generateThresholds.js';
 import { measureThresholdMoments } from '../../../src/tam/measureThresholdMoments.js';
+import { pairThresholdLevels } from '../../../src/tam/pairThresholdLevels.js';
 import { random as seeded } from '../../../src/tam/random.js';
 
 /** Thresholds in random places: neighbouring texels know nothing of each other. */
@@ -17,14 +18,16 @@ function noise(size: number, seed: number) {
 
 describe('measureThresholdMoments', () => {
   it('of noise is what bilinear weights leave: (2/3)² of the variance, and nothing in common between levels', () => {
-    const { variance, covariance } = measureThresholdMoments([noise(64, 1), noise(32, 2)]);
+    const { variance, covariance } = measureThresholdMoments(pairThresholdLevels([noise(64, 1), noise(32, 2)]));
     expect(variance).toBeCloseTo(4 / 9, 1);
     expect(Math.abs(covariance)).toBeLessThan(0.05);
   });
 
   it('of a level beside itself is its variance', () => {
-    const level = noise(32, 3);
-    const { variance, covariance } = measureThresholdMoments([level, level]);
+    const { size, encoded } = noise(32, 3);
+    const pair = { size, own: encoded, coarser: encoded };
+    const { variance, coarserVariance, covariance } = measureThresholdMoments([pair, pair]);
+    expect(coarserVariance).toBeCloseTo(variance, 6);
     expect(covariance).toBeCloseTo(variance, 6);
   });
 
@@ -32,14 +35,20 @@ describe('measureThresholdMoments', () => {
     const task = generateThresholds({ size: 64 });
     let step = task.next();
     while (!step.done) step = task.next();
-    const { variance, covariance } = measureThresholdMoments(step.value);
+    const { variance, coarserVariance, covariance } = measureThresholdMoments(pairThresholdLevels(step.value));
     expect(variance).toBeGreaterThan(0.7);
     expect(variance).toBeLessThan(1);
+    // Interpolated twice, it is a little smoother.
+    expect(coarserVariance).toBeGreaterThan(0.7);
+    expect(coarserVariance).toBeLessThan(variance);
     expect(covariance).toBeGreaterThan(0.1);
     expect(covariance).toBeLessThan(variance);
   });
 
   it('of one level has no covariance', () => {
-    expect(measureThresholdMoments([noise(16, 4)]).covariance).toBe(0);
+    expect(measureThresholdMoments(pairThresholdLevels([noise(16, 4)]))).toMatchObject({
+      coarserVariance: 0,
+      covariance: 0,
+    });
   });
 });

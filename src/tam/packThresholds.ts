@@ -1,0 +1,38 @@
+import type { ThresholdPair } from './pairThresholdLevels.js';
+
+/** Texels around each level that repeat its other side, so that the texture unit interpolates across its border. */
+const MARGIN = 1;
+
+/** Levels of thresholds side by side in one image of two bytes per texel. */
+export interface PackedThresholds {
+  width: number;
+  height: number;
+  /** In rows of growing v: of each texel the level's own byte, then that of the next coarser level. */
+  data: Uint8Array;
+}
+
+/**
+ * Packs levels into one image, finest first, in a row along the lower edge: level l begins 2·size·(1 − 2⁻ˡ) + 2l texels from the
+ * left, `size` that of level 0, with a margin of one texel all round. No mip levels: a shader that knows which level it wants
+ * finds it here with a plain fetch, where asking a texture unit for a level by number is slow.
+ */
+export function packThresholds(pairs: readonly ThresholdPair[]): PackedThresholds {
+  const width = pairs.reduce((sum, { size }) => sum + size + 2 * MARGIN, 0);
+  const height = pairs[0].size + 2 * MARGIN;
+  const data = new Uint8Array(2 * width * height);
+  let left = 0;
+  for (const { size, own, coarser } of pairs) {
+    const mask = size - 1;
+    const side = size + 2 * MARGIN;
+    for (let row = 0; row < side; row++) {
+      for (let column = 0; column < side; column++) {
+        const from = ((row - MARGIN) & mask) * size + ((column - MARGIN) & mask);
+        const to = 2 * (row * width + left + column);
+        data[to] = own[from];
+        data[to + 1] = coarser[from];
+      }
+    }
+    left += side;
+  }
+  return { width, height, data };
+}

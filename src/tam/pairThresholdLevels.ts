@@ -1,0 +1,42 @@
+import type { ThresholdLevel } from './encodeThresholds.js';
+
+/** A level of thresholds and the next coarser one at the same resolution, encoded as in {@link ThresholdLevel}. */
+export interface ThresholdPair {
+  /** Texels per side. */
+  size: number;
+  own: Uint8Array;
+  /** Of the coarsest level: itself. */
+  coarser: Uint8Array;
+}
+
+/**
+ * Lays beside each level the next coarser one, interpolated to its resolution, so that one fetch reads both: a strokes' size
+ * between two levels costs no more than a size on one.
+ *
+ * @param levels finest first, each of half the texels per side of the one before
+ */
+export function pairThresholdLevels(levels: readonly ThresholdLevel[]): ThresholdPair[] {
+  return levels.map(({ size, encoded }, index) => {
+    const next = levels[index + 1];
+    return { size, own: encoded, coarser: next ? enlarge(next) : encoded };
+  });
+}
+
+/** Bilinear interpolation to twice the texels per side, across borders too: texel centres lie 1/4 and 3/4 between the old ones. */
+function enlarge({ size, encoded }: ThresholdLevel): Uint8Array {
+  const mask = size - 1;
+  const enlarged = new Uint8Array(4 * encoded.length);
+  for (let row = 0; row < 2 * size; row++) {
+    const near = (row >> 1) * size;
+    const far = (((row >> 1) + (row & 1 ? 1 : -1)) & mask) * size;
+    for (let column = 0; column < 2 * size; column++) {
+      const beside = column >> 1;
+      const beyond = (beside + (column & 1 ? 1 : -1)) & mask;
+      const sum =
+        9 * encoded[near + beside] + 3 * (encoded[near + beyond] + encoded[far + beside]) + encoded[far + beyond];
+      // Halves go away from the middle, as in encoding: what is point-symmetric stays so, and so do complements.
+      enlarged[2 * row * size + column] = sum < 2040 ? Math.ceil(sum / 16 - 0.5) : Math.floor(sum / 16 + 0.5);
+    }
+  }
+  return enlarged;
+}
