@@ -1,25 +1,15 @@
-import {
-  DirectionalLight,
-  HemisphereLight,
-  type Light,
-  MathUtils,
-  PointLight,
-  type Scene,
-  SpotLight,
-  Vector3,
-} from 'three';
-import type { Settings } from './settings.js';
+import { DirectionalLight, type Light, MathUtils, PointLight, type Scene, SpotLight, Vector3 } from 'three';
+import { SECOND_LIGHT_AZIMUTH, type Settings } from './settings.js';
 
 /** Where the handle of a light without a distance is shown, in radii of the model. */
 const SUN_DISTANCE = 1.45;
 
-/** The lights of the scene: one of three kinds at one place, and what the surroundings reflect of it. */
+/** The lights of the scene: one of three kinds at one place, and a second sun that goes round with it. */
 export class LightRig {
   /** Where the light stands, in world coordinates; the model's centre is the origin. */
   readonly position = new Vector3();
   private readonly lights: Record<Settings['lightKind'], Light>;
-  /** From behind, weaker all the way round to the lit side: shade opens up, and light stays as it is. */
-  private readonly reflected = new HemisphereLight('white', 'black');
+  private readonly second = new DirectionalLight();
 
   constructor(scene: Scene) {
     const point = new PointLight();
@@ -28,7 +18,7 @@ export class LightRig {
     point.decay = 0;
     spot.decay = 0;
     this.lights = { directional: new DirectionalLight(), point, spot };
-    scene.add(this.reflected, ...Object.values(this.lights));
+    scene.add(this.second, ...Object.values(this.lights));
   }
 
   /** Puts the settings in force. */
@@ -46,8 +36,11 @@ export class LightRig {
     const spot = this.lights.spot as SpotLight;
     spot.angle = MathUtils.degToRad(settings.spotAngle) / 2;
     spot.penumbra = settings.spotSoftness / 100;
-    this.reflected.position.copy(this.position).negate();
-    this.reflected.intensity = (Math.PI * settings.reflectedLight) / 100;
-    this.reflected.visible = settings.reflectedLight > 0;
+    this.second.visible = settings.secondLight !== 'none';
+    if (settings.secondLight !== 'none') {
+      const around = azimuth + MathUtils.degToRad(SECOND_LIGHT_AZIMUTH[settings.secondLight]);
+      this.second.position.setFromSphericalCoords(1, Math.PI / 2 - elevation, around);
+      this.second.intensity = (Math.PI * settings.secondStrength) / 100;
+    }
   }
 }

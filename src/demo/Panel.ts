@@ -76,6 +76,12 @@ export class Panel {
     this.show('toneSteps', settings.toneModel === 'toon');
     this.show('shininess', settings.toneModel === 'phong');
     this.show('lightDistance', isLocal);
+    this.show('secondStrength', settings.secondLight !== 'none');
+    this.show('strokeLayers', settings.secondLight !== 'none');
+    this.show(
+      'levelRule',
+      techniques.some((technique) => technique !== 'anchored' && technique !== 'none'),
+    );
     this.show('spotAngle', settings.lightKind === 'spot');
     this.show('spotSoftness', settings.lightKind === 'spot');
     this.controllers.get('model')!.domElement.querySelector<HTMLOptionElement>('option:last-child')!.hidden =

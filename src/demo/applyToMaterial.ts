@@ -1,6 +1,6 @@
 import { MathUtils, Vector2 } from 'three';
 import type { HatchingMaterial } from 'three-hatching';
-import type { Settings } from './settings.js';
+import { type Settings, TONE_CURVES } from './settings.js';
 
 const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
 const offset = new Vector2();
@@ -27,8 +27,13 @@ export function applyToMaterial(
   material.toneModel = settings.toneModel;
   material.toneSteps = settings.toneSteps;
   material.shininess = settings.shininess;
+  material.toneCurve = TONE_CURVES[settings.toneCurve];
+  material.reflectedLight = settings.reflectedLight / 100;
+  material.secondLayer = settings.strokeLayers === '2';
+  material.levelRule = settings.levelRule;
   material.creaseAngle = MathUtils.degToRad(settings.creaseAngle);
   material.ink.set(settings.ink);
+  material.inkBlend = settings.inkBlend;
   material.paper.set(settings.paper);
   material.color.set(settings.color);
   material.debugView = settings.debugView;

@@ -1,5 +1,5 @@
 import { TEXELS_PER_STROKE } from './applyToMaterial.js';
-import { isCrisp, SETTINGS, type Settings } from './settings.js';
+import { isCrisp, SECOND_LIGHT_AZIMUTH, SETTINGS, type Settings, TONE_CURVES } from './settings.js';
 
 /** The lines that make the look of the page in a project of one's own. */
 export function codeSample(settings: Settings): string {
@@ -25,23 +25,44 @@ export function codeSample(settings: Settings): string {
     `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
     `strokeRotation: ${rotation[settings.strokeDirection]}`,
     `toneModel: '${settings.toneModel}'`,
-    `ink: '${settings.ink}'`,
-    `paper: '${settings.paper}'`,
-    `color: '${settings.color}'`,
   );
+  const { offsetU, offsetV, creaseAngle } = settings;
+  if (offsetU !== 0 || offsetV !== 0) material.push(`strokeOffset: new Vector2(${offsetU}, ${offsetV})`);
+  if (creaseAngle !== SETTINGS.creaseAngle.default) material.push(`creaseAngle: (${creaseAngle} / 180) * Math.PI`);
+  if (settings.toneModel === 'toon') material.push(`toneSteps: ${settings.toneSteps}`);
+  if (settings.toneModel === 'phong') material.push(`shininess: ${settings.shininess}`);
+  if (settings.toneCurve !== 'linear') material.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
+  if (settings.reflectedLight > 0) material.push(`reflectedLight: ${settings.reflectedLight / 100}`);
+  if (settings.secondLight !== 'none' && settings.strokeLayers === '2') material.push('secondLayer: true');
+  if (settings.levelRule !== SETTINGS.levelRule.default) material.push(`levelRule: '${settings.levelRule}'`);
+  if (settings.inkBlend !== SETTINGS.inkBlend.default) material.push(`inkBlend: '${settings.inkBlend}'`);
+  material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`, `color: '${settings.color}'`);
   const light = {
     directional: `new DirectionalLight('white', ${round((Math.PI * settings.lightStrength) / 100)})`,
     point: `new PointLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, 0)`,
     spot: `new SpotLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
   }[settings.lightKind];
-  const isReflected = settings.reflectedLight > 0;
-  const reflected = `
-// What the surroundings reflect: from behind, nothing on the lit side.
-const reflected = new HemisphereLight('white', 'black', ${round((Math.PI * settings.reflectedLight) / 100)});
-reflected.position.copy(light.position).negate();
-scene.add(reflected);
-`;
-  return `import { ${/new (\w+)/.exec(light)![1]}, ${isReflected ? 'HemisphereLight, ' : ''}Mesh } from 'three';
+  const place = (distance: number, azimuth: number) =>
+    `setFromSphericalCoords(${distance}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
+  const distance = settings.lightKind === 'directional' ? 1 : round(settings.lightDistance);
+  const lights = [
+    `const light = ${light};
+light.position.${place(distance, settings.lightAzimuth)};
+scene.add(light);
+`,
+  ];
+  const classes = new Set([/new (\w+)/.exec(light)![1]!]);
+  if (settings.secondLight !== 'none') {
+    classes.add('DirectionalLight');
+    const azimuth = settings.lightAzimuth + SECOND_LIGHT_AZIMUTH[settings.secondLight];
+    lights.push(`
+const second = new DirectionalLight('white', ${round((Math.PI * settings.secondStrength) / 100)});
+second.position.${place(1, azimuth)};
+scene.add(second);
+`);
+  }
+  if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
+  return `import { ${[...classes, 'Mesh'].sort().join(', ')} } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 
 const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });
@@ -50,10 +71,12 @@ ${material.map((line) => `  ${line.includes('//') ? line : `${line},`}`).join('\
 });
 scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));
 
-const light = ${light};
-light.position.setFromSphericalCoords(${settings.lightKind === 'directional' ? 1 : round(settings.lightDistance)}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((settings.lightAzimuth * Math.PI) / 180)});
-scene.add(light);
-${isReflected ? reflected : ''}`;
+${lights.join('')}`;
+}
+
+/** As one would write it. */
+function inSource(value: unknown): string {
+  return JSON.stringify(value).replaceAll('"', "'").replaceAll(',', ', ');
 }
 
 function round(value: number): number {

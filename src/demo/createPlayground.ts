@@ -229,7 +229,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         width: page.plate.clientWidth,
         height: page.plate.clientHeight,
         scale: Number(settings.pictureSize),
-        transparent: settings.pictureGround === 'transparent',
+        ground: settings.pictureGround,
       });
       download(
         picture,

@@ -5,6 +5,8 @@ import {
   FrontSide,
   MathUtils,
   Mesh,
+  NoBlending,
+  NormalBlending,
   PerspectiveCamera,
   Scene,
   Vector3,
@@ -103,6 +105,17 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setScissorTest(false);
   }
 
+  /** Draws on paper, or strokes and nothing else: a surface without paper still hides what is behind it. */
+  function showPaper(shown: boolean): void {
+    for (const each of [material, compared]) {
+      each.paperOpacity = shown ? 1 : 0;
+      // Written as it is instead of blended, so that no stroke of the far side shows between those of the near one.
+      each.blending = shown ? NormalBlending : NoBlending;
+      each.premultipliedAlpha = !shown;
+      each.needsUpdate = true;
+    }
+  }
+
   function pixelRatio(): number {
     const { clientWidth: width, clientHeight: height } = plate;
     const full = Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
@@ -162,6 +175,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     lightPosition: lights.position,
     draw,
     drawPiece,
+    showPaper,
     frameModel,
 
     /** Calls back after each frame. */

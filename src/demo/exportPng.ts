@@ -1,4 +1,5 @@
 import type { HatchingScene } from './createScene.js';
+import type { Settings } from './settings.js';
 
 /** Pictures larger than this are drawn in pieces, because a graphics card need not give a larger surface. */
 const TILE = 2048;
@@ -9,7 +10,7 @@ export interface PictureOptions {
   height: number;
   /** Pixels of the picture per CSS pixel of the page. */
   scale: number;
-  transparent: boolean;
+  ground: Settings['pictureGround'];
 }
 
 /** Draws the view once more at the size of the picture, piece by piece, and packs it as PNG. */
@@ -27,7 +28,8 @@ export async function exportPng(scene: HatchingScene, options: PictureOptions): 
   const clearAlpha = renderer.getClearAlpha();
   try {
     renderer.setPixelRatio(1);
-    if (options.transparent) renderer.setClearAlpha(0);
+    if (options.ground !== 'paper') renderer.setClearAlpha(0);
+    if (options.ground === 'strokes') scene.showPaper(false);
     for (let y = 0; y < height; y += TILE) {
       for (let x = 0; x < width; x += TILE) {
         const tileWidth = Math.min(TILE, width - x);
@@ -42,6 +44,7 @@ export async function exportPng(scene: HatchingScene, options: PictureOptions): 
   } finally {
     // Sized back before the next frame, so that the page never shows a piece of the picture.
     camera.clearViewOffset();
+    scene.showPaper(true);
     renderer.setClearAlpha(clearAlpha);
     renderer.setPixelRatio(pixelRatio);
     renderer.setSize(options.width, options.height, false);

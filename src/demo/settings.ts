@@ -181,6 +181,13 @@ export const SETTINGS = {
     max: 1,
     step: 0.01,
   },
+  levelRule: {
+    kind: 'choice',
+    label: 'Levels',
+    group: 'Strokes',
+    default: 'derivatives',
+    choices: { derivatives: 'By depth and slant', depth: 'By depth alone' },
+  },
   mapTones: { kind: 'number', label: 'Tones', group: 'Strokes', default: 8, unit: '', min: 4, max: 16, step: 1 },
   mapSize: {
     kind: 'choice',
@@ -207,6 +214,13 @@ export const SETTINGS = {
   },
   toneSteps: { kind: 'number', label: 'Toon steps', group: 'Tone', default: 4, unit: '', min: 2, max: 8, step: 1 },
   shininess: { kind: 'number', label: 'Shininess', group: 'Tone', default: 30, unit: '', min: 1, max: 200, step: 1 },
+  toneCurve: {
+    kind: 'choice',
+    label: 'Curve',
+    group: 'Tone',
+    default: 'linear',
+    choices: { linear: 'As the light is', perceptual: 'As the eye sees it', contrast: 'More contrast' },
+  },
   creaseAngle: {
     kind: 'number',
     label: 'Crease from',
@@ -220,6 +234,13 @@ export const SETTINGS = {
 
   ink: { kind: 'color', label: 'Ink', group: 'Colours', default: '#1c1a17' },
   paper: { kind: 'color', label: 'Paper', group: 'Colours', default: '#f7f3e8' },
+  inkBlend: {
+    kind: 'choice',
+    label: 'On colour',
+    group: 'Colours',
+    default: 'cover',
+    choices: { cover: 'Ink covers', multiply: 'Ink tints' },
+  },
   color: { kind: 'color', label: 'Model', group: 'Colours', default: '#ffffff' },
 
   lightAzimuth: {
@@ -267,11 +288,35 @@ export const SETTINGS = {
     kind: 'number',
     label: 'Reflected',
     group: 'Light',
-    default: 50,
+    default: 43,
     unit: '%',
     min: 0,
     max: 60,
     step: 1,
+  },
+  secondLight: {
+    kind: 'choice',
+    label: 'Second sun',
+    group: 'Light',
+    default: 'none',
+    choices: { none: 'None', left: 'Left of the light', right: 'Right of the light', opposite: 'Opposite' },
+  },
+  secondStrength: {
+    kind: 'number',
+    label: 'Its strength',
+    group: 'Light',
+    default: 35,
+    unit: '%',
+    min: 10,
+    max: 200,
+    step: 1,
+  },
+  strokeLayers: {
+    kind: 'choice',
+    label: 'Layers',
+    group: 'Light',
+    default: '2',
+    choices: { 1: 'One', 2: 'Two, where lights cross' },
   },
 
   upAxis: {
@@ -301,7 +346,7 @@ export const SETTINGS = {
     label: 'Ground',
     group: 'Picture',
     default: 'paper',
-    choices: { paper: 'Paper', transparent: 'Transparent' },
+    choices: { paper: 'Paper', transparent: 'Transparent', strokes: 'Transparent, strokes alone' },
   },
 } as const satisfies Record<string, Setting>;
 
@@ -338,6 +383,21 @@ export function acceptSetting(key: SettingKey, value: string | number): string |
       return /^#[0-9a-f]{6}$/i.test(String(value)) ? String(value).toLowerCase() : undefined;
   }
 }
+
+/** Where the second sun stands, in degrees around from the light. */
+export const SECOND_LIGHT_AZIMUTH = { left: -90, right: 90, opposite: 180 } as const;
+
+/** Light to printed tone, as the material takes it. */
+export const TONE_CURVES = {
+  linear: 'linear',
+  perceptual: 'perceptual',
+  contrast: [
+    [0, 0],
+    [0.25, 0.1],
+    [0.75, 0.9],
+    [1, 1],
+  ],
+} as const satisfies Record<Settings['toneCurve'], unknown>;
 
 /** Whether a technique draws strokes of a width, black or white, instead of blending their grey. */
 export function isCrisp(technique: Settings['technique']): boolean {

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../browser/test.js';
-import { angleBetween, meanInk, type Region, strokeDirection } from './pictures.js';
+import { angleBetween, changedShare, meanInk, type Region, strokeDirection } from './pictures.js';
 import { dragLamp, lampPlace, middleOf, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
@@ -77,6 +77,20 @@ test('the side that faces the lamp is the lighter one, and the lamp goes behind 
 
   await page.locator('#lamp').dblclick();
   expect(await lampPlace(page)).toMatchObject({ azimuth: -54, elevation: 38 });
+});
+
+test('a second sun lightens its side, and crosses the strokes unless one layer is asked for', async ({ page }) => {
+  const view = `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=20`;
+  await openPlayground(page, view);
+  const alone = await readDrawing(page);
+  await openPlayground(page, `${view}&secondLight=right`);
+  const crossed = await readDrawing(page);
+  await openPlayground(page, `${view}&secondLight=right&strokeLayers=1`);
+  const single = await readDrawing(page);
+  expect(meanInk(crossed, RIGHT_HALF)).toBeLessThan(meanInk(alone, RIGHT_HALF) - 0.05);
+  expect(changedShare(crossed, single)).toBeGreaterThan(0.01);
+  // As dark with two layers as with one.
+  expect(meanInk(crossed, RIGHT_HALF)).toBeCloseTo(meanInk(single, RIGHT_HALF), 1);
 });
 
 test('arrow keys move the lamp by 5°, with Shift by 1°', async ({ page }) => {

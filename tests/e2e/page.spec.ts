@@ -87,6 +87,15 @@ test('saves the drawing as PNG, on paper and without, at the size of the page an
   const small = await savePicture(page);
   expect([...small.data.subarray(0, 4)]).toEqual([0, 0, 0, 0]);
 
+  await openPlayground(page, 'model=cube&pictureGround=strokes');
+  const strokes = await savePicture(page);
+  expect(opaqueShare(strokes)).toBeGreaterThan(0.02);
+  expect(opaqueShare(strokes)).toBeLessThan(0.6 * opaqueShare(small));
+  for (let i = 0; i < strokes.data.length; i += 4) {
+    // No paper, whole or half: what there is, is ink.
+    if (strokes.data[i + 3]! > 40) expect(strokes.data[i]).toBeLessThan(0x40);
+  }
+
   // Large enough to be drawn in pieces: they must fit together.
   await openPlayground(page, 'model=cube&pictureSize=4&pictureGround=transparent');
   const large = await savePicture(page);
