@@ -1,8 +1,12 @@
 import { TEXELS_PER_STROKE } from './applyToMaterial.js';
 import { isCrisp, SETTINGS, type Settings } from './settings.js';
 
-/** The lines that make the look of the page in a project of one's own. */
-export function codeSample(settings: Settings): string {
+/**
+ * The lines that make the look of the page in a project of one's own.
+ *
+ * @param isScene whether it is the look of a loaded scene, in its own colours, instead of one geometry's
+ */
+export function codeSample(settings: Settings, isScene: boolean): string {
   const map = [`style: '${settings.mapStyle}'`];
   if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
   if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
@@ -21,14 +25,18 @@ export function codeSample(settings: Settings): string {
     );
   }
   if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);
+  if (!isScene) {
+    material.push(
+      `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
+    );
+  }
   material.push(
-    `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
     `strokeRotation: ${rotation[settings.strokeDirection]}`,
     `toneModel: '${settings.toneModel}'`,
     `ink: '${settings.ink}'`,
     `paper: '${settings.paper}'`,
-    `color: '${settings.color}'`,
   );
+  if (!isScene) material.push(`color: '${settings.color}'`);
   const light = {
     directional: `new DirectionalLight('white', ${round((Math.PI * settings.lightStrength) / 100)})`,
     point: `new PointLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, 0)`,
@@ -41,14 +49,31 @@ const reflected = new HemisphereLight('white', 'black', ${round((Math.PI * setti
 reflected.position.copy(light.position).negate();
 scene.add(reflected);
 `;
-  return `import { ${/new (\w+)/.exec(light)![1]}, ${isReflected ? 'HemisphereLight, ' : ''}Mesh } from 'three';
-import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+  const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
+  const [imports, use] = isScene
+    ? [
+        'applyHatching, TonalArtMap',
+        `const { scene: model } = await new GLTFLoader().loadAsync(address); // from 'three/addons/loaders/GLTFLoader.js'
+scene.add(model);
+await applyHatching(model, {
+  strokeScale: ${round(settings.strokeScale)} / radius, // tiles per unit of the world; radius of the model
+  material: {
+${parameters.map((line) => `    ${line}`).join('\n')}
+  },
+});`,
+      ]
+    : [
+        'HatchingMaterial, prepareHatchingGeometry, TonalArtMap',
+        `const material = new HatchingMaterial({
+${parameters.map((line) => `  ${line}`).join('\n')}
+});
+scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));`,
+      ];
+  return `import { ${/new (\w+)/.exec(light)![1]}${isReflected ? ', HemisphereLight' : ''}${isScene ? '' : ', Mesh'} } from 'three';
+import { ${imports} } from 'three-hatching';
 
 const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });
-const material = new HatchingMaterial({
-${material.map((line) => `  ${line.includes('//') ? line : `${line},`}`).join('\n')}
-});
-scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));
+${use}
 
 const light = ${light};
 light.position.setFromSphericalCoords(${settings.lightKind === 'directional' ? 1 : round(settings.lightDistance)}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((settings.lightAzimuth * Math.PI) / 180)});

@@ -209,6 +209,13 @@ export const SETTINGS = {
 
   ink: { kind: 'color', label: 'Ink', group: 'Colours', default: '#1c1a17' },
   paper: { kind: 'color', label: 'Paper', group: 'Colours', default: '#f7f3e8' },
+  surfaceColors: {
+    kind: 'choice',
+    label: 'Surfaces',
+    group: 'Colours',
+    default: 'shown',
+    choices: { shown: 'In their own colours', paper: 'White as paper' },
+  },
   color: { kind: 'color', label: 'Model', group: 'Colours', default: '#ffffff' },
 
   lightAzimuth: {

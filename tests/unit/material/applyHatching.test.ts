@@ -357,6 +357,15 @@ describe('options', () => {
     expect(gone.count).toBe(1);
   });
 
+  test('no map is generated where none is wanted', async () => {
+    const generate = vi.spyOn(TonalArtMap, 'generate');
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    await applyHatching(mesh, { tonalArtMap: null });
+    expect(hatched(mesh).tonalArtMap).toBe(null);
+    expect(generate).not.toHaveBeenCalled();
+    vi.restoreAllMocks();
+  });
+
   test('a map that was given is not freed', async () => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     const gone = disposals();
