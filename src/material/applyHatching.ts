@@ -48,8 +48,8 @@ const MAP_SHARE = 0.2;
  * Instances, groups, skins and morph targets go on as before; lines, points and sprites are left alone. Nothing in the
  * scene changes before everything is ready, and nothing at all if that fails or is aborted.
  *
- * - A material shared by meshes becomes one shared material; where the meshes differ in scale one for each scale, since
- *   `strokeScale` counts in object space.
+ * - A material shared by meshes becomes one shared material. Where the meshes differ in scale it becomes one for each
+ *   scale, since `strokeScale` counts in object space; those that deform have one of their own.
  * - Meshes that have a `HatchingMaterial` of your own are left alone.
  * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`; so is one that was given another
  *   geometry or material meanwhile.

@@ -230,6 +230,21 @@ describe('what it makes of a scene', () => {
     expect([skinned.castShadow, skinned.customDepthMaterial]).toEqual([true, depth]);
   });
 
+  test('meshes that deform have a material of their own, so that no program changes from mesh to mesh', async () => {
+    const paint = new MeshBasicMaterial();
+    const [still, alsoStill, moving] = [1, 2, 3].map((n) => new Mesh(new BoxGeometry(n), paint)) as unknown as [
+      Mesh,
+      Mesh,
+      Mesh,
+    ];
+    moving.geometry.morphAttributes.position = [moving.geometry.attributes.position!.clone()];
+    await applyHatching(new Group().add(still, alsoStill, moving), { tonalArtMap });
+    expect(alsoStill.material).toBe(still.material);
+    expect(moving.material).not.toBe(still.material);
+    expect(moving.geometry.userData.hatching.layout).toBe('pull');
+    expect(still.geometry.userData.hatching.layout).toBe('corner');
+  });
+
   test('a batch keeps its geometry: anchored hatches it as it is, other techniques say what they need', async () => {
     const make = () => {
       const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
