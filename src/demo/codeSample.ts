@@ -1,8 +1,12 @@
 import { TEXELS_PER_STROKE } from './applyToMaterial.js';
 import { isCrisp, SECOND_LIGHT_AZIMUTH, SETTINGS, type Settings, TONE_CURVES } from './settings.js';
 
-/** The lines that make the look of the page in a project of one's own. */
-export function codeSample(settings: Settings): string {
+/**
+ * The lines that make the look of the page in a project of one's own.
+ *
+ * @param isScene whether it is the look of a loaded scene, in its own colours, instead of one geometry's
+ */
+export function codeSample(settings: Settings, isScene: boolean): string {
   const map = [`style: '${settings.mapStyle}'`];
   if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
   if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
@@ -21,11 +25,12 @@ export function codeSample(settings: Settings): string {
     );
   }
   if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);
-  material.push(
-    `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
-    `strokeRotation: ${rotation[settings.strokeDirection]}`,
-    `toneModel: '${settings.toneModel}'`,
-  );
+  if (!isScene) {
+    material.push(
+      `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
+    );
+  }
+  material.push(`strokeRotation: ${rotation[settings.strokeDirection]}`, `toneModel: '${settings.toneModel}'`);
   const { offsetU, offsetV, creaseAngle } = settings;
   if (offsetU !== 0 || offsetV !== 0) material.push(`strokeOffset: new Vector2(${offsetU}, ${offsetV})`);
   if (creaseAngle !== SETTINGS.creaseAngle.default) material.push(`creaseAngle: (${creaseAngle} / 180) * Math.PI`);
@@ -36,7 +41,8 @@ export function codeSample(settings: Settings): string {
   if (settings.secondLight !== 'none' && settings.strokeLayers === '2') material.push('secondLayer: true');
   if (settings.levelRule !== SETTINGS.levelRule.default) material.push(`levelRule: '${settings.levelRule}'`);
   if (settings.inkBlend !== SETTINGS.inkBlend.default) material.push(`inkBlend: '${settings.inkBlend}'`);
-  material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`, `color: '${settings.color}'`);
+  material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);
+  if (!isScene) material.push(`color: '${settings.color}'`);
   const light = {
     directional: `new DirectionalLight('white', ${round((Math.PI * settings.lightStrength) / 100)})`,
     point: `new PointLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, 0)`,
@@ -62,14 +68,32 @@ scene.add(second);
 `);
   }
   if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
-  return `import { ${[...classes, 'Mesh'].sort().join(', ')} } from 'three';
-import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+  if (!isScene) classes.add('Mesh');
+  const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
+  const [imports, use] = isScene
+    ? [
+        'applyHatching, TonalArtMap',
+        `const { scene: model } = await new GLTFLoader().loadAsync(address); // from 'three/addons/loaders/GLTFLoader.js'
+scene.add(model);
+await applyHatching(model, {
+  strokeScale: ${round(settings.strokeScale)} / radius, // tiles per unit of the world; radius of the model
+  material: {
+${parameters.map((line) => `    ${line}`).join('\n')}
+  },
+});`,
+      ]
+    : [
+        'HatchingMaterial, prepareHatchingGeometry, TonalArtMap',
+        `const material = new HatchingMaterial({
+${parameters.map((line) => `  ${line}`).join('\n')}
+});
+scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));`,
+      ];
+  return `import { ${[...classes].sort().join(', ')} } from 'three';
+import { ${imports} } from 'three-hatching';
 
 const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });
-const material = new HatchingMaterial({
-${material.map((line) => `  ${line.includes('//') ? line : `${line},`}`).join('\n')}
-});
-scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));
+${use}
 
 ${lights.join('')}`;
 }

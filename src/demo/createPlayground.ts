@@ -1,26 +1,20 @@
 import { CompareDivider } from './CompareDivider.js';
-import { codeSample } from './codeSample.js';
 import { createScene } from './createScene.js';
-import { bakeModel } from './DrawnModel.js';
 import { dropFiles } from './dropFiles.js';
-import { exportPng } from './exportPng.js';
 import { LightHandle } from './LightHandle.js';
-import { loadModelFiles } from './loadModelFiles.js';
-import { modelCaption } from './modelCaption.js';
-import { BUILT_IN_MODELS } from './models.js';
+import { ModelDesk } from './ModelDesk.js';
+import { MotionPanel } from './MotionPanel.js';
 import { Panel } from './Panel.js';
-import { triangleCount } from './PlainMesh.js';
 import { PresetBar } from './PresetBar.js';
 import { page, setPageState } from './page.js';
 import { presetLook } from './presets.js';
-import type { ModelFile } from './readModel.js';
 import { SettingsHistory } from './SettingsHistory.js';
 import type { Status } from './Status.js';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { readLink, writeLink } from './shareLink.js';
-import { type Report, TaskBoard } from './TaskBoard.js';
+import { TakeAway } from './TakeAway.js';
+import { TaskBoard } from './TaskBoard.js';
 import { TonalArtMapCache } from './TonalArtMapCache.js';
-import { copyText, download } from './takeAway.js';
 
 declare global {
   interface Window {
@@ -42,7 +36,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const history = new SettingsHistory(settings);
   const maps = new TonalArtMapCache();
   const tasks = new TaskBoard(status, () => scene.invalidate());
-  const drawn = { model: settings.model as Settings['model'], name: '', mapKeys: '' };
+  const models = new ModelDesk(scene, settings, history, tasks, (isNewModel) => {
+    if (isNewModel) motion.show(scene.model?.motion);
+    settingsChanged();
+  });
+  const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
+  const takeAway = new TakeAway(scene, settings, models, status, currentLink);
   const lamp = new LightHandle(page.lamp, {
     plate: page.plate,
     camera: scene.camera,
@@ -53,7 +52,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       personChanged('lamp');
     },
     onDrag: (dragging) => {
-      scene.controls.enabled = !dragging;
+      scene.view.controls.enabled = !dragging;
       if (dragging) page.lamp.classList.add('is-known');
     },
   });
@@ -67,13 +66,13 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     page.panel,
     settings,
     [
-      { label: 'Show the whole model', group: 'View', run: scene.frameModel },
-      { label: 'Save PNG', group: 'Picture', run: savePng },
-      { label: 'Copy a link to this drawing', group: 'Picture', run: copyLink },
-      { label: 'Copy the code for this look', group: 'Picture', run: copyCode },
+      { label: 'Show the whole model', group: 'View', run: scene.view.frame },
+      { label: 'Save PNG', group: 'Picture', run: takeAway.savePng },
+      { label: 'Copy a link to this drawing', group: 'Picture', run: takeAway.copyLink },
+      { label: 'Copy the code for this look', group: 'Picture', run: takeAway.copyCode },
     ],
     (key) => {
-      if (key === 'model') changeModel();
+      if (key === 'model') models.changeModel();
       if (MAP_SETTINGS.includes(key)) void showMap();
       personChanged(key);
     },
@@ -110,7 +109,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   function replaceSettings(next: Settings): void {
     const { model } = settings;
     Object.assign(settings, next);
-    if (settings.model !== model) changeModel();
+    if (settings.model !== model) models.changeModel();
     void showMap();
   }
 
@@ -139,11 +138,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   function currentLink(): string {
-    return writeLink(settings, scene.isFramed() ? undefined : scene.getView());
+    return writeLink(settings, scene.view.isFramed ? undefined : scene.view.place);
   }
 
   scene.onFrame(() => {
     lamp.update();
+    motion.update();
     if (!page.divider.hidden) divider.place();
     if (tasks.isIdle && scene.isComplete && document.documentElement.dataset.state === 'loading') setPageState('ready');
   });
@@ -154,62 +154,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       ? 'Drawn with half the resolution while it moves, because this machine is slow'
       : 'Time from the first command of a frame to its last pixel';
   });
-  scene.controls.addEventListener('change', rememberInAddress);
+  scene.view.controls.addEventListener('change', rememberInAddress);
 
   // ── Models and maps ──
-
-  async function showModel(
-    model: Settings['model'],
-    load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
-  ) {
-    setPageState('loading');
-    const end = await tasks.run('model', async (report, signal) => {
-      const loaded = await load(report, signal);
-      const count = triangleCount(loaded.read.mesh).toLocaleString('en');
-      const baked = await bakeModel(loaded.read.mesh, {
-        signal,
-        onProgress: (progress) => report(`joining ${count} triangles`, progress),
-      });
-      signal.throwIfAborted();
-      report('drawing', 1);
-      Object.assign(drawn, { model, name: loaded.title });
-      settings.model = model;
-      if (model === 'file') settings.upAxis = loaded.read.upAxis;
-      history.adopt();
-      page.facts.replaceChildren(...modelCaption(loaded.title, baked, loaded.read.broken));
-      document.title = `${loaded.title}, hatched`;
-      settingsChanged();
-      scene.setModel(baked, loaded.view);
-      page.lamp.hidden = false;
-    });
-    if (end === 'failed') {
-      // The old drawing stays, and the panel says so.
-      settings.model = drawn.model;
-      history.adopt();
-      settingsChanged();
-    }
-  }
-
-  function showBuiltIn(model: Exclude<Settings['model'], 'file'>): Promise<void> {
-    return showModel(model, async (report, signal) => {
-      const { title, view, load } = BUILT_IN_MODELS[model];
-      report(`fetching ${title}`);
-      return { title, view, read: await load({ signal, onStage: report }) };
-    });
-  }
-
-  function showFiles(files: readonly ModelFile[]): Promise<void> {
-    return showModel('file', async (report, signal) => {
-      const read = await loadModelFiles(files, { signal, onStage: report });
-      return { title: read.name, read };
-    });
-  }
-
-  function changeModel(): void {
-    if (settings.model === 'file') return;
-    settings.upAxis = SETTINGS.upAxis.default;
-    void showBuiltIn(settings.model);
-  }
 
   async function showMap(): Promise<void> {
     await tasks.run('map', async (report, signal) => {
@@ -219,48 +166,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     });
   }
 
-  dropFiles({ veil: page.drop, input: page.fileInput, buttons: [page.openFiles] }, (files) => void showFiles(files));
+  dropFiles({ veil: page.drop, input: page.fileInput, buttons: [page.openFiles] }, (files) => {
+    void models.showFiles(files);
+  });
 
-  // ── Taking it away ──
-
-  async function savePng(): Promise<void> {
-    try {
-      const picture = await exportPng(scene, {
-        width: page.plate.clientWidth,
-        height: page.plate.clientHeight,
-        scale: Number(settings.pictureSize),
-        ground: settings.pictureGround,
-      });
-      download(
-        picture,
-        `${
-          drawn.name
-            .replace(/\.\w+$/, '')
-            .replace(/\W+/g, '-')
-            .toLowerCase() || 'drawing'
-        }.png`,
-      );
-      status.say('The picture is saved.');
-    } catch (error) {
-      status.fail(error instanceof Error ? error.message : String(error));
-    }
-  }
-
-  async function copyLink(): Promise<void> {
-    const link = new URL(`#${currentLink()}`, location.href).href;
-    window.history.replaceState(null, '', link);
-    const where = (await copyText(link))
-      ? 'The link is on the clipboard.'
-      : "The link is in the browser's address line.";
-    status.say(settings.model === 'file' ? `${where} It cannot carry your own model.` : where);
-  }
-
-  async function copyCode(): Promise<void> {
-    if (await copyText(codeSample(settings))) status.say('The code is on the clipboard.');
-    else status.fail('The browser does not let this page use the clipboard.');
-  }
-
-  page.savePng.addEventListener('click', savePng);
+  page.savePng.addEventListener('click', takeAway.savePng);
   page.undo.addEventListener('click', undo);
 
   // ── The card ──
@@ -295,19 +205,13 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   addEventListener('hashchange', () => {
     const link = readLink(location.hash);
     replaceSettings(link.settings);
-    if (link.camera) scene.setView(link.camera);
-    else scene.frameModel();
+    if (link.camera) scene.view.place = link.camera;
+    else scene.view.frame();
     personChanged();
   });
 
-  if (camera) scene.setView(camera);
+  if (camera) scene.view.place = camera;
   settingsChanged();
-  if (settings.model !== 'file') void showBuiltIn(settings.model);
+  models.showChosen();
   void showMap();
-}
-
-interface LoadedModel {
-  title: string;
-  view?: [number, number, number] | undefined;
-  read: Awaited<ReturnType<typeof loadModelFiles>>;
 }

@@ -1,38 +1,19 @@
-import {
-  Box3,
-  BufferGeometry,
-  DoubleSide,
-  FrontSide,
-  MathUtils,
-  Mesh,
-  NoBlending,
-  NormalBlending,
-  PerspectiveCamera,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { HatchingMaterial, type TonalArtMap } from 'three-hatching';
-import { applyToMaterial, TEXELS_PER_STROKE } from './applyToMaterial.js';
+import { Group, MathUtils, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import type { TonalArtMap } from 'three-hatching';
 import type { DrawnModel } from './DrawnModel.js';
 import { FrameClock } from './FrameClock.js';
 import { FrameTimer } from './FrameTimer.js';
-import { framingDistance } from './framingDistance.js';
 import { LightRig } from './LightRig.js';
 import { MovingResolution } from './MovingResolution.js';
-import { OrbitKeys } from './OrbitKeys.js';
 import type { Settings } from './settings.js';
-import type { CameraView } from './shareLink.js';
+import { View } from './View.js';
 
 const FIELD_OF_VIEW = 26;
-/** The direction most models are looked at from at first: a little from the side and from above. */
-const USUAL_VIEW = [0.22, 0.18, 1] as const;
 const MAX_PIXEL_RATIO = 2;
 /** A desk-filling sheet on a large screen is drawn with fewer pixels than it has, rather than slowly. */
 const MAX_PIXELS = 8_000_000;
 
-/** The picture: renderer, camera, lights, and one model drawn with one material or, compared, with two. */
+/** The picture: renderer, camera, lights, and one model drawn with one look or, compared, with two. */
 export type HatchingScene = ReturnType<typeof createScene>;
 
 /** A strip of a view, in the renderer's pixels. */
@@ -50,16 +31,15 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   const renderer = new WebGLRenderer({ canvas, context });
   const scene = new Scene();
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
-  const controls = new OrbitControls(camera, canvas);
   const lights = new LightRig(scene);
-  const material = new HatchingMaterial();
-  const compared = new HatchingMaterial();
-  let strokeWidth = 2;
-  const mesh = new Mesh(new BufferGeometry(), material);
-  mesh.visible = false;
-  scene.add(mesh);
-  controls.minDistance = 1.3;
-  controls.maxDistance = 30;
+  /** Holds the model; turned where its up is another. */
+  const upright = new Group();
+  scene.add(upright);
+  let model: DrawnModel | undefined;
+  /** The model before, until the new one has been drawn: programs that both use are not built again then. */
+  let retired: DrawnModel | undefined;
+  let map: TonalArtMap | undefined;
+  let settings: Settings | undefined;
 
   const frameListeners: (() => void)[] = [];
   const clock = new FrameClock(() => draw());
@@ -69,16 +49,29 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     for (const listener of timeListeners) listener();
   });
   const timeListeners: (() => void)[] = [];
-  /** Share of the width that is drawn with the compared material, or undefined when there is one drawing only. */
+  const view = new View(canvas, camera, () => clock.invalidate());
+  let lastFrame = 0;
+  /** Share of the width that is drawn in the compared look, or undefined when there is one drawing only. */
   let divider: (() => number) | undefined;
 
   function draw(): void {
     const { clientWidth: width, clientHeight: height } = plate;
     if (context.isContextLost() || width === 0 || height === 0) return;
     moving.beforeFrame();
+    move();
     if (renderer.getPixelRatio() !== pixelRatio()) renderer.setPixelRatio(pixelRatio());
     timer.measure(() => drawPiece({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio()));
+    retired?.dispose();
+    retired = undefined;
     for (const listener of frameListeners) listener();
+    if (model?.motion?.isPlaying) clock.invalidate();
+  }
+
+  /** Moves the model on by the time that has passed. */
+  function move(): void {
+    const now = performance.now();
+    model?.motion?.advance((now - lastFrame) / 1000);
+    lastFrame = now;
   }
 
   /**
@@ -89,8 +82,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
    */
   function drawPiece({ viewWidth, x, width, height }: Piece, pixelRatio: number): void {
     const share = divider?.();
-    for (const each of [material, compared]) each.texelPixels = (strokeWidth / TEXELS_PER_STROKE) * pixelRatio;
-    mesh.material = material;
+    if (model && settings) model.strokeWidth = settings.strokeWidth * pixelRatio;
+    model?.wear('drawn');
     if (share === undefined) {
       renderer.render(scene, camera);
       return;
@@ -99,21 +92,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setScissorTest(true);
     renderer.setScissor(split, 0, width - split, height);
     if (split < width) renderer.render(scene, camera);
-    mesh.material = compared;
+    model?.wear('compared');
     renderer.setScissor(0, 0, split, height);
     if (split > 0) renderer.render(scene, camera);
     renderer.setScissorTest(false);
-  }
-
-  /** Draws on paper, or strokes and nothing else: a surface without paper still hides what is behind it. */
-  function showPaper(shown: boolean): void {
-    for (const each of [material, compared]) {
-      each.paperOpacity = shown ? 1 : 0;
-      // Written as it is instead of blended, so that no stroke of the far side shows between those of the near one.
-      each.blending = shown ? NormalBlending : NoBlending;
-      each.premultipliedAlpha = !shown;
-      each.needsUpdate = true;
-    }
   }
 
   function pixelRatio(): number {
@@ -127,40 +109,17 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (width === 0 || height === 0) return;
     renderer.setPixelRatio(pixelRatio());
     renderer.setSize(width, height, false);
-    camera.aspect = width / height;
-    camera.updateProjectionMatrix();
-    if (framed) frameModel();
+    view.resized(width / height);
     timer.reset();
     // At once, not in the next frame: a canvas that changed its size is empty until it is drawn.
     draw();
   }
 
-  /** Whether the view is the one that shows the whole model; it follows changes of the sheet's size then. */
-  let framed = true;
-  const firstView = new Vector3(...USUAL_VIEW);
-  const bounds = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
-  let isFraming = false;
-
-  function measureBounds(): void {
-    if (mesh.geometry.hasAttribute('position')) bounds.setFromObject(mesh);
+  function measureBounds(first?: readonly [number, number, number]): void {
+    upright.updateMatrix();
+    if (model) view.setBounds(model.bounds.clone().applyMatrix4(upright.matrix), first);
   }
 
-  function frameModel(): void {
-    isFraming = true;
-    controls.target.set(0, 0, 0);
-    camera.position.copy(firstView).setLength(framingDistance(bounds, firstView, camera));
-    controls.update();
-    isFraming = false;
-    framed = true;
-    clock.invalidate();
-  }
-
-  controls.addEventListener('change', () => {
-    if (!isFraming) framed = false;
-    clock.invalidate();
-  });
-  const keys = new OrbitKeys(canvas, camera, controls, frameModel);
-  canvas.addEventListener('dblclick', frameModel);
   const sizes = new ResizeObserver(resize);
   sizes.observe(plate);
   resize();
@@ -169,14 +128,15 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer,
     scene,
     camera,
-    controls,
-    material,
-    compared,
+    view,
     lightPosition: lights.position,
     draw,
     drawPiece,
-    showPaper,
-    frameModel,
+
+    /** Draws on paper, or strokes and nothing else. */
+    showPaper(shown: boolean): void {
+      model?.showPaper(shown);
+    },
 
     /** Calls back after each frame. */
     onFrame(listener: () => void): void {
@@ -212,32 +172,32 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       clock.invalidate();
     },
 
-    /** Draws a model from now on, and frees the one before. `view` is the direction to the eye that shows it whole. */
-    setModel(model: DrawnModel, view: readonly [number, number, number] = USUAL_VIEW): void {
-      firstView.set(...view);
-      mesh.geometry.dispose();
-      mesh.geometry = model.geometry;
-      mesh.visible = true;
+    /** Draws a model from now on, and frees the one before. `first` is the direction to the eye that shows it whole. */
+    setModel(next: DrawnModel, first: readonly [number, number, number] = View.usual): void {
+      retired?.dispose();
+      retired = model;
+      retired?.root.removeFromParent();
+      model = next;
+      upright.add(next.root);
       timer.reset();
-      measureBounds();
-      if (framed) frameModel();
-      for (const each of [material, compared]) {
-        // An open surface shows its inside.
-        each.side = model.borderEdges > 0 || model.nonManifoldEdges > 0 ? DoubleSide : FrontSide;
-        each.vertexColors = model.hasColors;
-        each.needsUpdate = true;
-      }
+      if (map) next.tonalArtMap = map;
+      if (settings) this.apply(settings);
+      measureBounds(first);
       clock.invalidate();
     },
 
-    setTonalArtMap(map: TonalArtMap): void {
-      material.tonalArtMap = map;
-      compared.tonalArtMap = map;
+    get model(): DrawnModel | undefined {
+      return model;
+    },
+
+    setTonalArtMap(next: TonalArtMap): void {
+      map = next;
+      if (model) model.tonalArtMap = map;
       clock.invalidate();
     },
 
     get tonalArtMap(): TonalArtMap | undefined {
-      return material.tonalArtMap ?? undefined;
+      return map;
     },
 
     /** Draws a second technique left of a divider, whose place is asked for with every frame; or no longer does. */
@@ -247,49 +207,31 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     },
 
     /** Puts the settings in force. Cheap: nothing is rebuilt but, where a setting needs another program, that. */
-    apply(settings: Settings): void {
+    apply(next: Settings): void {
+      settings = next;
       lights.apply(settings);
       const tilt = settings.upAxis === 'z' ? -Math.PI / 2 : 0;
-      if (mesh.rotation.x !== tilt) {
-        mesh.rotation.x = tilt;
+      if (upright.rotation.x !== tilt) {
+        upright.rotation.x = tilt;
         measureBounds();
       }
       renderer.setClearColor(settings.paper, 1);
-      strokeWidth = settings.strokeWidth;
-      applyToMaterial(material, settings);
-      applyToMaterial(compared, settings, settings.compare === 'none' ? settings.technique : settings.compare);
+      model?.apply(settings);
       clock.invalidate();
     },
 
     /** Whether there is all it takes to draw. */
     get isComplete(): boolean {
-      return mesh.visible && material.tonalArtMap !== null;
-    },
-
-    isFramed(): boolean {
-      return framed;
-    },
-
-    getView(): CameraView {
-      return { position: camera.position.toArray(), target: controls.target.toArray() };
-    },
-
-    setView({ position, target }: CameraView): void {
-      camera.position.fromArray(position);
-      controls.target.fromArray(target);
-      controls.update();
-      clock.invalidate();
+      return model !== undefined && map !== undefined;
     },
 
     dispose(): void {
       sizes.disconnect();
-      keys.dispose();
-      controls.dispose();
+      view.dispose();
       clock.dispose();
       timer.reset();
-      mesh.geometry.dispose();
-      material.dispose();
-      compared.dispose();
+      retired?.dispose();
+      model?.dispose();
       renderer.dispose();
       renderer.forceContextLoss();
     },

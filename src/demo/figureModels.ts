@@ -1,12 +1,15 @@
-import { Box3, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { prepareHatchingGeometry } from 'three-hatching';
 import handUrl from './assets/hand.glb?url';
-import { bakeModel } from './DrawnModel.js';
+import { bakeMesh } from './bakeMesh.js';
+import type { MadeScene } from './drawModel.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from './fourTriangles.js';
 import { loadModelFiles } from './loadModelFiles.js';
 import { ModelError } from './ModelError.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from './models.js';
+import type { PlainMesh } from './PlainMesh.js';
+import type { ReadModel } from './readModel.js';
 import { shellChair } from './shellChair.js';
 
 /** A model as figures draw it: about of radius 1 around the origin, in parts that may look different. */
@@ -47,24 +50,28 @@ export function figureModel(name: FigureModelName): Promise<FigureModel> {
   return model;
 }
 
+const LOADING = { signal: new AbortController().signal, onStage: () => {} };
+
+/** The one mesh of a model that does not move. */
+function meshIn(read: ReadModel | MadeScene): PlainMesh {
+  if (read.kind !== 'mesh') throw new ModelError(`${read.name} has parts that move; a figure takes one mesh.`);
+  return read.mesh;
+}
+
 function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
   return async () => {
-    const { signal } = new AbortController();
-    const { mesh } = await BUILT_IN_MODELS[name].load({ signal, onStage: () => {} });
-    const { geometry, borderEdges, nonManifoldEdges } = await bakeModel(mesh, { signal, onProgress: () => {} });
-    // An open surface shows its inside.
-    const side = borderEdges > 0 || nonManifoldEdges > 0 ? DoubleSide : FrontSide;
+    const mesh = meshIn(await BUILT_IN_MODELS[name].load(LOADING));
+    const { geometry, side } = await bakeMesh(mesh);
     return { parts: { all: geometry }, side, outline: mesh.positions };
   };
 }
 
 /** A right hand, its fingers up and its back to the viewer. */
 async function hand(): Promise<FigureModel> {
-  const { signal } = new AbortController();
   const response = await fetch(handUrl);
   if (!response.ok) throw new ModelError(`The hand could not be fetched: the server answered ${response.status}.`);
   const file = { name: 'hand.glb', content: await response.blob() };
-  const { mesh } = await loadModelFiles([file], { signal, onStage: () => {} });
+  const mesh = meshIn(await loadModelFiles([file], LOADING));
   const { positions, normals } = mesh;
   // It comes with its fingers down and its back towards x.
   for (const triples of [positions, normals]) {
@@ -73,7 +80,7 @@ async function hand(): Promise<FigureModel> {
       triples.set([z, -y, x], i);
     }
   }
-  const { geometry } = await bakeModel(mesh, { signal, onProgress: () => {} });
+  const { geometry } = await bakeMesh(mesh);
   return { parts: { all: geometry }, side: DoubleSide, outline: positions };
 }
 

@@ -1,6 +1,12 @@
 import { ModelError } from './ModelError.js';
 import type { PlainMesh } from './PlainMesh.js';
 
+/** Where a mesh lies: the middle of its bounding box, and how far from there its farthest vertex is. */
+export interface Extent {
+  centre: [number, number, number];
+  radius: number;
+}
+
 /**
  * Moves and scales a mesh, in place, so that its bounding box is centred at the origin and its farthest vertex lies at
  * distance 1. Stroke scales then mean the same on every model, and far-off coordinates keep their precision.
@@ -8,8 +14,24 @@ import type { PlainMesh } from './PlainMesh.js';
  *
  * @throws ModelError when all vertices lie at one point.
  */
-export function fitModel(mesh: PlainMesh): void {
-  const { positions } = mesh;
+export function fitModel({ positions }: PlainMesh): void {
+  const {
+    centre: [x, y, z],
+    radius,
+  } = measureExtent(positions);
+  for (let i = 0; i < positions.length; i += 3) {
+    positions[i] = (positions[i]! - x) / radius;
+    positions[i + 1] = (positions[i + 1]! - y) / radius;
+    positions[i + 2] = (positions[i + 2]! - z) / radius;
+  }
+}
+
+/**
+ * Measures where points lie, three numbers each.
+ *
+ * @throws ModelError when all lie at one place.
+ */
+export function measureExtent(positions: Float32Array): Extent {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i++) {
@@ -18,16 +40,13 @@ export function fitModel(mesh: PlainMesh): void {
     if (value < low[axis]!) low[axis] = value;
     if (value > high[axis]!) high[axis] = value;
   }
-  const [x, y, z] = [0, 1, 2].map((axis) => low[axis]! / 2 + high[axis]! / 2) as [number, number, number];
+  const centre = [0, 1, 2].map((axis) => low[axis]! / 2 + high[axis]! / 2) as [number, number, number];
+  const [x, y, z] = centre;
   let radius = 0;
   for (let i = 0; i < positions.length; i += 3) {
     radius = Math.max(radius, Math.hypot(positions[i]! - x, positions[i + 1]! - y, positions[i + 2]! - z));
   }
   if (!(radius > 0 && radius < Infinity))
     throw new ModelError('The model has no size: all its points lie at one place.');
-  for (let i = 0; i < positions.length; i += 3) {
-    positions[i] = (positions[i]! - x) / radius;
-    positions[i + 1] = (positions[i + 1]! - y) / radius;
-    positions[i + 2] = (positions[i + 2]! - z) / radius;
-  }
+  return { centre, radius };
 }

@@ -4,22 +4,26 @@ import { ModelError } from './ModelError.js';
 export interface GltfDocument {
   asset?: { version?: string };
   extensionsRequired?: string[];
+  extensionsUsed?: string[];
   accessors?: { bufferView?: number; count?: number; sparse?: unknown }[];
   bufferViews?: { buffer?: number; byteOffset?: number; byteLength?: number; extensions?: object }[];
   buffers?: { uri?: string; byteLength?: number; extensions?: object }[];
   nodes?: { children?: number[] }[];
+  meshes?: { primitives?: { attributes?: { POSITION?: number }; targets?: unknown[] }[] }[];
+  skins?: unknown[];
   materials?: GltfMaterial[];
-  textures?: unknown;
-  images?: unknown;
+  textures?: { source?: number; sampler?: number; extensions?: { EXT_texture_webp?: { source?: number } } }[];
+  images?: { uri?: string; bufferView?: number; mimeType?: string }[];
   samplers?: unknown;
-  animations?: unknown;
+  animations?: { channels?: unknown[] }[];
 }
 
 interface GltfMaterial {
   name?: string;
   alphaMode?: string;
+  alphaCutoff?: number;
   doubleSided?: boolean;
-  pbrMetallicRoughness?: { baseColorFactor?: number[] };
+  pbrMetallicRoughness?: { baseColorFactor?: number[]; baseColorTexture?: { index?: number } };
 }
 
 const GLB_JSON = 0x4e4f534a;
@@ -28,6 +32,8 @@ const GLB_BINARY = 0x004e4942;
 const MAX_IMPLIED_VALUES = 1_000_000;
 const MAX_NODES = 100_000;
 const MAX_DEPTH = 500;
+/** More than this keeps the page's own thread busy for too long; it is drawn as one mesh instead, which does not move. */
+const MAX_LIVE = { vertices: 300_000, nodes: 5_000, channels: 20_000 };
 const READABLE =
   /^(KHR_draco_mesh_compression|EXT_meshopt_compression|KHR_meshopt_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|(KHR|EXT)_(texture|materials|lights)_\w+|KHR_node_visibility)$/;
 
@@ -70,7 +76,7 @@ export function readGltfDocument(text: string, name: string): GltfDocument {
   if (!version.startsWith('2')) throw new ModelError(`${name} is glTF version ${version}; this page reads version 2.`);
   const unknown = gltf.extensionsRequired?.find((extension) => !READABLE.test(extension));
   if (unknown) throw new ModelError(`${name} needs the glTF extension ${unknown}, which this page does not read.`);
-  const implied = (gltf.accessors ?? []).reduce((sum, a) => sum + (a.bufferView === undefined ? (a.count ?? 0) : 0), 0);
+  const implied = sum(gltf.accessors ?? [], ({ bufferView, count }) => (bufferView === undefined ? (count ?? 0) : 0));
   const isCompressed = gltf.extensionsRequired?.includes('KHR_draco_mesh_compression') ?? false;
   if (implied > MAX_IMPLIED_VALUES && !isCompressed)
     throw new ModelError(`${name} asks for more memory than its content explains.`);
@@ -89,15 +95,59 @@ export function checkBufferViews(gltf: GltfDocument, sizes: readonly number[], n
   }
 }
 
-/** Takes pictures and animations out: they are not drawn, and decoding them could cost more than the model. */
-export function withoutPictures(gltf: GltfDocument): GltfDocument {
-  const { textures: _textures, images: _images, samplers: _samplers, animations: _animations, ...rest } = gltf;
-  const materials = gltf.materials?.map(({ name, alphaMode, doubleSided, pbrMetallicRoughness }) => {
-    const factor = pbrMetallicRoughness?.baseColorFactor;
-    return { name, alphaMode, doubleSided, pbrMetallicRoughness: factor ? { baseColorFactor: factor } : {} };
-  });
-  return materials ? { ...rest, materials: materials as GltfMaterial[] } : rest;
+/**
+ * Whether there is something in a document that one merged mesh cannot show, motion or pictures on surfaces, and it is
+ * small enough to be put together on the page's own thread.
+ */
+export function isLive(gltf: GltfDocument): boolean {
+  const primitives = (gltf.meshes ?? []).flatMap((mesh) => mesh.primitives ?? []);
+  const channels = sum(gltf.animations ?? [], (animation) => animation.channels?.length ?? 0);
+  const moves = channels > 0 || (gltf.skins?.length ?? 0) > 0 || primitives.some(({ targets }) => targets?.length);
+  const isPictured = (gltf.materials ?? []).some((material) => material.pbrMetallicRoughness?.baseColorTexture);
+  const vertices = sum(primitives, ({ attributes }) => gltf.accessors?.[attributes?.POSITION ?? -1]?.count ?? 0);
+  const isSmall =
+    vertices <= MAX_LIVE.vertices &&
+    (gltf.nodes?.length ?? 0) <= MAX_LIVE.nodes &&
+    channels <= MAX_LIVE.channels &&
+    vertices > 0;
+  return Boolean(moves || isPictured) && isSmall;
 }
+
+/** The number of the picture that a texture shows. */
+export function textureSource(gltf: GltfDocument, texture: number | undefined): number | undefined {
+  const { source, extensions } = gltf.textures?.[texture ?? -1] ?? {};
+  return source ?? extensions?.EXT_texture_webp?.source;
+}
+
+/**
+ * Leaves nothing of the materials but their colours and sides, and of the pictures those that colour surfaces: they are at
+ * `urls` by their number, undefined where they are to be left out too.
+ */
+export function withBaseColors(gltf: GltfDocument, urls: readonly (string | undefined)[]): GltfDocument {
+  const isThere = (texture: number | undefined): boolean => urls[textureSource(gltf, texture) ?? -1] !== undefined;
+  const materials = gltf.materials?.map(({ name, alphaMode, alphaCutoff, doubleSided, pbrMetallicRoughness }) => {
+    const { baseColorFactor, baseColorTexture } = pbrMetallicRoughness ?? {};
+    return {
+      name,
+      alphaMode,
+      alphaCutoff,
+      doubleSided,
+      pbrMetallicRoughness: {
+        ...(baseColorFactor && { baseColorFactor }),
+        ...(isThere(baseColorTexture?.index) && { baseColorTexture }),
+      },
+    };
+  });
+  return {
+    ...gltf,
+    ...(materials && { materials: materials as GltfMaterial[] }),
+    images: urls.map((uri) => ({ uri: uri ?? '' })),
+    textures: (gltf.textures ?? []).map(({ sampler }, i) => ({ sampler, source: textureSource(gltf, i) })),
+  };
+}
+
+const sum = <Item>(items: readonly Item[], value: (item: Item) => number): number =>
+  items.reduce((total, item) => total + value(item), 0);
 
 function checkNodes(gltf: GltfDocument, name: string): void {
   const nodes = gltf.nodes ?? [];

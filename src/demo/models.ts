@@ -97,5 +97,5 @@ function shape(title: string, make: () => Promise<BufferGeometry>, { keepNormals
 
 function made(name: string, mesh: PlainMesh): ReadModel {
   fitModel(mesh);
-  return { mesh, name, broken: 0, upAxis: 'y' };
+  return { kind: 'mesh', mesh, name, broken: 0, upAxis: 'y' };
 }

@@ -10,6 +10,7 @@ export const page = {
   card: find('card'),
   presets: find('presets'),
   panel: find('panel'),
+  motion: find('motion'),
   toggleCard: find('toggle-card'),
   openFiles: find('open-files'),
   savePng: find('save-png'),

@@ -1,64 +1,41 @@
-import { LoadingManager } from 'three';
-import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
-import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
-import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { checkBufferViews, type GltfDocument, readGltfDocument, splitGlb, withoutPictures } from './gltfFile.js';
+import { checkBufferViews, type GltfDocument, isLive, readGltfDocument, splitGlb } from './gltfFile.js';
+import { collectPictures } from './gltfPictures.js';
 import { ModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
+import { type GltfParts, parseGltf } from './parseGltf.js';
 
 /** Bytes of a file of the drop by the name another file uses for it, or undefined. */
 export type FindFile = (uri: string) => Promise<Uint8Array | undefined>;
 
-/** Reads GLB, or glTF with its files, also when compressed with Draco or meshopt. Nothing is fetched from elsewhere. */
+/**
+ * Reads GLB, or glTF with its files, also when compressed with Draco or meshopt. Nothing is fetched from elsewhere.
+ *
+ * @returns one mesh; or, where that could not show what is in the file, its parts, checked
+ */
 export async function readGltf(
   bytes: Uint8Array,
   name: string,
   isBinary: boolean,
   findFile: FindFile,
-): Promise<PlainMesh> {
+): Promise<PlainMesh | GltfParts> {
   const { text, binary } = isBinary
     ? splitGlb(bytes, name)
     : { text: new TextDecoder().decode(bytes), binary: undefined };
-  const gltf = readGltfDocument(text, name);
-  const buffers = await collectBuffers(gltf, name, binary, findFile);
+  const document = readGltfDocument(text, name);
+  const buffers = await collectBuffers(document, name, binary, findFile);
   checkBufferViews(
-    gltf,
+    document,
     buffers.map((buffer) => buffer.length),
     name,
   );
-
-  const urls = buffers.map((buffer) => URL.createObjectURL(new Blob([buffer as Uint8Array<ArrayBuffer>])));
-  const manager = new LoadingManager();
-  manager.setURLModifier((url) => {
-    if (/^(blob|data):/.test(url) || url === dracoUrls.js || url === dracoUrls.wasm) return url;
-    throw new ModelError(`${name} refers to ${url}, which is not among the dropped files.`);
-  });
-  const loader = new GLTFLoader(manager);
-  const draco = new DRACOLoader(manager).setDecoderPath(dracoUrls as never);
-  loader.setDRACOLoader(draco);
-  try {
-    if (/meshopt_compression/.test(text)) {
-      const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
-      loader.setMeshoptDecoder(MeshoptDecoder);
-    }
-    const placed = {
-      ...withoutPictures(gltf),
-      buffers: buffers.map((buffer, i) => ({ byteLength: buffer.length, uri: urls[i] })),
-    };
-    const { scene } = await loader.parseAsync(placed as never, '');
-    return mergeScene(scene);
-  } finally {
-    draco.dispose();
-    for (const url of urls) URL.revokeObjectURL(url);
+  if (isLive(document)) {
+    return { name, document, buffers, pictures: await collectPictures(document, buffers, findFile) };
   }
+  const { animations: _, ...still } = document;
+  const { root } = await parseGltf({ name, document: still, buffers, pictures: [] });
+  return mergeScene(root);
 }
-
-const dracoUrls = {
-  js: new URL(dracoScriptUrl, import.meta.url).href,
-  wasm: new URL(dracoWasmUrl, import.meta.url).href,
-};
 
 async function collectBuffers(
   gltf: GltfDocument,

@@ -5,9 +5,10 @@ import { checkPly } from './checkPly.js';
 import { cleanMesh } from './cleanMesh.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
-import { ModelError } from './ModelError.js';
+import { damaged, ModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
+import type { GltfParts } from './parseGltf.js';
 import { type FindFile, readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
 import { extensionOf, MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
@@ -21,19 +22,31 @@ export interface ModelFile {
   content: Blob;
 }
 
-export interface ReadModel {
-  mesh: PlainMesh;
+/** A model as it was read: one mesh, or the checked parts of a file that one mesh cannot show. */
+export type ReadModel = ReadMesh | ReadParts;
+
+interface Read {
   /** The name of the file the model was opened by. */
   name: string;
-  /** Triangles left out because a corner was missing or not a number. */
-  broken: number;
   /** The axis that points up by the custom of the format. */
   upAxis: 'y' | 'z';
 }
 
+export interface ReadMesh extends Read {
+  kind: 'mesh';
+  mesh: PlainMesh;
+  /** Triangles left out because a corner was missing or not a number. */
+  broken: number;
+}
+
+export interface ReadParts extends Read {
+  kind: 'parts';
+  parts: GltfParts;
+}
+
 /**
  * Reads a model from one or several files: unpacks, tells the format by content, checks what the header promises, parses,
- * merges, takes out broken triangles and fits the rest to a unit sphere.
+ * merges, takes out broken triangles and fits the rest to a unit sphere; or leaves a glTF file in its parts.
  *
  * @param onStage called with a word for what is going on
  * @throws ModelError with one sentence for the person at the page
@@ -55,13 +68,20 @@ export async function readModel(files: readonly ModelFile[], onStage: (stage: st
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
   const parsed = await parse(format, bytes, main.name, findFile);
+  const read: Read = { name: plainName(main.name), upAxis: format === 'stl' ? 'z' : 'y' };
+  if ('document' in parsed) return { kind: 'parts', ...read, parts: parsed };
   onStage('looking over the triangles');
   const { mesh, broken } = cleanMesh(parsed);
   fitModel(mesh);
-  return { mesh, name: plainName(main.name), broken, upAxis: format === 'stl' ? 'z' : 'y' };
+  return { kind: 'mesh', ...read, mesh, broken };
 }
 
-async function parse(format: string, bytes: Uint8Array, name: string, findFile: FindFile): Promise<PlainMesh> {
+async function parse(
+  format: string,
+  bytes: Uint8Array,
+  name: string,
+  findFile: FindFile,
+): Promise<PlainMesh | GltfParts> {
   try {
     switch (format) {
       case 'glb':
@@ -76,10 +96,7 @@ async function parse(format: string, bytes: Uint8Array, name: string, findFile: 
         return fromGeometry(new STLLoader().parse(wholeBuffer(bytes)));
     }
   } catch (error) {
-    if (error instanceof ModelError) throw error;
-    const reason =
-      error instanceof Error ? error.message.replace(/^THREE\.\w+:\s*/, '').replace(/[.\s]+$/, '') : String(error);
-    throw new ModelError(`${name} could not be read; it seems to be damaged (${reason}).`);
+    throw damaged(name, error);
   }
 }
 

@@ -241,6 +241,13 @@ export const SETTINGS = {
     default: 'cover',
     choices: { cover: 'Ink covers', multiply: 'Ink tints' },
   },
+  surfaceColors: {
+    kind: 'choice',
+    label: 'Surfaces',
+    group: 'Colours',
+    default: 'shown',
+    choices: { shown: 'In their own colours', paper: 'White as paper' },
+  },
   color: { kind: 'color', label: 'Model', group: 'Colours', default: '#ffffff' },
 
   lightAzimuth: {

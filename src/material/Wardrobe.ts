@@ -1,4 +1,5 @@
 import type { Material, Mesh } from 'three';
+import { deforms } from './bindVertices.js';
 import type { HatchingMaterial, HatchingMaterialParameters } from './HatchingMaterial.js';
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
 import { isSurface } from './surfaceMeshes.js';
@@ -9,10 +10,13 @@ const SCALE_DIGITS = 6;
 /** Whether a material hatches already. */
 export const isHatching = (material: Material): material is HatchingMaterial => 'isHatchingMaterial' in material;
 
-/** The hatching materials of a scene: one for every material it had and every scale of the meshes that wear it. */
+/**
+ * The hatching materials of a scene: one for every material it had and every scale of the meshes that wear it; and one more
+ * for meshes that deform, whose program is another.
+ */
 export class Wardrobe {
   readonly materials: HatchingMaterial[] = [];
-  /** By source and scale. */
+  /** By source, scale and whether the mesh deforms. */
   private readonly made = new Map<string, HatchingMaterial>();
   /** Scales of the materials whose parameters do not tell the size of their strokes. */
   private readonly scales = new Map<HatchingMaterial, number>();
@@ -40,7 +44,7 @@ export class Wardrobe {
   }
 
   private replacing(source: Material, mesh: Mesh, scale: number): HatchingMaterial {
-    const key = `${source.uuid} ${scale.toPrecision(SCALE_DIGITS)}`;
+    const key = `${source.uuid} ${scale.toPrecision(SCALE_DIGITS)} ${deforms(mesh.geometry, mesh)}`;
     let material = this.made.get(key);
     if (!material) {
       const parameters = typeof this.parameters === 'function' ? this.parameters(source, mesh) : this.parameters;

@@ -12,8 +12,11 @@ import { isHatching, Wardrobe } from './Wardrobe.js';
 
 /** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
 export interface ApplyHatchingOptions extends PrepareHatchingGeometryOptions {
-  /** For materials whose parameters name none. Without it one in the style `hatching` is generated, and disposed of. */
-  tonalArtMap?: TonalArtMap | undefined;
+  /**
+   * For materials whose parameters name none. Without it one in the style `hatching` is generated, and disposed of. `null`:
+   * none for now, all stays paper until you set one.
+   */
+  tonalArtMap?: TonalArtMap | null | undefined;
   /**
    * What the materials are to have beside what they take over; it wins. A function is called once for every material
    * made, with the one it replaces and the first mesh that wears it.
@@ -45,8 +48,8 @@ const MAP_SHARE = 0.2;
  * Instances, groups, skins and morph targets go on as before; lines, points and sprites are left alone. Nothing in the
  * scene changes before everything is ready, and nothing at all if that fails or is aborted.
  *
- * - A material shared by meshes becomes one shared material; where the meshes differ in scale one for each scale, since
- *   `strokeScale` counts in object space.
+ * - A material shared by meshes becomes one shared material. Where the meshes differ in scale it becomes one for each
+ *   scale, since `strokeScale` counts in object space; those that deform have one of their own.
  * - Meshes that have a `HatchingMaterial` of your own are left alone.
  * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`; so is one that was given another
  *   geometry or material meanwhile.
@@ -78,7 +81,7 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     made.push(...wardrobe.materials);
 
     const mapless = wardrobe.materials.filter(({ tonalArtMap }) => tonalArtMap === null);
-    const mapShare = mapless.length > 0 && !options.tonalArtMap ? MAP_SHARE : 0;
+    const mapShare = mapless.length > 0 && options.tonalArtMap === undefined ? MAP_SHARE : 0;
     const { onProgress, signal, createWorker } = options;
     const baked = await bakeGeometries(
       layoutsFor(fittings, options.layout),
@@ -88,17 +91,13 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     const { dresses, skipped } = sortOut(fittings, baked);
     if (skipped.length > 0 && dresses.length === 0) throw skipped[0]!.error;
 
-    if (mapless.length > 0) {
-      const map =
-        options.tonalArtMap ??
-        (await TonalArtMap.generate({
-          signal,
-          createWorker,
-          onProgress: onProgress && ((progress) => onProgress(1 - MAP_SHARE + MAP_SHARE * progress)),
-        }));
-      if (!options.tonalArtMap) made.push(map);
-      for (const material of mapless) material.tonalArtMap = map;
+    let map = options.tonalArtMap ?? null;
+    if (mapShare > 0) {
+      const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
+      map = await TonalArtMap.generate({ signal, createWorker, onProgress: onMapProgress });
+      made.push(map);
     }
+    for (const material of mapless) material.tonalArtMap = map;
     signal?.throwIfAborted();
     wardrobe.sizeStrokes(options.strokeScale ?? TILES_PER_RADIUS / radiusOf(dresses));
     const worn = new Set<Material>(dresses.flatMap(({ material }) => material));

@@ -59,7 +59,8 @@ export function bindVertices(
   return 'deforming';
 }
 
-const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
+/** Whether what is drawn of a geometry differs from its rest pose. */
+export const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
   'isSkinnedMesh' in object || morphAttributes.position !== undefined || morphAttributes.normal !== undefined;
 
 function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Object3D): boolean {

@@ -1,4 +1,3 @@
-import type { Page } from '@playwright/test';
 import { expect, test } from '../browser/test.js';
 import {
   file,
@@ -13,25 +12,9 @@ import {
   type TestFile,
 } from './modelFiles.js';
 import { changedShare, meanInk, WHOLE } from './pictures.js';
-import { openPlayground, readDrawing, ready } from './playground.js';
+import { drop, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
-
-/** Drops files on the page as a file manager would. */
-async function drop(page: Page, files: readonly TestFile[]): Promise<void> {
-  const plain = files.map(({ name, buffer }) => ({ name, base64: buffer.toString('base64') }));
-  const transfer = await page.evaluateHandle((dropped) => {
-    const data = new DataTransfer();
-    for (const { name, base64 } of dropped) {
-      data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
-    }
-    return data;
-  }, plain);
-  await page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
-  await expect(page.getByText('Drop a model to have it drawn')).toBeVisible();
-  await page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
-  await expect(page.getByText('Drop a model to have it drawn')).toBeHidden();
-}
 
 test('models of every format are drawn when dropped', async ({ page }) => {
   await openPlayground(page, 'model=cube');

@@ -1,3 +1,5 @@
+import { packGlb } from './liveModel.js';
+
 /** An octahedron in every format the page takes, made here so that the tests need no files. */
 
 const VERTICES = [
@@ -101,20 +103,4 @@ export function octahedronGltf(uri?: string, changes: object = {}): string {
   });
 }
 
-export function octahedronGlb(): Buffer {
-  const json = Buffer.from(octahedronGltf());
-  const text = Buffer.concat([json, Buffer.alloc((4 - (json.length % 4)) % 4, ' ')]);
-  const binary = octahedronBin();
-  const header = Buffer.alloc(12);
-  header.write('glTF');
-  header.writeUInt32LE(2, 4);
-  header.writeUInt32LE(12 + 8 + text.length + 8 + binary.length, 8);
-  return Buffer.concat([header, chunk('JSON', text), chunk('BIN\0', binary)]);
-}
-
-function chunk(kind: string, content: Buffer): Buffer {
-  const head = Buffer.alloc(8);
-  head.writeUInt32LE(content.length, 0);
-  head.write(kind, 4);
-  return Buffer.concat([head, content]);
-}
+export const octahedronGlb = (): Buffer => packGlb(octahedronGltf(), octahedronBin());

@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { expect } from '../browser/test.js';
+import type { TestFile } from './modelFiles.js';
 
 /** An idle page draws no frame for longer than the wait before it sharpens a drawing that moved. */
 const QUIET_MILLISECONDS = 500;
@@ -25,6 +26,22 @@ export async function ready(page: Page): Promise<void> {
     QUIET_MILLISECONDS,
     { polling: 100 },
   );
+}
+
+/** Drops files on the page as a file manager would. */
+export async function drop(page: Page, files: readonly TestFile[]): Promise<void> {
+  const plain = files.map(({ name, buffer }) => ({ name, base64: buffer.toString('base64') }));
+  const transfer = await page.evaluateHandle((dropped) => {
+    const data = new DataTransfer();
+    for (const { name, base64 } of dropped) {
+      data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    }
+    return data;
+  }, plain);
+  await page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
+  await expect(page.getByText('Drop a model to have it drawn')).toBeVisible();
+  await page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
+  await expect(page.getByText('Drop a model to have it drawn')).toBeHidden();
 }
 
 export const framesDrawn = (page: Page): Promise<number> => page.evaluate(() => window.__playground!.framesDrawn);

@@ -130,42 +130,46 @@ test('a batch is hatched as it is by anchored', async ({ page }) => {
   expect(differing(batched!, separate!, 8)).toBeLessThan(0.01 * covered(batched!));
 });
 
-test('restore brings the picture back, dispose leaves nothing on the graphics card', async ({ page }) => {
-  const { before, hatched, restored, memory } = await page.evaluate(async () => {
-    const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
-    const renderer = makeRenderer();
-    const map = new THREE.DataTexture(new Uint8Array([200, 100, 100, 255]), 1, 1);
-    map.needsUpdate = true;
-    const morphed = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshStandardMaterial({ map }));
-    morphed.geometry.morphAttributes.position = [morphed.geometry.attributes.position!.clone()];
-    morphed.updateMorphTargets();
-    morphed.position.x = -0.8;
-    const plain = new THREE.Mesh(new THREE.SphereGeometry(0.6), new THREE.MeshStandardMaterial({ color: 'teal' }));
-    plain.position.x = 0.8;
-    const root = new THREE.Group().add(morphed, plain);
-    const scene = sceneOf(root, sun());
-    const use = () => ({ ...renderer.info.memory, programs: renderer.info.programs!.length });
-    const before = pixelsOf(scene, renderer);
-    const memory = [use()];
-    const handle = await applyHatching(root, { material: { technique: 'anchored' } });
-    const hatched = pixelsOf(scene, renderer);
-    memory.push(use());
-    handle.restore();
-    const restored = pixelsOf(scene, renderer);
-    handle.dispose();
-    memory.push(use());
-    return { before, hatched, restored, memory };
+for (const technique of ['adjacency', 'anchored'] as const) {
+  test(`restore brings the picture back, dispose leaves nothing on the graphics card: ${technique}`, async ({
+    page,
+  }) => {
+    const { before, hatched, restored, memory } = await page.evaluate(async (technique) => {
+      const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const renderer = makeRenderer();
+      const map = new THREE.DataTexture(new Uint8Array([200, 100, 100, 255]), 1, 1);
+      map.needsUpdate = true;
+      const morphed = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshStandardMaterial({ map }));
+      morphed.geometry.morphAttributes.position = [morphed.geometry.attributes.position!.clone()];
+      morphed.updateMorphTargets();
+      morphed.position.x = -0.8;
+      const plain = new THREE.Mesh(new THREE.SphereGeometry(0.6), new THREE.MeshStandardMaterial({ color: 'teal' }));
+      plain.position.x = 0.8;
+      const root = new THREE.Group().add(morphed, plain);
+      const scene = sceneOf(root, sun());
+      const use = () => ({ ...renderer.info.memory, programs: renderer.info.programs!.length });
+      const before = pixelsOf(scene, renderer);
+      const memory = [use()];
+      const handle = await applyHatching(root, { material: { technique } });
+      const hatched = pixelsOf(scene, renderer);
+      memory.push(use());
+      handle.restore();
+      const restored = pixelsOf(scene, renderer);
+      handle.dispose();
+      memory.push(use());
+      return { before, hatched, restored, memory };
+    }, technique);
+    expect(differing(before, hatched, 8)).toBeGreaterThan(500);
+    expect(difference(before, restored)).toBe(0);
+    expect(memory[1]!.geometries).toBe(memory[0]!.geometries + 2);
+    expect(memory[1]!.textures).toBeGreaterThan(memory[0]!.textures);
+    expect(memory[1]!.programs).toBeGreaterThan(memory[0]!.programs);
+    // What every hatching material shares, such as the one blank texel, may stay.
+    expect(memory[2]!.geometries).toBe(memory[0]!.geometries);
+    expect(memory[2]!.programs).toBe(memory[0]!.programs);
+    expect(memory[2]!.textures - memory[0]!.textures).toBeLessThanOrEqual(1);
   });
-  expect(differing(before, hatched, 8)).toBeGreaterThan(500);
-  expect(difference(before, restored)).toBe(0);
-  expect(memory[1]!.geometries).toBe(memory[0]!.geometries + 2);
-  expect(memory[1]!.textures).toBeGreaterThan(memory[0]!.textures);
-  expect(memory[1]!.programs).toBeGreaterThan(memory[0]!.programs);
-  // What every hatching material shares, such as the one blank texel, may stay.
-  expect(memory[2]!.geometries).toBe(memory[0]!.geometries);
-  expect(memory[2]!.programs).toBe(memory[0]!.programs);
-  expect(memory[2]!.textures - memory[0]!.textures).toBeLessThanOrEqual(1);
-});
+}
 
 test.describe('loaded glTF', () => {
   test.skip(!hasSharedModels(), NO_MODELS);

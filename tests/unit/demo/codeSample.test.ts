@@ -59,7 +59,7 @@ const looks: Record<string, Partial<Settings>> = {
 describe('codeSample', () => {
   test.each(Object.entries(looks))('makes the material and the lights of the page: %s', async (_name, look) => {
     const settings = { ...defaultSettings(), ...look };
-    const scene = await run(codeSample(settings));
+    const scene = await run(codeSample(settings, false));
 
     const expected = new HatchingMaterial();
     applyToMaterial(expected, settings);

@@ -230,6 +230,21 @@ describe('what it makes of a scene', () => {
     expect([skinned.castShadow, skinned.customDepthMaterial]).toEqual([true, depth]);
   });
 
+  test('meshes that deform have a material of their own, so that no program changes from mesh to mesh', async () => {
+    const paint = new MeshBasicMaterial();
+    const [still, alsoStill, moving] = [1, 2, 3].map((n) => new Mesh(new BoxGeometry(n), paint)) as unknown as [
+      Mesh,
+      Mesh,
+      Mesh,
+    ];
+    moving.geometry.morphAttributes.position = [moving.geometry.attributes.position!.clone()];
+    await applyHatching(new Group().add(still, alsoStill, moving), { tonalArtMap });
+    expect(alsoStill.material).toBe(still.material);
+    expect(moving.material).not.toBe(still.material);
+    expect(moving.geometry.userData.hatching.layout).toBe('pull');
+    expect(still.geometry.userData.hatching.layout).toBe('corner');
+  });
+
   test('a batch keeps its geometry: anchored hatches it as it is, other techniques say what they need', async () => {
     const make = () => {
       const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
@@ -355,6 +370,15 @@ describe('options', () => {
     gone.watch([map.texture]);
     scene.dispose();
     expect(gone.count).toBe(1);
+  });
+
+  test('no map is generated where none is wanted', async () => {
+    const generate = vi.spyOn(TonalArtMap, 'generate');
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    await applyHatching(mesh, { tonalArtMap: null });
+    expect(hatched(mesh).tonalArtMap).toBe(null);
+    expect(generate).not.toHaveBeenCalled();
+    vi.restoreAllMocks();
   });
 
   test('a map that was given is not freed', async () => {

@@ -1,0 +1,46 @@
+import { type GltfDocument, textureSource } from './gltfFile.js';
+import { pictureSize } from './pictureSize.js';
+import type { FindFile } from './readGltf.js';
+
+/** A picture of 44 kilobytes can unpack to a gigabyte. */
+const MAX_PIXELS = 2 ** 26;
+
+/**
+ * The pictures that give surfaces their colour, by their number in the document; undefined for those that are not there,
+ * or too large to be unpacked, or in a format that is not read.
+ */
+export async function collectPictures(
+  gltf: GltfDocument,
+  buffers: readonly Uint8Array[],
+  findFile: FindFile,
+): Promise<(Blob | undefined)[]> {
+  const used = new Set(
+    (gltf.materials ?? []).map((material) =>
+      textureSource(gltf, material.pbrMetallicRoughness?.baseColorTexture?.index),
+    ),
+  );
+  return Promise.all(
+    (gltf.images ?? []).map(async ({ uri, bufferView }, i) => {
+      if (!used.has(i)) return undefined;
+      const bytes =
+        uri === undefined
+          ? viewBytes(gltf, buffers, bufferView)
+          : uri.startsWith('data:')
+            ? new Uint8Array(await (await fetch(uri)).arrayBuffer())
+            : await findFile(uri);
+      const size = bytes && pictureSize(bytes);
+      if (!size || size[0] * size[1] > MAX_PIXELS || size[0] * size[1] === 0) return undefined;
+      return new Blob([bytes as Uint8Array<ArrayBuffer>]);
+    }),
+  );
+}
+
+function viewBytes(
+  gltf: GltfDocument,
+  buffers: readonly Uint8Array[],
+  index: number | undefined,
+): Uint8Array | undefined {
+  const view = gltf.bufferViews?.[index ?? -1];
+  const offset = view?.byteOffset ?? 0;
+  return view && buffers[view.buffer ?? -1]?.subarray(offset, offset + (view.byteLength ?? 0));
+}

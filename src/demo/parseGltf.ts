@@ -1,0 +1,68 @@
+import { type AnimationClip, type Group, LoadingManager } from 'three';
+import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
+import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { type GltfDocument, withBaseColors } from './gltfFile.js';
+import { ModelError } from './ModelError.js';
+
+/** A glTF file taken apart and checked, as it can be posted between threads. */
+export interface GltfParts {
+  /** The name of the file. */
+  name: string;
+  document: GltfDocument;
+  /** By their numbers in the document. */
+  buffers: Uint8Array[];
+  /** Those to be drawn, by their numbers in the document. */
+  pictures: (Blob | undefined)[];
+}
+
+/** The scene of a model and how it can move. */
+export interface LiveScene {
+  root: Group;
+  animations: AnimationClip[];
+}
+
+/** Puts a scene together. Whatever is not among the parts is not fetched. */
+export async function parseGltf({ name, document, buffers, pictures }: GltfParts): Promise<LiveScene> {
+  const urls: string[] = [];
+  const urlOf = (blob: Blob): string => {
+    const url = URL.createObjectURL(blob);
+    urls.push(url);
+    return url;
+  };
+  const manager = new LoadingManager();
+  manager.setURLModifier((url) => {
+    if (/^(blob|data):/.test(url) || url === dracoUrls.js || url === dracoUrls.wasm) return url;
+    throw new ModelError(`${name} refers to ${url}, which is not among the dropped files.`);
+  });
+  const loader = new GLTFLoader(manager);
+  const draco = new DRACOLoader(manager).setDecoderPath(dracoUrls as never);
+  loader.setDRACOLoader(draco);
+  try {
+    if (document.extensionsUsed?.some((extension) => /meshopt_compression/.test(extension))) {
+      const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
+      loader.setMeshoptDecoder(MeshoptDecoder);
+    }
+    const placed = {
+      ...withBaseColors(
+        document,
+        pictures.map((picture) => picture && urlOf(picture)),
+      ),
+      buffers: buffers.map((buffer) => ({
+        byteLength: buffer.length,
+        uri: urlOf(new Blob([buffer as Uint8Array<ArrayBuffer>])),
+      })),
+    };
+    const { scene, animations } = await loader.parseAsync(placed as never, '');
+    return { root: scene, animations };
+  } finally {
+    draco.dispose();
+    for (const url of urls) URL.revokeObjectURL(url);
+  }
+}
+
+const dracoUrls = {
+  js: new URL(dracoScriptUrl, import.meta.url).href,
+  wasm: new URL(dracoWasmUrl, import.meta.url).href,
+};

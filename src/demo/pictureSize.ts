@@ -1,0 +1,31 @@
+/** Width and height in pixels as a picture's header gives them; undefined for what is no PNG, JPEG or WebP. */
+export function pictureSize(bytes: Uint8Array): [width: number, height: number] | undefined {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const text = (at: number): string => String.fromCharCode(...bytes.subarray(at, at + 4));
+  if (bytes.length < 30) return undefined;
+  if (text(1) === 'PNG\r') return [view.getUint32(16), view.getUint32(20)];
+  if (text(0) === 'RIFF' && text(8) === 'WEBP') return webpSize(view, text(12));
+  if (view.getUint16(0) === 0xffd8) return jpegSize(view);
+  return undefined;
+}
+
+function webpSize(view: DataView, kind: string): [number, number] | undefined {
+  const u24 = (at: number): number => view.getUint16(at, true) | (view.getUint8(at + 2) << 16);
+  if (kind === 'VP8X') return [u24(24) + 1, u24(27) + 1];
+  if (kind === 'VP8 ') return [view.getUint16(26, true) & 0x3fff, view.getUint16(28, true) & 0x3fff];
+  if (kind !== 'VP8L') return undefined;
+  const bits = view.getUint32(21, true);
+  return [(bits & 0x3fff) + 1, ((bits >>> 14) & 0x3fff) + 1];
+}
+
+/** Goes from marker to marker up to the one that starts a frame. */
+function jpegSize(view: DataView): [number, number] | undefined {
+  for (let at = 2; at + 9 < view.byteLength; ) {
+    const marker = view.getUint16(at);
+    const startsFrame = marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker);
+    if (startsFrame) return [view.getUint16(at + 7), view.getUint16(at + 5)];
+    if (marker < 0xff00) return undefined;
+    at += 2 + view.getUint16(at + 2);
+  }
+  return undefined;
+}

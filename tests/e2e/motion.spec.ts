@@ -1,0 +1,211 @@
+import { existsSync, readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import type { PNG } from 'pngjs';
+import { expect, test } from '../browser/test.js';
+import { columnGlb } from './liveModel.js';
+import { file, type TestFile } from './modelFiles.js';
+import { changedShare, meanInk } from './pictures.js';
+import { drop, framesDrawn, openPlayground, readDrawing, ready } from './playground.js';
+
+/** Models that move and have pictures on them. */
+
+test.use({ viewport: { width: 900, height: 600 } });
+
+const column = (options = {}): TestFile[] => [file('column.glb', columnGlb(options))];
+const time = (page: Page) => page.getByRole('slider', { name: 'Time' });
+const play = (page: Page) => page.getByRole('button', { name: 'Play' });
+const pause = (page: Page) => page.getByRole('button', { name: 'Pause' });
+
+async function openModel(page: Page, files: readonly TestFile[], hash = ''): Promise<void> {
+  await openPlayground(page, `model=cube&camera=0,0,5,0,0,0&${hash}`);
+  await drop(page, files);
+  await expect(page.locator('#model-name')).toHaveText(files[0]!.name);
+}
+
+/** The share of pixels that are clearly more red, or more blue, than anything else. */
+function colouredShare({ data }: PNG, channel: 0 | 2): number {
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if (data[i + channel]! > 100 + Math.max(data[i + 1]!, data[i + 2 - channel]!)) count++;
+  return count / (data.length / 4);
+}
+
+test('a model with a clip plays when it is dropped; paused, the page is idle', async ({ page }) => {
+  await openModel(page, column());
+  await expect(pause(page)).toBeVisible();
+  const before = await framesDrawn(page);
+  await expect.poll(() => framesDrawn(page)).toBeGreaterThan(before + 3);
+  await expect.poll(() => time(page).inputValue()).not.toBe('0');
+  await pause(page).click();
+  await ready(page);
+  const frames = await framesDrawn(page);
+  await page.waitForTimeout(700);
+  expect(await framesDrawn(page)).toBe(frames);
+  // The space bar on the drawing does the same.
+  await page.locator('#drawing').press(' ');
+  await expect(pause(page)).toBeVisible();
+  await expect.poll(() => framesDrawn(page)).toBeGreaterThan(frames + 1);
+  await page.locator('#drawing').press(' ');
+  await ready(page);
+  await expect(play(page)).toBeVisible();
+});
+
+test.describe('where motion is to be reduced', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' } });
+
+  test('a model waits; time, clips and shapes change the drawing, and back', async ({ page }) => {
+    await openModel(page, column());
+    const first = await readDrawing(page);
+    await expect(play(page)).toBeVisible();
+    await expect(time(page)).toHaveValue('0');
+
+    await time(page).fill('0.5');
+    await expect(time(page)).toHaveAttribute('aria-valuetext', '0.5 s');
+    const bent = await readDrawing(page);
+    expect(changedShare(first, bent)).toBeGreaterThan(0.02);
+    await time(page).press('Home');
+    expect(changedShare(first, await readDrawing(page))).toBe(0);
+
+    await page.getByRole('combobox', { name: 'Clip' }).selectOption('Turn');
+    await expect(time(page)).toHaveAttribute('max', '2');
+    await time(page).fill('1');
+    const turned = await readDrawing(page);
+    expect(changedShare(first, turned)).toBeGreaterThan(0.01);
+    expect(changedShare(bent, turned)).toBeGreaterThan(0.02);
+    await time(page).fill('0');
+    expect(changedShare(first, await readDrawing(page))).toBe(0);
+
+    const swollen = page.getByRole('slider', { name: 'Swollen' });
+    await swollen.fill('1');
+    await expect(swollen).toHaveAttribute('aria-valuetext', '100 %');
+    const wide = await readDrawing(page);
+    expect(changedShare(first, wide)).toBeGreaterThan(0.02);
+    await page.getByText('Swollen').dblclick();
+    await expect(swollen).toHaveValue('0');
+    expect(changedShare(first, await readDrawing(page))).toBe(0);
+  });
+
+  test('strokes, techniques and comparison go on with a pose', async ({ page }) => {
+    for (const technique of ['adjacency', 'triangle']) {
+      await openModel(page, column(), `technique=${technique}&compare=anchored&surfaceColors=paper`);
+      const first = await readDrawing(page);
+      await time(page).fill('0.5');
+      const bent = await readDrawing(page);
+      expect(changedShare(first, bent)).toBeGreaterThan(0.02);
+      expect(meanInk(bent)).toBeGreaterThan(0.01);
+    }
+  });
+
+  test('a model without motion has no controls for it, and takes them away', async ({ page }) => {
+    await openModel(page, column());
+    await expect(page.getByRole('group', { name: 'Motion' })).toBeVisible();
+    await drop(page, [file('still.glb', columnGlb({ still: true }))]);
+    await expect(page.locator('#model-name')).toHaveText('still.glb');
+    await expect(page.getByRole('group', { name: 'Motion' })).toBeHidden();
+    await page.locator('#drawing').press(' ');
+    await ready(page);
+  });
+
+  test('surfaces show their pictures, or paper, and undo brings them back', async ({ page }) => {
+    await openModel(page, column());
+    const coloured = await readDrawing(page);
+    expect(colouredShare(coloured, 0)).toBeGreaterThan(0.01);
+    expect(colouredShare(coloured, 2)).toBeGreaterThan(0.01);
+    await page.getByRole('button', { name: 'Colours' }).click();
+    await page.getByLabel('Surfaces').selectOption('White as paper');
+    const white = await readDrawing(page);
+    expect(colouredShare(white, 0)).toBe(0);
+    expect(colouredShare(white, 2)).toBe(0);
+    expect(meanInk(white)).toBeGreaterThan(0.01);
+    await expect.poll(() => page.url()).toContain('surfaceColors=paper');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    expect(changedShare(coloured, await readDrawing(page))).toBe(0);
+    await expect(page.locator('#model-name')).toHaveText('column.glb');
+  });
+
+  test('what is broken in a live model is left out, or said', async ({ page }) => {
+    const numbers = [0, 0, 0, 1, Number.NaN, 0, 0, 1, 0, 0, 0, 1];
+    await openModel(page, column({ bend: numbers }));
+    await expect(page.locator('#model-facts')).toHaveText(/1 broken one left out$/);
+    expect(await page.getByRole('combobox', { name: 'Clip' }).locator('option').allTextContents()).toEqual(['Turn']);
+
+    // 30,000 × 30,000 pixels in a few bytes would fill gigabytes.
+    const png = Buffer.alloc(64);
+    Buffer.from('\x89PNG\r\n\x1a\n', 'latin1').copy(png);
+    png.write('IHDR', 12);
+    png.writeUInt32BE(30_000, 16);
+    png.writeUInt32BE(30_000, 20);
+    await drop(page, [file('bomb.glb', columnGlb({ picture: png }))]);
+    await expect(page.locator('#model-name')).toHaveText('bomb.glb');
+    const before = await readDrawing(page);
+    expect(colouredShare(before, 0)).toBe(0);
+
+    const cases: [name: string, content: Buffer, sentence: RegExp][] = [
+      [
+        'samplers.glb',
+        columnGlb({
+          changes: () => ({
+            animations: [{ channels: [{ sampler: 4, target: { node: 1, path: 'scale' } }], samplers: [] }],
+          }),
+        }),
+        /^samplers\.glb could not be read; it seems to be damaged/,
+      ],
+      [
+        'joints.glb',
+        columnGlb({ changes: () => ({ skins: [{ joints: [0, 77] }] }) }),
+        /^joints\.glb could not be read; it seems to be damaged/,
+      ],
+      [
+        'cut.glb',
+        columnGlb({
+          changes: ({ bufferViews }) => ({
+            bufferViews: (bufferViews as { byteLength: number }[]).map((view, i, { length }) =>
+              i === length - 2 ? { ...view, byteLength: 1e6 } : view,
+            ),
+          }),
+        }),
+        /^cut\.glb is cut short: its buffer ends before the data it lists\.$/,
+      ],
+    ];
+    for (const [name, content, sentence] of cases) {
+      await drop(page, [file(name, content)]);
+      await expect(page.locator('#status')).toHaveText(sentence);
+      await expect(page.locator('#model-name')).toHaveText('bomb.glb');
+    }
+    expect(changedShare(before, await readDrawing(page))).toBe(0);
+  });
+
+  test('putting a large live model together can be called off', async ({ page }) => {
+    await openModel(page, column());
+    const before = await readDrawing(page);
+    await drop(page, [file('tower.glb', columnGlb({ rings: 16_000 }))]);
+    await expect(page.locator('#status')).toHaveText(/^(Joining triangles|Putting the parts together)/);
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
+    await ready(page);
+    await expect(page.locator('#model-name')).toHaveText('column.glb');
+    expect(changedShare(before, await readDrawing(page))).toBe(0);
+  });
+
+  const folder = new URL('../../../shared/models/', import.meta.url);
+  for (const [names, seconds] of [
+    [['Fox.glb'], 1],
+    [['CesiumMan.glb'], 1],
+    [['SimpleSkin.gltf'], 2],
+    [['MorphStressTest.gltf'], 1],
+    [['AnimatedMorphCube.gltf', 'AnimatedMorphCube.bin'], 2],
+  ] as const) {
+    test(`${names[0]} moves`, async ({ page }) => {
+      test.skip(!existsSync(folder), 'The folder ../shared/models with sample models is not there.');
+      await openModel(
+        page,
+        names.map((name) => file(name, readFileSync(new URL(name, folder)))),
+      );
+      await page.locator('#drawing').press('Home');
+      const first = await readDrawing(page);
+      expect(meanInk(first)).toBeGreaterThan(0.01);
+      await time(page).fill(String(seconds));
+      expect(changedShare(first, await readDrawing(page))).toBeGreaterThan(0.003);
+    });
+  }
+});
