@@ -91,6 +91,19 @@ const bunny = {
   lights: sun(-1.2, 1.4, 1.2),
 } as const;
 
+const twoSuns: ScenarioLight[] = [
+  { type: 'directional', position: [-2, 0.6, 1], intensity: 2.2 },
+  { type: 'directional', position: [0.3, 2, 0.7], intensity: 1.6 },
+];
+
+const floor = {
+  ...common,
+  figure: 0,
+  model: 'floor',
+  camera: { position: [0, 0.12, 1.15], fov: 34 },
+  lights: sun(1, 1.2, 0.4),
+} as const;
+
 /** The paper's figures that this library redraws, as pictures small enough to keep. */
 export const scenarios: readonly Scenario[] = [
   {
@@ -208,4 +221,72 @@ export const scenarios: readonly Scenario[] = [
     sentence: "The paper's frames and weights, with thresholds blended instead of greys.",
     material: { technique: 'adjacency', crisp: true, strokeScale: 1.5 },
   },
+  {
+    ...bunny,
+    name: 'tone-linear',
+    figure: 0,
+    sentence: 'As much ink as there is shade: the side turned away is black.',
+    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN },
+  },
+  {
+    ...bunny,
+    name: 'tone-perceptual',
+    figure: 0,
+    sentence: 'Half the paper is covered where the light looks half as light as white.',
+    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, toneCurve: 'perceptual' },
+  },
+  {
+    ...bunny,
+    name: 'tone-reflected-light',
+    figure: 0,
+    sentence: 'The surroundings reflect half the light: shade is darkest where it begins and opens up behind.',
+    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, reflectedLight: 0.5 },
+  },
+  {
+    ...bunny,
+    name: 'second-layer-adjacency',
+    figure: 0,
+    sentence: 'Two lights: where they disagree, a second layer of strokes crosses the first.',
+    lights: twoSuns,
+    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN, secondLayer: true },
+  },
+  {
+    ...bunny,
+    name: 'second-layer-anchored',
+    figure: 0,
+    sentence: 'The same two lights and layers, in anchored strokes.',
+    lights: twoSuns,
+    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, secondLayer: true },
+  },
+  {
+    ...floor,
+    name: 'levels-floor-derivatives',
+    sentence:
+      'A long floor, its level by screen derivatives: strokes are never too fine, but wide where the floor slants.',
+    material: { strokeScale: 10 },
+  },
+  {
+    ...floor,
+    name: 'levels-floor-depth',
+    sentence: 'The same floor, its level by depth as in the paper: strokes as wide as drawn from near to far.',
+    material: { strokeScale: 10, levelRule: 'depth' },
+  },
+  {
+    ...floor,
+    name: 'levels-floor-anisotropic',
+    sentence:
+      'By derivatives with anisotropic filtering: strokes keep their place on the floor and turn grey far away.',
+    anisotropy: 8,
+    material: { strokeScale: 10 },
+  },
+  ...Object.entries({ near: 1.2, middle: 2.4, far: 4.8 }).map(([name, distance]) => ({
+    ...common,
+    name: `levels-zoom-${name}`,
+    figure: 0,
+    sentence: `The dragon from a distance of ${distance}: more strokes the nearer, each as wide as before.`,
+    model: 'dragon' as const,
+    camera: { position: [0, 0.1 * distance, distance] as const, fov: 28 },
+    lights: sun(1.2, 1, 1),
+    material: { strokeScale: 2, strokeRotation: QUARTER_TURN, levelRule: 'depth' as const },
+  })),
 ];
