@@ -54,12 +54,12 @@ export class Panel {
     const isLocal = settings.lightKind !== 'directional';
     const techniques = [settings.technique, settings.compare];
     const isAnchored = techniques.includes('anchored');
-    const hasWidth = isAnchored || techniques.includes('adjacencyCrisp');
+    const isCrisp = isAnchored || techniques.includes('adjacencyCrisp');
     this.show('screenConstancy', isAnchored);
     this.show('anchorSpacing', isAnchored);
     this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
-    this.show('strokeWidth', hasWidth);
-    this.show('edge', hasWidth);
+    this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
+    this.show('edge', isCrisp);
     // Sized on the screen alone, strokes do not ask what size they would have on the object.
     this.controllers
       .get('strokeScale')!

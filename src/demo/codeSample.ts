@@ -18,12 +18,10 @@ export function codeSample(settings: Settings, isScene: boolean): string {
   if (technique === 'anchored') {
     material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
   }
-  if (isCrisp(technique)) {
-    material.push(
-      `texelPixels: ${round(settings.strokeWidth / TEXELS_PER_STROKE)} * renderer.getPixelRatio()`,
-      `edgePixels: ${settings.edge}`,
-    );
+  if (isCrisp(technique) || settings.levelRule === 'depth') {
+    material.push(`texelPixels: ${round(settings.strokeWidth / TEXELS_PER_STROKE)} * renderer.getPixelRatio()`);
   }
+  if (isCrisp(technique)) material.push(`edgePixels: ${settings.edge}`);
   if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);
   if (!isScene) {
     material.push(

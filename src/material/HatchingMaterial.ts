@@ -105,8 +105,9 @@ export interface HatchingMaterialOptions {
    */
   screenConstancy: number;
   /**
-   * `anchored`: pixels of the drawing buffer per texel of the map, where strokes are sized on the screen; also where
-   * coarser levels of the map take over. Default 1: a stroke drawn two texels wide is about two pixels wide.
+   * Pixels of the drawing buffer per texel of the map, where `anchored` sizes strokes on the screen; also where coarser
+   * levels of the map take over, unless blended greys choose them by derivatives. Default 1: a stroke drawn two texels wide is
+   * about two pixels wide.
    */
   texelPixels: number;
   /** Width in pixels over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Default 1. */
