@@ -1,9 +1,14 @@
 import { defineConfig, type UserConfig } from 'vite';
 
+const ENTRIES: Record<string, Record<string, string>> = {
+  worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
+  command: { command: 'src/command/main.ts' },
+};
+
 /**
- * The library: ES modules, three external. Built in two passes, so that both results stand alone: `index` with the worker
- * inlined, and with `--mode worker` the same worker as one file, which a page under a strict Content-Security-Policy can
- * serve from its own origin.
+ * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
+ * inlined; with `--mode worker` the same worker as one file, which a page under a strict Content-Security-Policy can serve
+ * from its own origin; and with `--mode command` the command for Node.
  */
 export default defineConfig(
   ({ mode }): UserConfig => ({
@@ -17,12 +22,12 @@ export default defineConfig(
       // Readable as it is, so it needs no source map; and a map of the inlined worker would have no address.
       minify: false,
       sourcemap: false,
-      emptyOutDir: mode !== 'worker',
+      emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: mode === 'worker' ? { 'bake.worker': 'src/worker/bake.worker.ts' } : { index: 'src/index.ts' },
+        entry: ENTRIES[mode] ?? { index: 'src/index.ts' },
         formats: ['es'],
       },
-      rolldownOptions: { external: [/^three($|\/)/] },
+      rolldownOptions: { external: [/^three($|\/)/, /^node:/] },
     },
   }),
 );

@@ -18,6 +18,7 @@ export type {
 } from './material/shaderConventions.js';
 export type { HatchImageReport } from './tam/checkHatchImages.js';
 export type { HatchImages } from './tam/generateHatchImages.js';
+export type { TonalArtMapSource } from './tam/readSource.js';
 export type { StrokeStyleName } from './tam/strokeStyles.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';

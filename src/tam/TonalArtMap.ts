@@ -2,16 +2,21 @@ import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { assertHatchImages, checkHatchImages, type HatchImageReport } from './checkHatchImages.js';
 import { deriveThresholds } from './deriveThresholds.js';
-import type { ThresholdLevel } from './encodeThresholds.js';
+import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageOptions, type HatchImages, resolveHatchImageOptions } from './generateHatchImages.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
 import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.js';
+import { readSource, type TonalArtMapSource } from './readSource.js';
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
+import { writeMapFiles } from './writeMapFiles.js';
 
 /** Part of the time that drawing the images takes; the rest goes into the thresholds. */
 const IMAGES_SHARE = 0.7;
+
+/** Part of the time of `load` that reading the files takes. */
+const READING_SHARE = 0.5;
 
 /** What `TonalArtMap.generate` accepts: what to draw, and how to watch and stop the drawing. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
@@ -43,7 +48,12 @@ export class TonalArtMap {
   private uploaded: ThresholdTexture | undefined;
   private moments: ThresholdMoments | undefined;
 
-  private constructor({ size, images }: HatchImages, thresholdLevels?: ThresholdLevel[]) {
+  /** @param drawsThresholds whether they say more than could be derived from the images again */
+  private constructor(
+    { size, images }: HatchImages,
+    thresholdLevels: ThresholdLevel[] | undefined,
+    private readonly drawsThresholds: boolean,
+  ) {
     this.size = size;
     this.tones = images.length;
     this.levels = images[0].length;
@@ -70,7 +80,7 @@ export class TonalArtMap {
       ...taskOptions,
       onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE + (1 - IMAGES_SHARE) * progress)),
     });
-    return new TonalArtMap(images, thresholds);
+    return new TonalArtMap(images, thresholds, true);
   }
 
   /**
@@ -83,7 +93,35 @@ export class TonalArtMap {
    */
   static fromHatchImages(hatchImages: HatchImages): TonalArtMap {
     assertHatchImages(hatchImages);
-    return new TonalArtMap(hatchImages);
+    return new TonalArtMap(hatchImages, undefined, false);
+  }
+
+  /**
+   * Loads a map that was saved (`save`), or images that an artist has drawn, one PNG per tone; to these, blank paper is
+   * added as the lightest tone if it is not among them, and levels are made (`makeLevels` says how).
+   *
+   * @param source the address of the JSON file of a map; or addresses of images, the lightest first; or files, for example
+   *   dropped ones: all those of a map, or images in any order, of which the lightest becomes the first tone
+   * @throws Error (as a rejection) naming the file that is missing or wrong and what to do; the signal's reason if it aborts
+   */
+  static async load(source: TonalArtMapSource, options: TaskOptions = {}): Promise<TonalArtMap> {
+    const { signal, onProgress } = options;
+    signal?.throwIfAborted();
+    const onRead = (progress: number): void => onProgress?.(READING_SHARE * progress);
+    const { lacksLevels, thresholds, ...read } = await readSource(source, signal, onRead);
+    signal?.throwIfAborted();
+    assertHatchImages(read);
+    if (thresholds) {
+      const levels = thresholds.map((field, level) => encodeThresholds(read.size >> level, field));
+      onProgress?.(1);
+      return new TonalArtMap(read, levels, true);
+    }
+    const { thresholds: levels, ...images } = await runTask(
+      'completeHatchImages',
+      { ...read, lacksLevels },
+      { ...options, onProgress: onProgress && ((done) => onProgress(READING_SHARE + (1 - READING_SHARE) * done)) },
+    );
+    return new TonalArtMap(images, levels, false);
   }
 
   /** How well the images keep the constraints of a tonal art map. Measured when first asked for. */
@@ -147,6 +185,19 @@ export class TonalArtMap {
     return this.thresholdMap()[level].thresholds.slice();
   }
 
+  /**
+   * The map as files: `map.json` and the PNG images it names, every one with its own levels. `load` makes exactly the same
+   * map of them, thresholds included.
+   */
+  async save(): Promise<File[]> {
+    const thresholds = this.drawsThresholds ? this.thresholdMap().map((level) => level.thresholds) : undefined;
+    const files = await writeMapFiles(this.allImages(), thresholds);
+    return files.map(({ name, bytes }) => {
+      const type = name.endsWith('.json') ? 'application/json' : 'image/png';
+      return new File([bytes as Uint8Array<ArrayBuffer>], name, { type });
+    });
+  }
+
   /** Frees the textures on the GPU. A material that still uses the map uploads them again. */
   dispose(): void {
     this.texture.dispose();
@@ -154,8 +205,12 @@ export class TonalArtMap {
   }
 
   private thresholdMap(): ThresholdLevel[] {
-    this.thresholdLevels ??= deriveThresholds(this.allImages());
-    return this.thresholdLevels;
+    if (this.thresholdLevels) return this.thresholdLevels;
+    const task = deriveThresholds(this.allImages());
+    let step = task.next();
+    while (!step.done) step = task.next();
+    this.thresholdLevels = step.value;
+    return step.value;
   }
 
   private thresholdPairs(): ThresholdPair[] {

@@ -17,15 +17,20 @@ const BLURS = [
  * Images say this in steps of tone only. A slight blur turns steps into slopes, so that strokes swell and can be magnified;
  * wider ones, which count less, order what is equal for the narrower: blank paper by its distance from strokes, solid ink
  * by its depth.
+ *
+ * @returns the levels, finest first; yields progress in [0, 1]
  */
-export function deriveThresholds({ size, images }: HatchImages): ThresholdLevel[] {
-  return images[0].map((_, level) => {
+export function* deriveThresholds({ size, images }: HatchImages): Generator<number, ThresholdLevel[], void> {
+  const levels: ThresholdLevel[] = [];
+  for (let level = 0; level < images[0].length; level++) {
     const side = size >> level;
     const order = orderOf(smoothed(meanPaper(images, level), side));
     const thresholds = new Float32Array(order.length);
     for (let rank = 0; rank < order.length; rank++) thresholds[order[rank]] = (rank + 0.5) / order.length;
-    return encodeThresholds(side, thresholds);
-  });
+    levels.push(encodeThresholds(side, thresholds));
+    yield 1 - 1 / 4 ** (level + 1);
+  }
+  return levels;
 }
 
 /** The mean over all tones of what is paper: 0 where all are ink, 1 where none is. */

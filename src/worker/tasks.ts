@@ -1,7 +1,9 @@
 import { bake, bakeRequestBuffers, bakeResultBuffers } from '../adjacency/bake.js';
 import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from '../adjacency/bakeIndexed.js';
 import { bakePull, bakePullResultBuffers } from '../adjacency/bakePull.js';
-import { generateHatchImages } from '../tam/generateHatchImages.js';
+import { completeHatchImages } from '../tam/completeHatchImages.js';
+import type { ThresholdLevel } from '../tam/encodeThresholds.js';
+import { generateHatchImages, type HatchImages } from '../tam/generateHatchImages.js';
 import { generateThresholds } from '../tam/generateThresholds.js';
 
 /** A long computation that the worker offers. Requests and results are plain data. */
@@ -16,6 +18,12 @@ interface Task<Request, Result> {
 
 const task = <Request, Result>(definition: Task<Request, Result>): Task<Request, Result> => definition;
 
+const imageBuffers = ({ images }: HatchImages): ArrayBuffer[] =>
+  images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer));
+
+const thresholdBuffers = (levels: ThresholdLevel[]): ArrayBuffer[] =>
+  levels.flatMap(({ thresholds, encoded }) => [thresholds.buffer as ArrayBuffer, encoded.buffer as ArrayBuffer]);
+
 /** Every task of the worker, by name. The client and the worker read this one table. */
 export const tasks = {
   bake: task({ run: bake, requestBuffers: bakeRequestBuffers, resultBuffers: bakeResultBuffers }),
@@ -28,13 +36,17 @@ export const tasks = {
   generateHatchImages: task({
     run: generateHatchImages,
     requestBuffers: () => [],
-    resultBuffers: ({ images }) => images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer)),
+    resultBuffers: imageBuffers,
   }),
   generateThresholds: task({
     run: generateThresholds,
     requestBuffers: () => [],
-    resultBuffers: (levels) =>
-      levels.flatMap(({ thresholds, encoded }) => [thresholds.buffer as ArrayBuffer, encoded.buffer as ArrayBuffer]),
+    resultBuffers: thresholdBuffers,
+  }),
+  completeHatchImages: task({
+    run: completeHatchImages,
+    requestBuffers: (request) => imageBuffers(request),
+    resultBuffers: (result) => [...imageBuffers(result), ...thresholdBuffers(result.thresholds)],
   }),
 };
 

@@ -31,30 +31,39 @@ test.describe('the tarball', () => {
     expect(files).toEqual(
       expect.arrayContaining([
         ...['LICENSE', 'README.md', 'package.json'],
-        ...['dist/index.js', 'dist/index.d.ts', 'dist/bake.worker.js', 'dist/worker/bake.worker.d.ts'],
+        ...[
+          'dist/index.js',
+          'dist/index.d.ts',
+          'dist/bake.worker.js',
+          'dist/worker/bake.worker.d.ts',
+          'dist/command.js',
+        ],
         ...shaders,
       ]),
     );
     const strangers = files.filter(
       (file) =>
-        !/^(LICENSE|README\.md|package\.json|shaders\/.+|dist\/(index|bake\.worker)\.js|dist\/.+\.d\.ts)$/.test(file),
+        !/^(LICENSE|README\.md|package\.json|shaders\/.+|dist\/(index|bake\.worker|command)\.js|dist\/.+\.d\.ts)$/.test(
+          file,
+        ),
     );
     expect(strangers).toEqual([]);
     expect(files.filter((file) => file.includes('demo'))).toEqual([]);
   });
 
   test('every file that package.json names is there', () => {
-    const { exports } = JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
-    const named = Object.values(exports as Record<string, string | Record<string, string>>)
+    const { exports, bin } = JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
+    const named = Object.values({ ...exports, ...bin } as Record<string, string | Record<string, string>>)
       .flatMap((entry) => (typeof entry === 'string' ? [entry] : Object.values(entry)))
       .filter((path) => !path.includes('*'))
       .map((path) => path.replace('./', ''));
     expect(files).toEqual(expect.arrayContaining(named));
   });
 
-  test('imports three and nothing else; the worker imports nothing', () => {
+  test('imports three and nothing else; the worker imports nothing, the command what Node has', () => {
     expect(importsOf('index.js')).toEqual(['three']);
     expect(importsOf('bake.worker.js')).toEqual([]);
+    for (const name of importsOf('command.js')) expect(name).toMatch(/^node:/);
   });
 
   test('has declarations that a strict compiler takes without any of our build tools', () => {

@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { deriveThresholds } from '../../../src/tam/deriveThresholds.js';
+import { deriveThresholds as derive } from '../../../src/tam/deriveThresholds.js';
 import type { HatchImages } from '../../../src/tam/generateHatchImages.js';
-import { hatchImages } from './draw.js';
+import { finish, hatchImages } from './draw.js';
+
+const deriveThresholds = (images: HatchImages) => finish(derive(images));
 
 /** Two tones, one level: paper, and ink in one row of the image. */
 function oneRow(size: number, row: number): HatchImages {

@@ -1,0 +1,65 @@
+#!/usr/bin/env node
+import process from 'node:process';
+import { generateHatchImages, type HatchImageOptions } from '../tam/generateHatchImages.js';
+import { generateThresholds } from '../tam/generateThresholds.js';
+import type { MapFile } from '../tam/mapFiles.js';
+import { writeMapFiles } from '../tam/writeMapFiles.js';
+import { runSliced } from '../worker/runSliced.js';
+import { ProgressBar } from './ProgressBar.js';
+import { HELP, parseArguments, styleList, UsageError } from './parseArguments.js';
+import { assertFree, writeFolder } from './writeFolder.js';
+
+/** Exit codes: 0 done, 1 failed, 2 called wrongly, 130 interrupted. */
+const FAILED = 1;
+const MISUSED = 2;
+const INTERRUPTED = 130;
+
+const abort = new AbortController();
+process.on('SIGINT', () => abort.abort());
+process.on('SIGTERM', () => abort.abort());
+const bar = new ProgressBar(process.stderr);
+
+try {
+  const request = parseArguments(process.argv.slice(2));
+  if (request.action === 'help') process.stdout.write(HELP);
+  else if (request.action === 'list') process.stdout.write(styleList());
+  else {
+    await assertFree(request.out, request.force);
+    const files = await draw(request.map);
+    await writeFolder(request.out, files, abort.signal);
+    bar.clear();
+    process.stdout.write(
+      `${request.out}: ${files.length} files. Load it with TonalArtMap.load('${request.out}/map.json').\n`,
+    );
+  }
+} catch (error) {
+  bar.clear();
+  process.exitCode = tell(error);
+}
+
+async function draw(map: HatchImageOptions): Promise<MapFile[]> {
+  const { signal } = abort;
+  const images = await runSliced(generateHatchImages(map), {
+    signal,
+    onProgress: (progress) => bar.show('drawing tones', 0.7 * progress),
+  });
+  const levels = await runSliced(generateThresholds(map), {
+    signal,
+    onProgress: (progress) => bar.show('drawing thresholds', 0.7 + 0.25 * progress),
+  });
+  bar.show('writing', 0.95);
+  return writeMapFiles(
+    images,
+    levels.map(({ thresholds }) => thresholds),
+  );
+}
+
+/** Says what went wrong and returns the exit code for it. */
+function tell(error: unknown): number {
+  if (abort.signal.aborted) {
+    process.stderr.write('three-hatching: interrupted; nothing was written.\n');
+    return INTERRUPTED;
+  }
+  process.stderr.write(`three-hatching: ${error instanceof Error ? error.message : String(error)}\n`);
+  return error instanceof UsageError ? MISUSED : FAILED;
+}

@@ -1,0 +1,92 @@
+import { parseArgs } from 'node:util';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../tam/generateHatchImages.js';
+import { type StrokeStyleName, strokeStyles } from '../tam/strokeStyles.js';
+
+/** A mistake in how the command was called: told in a sentence, without a stack. */
+export class UsageError extends Error {}
+
+/** What the command was asked to do. */
+export type Request =
+  | { action: 'help' }
+  | { action: 'list' }
+  | { action: 'draw'; map: HatchImageOptions; out: string; force: boolean };
+
+const OPTIONS = {
+  style: { type: 'string' },
+  out: { type: 'string' },
+  size: { type: 'string' },
+  tones: { type: 'string' },
+  levels: { type: 'string' },
+  seed: { type: 'string' },
+  'stroke-width': { type: 'string' },
+  force: { type: 'boolean' },
+  list: { type: 'boolean' },
+  help: { type: 'boolean', short: 'h' },
+} as const;
+
+export const HELP = `three-hatching tam: draws a tonal art map into a folder of PNG images and a map.json.
+
+  npx three-hatching tam --style woodcut --out maps/woodcut
+
+  --style <name>          what it looks like; --list names them all (default hatching)
+  --out <folder>          where it goes; the folder is made, and must not hold a map yet
+  --size <texels>         side of the finest level: 64, 128, 256, 512 or 1024 (default 256)
+  --tones <count>         with blank paper, 4 to 16 (default 8)
+  --levels <count>        each has half the texels of the one before (default: down to 16)
+  --seed <number>         another whole number, another drawing (default 1)
+  --stroke-width <texels> how wide strokes are (default: as the style says)
+  --force                 replaces the map that is there
+  --list                  names the styles
+  --help                  says this
+
+Load it with TonalArtMap.load('maps/woodcut/map.json').
+`;
+
+/**
+ * Reads the command line.
+ *
+ * @param args without node and the script
+ * @throws UsageError in words
+ */
+export function parseArguments(args: readonly string[]): Request {
+  const { values, positionals } = read(args);
+  if (values.help || args.length === 0) return { action: 'help' };
+  const [command, ...rest] = positionals;
+  if (command !== 'tam') throw new UsageError(`"${command ?? ''}" is no command; the only one is tam. See --help.`);
+  if (rest.length > 0) throw new UsageError(`"${rest[0]}" is one word too many; a folder goes after --out.`);
+  if (values.list) return { action: 'list' };
+  if (!values.out) throw new UsageError('--out is missing; name the folder that the map goes into.');
+  const map: HatchImageOptions = {
+    style: values.style as StrokeStyleName | undefined,
+    size: wholeNumber('size', values.size),
+    tones: wholeNumber('tones', values.tones),
+    levels: wholeNumber('levels', values.levels),
+    seed: wholeNumber('seed', values.seed),
+    strokeWidth: values['stroke-width'] === undefined ? undefined : Number(values['stroke-width']),
+  };
+  try {
+    resolveHatchImageOptions(map);
+  } catch (error) {
+    throw new UsageError(
+      (error as Error).message.replace(/^TonalArtMap\.generate: /, '--').replace('--strokeWidth', '--stroke-width'),
+    );
+  }
+  return { action: 'draw', map, out: values.out, force: values.force ?? false };
+}
+
+/** The names of the styles, one a line. */
+export const styleList = (): string => `${Object.keys(strokeStyles).join('\n')}\n`;
+
+function read(args: readonly string[]) {
+  try {
+    return parseArgs({ args: [...args], options: OPTIONS, allowPositionals: true });
+  } catch (error) {
+    throw new UsageError(`${(error as Error).message.split('. ')[0]}. See --help.`);
+  }
+}
+
+function wholeNumber(option: string, text: string | undefined): number | undefined {
+  if (text === undefined) return undefined;
+  if (!/^-?\d+$/.test(text)) throw new UsageError(`--${option} is ${text}, but must be a whole number.`);
+  return Number(text);
+}

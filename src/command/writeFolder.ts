@@ -1,0 +1,57 @@
+import { randomBytes } from 'node:crypto';
+import { existsSync } from 'node:fs';
+import { mkdir, readdir, rename, rm, writeFile } from 'node:fs/promises';
+import { basename, dirname, join, resolve } from 'node:path';
+import type { MapFile } from '../tam/mapFiles.js';
+import { UsageError } from './parseArguments.js';
+
+/** Whether a name is one that a map's files have. */
+const isOfMap = (name: string): boolean => /^(map\.json|(tone-\d+|thresholds)-level-\d+\.png)$/.test(name);
+
+/**
+ * Says no if a map must not be written into a folder: because something is there that is no map, or a map and no `force`.
+ *
+ * @throws UsageError in words
+ */
+export async function assertFree(folder: string, force: boolean): Promise<void> {
+  if (!existsSync(folder)) return;
+  let names: string[];
+  try {
+    names = await readdir(folder);
+  } catch {
+    throw new UsageError(`${folder} is not a folder; choose another name after --out.`);
+  }
+  const stranger = names.find((name) => !isOfMap(name));
+  if (stranger !== undefined) {
+    throw new UsageError(`${folder} holds other files (${stranger}); choose a folder of its own after --out.`);
+  }
+  if (names.length > 0 && !force) {
+    throw new UsageError(`${folder} holds a map already; add --force to replace it, or choose another folder.`);
+  }
+}
+
+/** Writes all files of a map or none: they are written beside the folder, which is then put in place at once. */
+export async function writeFolder(folder: string, files: readonly MapFile[], signal: AbortSignal): Promise<void> {
+  const target = resolve(folder);
+  const unique = randomBytes(4).toString('hex');
+  const beside = (what: string): string => join(dirname(target), `.${basename(target)}-${what}-${unique}`);
+  const [fresh, old] = [beside('new'), beside('old')];
+  try {
+    await mkdir(fresh, { recursive: true });
+    for (const { name, bytes } of files) {
+      signal.throwIfAborted();
+      await writeFile(join(fresh, name), bytes);
+    }
+    signal.throwIfAborted();
+    if (existsSync(target)) await rename(target, old);
+    try {
+      await rename(fresh, target);
+    } catch (error) {
+      if (existsSync(old)) await rename(old, target);
+      throw error;
+    }
+  } finally {
+    await rm(fresh, { recursive: true, force: true });
+    await rm(old, { recursive: true, force: true });
+  }
+}

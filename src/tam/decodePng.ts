@@ -1,0 +1,144 @@
+import { type Pixels, PNG_SIGNATURE } from './Pixels.js';
+
+/** Samples per pixel of each colour type: grey, RGB, palette, grey with alpha, RGB with alpha. */
+const SAMPLES: Record<number, number> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
+const PALETTE = 3;
+
+/** What a PNG file says about itself. */
+interface Header {
+  width: number;
+  height: number;
+  /** Bits per sample. */
+  depth: number;
+  colorType: number;
+}
+
+/**
+ * Unpacks a PNG file, of any kind but interlaced. Sixteen bits become eight; what is transparent shows white paper.
+ *
+ * Not with an image element and a canvas: these convert colours by profiles, round what is transparent, and in some
+ * browsers return noise on purpose. A map is data, and must come back as it was saved.
+ *
+ * @param maxSide longest side in pixels that is unpacked at all
+ * @throws Error with the end of a sentence that begins with the file's name
+ */
+export async function decodePng(file: Uint8Array, maxSide: number): Promise<Pixels> {
+  if (!PNG_SIGNATURE.every((byte, i) => file[i] === byte)) throw new Error('is not a PNG image; save it as PNG');
+  let header: Header | undefined;
+  let palette = new Uint8Array();
+  let transparency = new Uint8Array();
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  for (const { type, data } of chunksOf(file)) {
+    if (type === 'IHDR') header = readHeader(data, maxSide);
+    else if (type === 'PLTE') palette = data;
+    else if (type === 'tRNS') transparency = data;
+    else if (type === 'IDAT') parts.push(data);
+  }
+  if (!header || parts.length === 0) throw new Error(DAMAGED);
+  const { width, height, colorType } = header;
+  const samples = unpackSamples(await inflate(parts), header);
+  const opaque = (grey: number, alpha: number): number => Math.round((grey * alpha) / 255 + 255 - alpha);
+  const isGrey = colorType === 0 || colorType === 4;
+  const data = new Uint8Array(width * height * (isGrey ? 1 : 3));
+  if (isGrey) {
+    const step = SAMPLES[colorType];
+    for (let i = 0; i < data.length; i++) {
+      data[i] = step === 1 ? samples[i] : opaque(samples[2 * i], samples[2 * i + 1]);
+    }
+  } else {
+    for (let i = 0; i < width * height; i++) {
+      const entry = samples[i];
+      for (let c = 0; c < 3; c++) {
+        data[3 * i + c] =
+          colorType === PALETTE
+            ? opaque(palette[3 * entry + c] ?? 0, transparency[entry] ?? 255)
+            : colorType === 2
+              ? samples[3 * i + c]
+              : opaque(samples[4 * i + c], samples[4 * i + 3]);
+      }
+    }
+  }
+  return { width, height, channels: isGrey ? 1 : 3, data };
+}
+
+const DAMAGED = 'is a damaged PNG image; save it again';
+
+function* chunksOf(file: Uint8Array): Generator<{ type: string; data: Uint8Array<ArrayBuffer> }> {
+  const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  for (let at = PNG_SIGNATURE.length; at + 8 <= file.length; ) {
+    const length = view.getUint32(at);
+    if (at + 12 + length > file.length) throw new Error(DAMAGED);
+    yield {
+      type: String.fromCharCode(...file.subarray(at + 4, at + 8)),
+      data: file.subarray(at + 8, at + 8 + length) as Uint8Array<ArrayBuffer>,
+    };
+    at += 12 + length;
+  }
+}
+
+function readHeader(data: Uint8Array, maxSide: number): Header {
+  if (data.length < 13) throw new Error(DAMAGED);
+  const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
+  const [width, height] = [view.getUint32(0), view.getUint32(4)];
+  const [depth, colorType, , , interlace] = data.subarray(8);
+  if (Math.max(width, height) > maxSide) {
+    throw new Error(`has ${width} × ${height} pixels, but at most ${maxSide} per side are allowed`);
+  }
+  if (width === 0 || height === 0 || SAMPLES[colorType] === undefined || ![1, 2, 4, 8, 16].includes(depth)) {
+    throw new Error(DAMAGED);
+  }
+  if (interlace !== 0) throw new Error('is an interlaced PNG image; save it without interlacing');
+  return { width, height, depth, colorType };
+}
+
+async function inflate(parts: Uint8Array<ArrayBuffer>[]): Promise<Uint8Array> {
+  try {
+    const stream = new Blob(parts).stream().pipeThrough(new DecompressionStream('deflate'));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  } catch {
+    throw new Error(DAMAGED);
+  }
+}
+
+/** Undoes the filters of the rows and brings samples of any depth to eight bits; those of a palette stay as they are. */
+function unpackSamples(bytes: Uint8Array, { width, height, depth, colorType }: Header): Uint8Array {
+  const samplesPerRow = width * SAMPLES[colorType];
+  const stride = Math.ceil((samplesPerRow * depth) / 8);
+  const pixelBytes = Math.max(1, (SAMPLES[colorType] * depth) / 8);
+  if (bytes.length < height * (stride + 1)) throw new Error(DAMAGED);
+  const samples = new Uint8Array(samplesPerRow * height);
+  const scale = colorType === PALETTE || depth >= 8 ? 1 : 255 / (2 ** depth - 1);
+  let above: Uint8Array = new Uint8Array(stride);
+  for (let row = 0; row < height; row++) {
+    const start = row * (stride + 1);
+    const line = bytes.subarray(start + 1, start + 1 + stride);
+    unfilter(line, above, pixelBytes, bytes[start]);
+    for (let i = 0; i < samplesPerRow; i++) {
+      const at = i * depth;
+      const sample = depth >= 8 ? line[at >> 3] : (line[at >> 3] >> (8 - depth - (at & 7))) & (2 ** depth - 1);
+      samples[row * samplesPerRow + i] = sample * scale;
+    }
+    above = line;
+  }
+  return samples;
+}
+
+/** The five filters of the PNG specification, undone in place. */
+function unfilter(line: Uint8Array, above: Uint8Array, pixelBytes: number, filter: number): void {
+  if (filter > 4) throw new Error(DAMAGED);
+  if (filter === 0) return;
+  for (let i = 0; i < line.length; i++) {
+    const left = i >= pixelBytes ? line[i - pixelBytes] : 0;
+    const up = above[i];
+    if (filter === 1) line[i] += left;
+    else if (filter === 2) line[i] += up;
+    else if (filter === 3) line[i] += (left + up) >> 1;
+    else line[i] += nearest(left, up, i >= pixelBytes ? above[i - pixelBytes] : 0);
+  }
+}
+
+/** Paeth's predictor: of left, up and corner the one nearest to left + up − corner. */
+function nearest(left: number, up: number, corner: number): number {
+  const [toLeft, toUp, toCorner] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)];
+  return toLeft <= toUp && toLeft <= toCorner ? left : toUp <= toCorner ? up : corner;
+}

@@ -1,0 +1,52 @@
+import { type ReadMap, readImages, readMap } from './readMapFiles.js';
+
+/** What `TonalArtMap.load` can load. */
+export type TonalArtMapSource = string | URL | readonly (string | URL)[] | readonly File[];
+
+/** Reads what `TonalArtMap.load` was given. */
+export function readSource(
+  source: TonalArtMapSource,
+  signal: AbortSignal | undefined,
+  onProgress: (progress: number) => void,
+): Promise<ReadMap> {
+  if (typeof source === 'string' || source instanceof URL) {
+    const base = absolute(source);
+    return readMap(base, (name) => fetchFile(new URL(name, base), signal), onProgress);
+  }
+  const things: readonly (string | URL | File)[] = Array.isArray(source) ? source : [];
+  if (things.length === 0) {
+    throw new TypeError('TonalArtMap.load: source is empty, but must be an address or a list of addresses or files.');
+  }
+  const files = new Map<string, File>();
+  for (const thing of things) if (thing instanceof File) files.set(thing.name, thing);
+  if (files.size === 0) {
+    const names = things.map((thing) => absolute(thing as string | URL));
+    return readImages(names, (name) => fetchFile(new URL(name), signal), false, onProgress);
+  }
+  const read = async (name: string): Promise<Uint8Array> => {
+    const file = files.get(name);
+    if (!file) throw new Error('is missing among the files; choose it together with the others');
+    return new Uint8Array(await file.arrayBuffer());
+  };
+  const description = [...files.keys()].find((name) => name.endsWith('.json'));
+  if (description !== undefined) return readMap(description, read, onProgress);
+  return readImages([...files.keys()], read, true, onProgress);
+}
+
+/** Addresses without a host are those of the page. */
+const absolute = (address: string | URL): string =>
+  new URL(address, typeof document === 'undefined' ? undefined : document.baseURI).href;
+
+async function fetchFile(url: URL, signal: AbortSignal | undefined): Promise<Uint8Array> {
+  let response: Response;
+  try {
+    response = await fetch(url, { signal: signal ?? null });
+  } catch (error) {
+    signal?.throwIfAborted();
+    throw new Error(
+      `could not be fetched (${(error as Error).message}); check the address and whether its host allows it`,
+    );
+  }
+  if (!response.ok) throw new Error(`could not be fetched (${response.status}); check the address`);
+  return new Uint8Array(await response.arrayBuffer());
+}

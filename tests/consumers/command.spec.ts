@@ -1,0 +1,121 @@
+import { type SpawnSyncReturns, spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { PNG } from 'pngjs';
+import { expect, test } from '../browser/test.js';
+import { installPackedLibrary, libraryFolder, projectFolder } from './packedLibrary.js';
+
+const work = join(projectFolder, 'maps');
+let script = '';
+
+test.beforeAll(() => {
+  installPackedLibrary();
+  const { bin } = JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
+  script = join(libraryFolder, bin['three-hatching']);
+});
+
+test.beforeEach(() => {
+  rmSync(work, { recursive: true, force: true });
+  mkdirSync(work, { recursive: true });
+});
+
+const run = (...args: string[]): SpawnSyncReturns<string> =>
+  spawnSync(process.execPath, [script, ...args], { cwd: work, encoding: 'utf8' });
+
+test('the command draws the map that the library draws', async ({ page }) => {
+  const options = { style: 'charcoal', size: 64, tones: 5, seed: 3 } as const;
+  const { status, stdout, stderr } = run(
+    'tam',
+    '--style',
+    'charcoal',
+    '--size=64',
+    '--tones=5',
+    '--seed=3',
+    '--out',
+    'a',
+  );
+  expect([status, stderr]).toEqual([0, '']);
+  expect(stdout).toContain("TonalArtMap.load('a/map.json')");
+  await page.goto('/tests/gpu/toolkit.html');
+  const saved = await page.evaluate(async (o) => {
+    const files = await (await window.toolkit.TonalArtMap.generate(o)).save();
+    return Promise.all(files.map(async (file) => [file.name, [...new Uint8Array(await file.arrayBuffer())]] as const));
+  }, options);
+  expect(readdirSync(join(work, 'a')).sort()).toEqual(saved.map(([name]) => name).sort());
+  const loaded = await page.evaluate(
+    async (files) => {
+      const { TonalArtMap } = window.toolkit;
+      const map = await TonalArtMap.load(files.map(([name, bytes]) => new File([Uint8Array.from(bytes)], name)));
+      return [map.size, map.tones, map.levels, map.pointSymmetric, map.report.consistent];
+    },
+    saved.map(([name]) => [name, [...readFileSync(join(work, 'a', name))]] as const),
+  );
+  expect(loaded).toEqual([64, 5, 3, true, true]);
+  for (const [name, bytes] of saved) {
+    const drawn = readFileSync(join(work, 'a', name));
+    const expected = Buffer.from(bytes);
+    // Node and the browser deflate in ways of their own.
+    if (name.endsWith('.json')) expect(drawn.equals(expected)).toBe(true);
+    else expect(PNG.sync.read(drawn).data.equals(PNG.sync.read(expected).data), name).toBe(true);
+  }
+});
+
+test('the command says how it is used, and names the styles', () => {
+  for (const args of [[], ['--help'], ['tam', '-h']]) {
+    const { status, stdout } = run(...args);
+    expect(status).toBe(0);
+    expect(stdout).toContain('npx three-hatching tam --style');
+  }
+  const { status, stdout } = run('tam', '--list');
+  expect(status).toBe(0);
+  expect(stdout.split('\n')).toEqual(expect.arrayContaining(['hatching', 'stippling', 'woodcut']));
+});
+
+test('the command replaces a map only when told so, and other files never', () => {
+  expect(run('tam', '--size', '64', '--tones', '4', '--out', 'here').status).toBe(0);
+  const before = readFileSync(join(work, 'here/map.json'), 'utf8');
+  const again = run('tam', '--size', '64', '--tones', '5', '--out', 'here');
+  expect([again.status, again.stderr]).toEqual([
+    2,
+    'three-hatching: here holds a map already; add --force to replace it, or choose another folder.\n',
+  ]);
+  expect(readFileSync(join(work, 'here/map.json'), 'utf8')).toBe(before);
+  expect(run('tam', '--size', '64', '--tones', '5', '--out', 'here', '--force').status).toBe(0);
+  expect(JSON.parse(readFileSync(join(work, 'here/map.json'), 'utf8')).images).toHaveLength(5);
+  writeFileSync(join(work, 'here/letter.txt'), 'Dear');
+  const strange = run('tam', '--size', '64', '--out', 'here', '--force');
+  expect([strange.status, strange.stderr]).toEqual([2, expect.stringContaining('here holds other files (letter.txt)')]);
+  expect(readFileSync(join(work, 'here/letter.txt'), 'utf8')).toBe('Dear');
+  expect(readdirSync(work)).toEqual(['here']);
+});
+
+for (const [args, message] of [
+  [['tam'], '--out is missing; name the folder that the map goes into.'],
+  [['draw', '--out', 'x'], '"draw" is no command; the only one is tam. See --help.'],
+  [['tam', 'x'], '"x" is one word too many; a folder goes after --out.'],
+  [['tam', '--out', 'x', '--colour'], "Unknown option '--colour'"],
+  [['tam', '--out', 'x', '--style', 'oil'], '--style is oil, but must be one of hatching, '],
+  [['tam', '--out', 'x', '--size', '100'], '--size is 100, but must be 64, 128, 256, 512 or 1024.'],
+  [['tam', '--out', 'x', '--tones', 'many'], '--tones is many, but must be a whole number.'],
+  [['tam', '--out', 'x', '--stroke-width', '9'], '--stroke-width is 9, but must be a number from 1.2 to 2.6'],
+] as const) {
+  test(`the command refuses: ${args.join(' ')}`, () => {
+    const { status, stdout, stderr } = run(...args);
+    expect([status, stdout]).toEqual([2, '']);
+    expect(stderr).toContain(`three-hatching: ${message}`);
+    expect(existsSync(join(work, 'x'))).toBe(false);
+  });
+}
+
+test('the command, interrupted, leaves nothing behind', async () => {
+  const child = spawn(process.execPath, [script, 'tam', '--size', '1024', '--out', 'half'], { cwd: work });
+  let said = '';
+  child.stderr.on('data', (text) => {
+    said += text;
+  });
+  await new Promise((resolve) => setTimeout(resolve, 1000));
+  child.kill('SIGINT');
+  const code = await new Promise((resolve) => child.on('close', resolve));
+  expect([code, said]).toEqual([130, 'three-hatching: interrupted; nothing was written.\n']);
+  expect(readdirSync(work)).toEqual([]);
+});

@@ -1,0 +1,227 @@
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { encodePng } from '../../../src/tam/encodePng.js';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { hatchImages } from './draw.js';
+
+const png = async (name: string, size: number, image: Uint8Array): Promise<File> => {
+  const bytes = await encodePng({ width: size, height: size, channels: 1, data: image });
+  return new File([bytes as Uint8Array<ArrayBuffer>], name);
+};
+
+/** The finest images of a map of 64 texels, without its blank paper, darkest name first. */
+const artistsFiles = (): Promise<File[]> =>
+  Promise.all(
+    hatchImages({ style: 'hatching', size: 64, tones: 4 })
+      .images.slice(1)
+      .map(([image], i) => png(`${9 - i}.png`, 64, image)),
+  );
+
+/** Serves files under http://maps.test/set/; anything else is not found. */
+function serve(files: readonly File[]): void {
+  vi.stubGlobal('fetch', async (url: URL) => {
+    const file = files.find(({ name }) => `http://maps.test/set/${name}` === url.href);
+    return file ? new Response(file) : new Response('', { status: 404 });
+  });
+}
+afterEach(() => vi.unstubAllGlobals());
+
+const imagesOf = (map: TonalArtMap): Uint8Array[][] =>
+  Array.from({ length: map.tones }, (_, tone) =>
+    Array.from({ length: map.levels }, (_, level) => map.image(tone, level)),
+  );
+const thresholdsOf = (map: TonalArtMap): Float32Array[] =>
+  Array.from({ length: map.levels }, (_, level) => map.thresholds(level));
+
+describe('TonalArtMap.save and load', () => {
+  it.each(['crossHatching', 'charcoal'] as const)('give back every byte of a generated map: %s', async (style) => {
+    const map = await TonalArtMap.generate({ style, size: 64, tones: 5 });
+    const again = await TonalArtMap.load(await map.save());
+    expect(imagesOf(again)).toEqual(imagesOf(map));
+    expect(thresholdsOf(again)).toEqual(thresholdsOf(map));
+    expect(again.thresholdTexture.mipmaps).toEqual(map.thresholdTexture.mipmaps);
+    expect(again.pointSymmetric).toBe(true);
+  });
+
+  it('give back every byte of a map of hand-drawn levels, through addresses', async () => {
+    const images = [
+      [255, 255],
+      [200, 90],
+      [17, 3],
+    ].map((row) => row.map((byte, level) => new Uint8Array(64 >> (2 * level)).fill(byte)));
+    const map = TonalArtMap.fromHatchImages({ size: 8, images });
+    const files = await map.save();
+    expect(files.map(({ name }) => name)).toEqual([
+      'map.json',
+      ...[0, 1, 2].flatMap((tone) => [0, 1].map((level) => `tone-${tone}-level-${level}.png`)),
+    ]);
+    serve(files);
+    const again = await TonalArtMap.load('http://maps.test/set/map.json');
+    expect(imagesOf(again)).toEqual(images);
+    expect(thresholdsOf(again)).toEqual(thresholdsOf(map));
+  });
+
+  it('saves what was loaded as it was', async () => {
+    const bytesOf = (files: File[]) => Promise.all(files.map(async (file) => [file.name, await file.text()]));
+    const files = await (await TonalArtMap.generate({ size: 64, tones: 4 })).save();
+    expect(await bytesOf(await (await TonalArtMap.load(files)).save())).toEqual(await bytesOf(files));
+  });
+});
+
+describe("TonalArtMap.load of an artist's images", () => {
+  it('sorts files by darkness, adds paper and makes levels', async () => {
+    const map = await TonalArtMap.load((await artistsFiles()).toReversed());
+    expect([map.size, map.tones, map.levels]).toEqual([64, 4, 3]);
+    expect(map.image(0, 0).every((byte) => byte === 255)).toBe(true);
+    expect(map.image(3, 0)).toEqual(hatchImages({ style: 'hatching', size: 64, tones: 4 }).images[3][0]);
+    expect(map.report.meansOutOfOrder).toEqual([]);
+  });
+
+  it('takes a list of addresses, and a JSON that names one image per tone', async () => {
+    const files = await artistsFiles();
+    const json = JSON.stringify({
+      format: 'three-hatching tonal art map',
+      version: 1,
+      size: 64,
+      images: files.map(({ name }) => name),
+    });
+    serve([...files, new File([json], 'mine.json')]);
+    const listed = await TonalArtMap.load(files.map(({ name }) => `http://maps.test/set/${name}`));
+    const described = await TonalArtMap.load(new URL('http://maps.test/set/mine.json'));
+    expect(imagesOf(listed)).toEqual(imagesOf(described));
+    expect(listed.tones).toBe(4);
+  });
+
+  it('adds no paper where there is some', async () => {
+    const paper = await png('0.png', 64, new Uint8Array(4096).fill(255));
+    expect((await TonalArtMap.load([...(await artistsFiles()), paper])).tones).toBe(4);
+  });
+
+  it('reports progress that rises to 1', async () => {
+    const progress: number[] = [];
+    await TonalArtMap.load(await artistsFiles(), { onProgress: (value) => progress.push(value) });
+    expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+    expect(progress.at(-1)).toBe(1);
+  });
+
+  it('stops when aborted', async () => {
+    const controller = new AbortController();
+    const loading = TonalArtMap.load(await artistsFiles(), {
+      signal: controller.signal,
+      onProgress: () => controller.abort(new Error('enough')),
+    });
+    await expect(loading).rejects.toThrow('enough');
+    await expect(TonalArtMap.load('map.json', { signal: AbortSignal.abort(new Error('early')) })).rejects.toThrow(
+      'early',
+    );
+  });
+});
+
+describe('TonalArtMap.load refuses', () => {
+  const description = {
+    format: 'three-hatching tonal art map',
+    version: 1,
+    size: 64,
+    images: ['9.png', '8.png', '7.png'],
+  };
+  const json = (changes: object): File => new File([JSON.stringify({ ...description, ...changes })], 'map.json');
+  const odd = (size: number): Promise<File> => png('odd.png', size, new Uint8Array(size * size).fill(99));
+
+  it.each<[string, (files: File[]) => unknown, RegExp]>([
+    ['nothing', () => [], /source is empty, but must be an address/],
+    [
+      'a file that is missing',
+      (files) => [json({}), ...files.slice(1)],
+      /9\.png is missing among the files; choose it/,
+    ],
+    ['text', (files) => [...files, new File(['hello'], 'note.png')], /note\.png is not a PNG image; save it as PNG/],
+    [
+      'an image that is not square',
+      async (files) => [
+        ...files,
+        new File(
+          [
+            (await encodePng({
+              width: 64,
+              height: 32,
+              channels: 1,
+              data: new Uint8Array(2048),
+            })) as Uint8Array<ArrayBuffer>,
+          ],
+          'wide.png',
+        ),
+      ],
+      /wide\.png has 64 × 32 pixels, but a tile must be square/,
+    ],
+    [
+      'a side that is no power of two',
+      async () => [await odd(48)],
+      /odd\.png has 48 × 48 pixels, but a tile must be square with a power of two/,
+    ],
+    [
+      'images of several sizes',
+      async (files) => [...files, await odd(32)],
+      /(odd|\d)\.png has (32|64) pixels per side, but .*; give every tone the same/,
+    ],
+    [
+      'a wrong size in a set',
+      (files) => [json({ size: 128 }), ...files],
+      /\d\.png has 64 × 64 pixels, but level 0 of size 128 needs 128 × 128/,
+    ],
+    [
+      'a set from dark to light',
+      (files) => [json({ images: ['7.png', '8.png', '9.png'] }), ...files],
+      /7\.png is the darkest image but comes first; list the lightest first/,
+    ],
+    ['broken JSON', () => [new File(['{"format": '], 'map.json')], /map\.json is not JSON \(.*\); save the map again/],
+    [
+      'JSON of something else',
+      () => [new File(['[1]'], 'data.json')],
+      /data\.json describes no tonal art map; its "format" must be/,
+    ],
+    ['null', () => [new File(['null'], 'data.json')], /data\.json describes no tonal art map/],
+    [
+      'another version',
+      () => [json({ version: 2 })],
+      /map\.json is of version 2, but this three-hatching reads version 1; update/,
+    ],
+    ['an odd size', () => [json({ size: 65 })], /map\.json has "size" 65, but it must be a power of two/],
+    ['one tone', () => [json({ images: ['9.png'] })], /map\.json must name at least two "images"/],
+    ['names that are none', () => [json({ images: ['9.png', 5] })], /must name at least two "images"/],
+    ['levels for some tones only', () => [json({ images: [['9.png'], '8.png'] })], /must name at least two "images"/],
+    [
+      'different levels',
+      () => [json({ images: [['9.png'], ['8.png', '7.png']] })],
+      /must name as many levels for every tone/,
+    ],
+    [
+      'grey thresholds',
+      (files) => [json({ images: [['9.png'], ['8.png']], thresholds: ['7.png'] }), ...files],
+      /7\.png holds no thresholds: it is grey/,
+    ],
+    ['one image alone', async () => [await png('0.png', 64, new Uint8Array(4096).fill(255))], /at least two tones/],
+  ])('%s', async (_, make, message) => {
+    const source = (await make(await artistsFiles())) as File[];
+    const loading = TonalArtMap.load(source);
+    await expect(loading).rejects.toThrow(message);
+    await expect(loading).rejects.toThrow(/^TonalArtMap\.(load|fromHatchImages): /);
+  });
+
+  it('an address that is not found, and one that cannot be reached', async () => {
+    serve([json({})]);
+    await expect(TonalArtMap.load('http://maps.test/set/map.json')).rejects.toThrow(
+      /^TonalArtMap\.load: \d\.png could not be fetched \(404\); check the address/,
+    );
+    vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')));
+    await expect(TonalArtMap.load('http://elsewhere.test/map.json')).rejects.toThrow(
+      /^TonalArtMap\.load: http:\/\/elsewhere\.test\/map\.json could not be fetched \(Failed to fetch\); check the address/,
+    );
+  });
+
+  it('a list from dark to light', async () => {
+    const files = (await artistsFiles()).toReversed();
+    serve(files);
+    await expect(TonalArtMap.load(files.map(({ name }) => `http://maps.test/set/${name}`))).rejects.toThrow(
+      /7\.png is the darkest image but comes first; list the lightest first/,
+    );
+  });
+});
