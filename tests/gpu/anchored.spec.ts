@@ -7,6 +7,7 @@ import type { Vec3 } from '../reference/referenceAdjacency.js';
 import { analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 import {
+  crossed,
   defaults,
   directional,
   eye,
@@ -57,7 +58,7 @@ const cases: Case[] = [
     },
   },
   { name: 'reflected light', lights: [spot], material: { reflectedLight: 0.4 } },
-  { name: 'second layer under two lights', lights: [directional, redSide], material: { secondLayer: true } },
+  { name: 'second layer under two lights', lights: crossed, material: { secondLayer: true } },
   {
     name: 'second layer under three lights, moved object',
     lights: [redSide, point, spot],

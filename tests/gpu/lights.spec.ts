@@ -191,6 +191,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       });
       expect(before).toBeGreaterThan(1.8);
       expect(after).toBeLessThan(1.5);
+      expect(after).toBeGreaterThan(0.9);
       expect(covered(twoLayered!)).toBeGreaterThan(9000);
     });
   }

@@ -9,9 +9,11 @@ import type { HatchingSpec } from './hatchingSpec.js';
 import { loadBunny } from './loadBunny.js';
 import {
   ambient,
+  crossed,
   defaults,
   directional,
   eye,
+  fadingSpot,
   hemisphere,
   identity,
   mirrored,
@@ -40,7 +42,7 @@ interface Case {
 
 const meshes = { cube, torus, sheet, bunny: loadBunny };
 const lights = { directional: [directional], point: [point], spot: [spot] };
-const every = { ...lights, 'hemisphere and directional': [hemisphere, directional] };
+const every = { ...lights, 'fading spot': [fadingSpot], 'hemisphere and directional': [hemisphere, directional] };
 const placements = { identity, placed, mirrored };
 const models = ['lambert', 'halfLambert', 'phong', 'toon'] as const;
 const curves = {
@@ -101,7 +103,7 @@ const cases: Case[] = [
       material: { toneCurve, toneModel: models[i + 1]!, technique: 'triangle' } as const,
     },
   ]),
-  ...Object.entries({ ...every, 'several lights': [directional, redSide, spot] }).map(([name, list], i) => ({
+  ...Object.entries({ ...every, 'several lights': [redSide, fadingSpot] }).map(([name, list], i) => ({
     name: `reflected light, ${name}`,
     mesh: torus,
     lights: list,
@@ -112,7 +114,7 @@ const cases: Case[] = [
     {
       name: `second layer under two lights, ${technique}`,
       mesh: torus,
-      lights: [directional, redSide],
+      lights: crossed,
       material: { technique, secondLayer: true },
     },
     {
@@ -125,7 +127,7 @@ const cases: Case[] = [
     {
       name: `second layer, ${technique}, blend alone`,
       mesh: torus,
-      lights: [directional, redSide],
+      lights: crossed,
       map: 'constantPerTone' as const,
       matrixWorld: mirrored,
       material: { technique, secondLayer: true, toneCurve: 'perceptual' } as const,
