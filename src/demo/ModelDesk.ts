@@ -19,8 +19,8 @@ interface LoadedModel {
 export class ModelDesk {
   /** The name of the model on the sheet. */
   title = '';
-  /** Whether it is a scene that keeps its parts, instead of one mesh. */
-  isScene = false;
+  /** Of a scene that keeps its parts: its radius as it was read. Undefined for one mesh. */
+  sceneRadius: number | undefined;
   private drawn: Settings['model'];
 
   constructor(
@@ -77,7 +77,7 @@ export class ModelDesk {
       report('drawing', 1);
       this.drawn = model;
       this.title = loaded.title;
-      this.isScene = loaded.read.kind !== 'mesh';
+      this.sceneRadius = loaded.read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
       history.adopt();

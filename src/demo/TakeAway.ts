@@ -47,8 +47,9 @@ export class TakeAway {
   };
 
   readonly copyCode = async (): Promise<void> => {
-    const isScene = this.settings.model === 'file' && this.models.isScene;
-    if (await copyText(codeSample(this.settings, isScene))) this.status.say('The code is on the clipboard.');
+    // What the page makes itself cannot be loaded elsewhere.
+    const radius = this.settings.model === 'file' ? this.models.sceneRadius : undefined;
+    if (await copyText(codeSample(this.settings, radius))) this.status.say('The code is on the clipboard.');
     else this.status.fail('The browser does not let this page use the clipboard.');
   };
 }

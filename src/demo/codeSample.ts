@@ -4,9 +4,11 @@ import { isCrisp, SECOND_LIGHT_AZIMUTH, SETTINGS, type Settings, TONE_CURVES } f
 /**
  * The lines that make the look of the page in a project of one's own.
  *
- * @param isScene whether it is the look of a loaded scene, in its own colours, instead of one geometry's
+ * @param sceneRadius where it is the look of a loaded scene instead of one geometry's: the radius of that scene, which keeps
+ *   its own colours
  */
-export function codeSample(settings: Settings, isScene: boolean): string {
+export function codeSample(settings: Settings, sceneRadius: number | undefined): string {
+  const isScene = sceneRadius !== undefined;
   const map = [`style: '${settings.mapStyle}'`];
   if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
   if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
@@ -41,6 +43,7 @@ export function codeSample(settings: Settings, isScene: boolean): string {
   if (settings.inkBlend !== SETTINGS.inkBlend.default) material.push(`inkBlend: '${settings.inkBlend}'`);
   material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);
   if (!isScene) material.push(`color: '${settings.color}'`);
+  else if (settings.surfaceColors === 'paper') material.push(`color: 'white'`, 'map: null', 'vertexColors: false');
   const light = {
     directional: `new DirectionalLight('white', ${round((Math.PI * settings.lightStrength) / 100)})`,
     point: `new PointLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, 0)`,
@@ -71,10 +74,10 @@ scene.add(second);
   const [imports, use] = isScene
     ? [
         'applyHatching, TonalArtMap',
-        `const { scene: model } = await new GLTFLoader().loadAsync(address); // from 'three/addons/loaders/GLTFLoader.js'
+        `const { scene: model } = await new GLTFLoader().loadAsync('model.glb');
 scene.add(model);
 await applyHatching(model, {
-  strokeScale: ${round(settings.strokeScale)} / radius, // tiles per unit of the world; radius of the model
+  strokeScale: ${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world
   material: {
 ${parameters.map((line) => `    ${line}`).join('\n')}
   },
@@ -88,7 +91,7 @@ ${parameters.map((line) => `  ${line}`).join('\n')}
 scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));`,
       ];
   return `import { ${[...classes].sort().join(', ')} } from 'three';
-import { ${imports} } from 'three-hatching';
+${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${imports} } from 'three-hatching';
 
 const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });
 ${use}

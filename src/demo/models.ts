@@ -1,4 +1,5 @@
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
+import type { MadeScene } from './drawModel.js';
 import { fitModel } from './fitModel.js';
 import type { LoadOptions } from './loadModelFiles.js';
 import { loadModelFiles } from './loadModelFiles.js';
@@ -15,7 +16,7 @@ interface BuiltIn {
   title: string;
   /** Direction from the model to the eye at first, where the usual one shows too little. */
   view?: [number, number, number];
-  load(options: LoadOptions): Promise<ReadModel>;
+  load(options: LoadOptions): Promise<ReadModel | MadeScene>;
 }
 
 /**
@@ -51,6 +52,14 @@ export const BUILT_IN_MODELS: Record<BuiltInModel, BuiltIn> = {
     const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
     return new TeapotGeometry(1, 12);
   }),
+  fish: {
+    title: 'Fish',
+    view: [-0.75, 0.3, 1],
+    async load() {
+      const { makeFish } = await import('./makeFish.js');
+      return { kind: 'scene', name: 'Fish', upAxis: 'y', scene: makeFish() };
+    },
+  },
   cube: { ...shape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
   sphere: shape('Sphere', async () => new IcosahedronGeometry(1, 12)),
 };

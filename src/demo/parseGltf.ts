@@ -40,7 +40,8 @@ export async function parseGltf({ name, document, buffers, pictures }: GltfParts
   const draco = new DRACOLoader(manager).setDecoderPath(dracoUrls as never);
   loader.setDRACOLoader(draco);
   try {
-    if (document.extensionsUsed?.some((extension) => /meshopt_compression/.test(extension))) {
+    const { extensionsUsed = [], extensionsRequired = [] } = document;
+    if ([...extensionsUsed, ...extensionsRequired].some((extension) => extension.endsWith('meshopt_compression'))) {
       const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
       loader.setMeshoptDecoder(MeshoptDecoder);
     }

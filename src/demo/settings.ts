@@ -53,6 +53,7 @@ export const SETTINGS = {
       bunny: 'Bunny',
       suzanne: 'Suzanne',
       teapot: 'Teapot',
+      fish: 'Fish, swimming',
       cube: 'Cube',
       sphere: 'Sphere',
       file: 'Your own',

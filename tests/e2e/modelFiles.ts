@@ -1,3 +1,4 @@
+import { MeshoptEncoder } from 'meshoptimizer';
 import { packGlb } from './liveModel.js';
 
 /** An octahedron in every format the page takes, made here so that the tests need no files. */
@@ -101,6 +102,40 @@ export function octahedronGltf(uri?: string, changes: object = {}): string {
     buffers: [{ byteLength: positionBytes + indexBytes, ...(uri ? { uri } : {}) }],
     ...changes,
   });
+}
+
+/** The octahedra again, packed as meshopt does it. */
+export async function octahedronMeshoptGlb(): Promise<Buffer> {
+  await MeshoptEncoder.ready;
+  const bin = octahedronBin();
+  const size = 12 * VERTICES.length;
+  const parts = [
+    { mode: 'ATTRIBUTES', count: VERTICES.length, byteStride: 12, plain: bin.subarray(0, size) },
+    { mode: 'TRIANGLES', count: 3 * TRIANGLES.length, byteStride: 2, plain: bin.subarray(size) },
+  ];
+  let content = Buffer.alloc(0);
+  const views = parts.map(({ mode, count, byteStride, plain }, i) => {
+    const packed = MeshoptEncoder.encodeGltfBuffer(plain, count, byteStride, mode);
+    const packing = { buffer: 0, byteOffset: content.length, byteLength: packed.length, byteStride, count, mode };
+    content = Buffer.concat([content, packed, Buffer.alloc((4 - (packed.length % 4)) % 4)]);
+    return {
+      buffer: 1,
+      byteOffset: i * size,
+      byteLength: plain.length,
+      ...(i === 0 && { byteStride }),
+      extensions: { EXT_meshopt_compression: packing },
+    };
+  });
+  const changes = {
+    extensionsUsed: ['EXT_meshopt_compression'],
+    extensionsRequired: ['EXT_meshopt_compression'],
+    bufferViews: views,
+    buffers: [
+      { byteLength: content.length },
+      { byteLength: bin.length, extensions: { EXT_meshopt_compression: { fallback: true } } },
+    ],
+  };
+  return packGlb(octahedronGltf(undefined, changes), content);
 }
 
 export const octahedronGlb = (): Buffer => packGlb(octahedronGltf(), octahedronBin());

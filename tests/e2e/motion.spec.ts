@@ -50,6 +50,22 @@ test('a model with a clip plays when it is dropped; paused, the page is idle', a
   await expect(play(page)).toBeVisible();
 });
 
+test('the fish of the page swims, and is in the link', async ({ page }) => {
+  await page.goto('./#model=fish&lightElevation=50');
+  await expect(page.locator('#model-name')).toHaveText('Fish');
+  await expect(pause(page)).toBeVisible();
+  await pause(page).click();
+  await ready(page);
+  await page.getByRole('slider', { name: 'Speed' }).fill('2');
+  await page.locator('#lamp').press('ArrowDown');
+  await expect.poll(() => page.url()).toMatch(/model=fish.*lightElevation=45/);
+  await page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Cube');
+  await expect(page.locator('#model-name')).toHaveText('Cube');
+  await expect(page.getByRole('group', { name: 'Motion' })).toBeHidden();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.locator('#model-name')).toHaveText('Fish');
+});
+
 test.describe('where motion is to be reduced', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 

@@ -5,14 +5,20 @@ import { codeSample } from '../../../src/demo/codeSample.js';
 import { LightRig } from '../../../src/demo/LightRig.js';
 import { PRESETS, type PresetName, presetLook } from '../../../src/demo/presets.js';
 import { defaultSettings, type Settings } from '../../../src/demo/settings.js';
+import { applyHatching } from '../../../src/material/applyHatching.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 
 /** Runs a sample as a person would who pastes it where there is a scene, and returns the scene. */
-async function run(sample: string): Promise<THREE.Scene> {
+async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {
   const names = [...sample.matchAll(/^import \{ (.*) \} from '(.*)';$/gm)];
-  expect(names.map(([, , from]) => from)).toEqual(['three', 'three-hatching']);
+  const loader = loaded ? ['three/addons/loaders/GLTFLoader.js'] : [];
+  expect(names.map(([, , from]) => from)).toEqual(['three', ...loader, 'three-hatching']);
   const given: Record<string, unknown> = {
     HatchingMaterial,
+    applyHatching,
+    GLTFLoader: class {
+      loadAsync = async () => ({ scene: loaded });
+    },
     prepareHatchingGeometry: async (geometry: unknown) => geometry,
     TonalArtMap: { generate: async () => null },
     scene: new THREE.Scene(),
@@ -59,7 +65,7 @@ const looks: Record<string, Partial<Settings>> = {
 describe('codeSample', () => {
   test.each(Object.entries(looks))('makes the material and the lights of the page: %s', async (_name, look) => {
     const settings = { ...defaultSettings(), ...look };
-    const scene = await run(codeSample(settings, false));
+    const scene = await run(codeSample(settings, undefined));
 
     const expected = new HatchingMaterial();
     applyToMaterial(expected, settings);
@@ -95,4 +101,23 @@ describe('codeSample', () => {
         .sort();
     expect(lights(scene)).toEqual(lights(drawn));
   });
+
+  test.each(['shown', 'paper'] as const)(
+    'hatches a loaded scene as the page does, its surfaces %s',
+    async (surfaceColors) => {
+      const settings: Settings = { ...defaultSettings(), surfaceColors, ink: '#203080' };
+      const paint = new THREE.MeshStandardMaterial({ color: 'tomato', map: new THREE.Texture() });
+      const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 8), paint);
+      const scene = await run(codeSample(settings, 5), model);
+      expect(scene.children).toContain(model);
+      const made = model.material as unknown as HatchingMaterial;
+      expect(made).toBeInstanceOf(HatchingMaterial);
+      expect(made.technique).toBe(settings.technique);
+      expect(made.ink.getHexString()).toBe('203080');
+      // The page scales models to a radius of 1; a bounding sphere may be a little larger than the farthest vertex.
+      expect(made.strokeScale * 5).toBeCloseTo(settings.strokeScale, 0);
+      expect(made.color.equals(new THREE.Color(surfaceColors === 'shown' ? 'tomato' : 'white'))).toBe(true);
+      expect(made.map).toBe(surfaceColors === 'shown' ? paint.map : null);
+    },
+  );
 });
