@@ -1,4 +1,14 @@
-import { type AnimationClip, Box3, Group, type InstancedMesh, Matrix4, type Mesh, type Object3D, Vector3 } from 'three';
+import {
+  type AnimationClip,
+  Box3,
+  Group,
+  type InstancedMesh,
+  MathUtils,
+  Matrix4,
+  type Mesh,
+  type Object3D,
+  Vector3,
+} from 'three';
 import { applyHatching, type HatchingStatistics } from 'three-hatching';
 import { MAX_TRIANGLES } from './cleanMesh.js';
 import { DrawnModel, type ModelFacts } from './DrawnModel.js';
@@ -8,9 +18,9 @@ import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import type { LiveScene } from './parseGltf.js';
 
-/** Poses of a clip that are looked at for the room it takes, and points in all of them together. */
+/** Poses of a clip that are looked at for the room it takes, and vertices in all of them together: a skinned one costs a microsecond. */
 const POSES = 8;
-const MAX_POSED_POINTS = 60_000;
+const MAX_POINTS = 20_000;
 
 /** A scene ready to be drawn, and what of it could not be. */
 export interface DrawnScene {
@@ -73,14 +83,14 @@ function hideOthers(root: Object3D): void {
  * @returns the bounds of all these poses
  */
 function fitScene(holder: Group, motion: Motion): Box3 {
-  checkSize(holder);
+  const vertices = countVertices(holder);
+  const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MAX_POINTS / vertices), 1, POSES) : 1;
+  const step = Math.ceil((vertices * poses) / MAX_POINTS);
   const points: number[] = [];
-  let poses = 1;
   for (let i = 0; i < poses; i++) {
     motion.time = (i / poses) * motion.duration;
     holder.updateMatrixWorld(true);
-    addPoints(holder, points);
-    if (i === 0 && motion.duration > 0) poses = Math.min(POSES, Math.floor(MAX_POSED_POINTS / (points.length / 3 + 1)));
+    addPoints(holder, step, points);
   }
   motion.time = 0;
   const { centre, radius } = measureExtent(Float32Array.from(points));
@@ -90,13 +100,13 @@ function fitScene(holder: Group, motion: Motion): Box3 {
   return new Box3().setFromArray(points).applyMatrix4(holder.matrixWorld);
 }
 
-/** Where the vertices of all parts are, as they stand now. */
-function addPoints(holder: Group, points: number[]): void {
+/** Where every so many vertices of all parts are, as they stand now. */
+function addPoints(holder: Group, step: number, points: number[]): void {
   const point = new Vector3();
   for (const mesh of meshesOf(holder)) {
     const count = mesh.geometry.getAttribute('position')?.count ?? 0;
     for (const matrix of placements(mesh)) {
-      for (let i = 0; i < count; i++) {
+      for (let i = 0; i < count; i += step) {
         mesh.getVertexPosition(i, point).applyMatrix4(matrix);
         // A broken vertex belongs to a part that is left out.
         if (Number.isFinite(point.x + point.y + point.z)) points.push(point.x, point.y, point.z);
@@ -105,18 +115,26 @@ function addPoints(holder: Group, points: number[]): void {
   }
 }
 
-function checkSize(holder: Group): void {
+/** @throws ModelError if there is nothing to draw, or too much */
+function countVertices(holder: Group): number {
+  let vertices = 0;
   let triangles = 0;
   for (const mesh of meshesOf(holder)) {
-    const count = (mesh.geometry.index ?? mesh.geometry.getAttribute('position'))?.count ?? 0;
-    triangles += (count / 3) * ('isInstancedMesh' in mesh ? (mesh as InstancedMesh).count : 1);
+    const { geometry } = mesh;
+    const count = geometry.getAttribute('position')?.count ?? 0;
+    const times = 'isInstancedMesh' in mesh ? (mesh as InstancedMesh).count : 1;
+    vertices += count * times;
+    triangles += ((geometry.index?.count ?? count) / 3) * times;
   }
-  if (triangles === 0)
+  if (!(vertices > 0 && triangles > 0)) {
     throw new ModelError('The file holds no triangles; only surfaces can be hatched, not points or lines.');
-  if (triangles <= MAX_TRIANGLES) return;
-  throw new ModelError(
-    `The model has more than ${MAX_TRIANGLES.toLocaleString('en')} triangles, which this page cannot draw.`,
-  );
+  }
+  if (triangles > MAX_TRIANGLES) {
+    throw new ModelError(
+      `The model has more than ${MAX_TRIANGLES.toLocaleString('en')} triangles, which this page cannot draw.`,
+    );
+  }
+  return vertices;
 }
 
 function placements(mesh: Mesh): Matrix4[] {
