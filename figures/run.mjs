@@ -23,7 +23,9 @@ try {
   // High enough that a whole figure is in view, and so drawn.
   const page = await browser.newPage({ viewport: { width: 960, height: 2400 } });
   await page.goto(`${server.resolvedUrls.local[0]}figures/`);
-  await page.addStyleTag({ content: '.lamp-bar { visibility: hidden }' });
+  await page.locator('.lamp-bar').evaluate((bar) => {
+    bar.style.visibility = 'hidden';
+  });
   mkdirSync(`${root}docs/figures`, { recursive: true });
   for (const { number } of chosen) {
     const plates = page.locator(`#figure-${number} .plates`);
@@ -49,8 +51,8 @@ if (wanted.length === 0) {
   const introduction = `# The figures of the paper
 
 Written by \`npm run figures\` from the page \`/figures\` of the playground, where all of them are live and the light can be
-turned. Figures 1 and 2 are maps: the playground shows the one in use as a sheet. Figures 3, 5, 6 and 7 explain the
-construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [anchored.md](anchored.md#cost) has
+turned. Figures 1 and 2 show a tonal art map: \`npx three-hatching tam\` writes out every image of one. Figures 3, 5, 6 and
+7 explain the construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [anchored.md](anchored.md#cost) has
 ours, and \`npm run bench\` measures yours.
 `;
   writeFileSync(`${root}docs/figures.md`, [introduction, ...sections].join('\n'));
