@@ -23,8 +23,11 @@ try {
   // High enough that a whole figure is in view, and so drawn.
   const page = await browser.newPage({ viewport: { width: 960, height: 2400 } });
   await page.goto(`${server.resolvedUrls.local[0]}figures/`);
-  await page.locator('.lamp-bar').evaluate((bar) => {
-    bar.style.visibility = 'hidden';
+  // Nothing but paper may show at the edge of a picture.
+  await page.evaluate(() => {
+    document.body.style.background = 'var(--paper)';
+    document.querySelector('.lamp-bar').style.visibility = 'hidden';
+    for (const figure of document.querySelectorAll('figure')) figure.style.boxShadow = 'none';
   });
   mkdirSync(`${root}docs/figures`, { recursive: true });
   for (const { number } of chosen) {

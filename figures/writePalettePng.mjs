@@ -2,11 +2,11 @@ import { crc32, deflateSync } from 'node:zlib';
 
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 /** Levels per channel that colours are rounded to before the commonest are chosen. */
-const LEVELS = 16;
-const MAX_COLOURS = 64;
+const LEVELS = 64;
+const MAX_COLOURS = 256;
 
 /**
- * A PNG with a palette of at most 64 colours: a fraction of the size of one in full colour, and the same to the eye for a
+ * A PNG with a palette of at most 256 colours: a fraction of the size of one in full colour, and the same to the eye for a
  * drawing in a few inks.
  *
  * @param {{ width: number, height: number, data: Uint8Array }} picture RGBA, opaque
