@@ -20,6 +20,8 @@ export type Hand = 'paper' | 'anchored';
 const FIELD_OF_VIEW = 26;
 const USUAL_VIEW = [0.22, 0.18, 1] as const;
 const USUAL_REFLECTION = 0.35;
+/** Anchored strokes are black throughout, and look coarser at the same scale. */
+const ANCHORED_SCALE = 1.7;
 const AXES = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) } as const;
 
 const maps = new Map<MapStyle, Promise<TonalArtMap>>();
@@ -37,7 +39,7 @@ function mapOf(style: MapStyle): Promise<TonalArtMap> {
 export class FigureDrawing {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
-  private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique }[] = [];
+  private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; strokeScale: number }[] = [];
   private readonly light;
   private readonly reflected = new HemisphereLight('white', 'black');
   private readonly lightPosition = new Vector3();
@@ -66,7 +68,7 @@ export class FigureDrawing {
       const { style = 'hatching', technique = 'adjacency', ...options } = look;
       const tonalArtMap = await mapOf(style);
       const material = new HatchingMaterial({ ink, paper, ...options, technique, tonalArtMap, side: model.side });
-      drawing.materials.push({ material, technique });
+      drawing.materials.push({ material, technique, strokeScale: material.strokeScale });
       group.add(new Mesh(geometry, material));
     }
     drawing.scene.add(group);
@@ -87,9 +89,10 @@ export class FigureDrawing {
 
   /** Draws by another technique from now on. */
   setHand(hand: Hand): void {
-    for (const { material, technique } of this.materials) {
+    for (const { material, technique, strokeScale } of this.materials) {
       const isReplaced = hand === 'anchored' && technique === 'adjacency' && !this.figure.paperOnly;
       material.technique = isReplaced ? 'anchored' : technique;
+      material.strokeScale = isReplaced ? ANCHORED_SCALE * strokeScale : strokeScale;
     }
   }
 }

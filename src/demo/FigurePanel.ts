@@ -2,9 +2,6 @@ import { FigureDrawing, type Hand } from './FigureDrawing.js';
 import type { FigurePainter } from './FigurePainter.js';
 import type { Figure, Panel } from './figures.js';
 
-/** Like a drawing made for reduction: panels are small, and strokes of two pixels would be coarse in them. */
-const PIXEL_RATIO = 2;
-
 /** What a panel needs of the page. */
 export interface PanelSurroundings {
   ink: string;
@@ -23,6 +20,7 @@ export class FigurePanel {
   isSeen = false;
   /** What the canvas shows is not what it should. */
   isStale = true;
+  private size = { width: 0, height: 0 };
   private drawing: FigureDrawing | undefined;
   private making: Promise<void> | undefined;
 
@@ -59,6 +57,12 @@ export class FigurePanel {
     if (this.isReady) this.surroundings.onStale();
   }
 
+  /** Takes the size it is shown in, in pixels of the screen. */
+  resize(width: number, height: number): void {
+    this.size = { width, height };
+    this.spoil();
+  }
+
   /** What is shown is out of date. */
   spoil(): void {
     this.isStale = true;
@@ -68,13 +72,12 @@ export class FigurePanel {
   paint(painter: FigurePainter, turn: number, hand: Hand): void {
     const drawing = this.drawing;
     if (!drawing) return;
-    const width = Math.round(this.canvas.clientWidth * PIXEL_RATIO);
-    const height = Math.round(this.canvas.clientHeight * PIXEL_RATIO);
+    const { width, height } = this.size;
     if (width === 0 || height === 0) return;
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
     drawing.setHand(hand);
     drawing.turnLight(turn);
-    if (painter.paint(drawing, this.canvas)) this.isStale = false;
+    if (painter.paint(drawing, this.canvas, devicePixelRatio)) this.isStale = false;
   }
 
   private async make(): Promise<void> {

@@ -116,11 +116,19 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
     { rootMargin: '25%' },
   );
   const sizes = new ResizeObserver((entries) => {
-    for (const { target } of entries) byCanvas.get(target)!.spoil();
+    for (const { target, devicePixelContentBoxSize, contentRect } of entries) {
+      // Exactly as many pixels as the screen gives it, or it would be blurred; not every browser tells.
+      const { inlineSize, blockSize } = devicePixelContentBoxSize?.[0] ?? {
+        inlineSize: Math.round(contentRect.width * devicePixelRatio),
+        blockSize: Math.round(contentRect.height * devicePixelRatio),
+      };
+      byCanvas.get(target)!.resize(inlineSize, blockSize);
+    }
   });
+  const box = 'devicePixelContentBoxSize' in ResizeObserverEntry.prototype ? 'device-pixel-content-box' : 'content-box';
   for (const { canvas } of panels) {
     views.observe(canvas);
-    sizes.observe(canvas);
+    sizes.observe(canvas, { box });
   }
 
   function spoilAll(): void {

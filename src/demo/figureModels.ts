@@ -4,9 +4,10 @@ import { prepareHatchingGeometry } from 'three-hatching';
 import handUrl from './assets/hand.glb?url';
 import { bakeMesh } from './bakeMesh.js';
 import type { MadeScene } from './drawModel.js';
+import { fitModel } from './fitModel.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from './fourTriangles.js';
-import { loadModelFiles } from './loadModelFiles.js';
 import { ModelError } from './ModelError.js';
+import { mergeScene } from './mergeScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from './models.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { ReadModel } from './readModel.js';
@@ -66,12 +67,12 @@ function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
   };
 }
 
-/** A right hand, its fingers up and its back to the viewer. */
+/** A right hand, its fingers up and its back to the viewer; its skeleton is left alone. */
 async function hand(): Promise<FigureModel> {
-  const response = await fetch(handUrl);
-  if (!response.ok) throw new ModelError(`The hand could not be fetched: the server answered ${response.status}.`);
-  const file = { name: 'hand.glb', content: await response.blob() };
-  const mesh = meshIn(await loadModelFiles([file], LOADING));
+  const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
+  const { scene } = await new GLTFLoader().loadAsync(handUrl);
+  const mesh = mergeScene(scene);
+  fitModel(mesh);
   const { positions, normals } = mesh;
   // It comes with its fingers down and its back towards x.
   for (const triples of [positions, normals]) {

@@ -262,6 +262,8 @@ export const FIGURES: readonly Figure[] = [
         ['hatching', 'Pen'],
         ['crossHatching', 'Cross-hatching'],
         ['stippling', 'Stippling'],
+        ['woodcut', 'Woodcut'],
+        ['charcoal', 'Charcoal'],
       ] as const
     ).map(([style, label]) => ({
       label,

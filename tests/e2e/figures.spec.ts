@@ -27,6 +27,7 @@ async function settled(page: Page): Promise<void> {
   // Two frames, so that the page knows what is in view.
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
   await page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: 90_000 });
+  expect(await page.locator('#status').textContent()).toBe('');
 }
 
 async function scrollTo(page: Page, selector: string): Promise<void> {

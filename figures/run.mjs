@@ -1,0 +1,62 @@
+/**
+ * `npm run figures`: takes the pictures of the documentation from the page of the figures and writes docs/figures/*.png
+ * and docs/figures.md. `npm run figures -- 4 14` takes some of them and leaves the text alone.
+ */
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { chromium } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { createServer } from 'vite';
+import { launchOptions } from '../tests/browser/launchOptions.mjs';
+import { writePalettePng } from './writePalettePng.mjs';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+const wanted = process.argv.slice(2).map(Number);
+
+const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
+const { FIGURES } = await server.ssrLoadModule('/src/demo/figures.ts');
+const chosen = FIGURES.filter(({ number }) => wanted.length === 0 || wanted.includes(number));
+await server.listen();
+const browser = await chromium.launch(await launchOptions());
+let bytes = 0;
+try {
+  // High enough that a whole figure is in view, and so drawn.
+  const page = await browser.newPage({ viewport: { width: 960, height: 2400 } });
+  await page.goto(`${server.resolvedUrls.local[0]}figures/`);
+  // Nothing but paper may show at the edge of a picture.
+  await page.evaluate(() => {
+    document.body.style.background = 'var(--paper)';
+    document.querySelector('.lamp-bar').style.visibility = 'hidden';
+    for (const figure of document.querySelectorAll('figure')) figure.style.boxShadow = 'none';
+  });
+  mkdirSync(`${root}docs/figures`, { recursive: true });
+  for (const { number } of chosen) {
+    const plates = page.locator(`#figure-${number} .plates`);
+    await plates.evaluate((element) => element.scrollIntoView());
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: 300_000 });
+    const file = writePalettePng(PNG.sync.read(await plates.screenshot()));
+    writeFileSync(`${root}docs/figures/figure-${number}.png`, file);
+    bytes += file.length;
+    console.log(`figure ${number}: ${Math.round(file.length / 1000)} kB`);
+  }
+} finally {
+  await browser.close();
+  await server.close();
+}
+console.log(`${Math.round(bytes / 1000)} kB together`);
+
+if (wanted.length === 0) {
+  const sections = FIGURES.map(
+    ({ number, title, paper, ours }) =>
+      `## Figure ${number}. ${title}\n\n![Figure ${number}](figures/figure-${number}.png)\n\n*In the paper:* ${paper}\n\n*Here:* ${ours}\n`,
+  );
+  const introduction = `# The figures of the paper
+
+Written by \`npm run figures\` from the page \`/figures\` of the playground, where all of them are live and the light can be
+turned. Figures 1 and 2 show a tonal art map: \`npx three-hatching tam\` writes out every image of one. Figures 3, 5, 6 and
+7 explain the construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [anchored.md](anchored.md#cost) has
+ours, and \`npm run bench\` measures yours.
+`;
+  writeFileSync(`${root}docs/figures.md`, [introduction, ...sections].join('\n'));
+}
