@@ -56,6 +56,7 @@ export function bindVertices(
   deformation.update(renderer, camera, object as Mesh, material);
   bind(material, 'deformedPositions', deformation.positions);
   bind(material, 'deformedNormals', deformation.normals);
+  bind(material, 'deformedTurns', deformation.turns);
   return 'deforming';
 }
 

@@ -1,4 +1,5 @@
 import { expect, test } from '../browser/test.js';
+import { sharedModel, sparseMorphModel } from './gltfContent.js';
 import { covered, difference } from './pixels.js';
 
 /** Meshes with skins and morph targets: the layout `pull`, the pre-pass, and strokes that stay on the surface. */
@@ -81,3 +82,92 @@ test('the pre-pass writes what three.js computes on the processor: skin, morph t
     expect(normal, `${kind}: normal`).toBeLessThanOrEqual(1e-5);
   }
 });
+
+function reportDrift(rest: number, deformed: number): void {
+  const description = `rest ${rest.toExponential(1)}, deformed ${deformed.toExponential(1)} tiles per frame`;
+  test.info().annotations.push({ type: 'drift', description });
+}
+
+const models = {
+  'sparse morph targets': { content: sparseMorphModel, clip: 0, meshes: 1 },
+  SimpleSkin: { content: () => sharedModel('SimpleSkin.gltf'), clip: 0, meshes: 1 },
+  Fox: { content: () => sharedModel('Fox.glb'), clip: 1, meshes: 1 },
+  CesiumMan: { content: () => sharedModel('CesiumMan.glb'), clip: 0, meshes: 1 },
+  MorphStressTest: { content: () => sharedModel('MorphStressTest.gltf'), clip: 2, meshes: 2 },
+  AnimatedMorphCube: { content: () => sharedModel('AnimatedMorphCube.gltf'), clip: 0, meshes: 1 },
+};
+
+for (const [name, { content, clip, meshes }] of Object.entries(models)) {
+  test(`the pre-pass writes what three.js computes on the processor: ${name}`, async ({ page }) => {
+    const text = content();
+    test.skip(text === null, 'the models of ../shared/models are not here');
+    const worst = await page.evaluate(
+      async ({ text, clip }) => {
+        const { makeRenderer, pixelsOf } = window.toolkit;
+        const model = await window.deforming.hatchedModel(text, clip);
+        const renderer = makeRenderer();
+        return [0, 0.4, 0.9].map((time) => {
+          model.setTime(time);
+          pixelsOf(model.scene, renderer);
+          return model.meshes.map((mesh) => window.deforming.deviation(renderer, mesh));
+        });
+      },
+      { text: text!, clip },
+    );
+    expect(worst[0]).toHaveLength(meshes);
+    expect(Math.max(...worst.flat().map(({ moved }) => moved))).toBeGreaterThan(0.05);
+    for (const { position, normal } of worst.flat()) {
+      expect(position).toBeLessThanOrEqual(1e-5);
+      expect(normal).toBeLessThanOrEqual(1e-5);
+    }
+  });
+}
+
+for (const name of ['CesiumMan', 'Fox'] as const) {
+  for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+    test(`strokes stay on a model that walks: ${name}, ${technique}`, async ({ page }) => {
+      const { content, clip } = models[name];
+      const text = content();
+      test.skip(text === null, 'the models of ../shared/models are not here');
+      const [rest, deformed] = await page.evaluate(
+        async ({ text, clip, technique }) => {
+          const drifts: ReturnType<typeof window.deforming.drift>[] = [];
+          for (const strokeAnchor of ['rest', 'deformed'] as const) {
+            const model = await window.deforming.hatchedModel(text, clip, { technique, strokeAnchor });
+            const mesh = model.meshes[0] as Parameters<typeof window.deforming.drift>[1];
+            drifts.push(window.deforming.drift(model.scene, mesh, (frame) => model.setTime(frame / 24), 12));
+          }
+          return drifts;
+        },
+        { text: text!, clip, technique },
+      );
+      expect(rest!.rigidTriangles).toBeGreaterThan(20);
+      expect(rest!.drift, 'largest change from frame to frame, in tiles').toBeLessThanOrEqual(1e-4);
+      expect(deformed!.drift).toBeGreaterThan(0.01);
+      reportDrift(rest!.drift, deformed!.drift);
+    });
+  }
+}
+
+for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+  test(`strokes stay on a tube that bends: ${technique}`, async ({ page }) => {
+    const [rest, deformed] = await page.evaluate(async (technique) => {
+      const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap } = window.toolkit;
+      const { tubeGeometry, onBones, drift } = window.deforming;
+      const geometry = await prepareHatchingGeometry(tubeGeometry());
+      return (['rest', 'deformed'] as const).map((strokeAnchor) => {
+        const material = new HatchingMaterial({ tonalArtMap: greyMap(), technique, strokeAnchor });
+        const mesh = onBones(geometry, material);
+        const scene = new THREE.Scene().add(mesh);
+        const bone = mesh.skeleton.bones[1]!;
+        return drift(scene, mesh, (frame) => bone.rotation.set(0.02 * frame, 0.03 * frame, 0.05 * frame), 10);
+      });
+    }, technique);
+    expect(rest!.bones).toBe(2);
+    expect(rest!.rigidTriangles).toBeGreaterThan(100);
+    expect(rest!.drift, 'largest change from frame to frame, in tiles').toBeLessThanOrEqual(1e-4);
+    // The paper to the letter; also shows that the measure sees strokes that swim.
+    expect(deformed!.drift).toBeGreaterThan(0.01);
+    reportDrift(rest!.drift, deformed!.drift);
+  });
+}
