@@ -1,13 +1,15 @@
 // The pre-pass of a mesh that deforms. Drawn with its corners as points: each vertex lands on its texel, at the first of its
-// corners, with the position and normal that three's own chunks give it. The other corners are dropped.
+// corners, with the position and normal that three's own chunks give it, and the rotation in its skin. The other corners are dropped.
 
 #include <common>
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>
 #include "pulledVertices"
+#include "turns"
 
 flat varying vec3 vPosition;
 flat varying vec3 vNormal;
+flat varying vec4 vTurn;
 
 void main() {
   gl_PointSize = 1.0;
@@ -27,6 +29,10 @@ void main() {
   #include <skinning_vertex>
   vPosition = transformed;
   vNormal = objectNormal;
+  vTurn = vec4(0.0);
+  #if defined(USE_SKINNING) && !defined(USE_MORPHTARGETS)
+    vTurn = turnOf(mat3(skinMatrix));
+  #endif // USE_SKINNING
 
   ivec2 size = textureSize(restPositions, 0);
   vec2 texel = vec2(texelOf(int(own[k]), size.x)) + 0.5;

@@ -25,9 +25,11 @@ AdjacencyPrimitive readDrawnPrimitive() {
 #else
 
 #include "pulledVertices"
+#include "turns"
 #if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING
   uniform highp sampler2D deformedPositions;
   uniform highp sampler2D deformedNormals;
+  uniform highp sampler2D deformedTurns;
 #endif // VERTEX_LAYOUT
 
 AdjacencyPrimitive pullPrimitive(const in highp sampler2D positions) {
@@ -56,6 +58,29 @@ AdjacencyPrimitive readAnchorPrimitive(const in AdjacencyPrimitive drawn) {
     return pullPrimitive(restPositions);
   #else
     return drawn;
+  #endif // ANCHORED_AT_REST
+}
+
+// By which rotations skins turn the triangles c, α, β, γ: quaternions, not of unit length, zero where that is not known.
+struct AdjacencyTurns {
+  vec4 c, alpha, beta, gamma;
+};
+
+AdjacencyTurns readTurns() {
+  #ifdef ANCHORED_AT_REST
+    uvec4 own = ownVertices(gl_VertexID / 3);
+    uvec4 opposite = oppositeVertices(gl_VertexID / 3);
+    vec4 v0 = pullTexel(deformedTurns, own.x);
+    vec4 v1 = pullTexel(deformedTurns, own.y);
+    vec4 v2 = pullTexel(deformedTurns, own.z);
+    return AdjacencyTurns(
+      addTurns(v0, v1, v2),
+      addTurns(v1, v0, pullTexel(deformedTurns, opposite.x)),
+      addTurns(v2, v1, pullTexel(deformedTurns, opposite.y)),
+      addTurns(v0, v2, pullTexel(deformedTurns, opposite.z))
+    );
+  #else
+    return AdjacencyTurns(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   #endif // ANCHORED_AT_REST
 }
 

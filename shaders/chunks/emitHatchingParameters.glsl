@@ -34,13 +34,16 @@
 #else
   AdjacencyPrimitive drawn = readDrawnPrimitive();
   AdjacencyPrimitive anchor = readAnchorPrimitive(drawn);
+  AdjacencyTurns turns = readTurns();
   #if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING && !defined(ANCHORED_AT_REST)
     vec3 anchorPosition = transformed;
   #else
     vec3 anchorPosition = position;
   #endif // VERTEX_LAYOUT
   vec3 normalC = normalOf(triangleC(drawn));
-  vec3 strokesC = strokeCoordinates(anchorPosition, triangleC(anchor), triangleC(drawn), normalC, objectToView, viewToObject);
+  vec3 strokesC = strokeCoordinates(
+    anchorPosition, triangleC(anchor), triangleC(drawn), normalC, turns.c, objectToView, viewToObject
+  );
 
   // A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
   #if TECHNIQUE == TECHNIQUE_ADJACENCY
@@ -48,13 +51,13 @@
     vec3 normalBeta = normalOf(triangleBeta(drawn));
     vec3 normalGamma = normalOf(triangleGamma(drawn));
     vec3 strokesAlpha = strokeCoordinates(
-      anchorPosition, triangleAlpha(anchor), triangleAlpha(drawn), normalAlpha, objectToView, viewToObject
+      anchorPosition, triangleAlpha(anchor), triangleAlpha(drawn), normalAlpha, turns.alpha, objectToView, viewToObject
     );
     vec3 strokesBeta = strokeCoordinates(
-      anchorPosition, triangleBeta(anchor), triangleBeta(drawn), normalBeta, objectToView, viewToObject
+      anchorPosition, triangleBeta(anchor), triangleBeta(drawn), normalBeta, turns.beta, objectToView, viewToObject
     );
     vec3 strokesGamma = strokeCoordinates(
-      anchorPosition, triangleGamma(anchor), triangleGamma(drawn), normalGamma, objectToView, viewToObject
+      anchorPosition, triangleGamma(anchor), triangleGamma(drawn), normalGamma, turns.gamma, objectToView, viewToObject
     );
     vStrokeUvCentralAlpha = vec4(strokesC.xy, strokesAlpha.xy);
     vStrokeUvBetaGamma = vec4(strokesBeta.xy, strokesGamma.xy);

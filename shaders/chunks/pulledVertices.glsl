@@ -16,6 +16,10 @@ uvec4 oppositeVertices(const in int triangle) {
   return texelFetch(triangleVertices, texelOf(2 * triangle + 1, textureSize(triangleVertices, 0).x), 0);
 }
 
+vec4 pullTexel(const in highp sampler2D texels, const in uint vertex) {
+  return texelFetch(texels, texelOf(int(vertex), textureSize(texels, 0).x), 0);
+}
+
 vec3 pullVertex(const in highp sampler2D texels, const in uint vertex) {
-  return texelFetch(texels, texelOf(int(vertex), textureSize(texels, 0).x), 0).xyz;
+  return pullTexel(texels, vertex).xyz;
 }

@@ -34,7 +34,7 @@ const noScene = new Scene();
 const allCorners = { start: 0, count: Infinity };
 
 /**
- * Positions and normals of one mesh of the `pull` layout in its present pose, one texel per vertex, on one graphics context.
+ * Positions, normals and turns of one mesh of the `pull` layout in its present pose, one texel per vertex, on one graphics context.
  * Each vertex is deformed once for a pose, however many corners, materials, cameras and frames ask for it.
  */
 export class Deformation {
@@ -51,7 +51,7 @@ export class Deformation {
   ) {
     const { width, height } = positions.image;
     this.#target = new WebGLRenderTarget(width, height, {
-      count: 2,
+      count: 3,
       type: FloatType,
       minFilter: NearestFilter,
       magFilter: NearestFilter,
@@ -79,6 +79,11 @@ export class Deformation {
   /** x, y, z of each vertex's normal as drawn, object space, not of unit length. */
   get normals(): Texture {
     return this.#target.textures[1]!;
+  }
+
+  /** The rotation of each vertex's skin, a quaternion; zero where the skin is not all that moves it. */
+  get turns(): Texture {
+    return this.#target.textures[2]!;
   }
 
   get isDisposed(): boolean {

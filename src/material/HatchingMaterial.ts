@@ -200,6 +200,7 @@ export class HatchingMaterial extends ShaderMaterial {
           creaseCosine: { value: 0 },
           deformedNormals: { value: null },
           deformedPositions: { value: null },
+          deformedTurns: { value: null },
           diffuse: { value: null },
           edgePixels: { value: 0 },
           ink: { value: null },

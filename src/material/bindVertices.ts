@@ -43,7 +43,7 @@ export function bindVertices(
     } else if (isDeforming) {
       complain(
         geometry,
-        "deforms, but its layout 'corner' knows the rest pose only; prepare it with the layout 'pull' or 'auto'.",
+        "is lit and hatched as at rest: its layout 'corner' knows no other pose. Prepare it with the layout 'pull' or 'auto'.",
       );
     }
     return 'corner';
@@ -56,6 +56,7 @@ export function bindVertices(
   deformation.update(renderer, camera, object as Mesh, material);
   bind(material, 'deformedPositions', deformation.positions);
   bind(material, 'deformedNormals', deformation.normals);
+  bind(material, 'deformedTurns', deformation.turns);
   return 'deforming';
 }
 
@@ -67,14 +68,14 @@ function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Ob
   if (!renderer.extensions.has('EXT_color_buffer_float')) {
     complain(
       geometry,
-      "stays in its rest pose: this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which has no need to.",
+      "is lit and hatched as at rest: this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which has no need to.",
     );
     return false;
   }
   if ('isInstancedMesh' in object && (object as InstancedMesh).morphTexture !== null) {
     complain(
       geometry,
-      "stays in its rest pose: the instances of an InstancedMesh cannot have morph targets each of their own. Use the technique 'anchored', or meshes.",
+      "is lit and hatched as at rest: the instances of an InstancedMesh cannot have morph targets each of their own. Use the technique 'anchored', or meshes.",
     );
     return false;
   }

@@ -21,6 +21,7 @@ import tone from '../../shaders/chunks/tone.glsl?raw';
 import toneCurve from '../../shaders/chunks/toneCurve.glsl?raw';
 import toneNormals from '../../shaders/chunks/toneNormals.glsl?raw';
 import triangleGeometry from '../../shaders/chunks/triangleGeometry.glsl?raw';
+import turns from '../../shaders/chunks/turns.glsl?raw';
 import deformationFragmentSource from '../../shaders/deformation.frag?raw';
 import deformationVertexSource from '../../shaders/deformation.vert?raw';
 import fragmentSource from '../../shaders/hatching.frag?raw';
@@ -54,6 +55,7 @@ const chunks = {
   toneCurve,
   toneNormals,
   triangleGeometry,
+  turns,
 };
 
 /** Our chunks resolved; three resolves its own when it compiles. */

@@ -1,5 +1,6 @@
 import { expect, test } from '../browser/test.js';
-import { covered, difference } from './pixels.js';
+import { sharedModel, sparseMorphModel } from './gltfContent.js';
+import { at, covered, difference, differing } from './pixels.js';
 
 /** Meshes with skins and morph targets: the layout `pull`, the pre-pass, and strokes that stay on the surface. */
 
@@ -80,4 +81,532 @@ test('the pre-pass writes what three.js computes on the processor: skin, morph t
     expect(position, `${kind}: position`).toBeLessThanOrEqual(1e-5);
     expect(normal, `${kind}: normal`).toBeLessThanOrEqual(1e-5);
   }
+});
+
+function reportDrift(rest: number, deformed: number): void {
+  const description = `rest ${rest.toExponential(1)}, deformed ${deformed.toExponential(1)} tiles per frame`;
+  test.info().annotations.push({ type: 'drift', description });
+}
+
+const models = {
+  'sparse morph targets': { content: sparseMorphModel, clip: 0, meshes: 1 },
+  SimpleSkin: { content: () => sharedModel('SimpleSkin.gltf'), clip: 0, meshes: 1 },
+  Fox: { content: () => sharedModel('Fox.glb'), clip: 1, meshes: 1 },
+  CesiumMan: { content: () => sharedModel('CesiumMan.glb'), clip: 0, meshes: 1 },
+  MorphStressTest: { content: () => sharedModel('MorphStressTest.gltf'), clip: 2, meshes: 2 },
+  AnimatedMorphCube: { content: () => sharedModel('AnimatedMorphCube.gltf'), clip: 0, meshes: 1 },
+};
+
+for (const [name, { content, clip, meshes }] of Object.entries(models)) {
+  test(`the pre-pass writes what three.js computes on the processor: ${name}`, async ({ page }) => {
+    const text = content();
+    test.skip(text === null, 'the models of ../shared/models are not here');
+    const worst = await page.evaluate(
+      async ({ text, clip }) => {
+        const { makeRenderer, pixelsOf } = window.toolkit;
+        const model = await window.deforming.hatchedModel(text, clip);
+        const renderer = makeRenderer();
+        return [0, 0.4, 0.9].map((time) => {
+          model.setTime(time);
+          pixelsOf(model.scene, renderer);
+          return model.meshes.map((mesh) => window.deforming.deviation(renderer, mesh));
+        });
+      },
+      { text: text!, clip },
+    );
+    expect(worst[0]).toHaveLength(meshes);
+    expect(Math.max(...worst.flat().map(({ moved }) => moved))).toBeGreaterThan(0.05);
+    const most = Math.max(...worst.flat().map(({ position }) => position));
+    test.info().annotations.push({ type: 'deviation', description: `${most.toExponential(1)} of the size` });
+    for (const { position, normal } of worst.flat()) {
+      expect(position).toBeLessThanOrEqual(1e-5);
+      expect(normal).toBeLessThanOrEqual(1e-5);
+    }
+  });
+}
+
+for (const name of ['CesiumMan', 'Fox'] as const) {
+  for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+    test(`strokes stay on a model that walks: ${name}, ${technique}`, async ({ page }) => {
+      const { content, clip } = models[name];
+      const text = content();
+      test.skip(text === null, 'the models of ../shared/models are not here');
+      const [rest, deformed] = await page.evaluate(
+        async ({ text, clip, technique }) => {
+          const drifts: ReturnType<typeof window.deforming.drift>[] = [];
+          for (const strokeAnchor of ['rest', 'deformed'] as const) {
+            const model = await window.deforming.hatchedModel(text, clip, { technique, strokeAnchor });
+            const mesh = model.meshes[0] as Parameters<typeof window.deforming.drift>[1];
+            drifts.push(window.deforming.drift(model.scene, mesh, (frame) => model.setTime(frame / 24), 12));
+          }
+          return drifts;
+        },
+        { text: text!, clip, technique },
+      );
+      expect(rest!.rigidTriangles).toBeGreaterThan(20);
+      expect(rest!.drift, 'largest change from frame to frame, in tiles').toBeLessThanOrEqual(1e-4);
+      expect(deformed!.drift).toBeGreaterThan(0.01);
+      reportDrift(rest!.drift, deformed!.drift);
+    });
+  }
+}
+
+for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+  test(`strokes stay on a tube that bends: ${technique}`, async ({ page }) => {
+    const [rest, deformed] = await page.evaluate(async (technique) => {
+      const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap } = window.toolkit;
+      const { tubeGeometry, onBones, drift } = window.deforming;
+      const geometry = await prepareHatchingGeometry(tubeGeometry());
+      return (['rest', 'deformed'] as const).map((strokeAnchor) => {
+        const material = new HatchingMaterial({ tonalArtMap: greyMap(), technique, strokeAnchor });
+        const mesh = onBones(geometry, material);
+        const scene = new THREE.Scene().add(mesh);
+        const bone = mesh.skeleton.bones[1]!;
+        return drift(scene, mesh, (frame) => bone.rotation.set(0.02 * frame, 0.03 * frame, 0.05 * frame), 10);
+      });
+    }, technique);
+    expect(rest!.bones).toBe(2);
+    expect(rest!.rigidTriangles).toBeGreaterThan(100);
+    expect(rest!.drift, 'largest change from frame to frame, in tiles').toBeLessThanOrEqual(1e-4);
+    // The paper to the letter; also shows that the measure sees strokes that swim.
+    expect(deformed!.drift).toBeGreaterThan(0.01);
+    reportDrift(rest!.drift, deformed!.drift);
+  });
+}
+
+for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+  test(`what turns by its bones is drawn as what turns as an object: ${technique}`, async ({ page }) => {
+    const [turned, skinned, literal] = await page.evaluate(async (technique) => {
+      const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
+        window.toolkit;
+      const { tubeGeometry, onBones } = window.deforming;
+      const renderer = makeRenderer();
+      const geometry = await prepareHatchingGeometry(tubeGeometry());
+      const material = new HatchingMaterial({
+        tonalArtMap: stripedMap(),
+        technique,
+        strokeScale: 2,
+        side: THREE.DoubleSide,
+      });
+      const light = sun();
+      const object = new THREE.Mesh(geometry, material);
+      const mesh = onBones(geometry, material);
+      for (const thing of [object, mesh.skeleton.bones[0]!]) {
+        thing.rotation.set(0.5, 0.4, 0.9);
+        thing.position.set(0.2, 0.1, -0.1);
+        thing.scale.setScalar(1.2);
+      }
+      const pictures = [object, mesh].map((thing) => pixelsOf(sceneOf(thing, light), renderer));
+      material.strokeAnchor = 'deformed';
+      return [...pictures, pixelsOf(sceneOf(mesh, light), renderer)];
+    }, technique);
+    expect(covered(turned!)).toBeGreaterThan(1000);
+    // On a hard stripe a rounding shows.
+    expect(differing(turned!, skinned!, 8)).toBeLessThan(0.01 * covered(turned!));
+    expect(differing(turned!, literal!, 8)).toBeGreaterThan(0.1 * covered(turned!));
+  });
+}
+
+for (const technique of ['triangle', 'adjacency'] as const) {
+  test(`what morph targets turn, and stretch in its plane, is drawn as such an object: ${technique}`, async ({
+    page,
+  }) => {
+    const pictures = await page.evaluate(async (technique) => {
+      const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
+        window.toolkit;
+      const renderer = makeRenderer();
+      const material = new HatchingMaterial({ tonalArtMap: stripedMap(), technique, strokeScale: 2 });
+      const turn = new THREE.Matrix4().makeRotationX(0.6).multiply(new THREE.Matrix4().makeRotationZ(0.8));
+      const cases = [
+        [new THREE.TorusGeometry(0.6, 0.3, 14, 24), turn],
+        [new THREE.PlaneGeometry(1.2, 1.2, 4, 4), turn.clone().scale(new THREE.Vector3(1.4, 0.6, 1))],
+      ] as const;
+      const pictures: number[][][] = [];
+      for (const [source, matrix] of cases) {
+        const position = source.attributes.position as InstanceType<typeof THREE.BufferAttribute>;
+        source.morphAttributes.position = [position.clone().applyMatrix4(matrix)];
+        const geometry = await prepareHatchingGeometry(source);
+        const [object, morphed] = [0, 1].map((influence) => {
+          const mesh = new THREE.Mesh(geometry, material);
+          mesh.morphTargetInfluences![0] = influence;
+          if (influence === 0) mesh.applyMatrix4(matrix);
+          return pixelsOf(sceneOf(mesh, sun()), renderer);
+        });
+        pictures.push([object!, morphed!]);
+      }
+      return pictures;
+    }, technique);
+    for (const [object, morphed] of pictures) {
+      expect(covered(object!)).toBeGreaterThan(800);
+      expect(differing(object!, morphed!, 8)).toBeLessThan(0.01 * covered(object!));
+    }
+  });
+}
+
+test('meshes that share a geometry and a material each have a pose of their own', async ({ page }) => {
+  const [apart, together] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const { tubeGeometry, onBones } = window.deforming;
+    const renderer = makeRenderer();
+    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const make = () => new HatchingMaterial({ tonalArtMap: stripedMap(), side: THREE.DoubleSide });
+    const shared = make();
+    const tubes = (material: () => InstanceType<typeof HatchingMaterial>) =>
+      [-1, 0, 1].map((i) => {
+        const mesh = onBones(geometry, material());
+        mesh.skeleton.bones[1]!.rotation.z = i;
+        mesh.position.x = 0.9 * i;
+        mesh.scale.setScalar(0.6);
+        return mesh;
+      });
+    const light = sun();
+    return [
+      pixelsOf(sceneOf(light, ...tubes(make)), renderer),
+      pixelsOf(sceneOf(light, ...tubes(() => shared)), renderer),
+    ];
+  });
+  expect(covered(apart!)).toBeGreaterThan(1000);
+  expect(difference(apart!, together!)).toBe(0);
+});
+
+test('the pre-pass runs once for a pose, whatever is drawn how often, and leaves the renderer as it was', async ({
+  page,
+}) => {
+  const result = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, makeCamera, makeRenderer } =
+      window.toolkit;
+    const { tubeGeometry, onBones } = window.deforming;
+    const source = tubeGeometry();
+    const half = source.index!.count / 2;
+    source.addGroup(0, half, 0);
+    source.addGroup(half, half, 1);
+    const geometry = await prepareHatchingGeometry(source);
+    const materials = [0, 1].map(() => new HatchingMaterial({ tonalArtMap: greyMap() }));
+    const mesh = onBones(geometry, materials as never);
+    mesh.castShadow = true;
+    const light = sun();
+    light.castShadow = true;
+    const scene = sceneOf(mesh, light);
+    const renderer = makeRenderer();
+    renderer.shadowMap.enabled = true;
+    renderer.info.autoReset = false;
+    const camera = makeCamera();
+    const target = new THREE.WebGLRenderTarget(64, 64);
+    const calls: Record<string, number> = {};
+    const render = () => {
+      renderer.info.reset();
+      renderer.render(scene, camera);
+      return renderer.info.render.points;
+    };
+    const turn = (angle: number) => {
+      mesh.skeleton.bones[1]!.rotation.z = angle;
+    };
+    const points: number[] = [render(), render()];
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const counted = [
+      'compileShader',
+      'bufferData',
+      'createTexture',
+      'createFramebuffer',
+      'createBuffer',
+      'texSubImage2D',
+    ];
+    for (const name of counted) {
+      const call = (Reflect.get(gl, name) as (...args: unknown[]) => unknown).bind(gl);
+      calls[name] = 0;
+      Reflect.set(gl, name, (...args: unknown[]) => {
+        calls[name]!++;
+        return call(...args);
+      });
+    }
+    turn(0.5);
+    points.push(render(), render());
+    const callsOfPose = { ...calls };
+    // Into a target, through two cameras in parts of it, after a change of pose.
+    turn(0.7);
+    const parts = [0, 32].map((x) => Object.assign(makeCamera(), { viewport: new THREE.Vector4(x, 0, 32, 64) }));
+    const both = new THREE.ArrayCamera(parts);
+    both.position.z = 4;
+    for (const part of parts) part.updateMatrixWorld();
+    renderer.setRenderTarget(target);
+    renderer.info.reset();
+    const state = () => [
+      renderer.getRenderTarget() === target,
+      renderer.getActiveCubeFace(),
+      renderer.autoClear,
+      renderer.shadowMap.autoUpdate,
+      renderer.xr.enabled,
+      geometry.drawRange.start,
+      geometry.drawRange.count,
+    ];
+    const before = state();
+    const { frame } = renderer.info.render;
+    renderer.render(scene, both);
+    points.push(renderer.info.render.points);
+    const after = state();
+    const frames = renderer.info.render.frame - frame;
+    const pixels = new Uint8Array(4 * 64 * 64);
+    renderer.readRenderTargetPixels(target, 0, 0, 64, 64, pixels);
+    const rows = Array.from({ length: 64 }, (_, y) => [...pixels.slice(256 * y, 256 * y + 256)]);
+    const halves = [rows.map((row) => row.slice(0, 128)), rows.map((row) => row.slice(128))].map((half) =>
+      half.flat().join(),
+    );
+    return {
+      points,
+      corners: geometry.attributes.position!.count,
+      callsOfPose,
+      before,
+      after,
+      frames,
+      sameHalves: halves[0] === halves[1],
+      seen: new Set(pixels).size,
+    };
+  });
+  expect(result.points).toEqual([result.corners, 0, result.corners, 0, result.corners]);
+  expect(result.after).toEqual(result.before);
+  expect(result.frames).toBe(1);
+  expect(result.sameHalves).toBe(true);
+  expect(result.seen).toBeGreaterThan(5);
+  // The bone texture is all that goes to the graphics card, once a frame as in three.js.
+  expect(result.callsOfPose).toEqual({
+    compileShader: 0,
+    bufferData: 0,
+    createTexture: 0,
+    createFramebuffer: 0,
+    createBuffer: 0,
+    texSubImage2D: 2,
+  });
+});
+
+test('the shadow of what deforms moves with it', async ({ page }) => {
+  const [straight, bent] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const { tubeGeometry, onBones } = window.deforming;
+    const material = new HatchingMaterial({ tonalArtMap: greyMap(), side: THREE.DoubleSide });
+    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), material);
+    mesh.castShadow = true;
+    mesh.scale.setScalar(0.4);
+    mesh.position.set(1.2, 0, 1.2);
+    const floor = new THREE.Mesh(await prepareHatchingGeometry(new THREE.PlaneGeometry(3, 3)), material);
+    floor.receiveShadow = true;
+    const light = sun(Math.PI, [3, 0, 3]);
+    light.castShadow = true;
+    light.shadow.camera.near = 0.1;
+    light.shadow.camera.far = 12;
+    const renderer = makeRenderer();
+    renderer.shadowMap.enabled = true;
+    const scene = sceneOf(floor, mesh, light);
+    return [0, 1.5].map((angle) => {
+      mesh.skeleton.bones[1]!.rotation.x = angle;
+      return pixelsOf(scene, renderer);
+    });
+  });
+  // Where the upper half of the tube throws its shadow when it stands, and no longer when it is bent.
+  expect(at(straight!, 48, 56)[0]).toBeLessThan(10);
+  expect(at(bent!, 48, 56)[0]).toBeGreaterThan(100);
+  expect(at(bent!, 48, 44)[0]).toBeLessThan(10);
+});
+
+test('a device without float targets moves what deforms, hatched as at rest, and says so, once', async ({
+  page,
+  pageProblems,
+}) => {
+  const [rest, bent] = await page.evaluate(async () => {
+    const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const { tubeGeometry, onBones } = window.deforming;
+    const { prototype } = WebGL2RenderingContext;
+    const getExtension = prototype.getExtension as (name: string) => unknown;
+    Reflect.set(prototype, 'getExtension', function (this: WebGL2RenderingContext, name: string) {
+      return name === 'EXT_color_buffer_float' ? null : getExtension.call(this, name);
+    });
+    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    geometry.name = 'tube';
+    const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
+    const renderer = makeRenderer();
+    return [0, 1].map((angle) => {
+      mesh.skeleton.bones[1]!.rotation.z = angle;
+      return pixelsOf(sceneOf(mesh, sun()), renderer);
+    });
+  });
+  expect(covered(bent!)).toBeGreaterThan(1000);
+  expect(differing(rest!, bent!, 8)).toBeGreaterThan(500);
+  const problems = pageProblems.splice(0).filter((problem) => problem.includes('HatchingMaterial'));
+  expect(problems).toHaveLength(1);
+  expect(problems[0]).toMatch(/geometry "tube" is lit and hatched as at rest: .*EXT_color_buffer_float.*'anchored'/);
+});
+
+test('a layout that cannot deform, and instances that each morph, are named in the console, once', async ({
+  page,
+  pageProblems,
+}) => {
+  await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const { tubeGeometry, addMorphTargets, onBones } = window.deforming;
+    const renderer = makeRenderer();
+    const material = new HatchingMaterial({ tonalArtMap: greyMap() });
+    const corner = await prepareHatchingGeometry(tubeGeometry(), { layout: 'corner' });
+    corner.name = 'corner';
+    const source = addMorphTargets(new THREE.CylinderGeometry(0.3, 0.3, 1), true);
+    source.name = 'instances';
+    const instanced = new THREE.InstancedMesh(await prepareHatchingGeometry(source), material, 2);
+    for (const i of [0, 1]) {
+      instanced.setMatrixAt(i, new THREE.Matrix4().makeTranslation(i, 0, 0));
+      instanced.setMorphAt(i, { morphTargetInfluences: [i, 0] } as unknown as InstanceType<typeof THREE.Mesh>);
+    }
+    const scene = sceneOf(onBones(corner, material), instanced, sun());
+    pixelsOf(scene, renderer);
+    pixelsOf(scene, renderer);
+  });
+  const problems = pageProblems.splice(0);
+  expect(problems).toHaveLength(2);
+  expect(problems.join()).toMatch(/geometry "corner" is lit and hatched as at rest: its layout 'corner'/);
+  expect(problems.join()).toMatch(/geometry "instances" is lit and hatched as at rest: the instances/);
+});
+
+test('instances share the pose of their mesh', async ({ page }) => {
+  const [separate, instanced] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const { addMorphTargets } = window.deforming;
+    const source = addMorphTargets(new THREE.CylinderGeometry(0.3, 0.3, 1, 12, 6), true);
+    const geometry = await prepareHatchingGeometry(source);
+    const material = new HatchingMaterial({ tonalArtMap: greyMap() });
+    const matrices = [-0.6, 0.6].map((x) => new THREE.Matrix4().makeRotationZ(x).setPosition(x, 0, 0));
+    const meshes = matrices.map((matrix) => {
+      const mesh = new THREE.Mesh(geometry, material);
+      mesh.applyMatrix4(matrix);
+      mesh.morphTargetInfluences![0] = 1;
+      return mesh;
+    });
+    const instanced = new THREE.InstancedMesh(geometry, material, 2);
+    instanced.morphTargetInfluences = [1, 0];
+    matrices.forEach((matrix, i) => {
+      instanced.setMatrixAt(i, matrix);
+    });
+    return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), instanced))];
+  });
+  expect(covered(separate!)).toBeGreaterThan(800);
+  expect(differing(separate!, instanced!, 8)).toBeLessThan(0.01 * covered(separate!));
+});
+
+for (const what of ['geometry', 'material'] as const) {
+  test(`disposing of the ${what} gives the pre-pass back, and drawing again brings it back`, async ({ page }) => {
+    const [before, during, after, same] = await page.evaluate(async (what) => {
+      const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
+        window.toolkit;
+      const { tubeGeometry, onBones } = window.deforming;
+      const renderer = makeRenderer();
+      const tonalArtMap = greyMap();
+      const geometry = await prepareHatchingGeometry(tubeGeometry());
+      const scene = sceneOf(sun());
+      const { memory } = renderer.info;
+      // The map stays, whoever comes and goes.
+      pixelsOf(sceneOf(sun(), new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap }))), renderer);
+      const before = memory.textures;
+      const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap }));
+      mesh.skeleton.bones[1]!.rotation.z = 1;
+      scene.add(mesh);
+      const first = pixelsOf(scene, renderer);
+      const during = memory.textures;
+      mesh[what].dispose();
+      const after = memory.textures;
+      const again = pixelsOf(scene, renderer);
+      return [before, during, after, first.every((x, i) => x === again[i]) && memory.textures === during];
+    }, what);
+    // Three targets of the pre-pass; bones belong to the skeleton; the textures of the layout to the geometry.
+    expect(during).toBe((before as number) + 4);
+    expect(after).toBe((during as number) - (what === 'geometry' ? 5 : 3));
+    expect(same).toBe(true);
+  });
+}
+
+test('two renderers deform the same mesh, and a lost context comes back', async ({ page, pageProblems }) => {
+  const [a, b, restored] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const { tubeGeometry, onBones } = window.deforming;
+    const material = new HatchingMaterial({ tonalArtMap: stripedMap(), side: THREE.DoubleSide });
+    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), material);
+    mesh.skeleton.bones[1]!.rotation.z = 1;
+    const scene = sceneOf(mesh, sun());
+    const renderer = makeRenderer();
+    const a = pixelsOf(scene, renderer);
+    const b = pixelsOf(scene, makeRenderer());
+    const canvas = renderer.domElement;
+    const heard = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = heard('webglcontextlost');
+    renderer.forceContextLoss();
+    await lost;
+    const back = heard('webglcontextrestored');
+    setTimeout(() => renderer.forceContextRestore(), 0);
+    await back;
+    return [a, b, pixelsOf(scene, renderer)];
+  });
+  expect(covered(a!)).toBeGreaterThan(1000);
+  expect(difference(a!, b!)).toBe(0);
+  expect(difference(a!, restored!)).toBe(0);
+  expect(pageProblems.splice(0).filter((problem) => !/context (lost|restored)/i.test(problem))).toEqual([]);
+});
+
+test('a mesh that is let go takes its pre-pass with it', async ({ page }) => {
+  const collect = await page.context().newCDPSession(page);
+  await page.evaluate(async () => {
+    const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const { tubeGeometry, onBones } = window.deforming;
+    const renderer = makeRenderer();
+    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const material = new HatchingMaterial({ tonalArtMap: greyMap() });
+    const draw = () => {
+      const mesh = onBones(geometry, material);
+      pixelsOf(sceneOf(mesh, sun()), renderer);
+      mesh.skeleton.dispose();
+    };
+    draw();
+    const one = renderer.info.memory.textures;
+    draw();
+    draw();
+    // Kept alive, as an application would.
+    Object.assign(window, { kept: { renderer, geometry, material, one, before: renderer.info.memory.textures } });
+  });
+  const textures = () =>
+    page.evaluate(() => {
+      const { renderer, one, before } = (
+        window as unknown as {
+          kept: { renderer: { info: { memory: { textures: number } } }; one: number; before: number };
+        }
+      ).kept;
+      return { now: renderer.info.memory.textures, one, before };
+    });
+  expect((await textures()).before).toBe((await textures()).one + 6);
+  await expect
+    .poll(async () => {
+      await collect.send('HeapProfiler.collectGarbage');
+      const { now, one } = await textures();
+      return now <= one;
+    })
+    .toBe(true);
+});
+
+test('rays and bounds follow the pose', async ({ page }) => {
+  const [straight, bent] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const { tubeGeometry, onBones } = window.deforming;
+    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), new HatchingMaterial());
+    const ray = new THREE.Raycaster(new THREE.Vector3(0, 0.8, 5), new THREE.Vector3(0, 0, -1));
+    return [0, Math.PI / 2].map((angle) => {
+      mesh.skeleton.bones[1]!.rotation.z = angle;
+      mesh.updateMatrixWorld(true);
+      mesh.computeBoundingBox();
+      mesh.computeBoundingSphere();
+      const { x, y } = mesh.boundingBox!.getSize(new THREE.Vector3());
+      return { hits: ray.intersectObject(mesh).length, x, y, radius: mesh.boundingSphere!.radius };
+    });
+  });
+  expect(straight!.hits).toBeGreaterThan(0);
+  expect(bent!.hits).toBe(0);
+  expect(bent!.x).toBeGreaterThan(straight!.x + 0.3);
+  expect(bent!.y).toBeLessThan(straight!.y - 0.3);
+  expect(bent!.radius).toBeLessThan(2);
 });

@@ -2,7 +2,8 @@
 import './toolkit.js';
 import * as THREE from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import type { HatchingMaterial } from 'three-hatching';
+import type { HatchingMaterial, HatchingMaterialParameters } from 'three-hatching';
+import { pulledVerticesOf } from '../../src/geometry/PulledVertices.js';
 
 export interface DeformedVertex {
   position: number[];
@@ -50,13 +51,15 @@ function addMorphTargets(geometry: THREE.BufferGeometry, isRelative: boolean): T
   return geometry;
 }
 
-/** A mesh on two bones at the origin, the second to be turned; `geometry` is what `tubeGeometry` gave, perhaps prepared. */
+/** A mesh on two bones, the second to be turned; `geometry` is what `tubeGeometry` gave, perhaps prepared. */
 function onBones(
   geometry: THREE.BufferGeometry,
   material: HatchingMaterial,
 ): THREE.SkinnedMesh<THREE.BufferGeometry, HatchingMaterial> {
   const mesh = new THREE.SkinnedMesh(geometry, material);
   const bones = [new THREE.Bone(), new THREE.Bone()];
+  // Away from the origin, about which a turn of surface and light together would change no coordinate at all.
+  bones[1]!.position.set(0.25, 0.1, 0);
   bones[0]!.add(bones[1]!);
   mesh.add(bones[0]!);
   mesh.bind(new THREE.Skeleton(bones));
@@ -69,8 +72,40 @@ async function loadGltf(content: string): Promise<GLTF> {
   return new GLTFLoader().parseAsync(data, '');
 }
 
-/** What the pre-pass wrote for each corner of the mesh that the material drew last. */
-function deformedCorners(renderer: THREE.WebGLRenderer, material: HatchingMaterial): DeformedVertex[] {
+/** A loaded model, hatched in grey, every mesh prepared, and a function that brings it to a time of its clip, in seconds. */
+async function hatchedModel(content: string, clip: number, parameters: HatchingMaterialParameters = {}) {
+  const { HatchingMaterial, prepareHatchingGeometry, greyMap } = window.toolkit;
+  const { scene: root, animations } = await loadGltf(content);
+  const meshes: THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>[] = [];
+  root.traverse((object) => {
+    if (object instanceof THREE.Mesh) meshes.push(object);
+  });
+  for (const mesh of meshes) {
+    mesh.geometry = await prepareHatchingGeometry(mesh.geometry);
+    mesh.material = new HatchingMaterial({ tonalArtMap: greyMap(), ...parameters });
+    mesh.frustumCulled = false;
+  }
+  const mixer = new THREE.AnimationMixer(root);
+  const animation = animations[clip];
+  if (animation) mixer.clipAction(animation).play();
+  const setTime = (time: number) => {
+    mixer.setTime(time);
+    root.updateMatrixWorld(true);
+  };
+  return { scene: new THREE.Scene().add(root), meshes, setTime };
+}
+
+/** The words of the triangles of a geometry of the layout `pull`. */
+const wordsOf = (geometry: THREE.BufferGeometry) =>
+  pulledVerticesOf(geometry)!.triangleVertices.image.data as unknown as Uint32Array;
+
+/** What the pre-pass wrote for each corner of a mesh that its material drew last. */
+function deformedCorners(
+  renderer: THREE.WebGLRenderer,
+  { geometry, material }: THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>,
+): DeformedVertex[] {
+  const words = wordsOf(geometry);
+  const corners = geometry.attributes.position!.count;
   const texture = material.uniforms.deformedPositions!.value as THREE.Texture;
   const target = texture.renderTarget as THREE.WebGLRenderTarget;
   const [positions, normals] = [0, 1].map((attachment) => {
@@ -78,8 +113,7 @@ function deformedCorners(renderer: THREE.WebGLRenderer, material: HatchingMateri
     renderer.readRenderTargetPixels(target, 0, 0, target.width, target.height, texels, undefined, attachment);
     return texels;
   });
-  const words = (material.uniforms.triangleVertices!.value as THREE.DataTexture).image.data as Uint32Array;
-  return Array.from({ length: (3 * words.length) / 8 }, (_, corner) => {
+  return Array.from({ length: corners }, (_, corner) => {
     const texel = 4 * words[8 * Math.floor(corner / 3) + (corner % 3)]!;
     return { position: [...positions!.slice(texel, texel + 3)], normal: [...normals!.slice(texel, texel + 3)] };
   });
@@ -124,7 +158,7 @@ function expectedCorner(mesh: THREE.Mesh, corner: number): DeformedVertex {
 
 /** The largest distances of the pre-pass from three.js on the processor: of positions over the model's size, and of normals. */
 function deviation(renderer: THREE.WebGLRenderer, mesh: THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>) {
-  const corners = deformedCorners(renderer, mesh.material);
+  const corners = deformedCorners(renderer, mesh);
   const box = new THREE.Box3();
   const worst = { position: 0, normal: 0, moved: 0 };
   const expected = Array.from({ length: mesh.geometry.attributes.position!.count }, (_, i) => expectedCorner(mesh, i));
@@ -145,7 +179,122 @@ function deviation(renderer: THREE.WebGLRenderer, mesh: THREE.Mesh<THREE.BufferG
   return worst;
 }
 
-const deforming = { tubeGeometry, addMorphTargets, onBones, loadGltf, deformedCorners, deviation };
+/** Makes a material write the stroke coordinates of two triangles of the adjacency primitive instead of a colour. */
+function writeCoordinates(material: HatchingMaterial, first: 0 | 2): void {
+  const ofAnchored = 'strokeScale * vec2(dot(vRestPosition, parameters.uAxis), dot(vRestPosition, parameters.vAxis))';
+  material.fragmentShader = material.fragmentShader.replace(
+    '#include <opaque_fragment>',
+    {
+      triangle: 'gl_FragColor = vec4(parameters.uv[0], parameters.uv[0]);',
+      adjacency: `gl_FragColor = vec4(parameters.uv[${first}], parameters.uv[${first + 1}]);`,
+      anchored: `gl_FragColor = vec4(${ofAnchored}, ${ofAnchored});`,
+    }[material.technique],
+  );
+  // Each corner is a point on a pixel of its own, whatever the camera.
+  material.vertexShader = material.vertexShader.replace(
+    /}\s*$/,
+    `gl_PointSize = 1.0;
+     gl_Position = vec4((vec2(gl_VertexID % ${COLUMNS}, gl_VertexID / ${COLUMNS}) + 0.5) / float(${COLUMNS / 2}) - 1.0, 0.0, 1.0);
+    }`,
+  );
+}
+
+/** Corners per row and column of a picture of coordinates. */
+const COLUMNS = 128;
+
+/** For each corner of a mesh, as it would be drawn now, four numbers that `writeCoordinates` made the material write. */
+function readCoordinates(renderer: THREE.WebGLRenderer, scene: THREE.Scene, mesh: THREE.Mesh): Float32Array {
+  const target = new THREE.WebGLRenderTarget(COLUMNS, COLUMNS, { type: THREE.FloatType, depthBuffer: false });
+  const words = new Float32Array(4 * COLUMNS * COLUMNS);
+  Object.assign(mesh, { isMesh: false, isPoints: true, frustumCulled: false });
+  renderer.setRenderTarget(target);
+  renderer.render(scene, window.toolkit.makeCamera());
+  renderer.readRenderTargetPixels(target, 0, 0, COLUMNS, COLUMNS, words);
+  renderer.setRenderTarget(null);
+  Object.assign(mesh, { isMesh: true, isPoints: false });
+  target.dispose();
+  return words;
+}
+
+/** The bone that carries each vertex of the position texture alone, or −1. */
+function onlyBones(mesh: THREE.SkinnedMesh, words: Uint32Array): Map<number, number> {
+  const { skinIndex, skinWeight } = mesh.geometry.attributes;
+  const bones = new Map<number, number>();
+  for (let corner = 0; corner < skinIndex!.count; corner++) {
+    const components = ['getX', 'getY', 'getZ', 'getW'] as const;
+    const first = components.find((component) => skinWeight![component](corner) > 0.99999);
+    const bone = first ? skinIndex![first](corner) : -1;
+    bones.set(words[8 * Math.floor(corner / 3) + (corner % 3)]!, bone);
+  }
+  return bones;
+}
+
+/**
+ * For a skinned mesh that `move` brings into the pose of each frame, under a light that is fixed in the frame of one bone at a
+ * time: the largest change, in tiles, of stroke coordinates from frame to frame, on triangles that move rigidly with that
+ * bone, together with their neighbours. Also how many such triangles and bones there are.
+ */
+function drift(
+  scene: THREE.Scene,
+  mesh: THREE.SkinnedMesh<THREE.BufferGeometry, HatchingMaterial>,
+  move: (frame: number) => void,
+  frames: number,
+) {
+  const renderer = window.toolkit.makeRenderer();
+  const light = window.toolkit.sun();
+  scene.add(light, light.target);
+  const tiles = 8 / (2 * mesh.geometry.boundingSphere!.radius);
+  const materials = ([0, 2] as const).slice(0, mesh.material.technique === 'adjacency' ? 2 : 1).map((first) => {
+    const material = mesh.material.clone();
+    material.strokeScale = tiles;
+    writeCoordinates(material, first);
+    return material;
+  });
+  const words = wordsOf(mesh.geometry);
+  const bones = onlyBones(mesh, words);
+  const triangles = Array.from({ length: mesh.geometry.attributes.position!.count / 3 }, (_, t) => t);
+  const boneOf = (t: number) => {
+    const six = [0, 1, 2, 4, 5, 6].map((k) => bones.get(words[8 * t + k]!)!);
+    return six.every((bone) => bone === six[0]) ? six[0]! : -1;
+  };
+  const rigid = new Map<number, number[]>();
+  for (const triangle of triangles) rigid.set(boneOf(triangle), [...(rigid.get(boneOf(triangle)) ?? []), triangle]);
+  rigid.delete(-1);
+  let largest = 0;
+  let count = 0;
+  for (const [bone, ofBone] of rigid) {
+    count += ofBone.length;
+    let before: Float32Array[] | null = null;
+    for (let frame = 0; frame < frames; frame++) {
+      move(frame);
+      scene.updateMatrixWorld(true);
+      const { bones: list, boneInverses } = mesh.skeleton;
+      const restToWorld = new THREE.Matrix4()
+        .multiplyMatrices(list[bone]!.matrixWorld, boneInverses[bone]!)
+        .premultiply(mesh.bindMatrixInverse)
+        .multiply(mesh.bindMatrix)
+        .premultiply(mesh.matrixWorld);
+      light.position.set(0.5, 0.6, 0.7).transformDirection(restToWorld);
+      const now: Float32Array[] = materials.map((material) => {
+        mesh.material = material;
+        return readCoordinates(renderer, scene, mesh);
+      });
+      for (const [i, coordinates] of now.entries()) {
+        if (!before) break;
+        for (const triangle of ofBone) {
+          for (let word = 12 * triangle; word < 12 * triangle + 12; word++) {
+            const change = Math.abs(coordinates[word]! - before[i]![word]!);
+            if (!(change <= largest)) largest = change;
+          }
+        }
+      }
+      before = now;
+    }
+  }
+  return { drift: largest, rigidTriangles: count, bones: rigid.size };
+}
+
+const deforming = { tubeGeometry, addMorphTargets, onBones, hatchedModel, deformedCorners, deviation, drift };
 
 declare global {
   interface Window {
