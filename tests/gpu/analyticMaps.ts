@@ -30,11 +30,13 @@ export const analyticMaps = {
   },
 } satisfies Record<string, AnalyticMap>;
 
-/** g of a threshold map, smooth and symmetric about the centre of the tile. */
+/** g of a threshold map, smooth and symmetric about the centre of the tile; half as many waves on each coarser level. */
 export const analyticThreshold = {
   size: 256,
-  field: (u: number, v: number) =>
-    1.1 * Math.cos(2 * Math.PI * (4 * v + u)) + 0.7 * Math.cos(2 * Math.PI * 3 * u) * Math.cos(2 * Math.PI * v),
+  levels: 3,
+  field: (u: number, v: number, level: number) =>
+    1.1 * Math.cos(2 * Math.PI * ((4 >> level) * v + (level + 1) * u)) +
+    0.7 * Math.cos(2 * Math.PI * (3 - level) * u) * Math.cos(2 * Math.PI * v),
 };
 
 export type AnalyticMapName = keyof typeof analyticMaps;

@@ -1,3 +1,4 @@
+import { mat4, vec3 } from 'gl-matrix';
 import { expect, test } from '../browser/test.js';
 import { type AnchoredSettings, anchoredExcess } from '../reference/anchoredReference.js';
 import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
@@ -30,6 +31,7 @@ interface Case {
   matrixWorld?: number[];
   material?: Partial<ReferenceMaterial>;
   anchorSpacing?: number;
+  screenConstancy?: number;
 }
 
 const cases: Case[] = [
@@ -42,6 +44,10 @@ const cases: Case[] = [
   { name: 'rotated, moved and scaled object', matrixWorld: placed, lights: [point] },
   { name: 'mirrored object', matrixWorld: mirrored },
   { name: 'no rotation, other scale and spacing', material: { strokeRotation: 0, strokeScale: 3 }, anchorSpacing: 0.6 },
+  { name: 'between levels of the map', material: { strokeScale: 0.6 } },
+  { name: 'sized on the screen', screenConstancy: 1 },
+  { name: 'sized on the screen, placed object', screenConstancy: 1, matrixWorld: placed, lights: [point] },
+  { name: 'sized half on the screen, two lights', screenConstancy: 0.5, lights: [directional, redSide] },
   ...(['halfLambert', 'phong', 'toon'] as const).flatMap((toneModel) => [
     { name: toneModel, material: { toneModel } },
     { name: `${toneModel}, point light, moved object`, lights: [point], matrixWorld: placed, material: { toneModel } },
@@ -73,7 +79,7 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
-for (const { name, lights, matrixWorld, material, anchorSpacing } of cases) {
+for (const { name, lights, matrixWorld, material, anchorSpacing, screenConstancy } of cases) {
   test(`anchored equals the double-precision reference: ${name}`, async ({ page }) => {
     const mesh = torus as Required<PlainMesh>;
     const spec: HatchingSpec = {
@@ -86,6 +92,7 @@ for (const { name, lights, matrixWorld, material, anchorSpacing } of cases) {
       material: { ...defaults, ...material, technique: 'anchored', toneNormal: 'smooth' },
       map: 'smooth',
       anchorSpacing: anchorSpacing ?? 0.35,
+      screenConstancy: screenConstancy ?? 0,
     };
     const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
 
@@ -104,8 +111,14 @@ for (const { name, lights, matrixWorld, material, anchorSpacing } of cases) {
       strokeRotation: spec.material.strokeRotation,
       anchorSpacing: spec.anchorSpacing!,
       halfTiles: spec.lights.length > 1,
+      screenConstancy: spec.screenConstancy!,
       threshold: analyticThreshold.field,
+      mapSize: analyticThreshold.size,
+      mapLevels: analyticThreshold.levels,
     };
+    // Object units to a pixel at a depth of 1.
+    const scale = Math.cbrt(Math.abs(mat4.determinant(spec.matrixWorld as unknown as mat4)));
+    const unitsPerPixel = 2 / (spec.camera.projection[5]! * SIZE * scale);
     const interior = interiorPixels(fragments, SIZE, SIZE);
     expect(interior.length).toBeGreaterThan(3000);
     let inked = 0;
@@ -125,7 +138,12 @@ for (const { name, lights, matrixWorld, material, anchorSpacing } of cases) {
       const normal = interpolate(vertexOf(mesh.normals));
       const length = Math.hypot(...normal);
       const unit = normal.map((x) => x / length) as Vec3;
-      const excess = anchoredExcess(reference, position, unit, normal, settings);
+      const depth = -vec3.transformMat4(
+        [0, 0, 0],
+        reference.toWorld(position),
+        spec.camera.view as unknown as mat4,
+      )[2]!;
+      const excess = anchoredExcess(reference, position, unit, normal, depth * unitsPerPixel, settings);
       const value = pixels[4 * pixel]!;
       if (value !== 0 && value !== 255) grey++;
       if (excess > 0) inked++;

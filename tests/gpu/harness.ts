@@ -19,6 +19,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { pairThresholdLevels } from '../../src/tam/pairThresholdLevels.js';
 import { ThresholdTexture } from '../../src/tam/ThresholdTexture.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
@@ -47,19 +48,21 @@ function analyticMap(name: AnalyticMapName): TonalArtMap {
 
 /** What the material needs of a map for `anchored`: nothing but thresholds. */
 function analyticThresholdMap(): TonalArtMap {
-  const { size, field } = analyticThreshold;
-  const data = new Uint8Array(size * size);
-  for (let i = 0; i < data.length; i++) {
-    const g = field(((i % size) + 0.5) / size, (Math.floor(i / size) + 0.5) / size);
-    data[i] = Math.round(127.5 + 42.5 * g);
-  }
+  const { size, levels, field } = analyticThreshold;
+  const drawn = Array.from({ length: levels }, (_, level) => {
+    const side = size >> level;
+    const encoded = Uint8Array.from({ length: side * side }, (_, i) =>
+      Math.round(127.5 + 42.5 * field(((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side, level)),
+    );
+    return { size: side, encoded, thresholds: new Float32Array() };
+  });
   // Standard normal as it is, as far as the material is told: the reference does not correct the variance either.
   const thresholdMoments = { variance: 1, coarserVariance: 1, covariance: 0 };
   return {
     size,
     tones: 2,
-    levels: 1,
-    thresholdTexture: new ThresholdTexture([{ size, own: data, coarser: data }]),
+    levels,
+    thresholdTexture: new ThresholdTexture(pairThresholdLevels(drawn)),
     thresholdMoments,
     texture: null,
   } as unknown as TonalArtMap;
@@ -103,6 +106,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
     tonalArtMap: anchored ? analyticThresholdMap() : analyticMap(spec.map),
     edgePixels: 0,
     anchorSpacing: spec.anchorSpacing ?? 0.35,
+    screenConstancy: spec.screenConstancy ?? 0,
     side: spec.doubleSided ? DoubleSide : FrontSide,
   });
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);

@@ -19,5 +19,6 @@ export interface HatchingSpec {
   map: AnalyticMapName;
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
   anchorSpacing?: number;
+  screenConstancy?: number;
   doubleSided?: boolean;
 }

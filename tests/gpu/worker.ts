@@ -60,6 +60,11 @@ const workerTests = {
     return { inWorker, workersForWorker, inOwnWorker, onMainThread, workersMade };
   },
 
+  async bunnyIndexed() {
+    const inWorker = await prepareAndDigest({ layout: 'indexed' });
+    return { inWorker, onMainThread: await withoutWorkers(() => prepareAndDigest({ layout: 'indexed' })) };
+  },
+
   async hatchImages() {
     const options = { size: 64, tones: 5, seed: 3 };
     const hashes = async () => {

@@ -17,6 +17,13 @@ test('the bunny has the same bytes from the worker, from a worker of the caller 
   expect(result.inOwnWorker).toEqual(result.inWorker);
 });
 
+test('the indexed bunny has the same bytes from the worker and from the main thread', async ({ page }) => {
+  const { inWorker, onMainThread } = await page.evaluate(() => window.workerTests.bunnyIndexed());
+  expect(inWorker.statistics).toMatchObject({ layout: 'indexed', degenerateTriangles: 0 });
+  expect(Object.keys(inWorker.digest).sort()).toEqual(['hatchNormal', 'index', 'normal', 'position']);
+  expect(onMainThread).toEqual(inWorker);
+});
+
 test('hatch images have the same bytes from the worker and from the main thread', async ({ page }) => {
   const { inWorker, onMainThread } = await page.evaluate(() => window.workerTests.hatchImages());
   expect(inWorker).toHaveLength(15);

@@ -5,8 +5,8 @@
 import { type HatchingReference, LAYER_SHIFT } from './hatchingReference.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
-/** g = Φ⁻¹(h) of the threshold map at (u, v) in tiles. */
-export type ThresholdFunction = (u: number, v: number) => number;
+/** g = Φ⁻¹(h) of one level of the threshold map at (u, v) in tiles; of variance 1, and unlike that of any other level. */
+export type ThresholdFunction = (u: number, v: number, level: number) => number;
 
 export interface AnchoredSettings {
   strokeScale: number;
@@ -14,14 +14,26 @@ export interface AnchoredSettings {
   anchorSpacing: number;
   /** Whether the direction is known only up to its sign, so that the map may be shifted by half tiles alone. */
   halfTiles: boolean;
+  screenConstancy: number;
   threshold: ThresholdFunction;
+  /** Texels per side of level 0. One of them is to take one pixel. */
+  mapSize: number;
+  mapLevels: number;
+}
+
+/** A standard normal field, but for the skew of mixed levels. */
+interface Field {
+  g: number;
+  /** 0 where it comes from one level, 1 half way between two. */
+  mixing: number;
 }
 
 const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-/** Wellons 2018, lowbias32, over the coordinates of a lattice point of lattice 0. */
-export function hashAnchor(id: Vec3): number {
+/** Wellons 2018, lowbias32, over the coordinates of a lattice point and the number of its lattice. */
+export function hashAnchor(id: Vec3, lattice: number): number {
   let h = Math.imul(id[0], 0x8da6b343) ^ Math.imul(id[1], 0xd8163841) ^ Math.imul(id[2], 0xcb1ab31f);
+  h ^= Math.imul(lattice, 0x9e3779b9);
   h ^= h >>> 16;
   h = Math.imul(h, 0x7feb352d);
   h ^= h >>> 15;
@@ -50,26 +62,67 @@ export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
   });
 }
 
-/** The blended, standard normal field at a point in object space, for strokes sized on the object at level 0. */
-export function anchoredField(point: Vec3, tangent: Vec3, bitangent: Vec3, settings: AnchoredSettings): number {
+/** The field at a point in object space, where a pixel is as wide as so many object units. */
+function anchoredField(
+  point: Vec3,
+  tangent: Vec3,
+  bitangent: Vec3,
+  unitsPerPixel: number,
+  settings: AnchoredSettings,
+): Field {
+  const magnification = -Math.log2(settings.strokeScale * unitsPerPixel * settings.mapSize);
+  const wanted = settings.screenConstancy * magnification;
+  const lattice = Math.ceil(wanted);
+  const octaves = lattice - magnification;
+  const coarse = latticeField(point, tangent, bitangent, lattice, octaves, settings);
+  if (settings.screenConstancy === 0) return coarse;
+  // The last three quarters of the way to the next lattice, smoothly.
+  const way = Math.min(1, Math.max(0, (1 - lattice + wanted - 0.25) / 0.75));
+  const fade = way * way * (3 - 2 * way);
+  const fine = latticeField(point, tangent, bitangent, lattice + 1, octaves + 1, settings);
+  return {
+    g: ((1 - fade) * coarse.g + fade * fine.g) / Math.hypot(1 - fade, fade),
+    mixing: fade === 0 ? coarse.mixing : Math.max(coarse.mixing, fine.mixing),
+  };
+}
+
+/** That of one lattice, for which the map would be too fine by so many octaves. */
+function latticeField(
+  point: Vec3,
+  tangent: Vec3,
+  bitangent: Vec3,
+  lattice: number,
+  octaves: number,
+  settings: AnchoredSettings,
+): Field {
   const { strokeScale, strokeRotation, anchorSpacing, threshold } = settings;
-  const edge = anchorSpacing / strokeScale;
+  const edge = anchorSpacing / (strokeScale * 2 ** lattice);
   const cos = Math.cos(strokeRotation);
   const sin = Math.sin(strokeRotation);
+  const level = Math.min(Math.max(octaves, 0), settings.mapLevels - 1);
+  const finer = Math.floor(level);
+  const share = level - finer;
   let sum = 0;
   let squares = 0;
   for (const { id, offset } of simplexCorners(point.map((c) => c / edge) as Vec3)) {
     const weight = Math.max(0.5 - dot(offset, offset), 0) ** 6;
-    const hash = hashAnchor(id);
+    const hash = hashAnchor(id, lattice);
     const shift = (word: number) => (settings.halfTiles ? 0.5 * (word & 1) : word / 65536);
     const s = dot(offset, tangent) * anchorSpacing;
     const t = dot(offset, bitangent) * anchorSpacing;
     const u = (s * cos - t * sin) * (hash & 0x8000 ? -1 : 1) + shift(hash & 0xffff);
     const v = s * sin + t * cos + shift(hash >>> 16);
-    sum += weight * threshold(u, v);
+    const mixed = share === 0 ? 0 : share * threshold(u, v, finer + 1);
+    sum += (weight * ((1 - share) * threshold(u, v, finer) + mixed)) / Math.hypot(1 - share, share);
     squares += weight * weight;
   }
-  return sum / Math.sqrt(squares);
+  return { g: sum / Math.sqrt(squares), mixing: 4 * share * (1 - share) };
+}
+
+/** h of a field: uniform, with the skew of mixed levels put right as fitted to generated maps. */
+function uniformOf({ g, mixing }: Field): number {
+  const h = normalDistribution(g);
+  return h + mixing * h * (1 - h) * (1.07 * (h - 0.42) ** 2 - 0.14);
 }
 
 /** Φ, by Abramowitz and Stegun 7.1.26 for the error function: to 1.5e-7. */
@@ -87,6 +140,7 @@ export function anchoredExcess(
   point: Vec3,
   strokeNormal: Vec3,
   toneNormal: Vec3,
+  unitsPerPixel: number,
   settings: AnchoredSettings,
 ): number {
   const world = reference.toWorld(point);
@@ -95,10 +149,10 @@ export function anchoredExcess(
   const shifted = point.map((c, i) => c + LAYER_SHIFT[i]! * edge) as Vec3;
   const negated = bitangent.map((c) => -c) as Vec3;
   const fields = [
-    () => anchoredField(point, tangent, bitangent, settings),
+    () => anchoredField(point, tangent, bitangent, unitsPerPixel, settings),
     // The frame turned by 90° about the normal.
-    () => anchoredField(shifted, negated, tangent, settings),
+    () => anchoredField(shifted, negated, tangent, unitsPerPixel, settings),
   ];
   const tones = reference.layers(reference.tone(world, reference.normalToWorld(toneNormal)), crossing);
-  return Math.max(...tones.map((tone, i) => tone - normalDistribution(fields[i]!())));
+  return Math.max(...tones.map((tone, i) => tone - uniformOf(fields[i]!())));
 }
