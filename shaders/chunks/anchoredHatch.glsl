@@ -37,12 +37,13 @@ HatchField latticeField(
   return HatchField(g, level.mixing);
 }
 
-HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis) {
+HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, out float across) {
   // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
   float magnification = -levelByDepth(thresholdMapSize);
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
   float lattice = ceil(wanted);
   float octaves = lattice * LATTICE_OCTAVES - magnification;
+  across = texelsAcross(vec2(dot(dFdx(point), vAxis), dot(dFdy(point), vAxis)) / vUnitsPerPixel, octaves);
   // At screenConstancy 0 there is one lattice, and no other to fade to.
   float fade = screenConstancy > 0.0 ? smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted)) : 0.0;
   HatchField field = HatchField(0.0, 0.0);

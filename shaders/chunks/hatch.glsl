@@ -30,20 +30,29 @@ uniform float texelPixels; // wanted pixels per texel
 // Algorithm 3: the darkness of one layer of strokes, blended over the triangles of the adjacency primitive.
 float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
   #if TECHNIQUE == TECHNIQUE_ANCHORED
-    return inkAt(anchoredField(h.point, h.uAxis, h.vAxis), tone);
+    float across;
+    HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, across);
+    return inkAt(field, tone, across);
   #elif defined(CRISP)
     // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
     // have the same scale, so one choice of level serves them all.
-    ThresholdLevel level = chooseLevel(minification(h.uv[0]));
+    float octaves = minification(h.uv[0]);
+    ThresholdLevel level = chooseLevel(octaves);
+    #if LEVEL_RULE == LEVEL_RULE_DEPTH
+      float perPixel = strokeScale * vUnitsPerPixel;
+      float across = texelsAcross(vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y)) / perPixel, octaves);
+    #else
+      float across = 0.0; // the level sees to it
+    #endif // LEVEL_RULE
     #if TECHNIQUE == TECHNIQUE_ADJACENCY
       vec4 fields = vec4(
         thresholdAt(h.uv[0], level), thresholdAt(h.uv[1], level),
         thresholdAt(h.uv[2], level), thresholdAt(h.uv[3], level)
       );
       float g = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
-      return inkAt(HatchField(g, level.mixing), dot(vec4(tone), h.weights) / dot(h.weights, vec4(1.0)));
+      return inkAt(HatchField(g, level.mixing), dot(vec4(tone), h.weights) / dot(h.weights, vec4(1.0)), across);
     #else
-      return inkAt(HatchField(thresholdAt(h.uv[0], level), level.mixing), tone);
+      return inkAt(HatchField(thresholdAt(h.uv[0], level), level.mixing), tone, across);
     #endif // TECHNIQUE
   #elif TECHNIQUE == TECHNIQUE_ADJACENCY
     vec4 tones = vec4(tone);

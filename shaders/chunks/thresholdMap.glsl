@@ -42,6 +42,13 @@ ThresholdLevel chooseLevel(const in float octaves) {
   return ThresholdLevel(corner * texel, size * texel, share, inversesqrt(variance), 4.0 * rest * share);
 }
 
+// Texels of the level chosen for so many octaves that a pixel takes in across the strokes: `along` x and y of the screen, in
+// pixels face on.
+float texelsAcross(const in vec2 along, const in float octaves) {
+  float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
+  return max(abs(along.x), abs(along.y)) * exp2(octaves - level) / texelPixels;
+}
+
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
   vec2 encoded = texture(thresholdMap, level.corner + level.side * fract(uv)).rg;
   return level.contrast * (6.0 * mix(encoded.r, encoded.g, level.share) - 3.0);
@@ -60,8 +67,13 @@ float unskew(const in float h, const in float mixing) {
   return h + mixing * h * (1.0 - h) * (1.07 * x * x - 0.14);
 }
 
+// Texels across a pixel from which strokes, two texels wide, begin to be finer than it, and from which none is told apart.
+#define CROWDED_FROM 2.0
+#define CROWDED 6.0
+
 // Ink ∈ [0, 1] of a field under a tone: decided once, here. The mean over the field is the tone, however wide the edge.
-float inkAt(const in HatchField field, const in float tone) {
+// texelsAcross: texels that a pixel takes in across the strokes.
+float inkAt(const in HatchField field, const in float tone, const in float texelsAcross) {
   vec2 h = normalDistribution(field.g);
   h.x = unskew(h.x, field.mixing);
   float width = clamp(fwidth(field.g) * h.y * edgePixels, 1e-7, 1.0);
@@ -69,5 +81,7 @@ float inkAt(const in HatchField field, const in float tone) {
   float level = tone;
   if (tone < 0.5 * width) level = sqrt(2.0 * width * tone) - 0.5 * width;
   else if (1.0 - tone < 0.5 * width) level = 1.0 + 0.5 * width - sqrt(2.0 * width * (1.0 - tone));
-  return clamp((level - h.x) / width + 0.5, 0.0, 1.0);
+  float ink = clamp((level - h.x) / width + 0.5, 0.0, 1.0);
+  // At a slant strokes crowd until a pixel holds several; one taken from among them would be a stray dot. Theirs is the tone.
+  return mix(ink, tone, min(edgePixels, 1.0) * smoothstep(CROWDED_FROM, CROWDED, texelsAcross));
 }
