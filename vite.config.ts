@@ -51,6 +51,7 @@ export default defineConfig(
           'loaders/STLLoader.js',
           'loaders/DRACOLoader.js',
           'libs/meshopt_decoder.module.js',
+          'libs/fflate.module.js',
           'utils/BufferGeometryUtils.js',
           'utils/SkeletonUtils.js',
           'geometries/TeapotGeometry.js',

@@ -84,8 +84,10 @@ export class Panel {
     );
     this.show('spotAngle', settings.lightKind === 'spot');
     this.show('spotSoftness', settings.lightKind === 'spot');
-    this.controllers.get('model')!.domElement.querySelector<HTMLOptionElement>('option:last-child')!.hidden =
-      settings.model !== 'file';
+    for (const key of ['model', 'mapStyle'] as const) {
+      this.controllers.get(key)!.domElement.querySelector<HTMLOptionElement>('option:last-child')!.hidden =
+        settings[key] !== 'file';
+    }
   }
 
   private show(key: SettingKey, visible: boolean): void {

@@ -1,19 +1,28 @@
 import { TonalArtMap } from 'three-hatching';
-import type { Settings } from './settings.js';
+import { SETTINGS, type Settings } from './settings.js';
 
 interface MapOptions {
   signal: AbortSignal;
   onProgress: (progress: number) => void;
 }
 
-/** Generates tonal art maps for settings and keeps those already made, the latest few of them. */
+/** Generates tonal art maps for settings and keeps those already made, the latest few of them, and the person's own. */
 export class TonalArtMapCache {
   private static readonly kept = 6;
   private readonly maps = new Map<string, TonalArtMap>();
+  private own: TonalArtMap | undefined;
+
+  /** Keeps a map that the person has brought, for the style `file`, instead of the one before. */
+  keep(map: TonalArtMap): void {
+    this.own?.dispose();
+    this.own = map;
+  }
 
   /** Resolves at once for a map made before. The map in use must be passed as `inUse` so that it is not thrown away. */
   async get(settings: Settings, options: MapOptions, inUse: TonalArtMap | undefined): Promise<TonalArtMap> {
-    const { mapStyle: style, mapSeed: seed, mapTones: tones } = settings;
+    const { mapSeed: seed, mapTones: tones } = settings;
+    if (settings.mapStyle === 'file' && this.own) return this.own;
+    const style = settings.mapStyle === 'file' ? SETTINGS.mapStyle.default : settings.mapStyle;
     const size = Number(settings.mapSize);
     const key = `${style} ${size} ${tones} ${seed}`;
     const known = this.maps.get(key);

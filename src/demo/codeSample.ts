@@ -93,7 +93,7 @@ scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));`,
   return `import { ${[...classes].sort().join(', ')} } from 'three';
 ${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${imports} } from 'three-hatching';
 
-const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });
+const tonalArtMap = await ${settings.mapStyle === 'file' ? "TonalArtMap.load('map.json')" : `TonalArtMap.generate({ ${map.join(', ')} })`};
 ${use}
 
 ${lights.join('')}`;

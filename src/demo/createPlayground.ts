@@ -1,13 +1,18 @@
+import type { TonalArtMap } from 'three-hatching';
 import { CompareDivider } from './CompareDivider.js';
+import { ContactSheet } from './ContactSheet.js';
 import { createScene } from './createScene.js';
 import { dropFiles } from './dropFiles.js';
+import { download } from './handOver.js';
 import { LightHandle } from './LightHandle.js';
 import { ModelDesk } from './ModelDesk.js';
 import { MotionPanel } from './MotionPanel.js';
+import { areOfMap, loadOwnMap, zipMap } from './OwnMap.js';
 import { Panel } from './Panel.js';
 import { PresetBar } from './PresetBar.js';
 import { page, setPageState } from './page.js';
 import { presetLook } from './presets.js';
+import type { ModelFile } from './readModel.js';
 import { SettingsHistory } from './SettingsHistory.js';
 import type { Status } from './Status.js';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
@@ -56,6 +61,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       if (dragging) page.lamp.classList.add('is-known');
     },
   });
+  const contact = new ContactSheet(page.contact);
   const divider = new CompareDivider(page.divider, page.plate, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
@@ -66,6 +72,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     page.panel,
     settings,
     [
+      { label: 'Show the map', group: 'Drawing', run: () => contact.open() },
       { label: 'Show the whole model', group: 'View', run: scene.view.frame },
       { label: 'Save PNG', group: 'Picture', run: takeAway.savePng },
       { label: 'Copy a link to this drawing', group: 'Picture', run: takeAway.copyLink },
@@ -162,15 +169,40 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     await tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
       const map = await maps.get(settings, { signal, onProgress }, scene.tonalArtMap);
-      if (!signal.aborted) scene.setTonalArtMap(map);
+      if (!signal.aborted) useMap(map);
     });
   }
 
-  dropFiles({ veil: page.drop, input: page.fileInput, buttons: [page.openFiles] }, (files) => {
-    void models.showFiles(files);
+  function useMap(map: TonalArtMap): void {
+    scene.setTonalArtMap(map);
+    contact.show(map, SETTINGS.mapStyle.choices[settings.mapStyle]);
+  }
+
+  async function showOwnMap(files: readonly ModelFile[]): Promise<void> {
+    await tasks.run('map', async (report, signal) => {
+      const onProgress = (progress: number): void => report('reading your images', progress);
+      const map = await loadOwnMap(files, { signal, onProgress });
+      signal.throwIfAborted();
+      settings.mapStyle = 'file';
+      useMap(map);
+      maps.keep(map);
+      personChanged();
+    });
+  }
+
+  async function saveMap(): Promise<void> {
+    const map = scene.tonalArtMap;
+    if (!map) return;
+    download(await zipMap(map), `${settings.mapStyle === 'file' ? 'map' : settings.mapStyle}.zip`);
+    status.say('The map is saved.');
+  }
+
+  dropFiles({ veil: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
+    void (areOfMap(files) ? showOwnMap(files) : models.showFiles(files));
   });
 
   page.savePng.addEventListener('click', takeAway.savePng);
+  page.saveMap.addEventListener('click', () => void saveMap());
   page.undo.addEventListener('click', undo);
 
   // ── The card ──

@@ -15,6 +15,14 @@ export const page = {
   openFiles: find('open-files'),
   savePng: find('save-png'),
   undo: find('undo') as HTMLButtonElement,
+  contact: {
+    sheet: find('contact'),
+    scroller: find('contact-scroller'),
+    caption: find('contact-caption'),
+    close: find('close-contact') as HTMLButtonElement,
+  },
+  saveMap: find('save-map'),
+  openMap: find('open-map'),
   drop: find('drop'),
   fileInput: find('file-input') as HTMLInputElement,
   status: {

@@ -83,6 +83,7 @@ export const SETTINGS = {
       pencil: 'Pencil',
       charcoal: 'Charcoal',
       woodcut: 'Woodcut',
+      file: 'Your own',
     },
   },
   screenConstancy: {

@@ -13,7 +13,7 @@ export function writeLink(settings: Settings, camera: CameraView | undefined): s
   const parameters = new URLSearchParams();
   for (const key of SETTING_KEYS) {
     // A dropped file cannot be found again by a link.
-    if (settings[key] === SETTINGS[key].default || (key === 'model' && settings.model === 'file')) continue;
+    if (settings[key] === SETTINGS[key].default || settings[key] === 'file') continue;
     parameters.set(key, String(settings[key]));
   }
   if (camera) {
