@@ -44,6 +44,7 @@ export const PRESETS = {
   woodcut: {
     label: 'Woodcut',
     look: {
+      mapStyle: 'woodcut',
       strokeWidth: 3.5,
       strokeScale: 1.2,
       anchorSpacing: 0.6,
@@ -61,14 +62,25 @@ export const PRESETS = {
   pencil: {
     label: 'Pencil',
     look: {
-      mapStyle: 'crossHatching',
+      mapStyle: 'pencil',
       strokeWidth: 1.4,
       strokeScale: 2,
-      edge: 2.5,
+      edge: 2,
       lightStrength: 120,
       reflectedLight: 46,
       ink: '#4b4a50',
       paper: '#fbfaf6',
+    },
+  },
+  charcoal: {
+    label: 'Charcoal',
+    look: {
+      mapStyle: 'charcoal',
+      strokeWidth: 2,
+      strokeScale: 2.2,
+      reflectedLight: 30,
+      ink: '#24211f',
+      paper: '#efe9dc',
     },
   },
 } as const satisfies Record<string, Preset>;
