@@ -43,7 +43,8 @@ HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
   float lattice = ceil(wanted);
   float octaves = lattice * LATTICE_OCTAVES - magnification;
-  across = texelsAcross(vec2(dot(dFdx(point), vAxis), dot(dFdy(point), vAxis)) / vUnitsPerPixel, octaves);
+  float perTexel = texelPixels * vUnitsPerPixel;
+  across = texelsAcross(vec2(dot(dFdx(point), vAxis), dot(dFdy(point), vAxis)) / perTexel, octaves);
   // At screenConstancy 0 there is one lattice, and no other to fade to.
   float fade = screenConstancy > 0.0 ? smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted)) : 0.0;
   HatchField field = HatchField(0.0, 0.0);

@@ -39,8 +39,8 @@ float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
     float octaves = minification(h.uv[0]);
     ThresholdLevel level = chooseLevel(octaves);
     #if LEVEL_RULE == LEVEL_RULE_DEPTH
-      float perPixel = strokeScale * vUnitsPerPixel;
-      float across = texelsAcross(vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y)) / perPixel, octaves);
+      float perTexel = texelPixels * strokeScale * vUnitsPerPixel;
+      float across = texelsAcross(vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y)) / perTexel, octaves);
     #else
       float across = 0.0; // the level sees to it
     #endif // LEVEL_RULE

@@ -5,7 +5,12 @@ import { difference } from './pixels.js';
 
 /** Strokes keep the width they are drawn with, near and far (paper, sections 3.1 and 3.4). */
 
-type Way = Partial<Pick<HatchingMaterialOptions, 'technique' | 'crisp' | 'levelRule' | 'screenConstancy'>>;
+type Way = Partial<
+  Pick<
+    HatchingMaterialOptions,
+    'technique' | 'crisp' | 'levelRule' | 'screenConstancy' | 'edgePixels' | 'strokeRotation'
+  >
+>;
 
 const SIDE = 256;
 /** Pixels, as the style draws them on every level of the map. */
@@ -62,6 +67,35 @@ test('seen at a slant, depth chooses a finer level than derivatives, and so does
   expect(depth! / derivatives!).toBeLessThan(0.75);
   expect(anisotropic! / derivatives!).toBeLessThan(0.75);
 });
+
+for (const [name, way] of Object.entries({
+  anchored: { technique: 'anchored' },
+  'anchored, sized on the screen': { technique: 'anchored', screenConstancy: 1 },
+  'crisp, level by depth': { technique: 'triangle', crisp: true, levelRule: 'depth' },
+} satisfies Record<string, Way>)) {
+  test(`where strokes crowd at a slant their tone is shown, not some of them: ${name}`, async ({ page }) => {
+    const [hard, soft, faceOn] = [
+      await drawWall(page, { ...way, ...upright, edgePixels: 0 }, [4], { slant: 1.47 }),
+      await drawWall(page, { ...way, ...upright }, [4], { slant: 1.47 }),
+      await drawWall(page, { ...way, ...upright }, [4]),
+    ].map(([picture]) => spread(picture!));
+    expect(hard!.deviation).toBeGreaterThan(0.3);
+    expect(soft!.deviation).toBeLessThan(0.15);
+    expect(faceOn!.deviation).toBeGreaterThan(0.3);
+    // N·L, as the wall is lit.
+    expect(Math.abs(soft!.mean - 5 / 7)).toBeLessThan(0.02);
+  });
+}
+
+/** Strokes that stand upright on the wall. */
+const upright = { strokeRotation: Math.PI / 2 } satisfies Way;
+
+/** Of red in [0, 1], in the middle of the picture, where a wall at any slant is seen. */
+function spread(red: number[]): { mean: number; deviation: number } {
+  const values = red.filter((_, i) => Math.abs((i % SIDE) - SIDE / 2) < 16).map((value) => value / 255);
+  const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+  return { mean, deviation: Math.sqrt(values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length) };
+}
 
 /**
  * Red of a wall of level strokes at each distance, bottom row first. At a distance of 1 a texel is a pixel. `slant` turns
