@@ -39,7 +39,7 @@ ThresholdLevel chooseLevel(const in float octaves) {
   vec2 texel = 1.0 / vec2(textureSize(thresholdMap, 0));
   // Every level has a margin of one texel.
   vec2 corner = vec2(2.0 * (thresholdMapSize - size + finer) + 1.0, 1.0);
-  return ThresholdLevel(corner * texel, size * texel, share, inversesqrt(variance), 4.0 * rest * share);
+  return ThresholdLevel(corner * texel, size * texel, share, inversesqrt(variance), 4.0 * rest * share * min(2.0 * share, 1.0));
 }
 
 // Texels of the level chosen for so many octaves that a pixel takes in across the strokes: `along` x and y of the screen, in
@@ -60,8 +60,8 @@ vec2 normalDistribution(const in float g) {
   return vec2(h, h * (1.0 - h) * 1.5957691216 * (1.0 + 0.134145 * g * g));
 }
 
-// The mix of two skewed fields is not normal. This puts h right again; fitted to what generated maps show half way between
-// levels, where the tone would be up to 0.04 too light.
+// The mix of two skewed fields is not normal. This puts h right again; fitted to what generated maps show between levels,
+// where the tone would be up to 0.04 too light.
 float unskew(const in float h, const in float mixing) {
   float x = h - 0.42;
   return h + mixing * h * (1.0 - h) * (1.07 * x * x - 0.14);

@@ -116,7 +116,7 @@ function latticeField(
     sum += (weight * ((1 - share) * threshold(u, v, finer) + mixed)) / Math.hypot(1 - share, share);
     squares += weight * weight;
   }
-  return { g: sum / Math.sqrt(squares), mixing: 4 * share * (1 - share) };
+  return { g: sum / Math.sqrt(squares), mixing: 4 * share * (1 - share) * Math.min(1, 2 * share) };
 }
 
 /** h of a field: uniform, with the skew of mixed levels put right as fitted to generated maps. */
