@@ -1,4 +1,4 @@
-import { test as base, expect, type Page } from '@playwright/test';
+import { test as base, type ConsoleMessage, expect, type Page } from '@playwright/test';
 import { toleratedMessages } from './toleratedMessages.js';
 
 export { expect };
@@ -30,27 +30,56 @@ export const test = base.extend<PageChecks>({
   },
 
   page: async ({ page, pageProblems, checkGlErrors }, use) => {
-    recordProblems(page, pageProblems);
     await page.addInitScript(recordContexts);
-    await use(page);
-    if (!page.isClosed()) {
-      // Asked even when it is not wanted: messages still under way arrive before the answer.
-      const glErrors = await readGlErrors(page);
-      if (checkGlErrors) pageProblems.push(...glErrors);
-    }
-    expect(pageProblems, 'problems on the page').toEqual([]);
+    await usePage(page, pageProblems, checkGlErrors, use);
   },
 });
 
-function recordProblems(page: Page, problems: string[]): void {
-  page.on('console', (message) => {
+/** Lends a page, on which {@link recordContexts} has run, and fails if anything goes wrong on it meanwhile. */
+async function usePage(
+  page: Page,
+  problems: string[],
+  checkGlErrors: boolean,
+  use: (page: Page) => Promise<void>,
+): Promise<void> {
+  const onConsole = (message: ConsoleMessage): void => {
     if (message.type() !== 'warning' && message.type() !== 'error') return;
     if (toleratedMessages.some(({ pattern }) => pattern.test(message.text()))) return;
     problems.push(`console ${message.type()}: ${message.text()} (${message.location().url})`);
-  });
-  page.on('pageerror', (error) => problems.push(`uncaught error: ${error.stack ?? error.message}`));
-  page.on('crash', () => problems.push('the page crashed'));
+  };
+  const onError = (error: Error): void => void problems.push(`uncaught error: ${error.stack ?? error.message}`);
+  const onCrash = (): void => void problems.push('the page crashed');
+  page.on('console', onConsole).on('pageerror', onError).on('crash', onCrash);
+  await use(page);
+  if (!page.isClosed()) {
+    // Asked even when it is not wanted: messages still under way arrive before the answer.
+    const glErrors = await readGlErrors(page);
+    if (checkGlErrors) problems.push(...glErrors);
+  }
+  page.off('console', onConsole).off('pageerror', onError).off('crash', onCrash);
+  expect(problems, 'problems on the page').toEqual([]);
 }
+
+/**
+ * The same `test` with one `page` for all tests of a file, opened once at the address: for pages whose every answer depends on the
+ * question alone. Loading the page takes longer than most of the pictures.
+ */
+export const testOnOnePage = (address: string) =>
+  test.extend<object, { onePage: Page }>({
+    onePage: [
+      async ({ browser }, use, { project }) => {
+        const page = await browser.newPage({ baseURL: project.use.baseURL });
+        await page.addInitScript(recordContexts);
+        await page.goto(address);
+        await use(page);
+        await page.close();
+      },
+      { scope: 'worker' },
+    ],
+    page: async ({ onePage, pageProblems, checkGlErrors }, use) => {
+      await usePage(onePage, pageProblems, checkGlErrors, use);
+    },
+  });
 
 /** Runs in the page before its own scripts: notes each WebGL2 context, on page canvases and offscreen ones. */
 function recordContexts(): void {

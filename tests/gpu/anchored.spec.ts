@@ -1,6 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
-import { type StrokeStyleName, strokeStyles } from '../../src/tam/strokeStyles.js';
-import { expect, test } from '../browser/test.js';
+import { expect, testOnOnePage } from '../browser/test.js';
 import { type AnchoredSettings, anchoredExcess } from '../reference/anchoredReference.js';
 import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
 import { type PlainMesh, torus, trianglesOf } from '../reference/meshes.js';
@@ -75,8 +74,9 @@ const cases: Case[] = [
   { name: 'second layer under one light: none', material: { secondLayer: true } },
 ];
 
+const test = testOnOnePage('tests/gpu/harness.html');
+
 test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/harness.html');
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
@@ -160,50 +160,4 @@ for (const { name, lights, matrixWorld, material, anchorSpacing, screenConstancy
       .info()
       .annotations.push({ type: 'error', description: `${((100 * wrong) / interior.length).toFixed(2)} % wrong` });
   });
-}
-
-for (const style of Object.keys(strokeStyles) as StrokeStyleName[]) {
-  test(`anchored strokes print the tone asked for, at any size: ${style}`, async ({ page }, testInfo) => {
-    await page.goto('tests/gpu/toolkit.html');
-    await page.waitForFunction(() => window.toolkit !== undefined);
-    const errors = await page.evaluate(measureTones, style);
-    testInfo.annotations.push({ type: 'tone error', description: errors.map((error) => error.toFixed(3)).join(', ') });
-    for (const error of errors) expect(Math.abs(error), errors.join()).toBeLessThan(0.03);
-  });
-}
-
-/** Mean ink less the tone asked for, over tones and sizes of strokes, on a wall much larger than the map. */
-async function measureTones(style: StrokeStyleName): Promise<number[]> {
-  const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf, sun } = window.toolkit;
-  const [size, side, places] = [128, 512, 4];
-  const tonalArtMap = await TonalArtMap.generate({ style, size });
-  const camera = new THREE.PerspectiveCamera(90, 1, 0.1, 10);
-  const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 40), {
-    technique: 'anchored',
-    tonalArtMap,
-    edgePixels: 0,
-  });
-  const light = sun();
-  const scene = sceneOf(mesh, light);
-  const renderer = makeRenderer();
-  renderer.setSize(side, side, false);
-  const gl = renderer.getContext();
-  const pixels = new Uint8Array(side * side * 4);
-  const errors = [];
-  for (const level of [0, 0.25, 0.5, 0.75]) {
-    // So large that the map is too fine by so much of a level.
-    mesh.material.strokeScale = (2 ** level * side) / (2 * size);
-    for (const tone of [0.15, 0.4, 0.7]) {
-      light.position.set(Math.sqrt(1 - (1 - tone) ** 2), 0, 1 - tone);
-      let paper = 0;
-      for (let place = 0; place < places; place++) {
-        camera.position.set(2.1 * (place % 2), 2.1 * (place >> 1), 1);
-        renderer.render(scene, camera);
-        gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-        for (let i = 0; i < pixels.length; i += 4) paper += pixels[i]!;
-      }
-      errors.push(1 - paper / (255 * side * side * places) - tone);
-    }
-  }
-  return errors;
 }

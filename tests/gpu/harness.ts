@@ -68,6 +68,8 @@ function analyticThresholdMap(): TonalArtMap {
   } as unknown as TonalArtMap;
 }
 
+const thresholdMap = analyticThresholdMap();
+
 function makeLight(light: ReferenceLight, scene: Scene): Light {
   const color = new Color().setRGB(...light.color, LinearSRGBColorSpace);
   const made = {
@@ -103,7 +105,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   const hatching = new HatchingMaterial({
     ...material,
     strokeOffset: new Vector2(...strokeOffset),
-    tonalArtMap: anchored ? analyticThresholdMap() : analyticMap(spec.map),
+    tonalArtMap: anchored ? thresholdMap : analyticMap(spec.map),
     edgePixels: 0,
     anchorSpacing: spec.anchorSpacing ?? 0.35,
     screenConstancy: spec.screenConstancy ?? 0,

@@ -1,5 +1,5 @@
 import { mat4 } from 'gl-matrix';
-import { expect, test } from '../browser/test.js';
+import { expect, testOnOnePage } from '../browser/test.js';
 import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
 import { cube, type PlainMesh, sheet, toFloat, torus, trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
@@ -235,8 +235,9 @@ function expected(spec: HatchingSpec): Map<number, Vec3> {
   );
 }
 
+const test = testOnOnePage('tests/gpu/harness.html');
+
 test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/harness.html');
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 

@@ -1,17 +1,17 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../browser/test.js';
+import { expect, testOnOnePage } from '../browser/test.js';
 import { compareWithGolden, type Picture } from './gate.js';
 import { judgePicture } from './goldens.js';
 import type { Deviation } from './renderScenario.js';
 import { type Scenario, scenarios } from './scenarios.js';
 
-test.beforeEach(async ({ page }) => {
-  await page.goto('/tests/visual/scenario.html');
-  await ready(page);
-});
+const test = testOnOnePage('/tests/visual/scenario.html');
 
-const ready = (page: Page) =>
-  page.waitForFunction(() => typeof window.renderScenario === 'function', undefined, { timeout: 30_000 });
+test.beforeEach(({ page }) => ready(page));
+
+async function ready(page: Page): Promise<void> {
+  await page.waitForFunction(() => typeof window.renderScenario === 'function', undefined, { timeout: 30_000 });
+}
 
 async function render(page: Page, scenario: Scenario, deviation?: Deviation): Promise<Picture> {
   const { width, height, base64 } = await page.evaluate(
