@@ -10,6 +10,10 @@ uniform float screenConstancy; // 0: strokes sized on the object, 1: on the scre
 #define LATTICE_OCTAVES 1.0
 #define LATTICE_FADE 0.75
 
+// Strokes crowd as the surface leans away, which shows its form, but no more than by so many octaves: then coarser levels take
+// over. By the smooth normal, so that no edge of a triangle shows.
+#define FREE_CROWDING 1.0
+
 // The blended field of one lattice. point: object space. uAxis, vAxis: the strokes' u and v in the surface. octaves: by
 // how many the map would be too fine for this lattice.
 HatchField latticeField(
@@ -37,14 +41,24 @@ HatchField latticeField(
   return HatchField(g, level.mixing);
 }
 
-HatchField anchoredField(const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, out float across) {
+// Octaves by which strokes lie closer on the screen than they may, where the surface leans away across them.
+float crowdedOctaves(const in vec3 lean) {
+  float facing = lean.z * lean.z;
+  float foreshortening = facing / max(facing + lean.y * lean.y, 1e-20);
+  return max(-0.5 * log2(max(foreshortening, 1e-4)) - FREE_CROWDING, 0.0);
+}
+
+HatchField anchoredField(
+  const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in vec3 lean, out float across
+) {
   // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
   float magnification = -levelByDepth(thresholdMapSize);
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
   float lattice = ceil(wanted);
-  float octaves = lattice * LATTICE_OCTAVES - magnification;
+  float faceOn = lattice * LATTICE_OCTAVES - magnification;
+  float octaves = faceOn + crowdedOctaves(lean);
   float perTexel = texelPixels * vUnitsPerPixel;
-  across = texelsAcross(vec2(dot(dFdx(point), vAxis), dot(dFdy(point), vAxis)) / perTexel, octaves);
+  across = texelsAcross(vec2(dot(dFdx(point), vAxis), dot(dFdy(point), vAxis)) / perTexel, faceOn, octaves);
   // At screenConstancy 0 there is one lattice, and no other to fade to.
   float fade = screenConstancy > 0.0 ? smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted)) : 0.0;
   HatchField field = HatchField(0.0, 0.0);

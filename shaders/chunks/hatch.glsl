@@ -31,7 +31,7 @@ uniform float texelPixels; // wanted pixels per texel
 float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
   #if TECHNIQUE == TECHNIQUE_ANCHORED
     float across;
-    HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, across);
+    HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, h.lean, across);
     return inkAt(field, tone, across);
   #elif defined(CRISP)
     // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
@@ -40,7 +40,7 @@ float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
     ThresholdLevel level = chooseLevel(octaves);
     #if LEVEL_RULE == LEVEL_RULE_DEPTH
       float perTexel = texelPixels * strokeScale * vUnitsPerPixel;
-      float across = texelsAcross(vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y)) / perTexel, octaves);
+      float across = texelsAcross(vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y)) / perTexel, octaves, octaves);
     #else
       float across = 0.0; // the level sees to it
     #endif // LEVEL_RULE

@@ -14,6 +14,7 @@ struct HatchingParameters {
   #if TECHNIQUE == TECHNIQUE_ANCHORED
     vec3 point; // object space
     vec3 uAxis, vAxis; // the strokes' u and v in the surface, object space
+    vec3 lean; // of u, v and the normal towards the viewer: proportional to their cosines
   #else
     vec2 uv[TRIANGLE_COUNT]; // in the frames of c, α, β, γ
   #endif // TECHNIQUE
@@ -47,6 +48,7 @@ HatchingParameters readHatchingParameters() {
     h.point = vRestPosition;
     h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;
     h.vAxis = strokeDirection.y * tangent + strokeDirection.x * bitangent;
+    h.lean = (vViewToObject * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition)) * mat3(h.uAxis, h.vAxis, n);
     h.weights = vec4(1.0, 0.0, 0.0, 0.0);
   #else
     h.uv[0] = vStrokeUv;
@@ -73,6 +75,7 @@ HatchingParameters readHatchingParameters() {
       second.point = h.point + LAYER_SHIFT * anchorSpacing / strokeScale;
       second.uAxis = -h.vAxis;
       second.vAxis = h.uAxis;
+      second.lean = vec3(-h.lean.y, h.lean.x, h.lean.z);
     #else
       for (int i = 0; i < TRIANGLE_COUNT; i++) {
         second.uv[i] = vec2(-h.uv[i].y, h.uv[i].x) + LAYER_SHIFT.xy;

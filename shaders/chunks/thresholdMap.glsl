@@ -43,10 +43,9 @@ ThresholdLevel chooseLevel(const in float octaves) {
 }
 
 // Texels of the level chosen for so many octaves that a pixel takes in across the strokes: `along` x and y of the screen, in
-// texels face on.
-float texelsAcross(const in vec2 along, const in float octaves) {
-  float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
-  return max(abs(along.x), abs(along.y)) * exp2(octaves - level);
+// texels of the level for `faceOn` octaves.
+float texelsAcross(const in vec2 along, const in float faceOn, const in float octaves) {
+  return max(abs(along.x), abs(along.y)) * exp2(faceOn - clamp(octaves, 0.0, thresholdMapLevels - 1.0));
 }
 
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {

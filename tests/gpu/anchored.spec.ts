@@ -15,6 +15,7 @@ import {
   hemisphere,
   identity,
   mirrored,
+  orthographic,
   perspective,
   placed,
   point,
@@ -27,12 +28,23 @@ const SIZE = 192;
 
 interface Case {
   name: string;
+  /** Default: a torus. */
+  mesh?: PlainMesh;
   lights?: ReferenceLight[];
   matrixWorld?: number[];
+  isOrthographic?: boolean;
   material?: Partial<ReferenceMaterial>;
   anchorSpacing?: number;
   screenConstancy?: number;
 }
+
+/** A wall, and how it stands when it is seen at 80° to its normal. */
+const wall: PlainMesh = {
+  positions: [-1.6, -1.6, 0, 1.6, -1.6, 0, 1.6, 1.6, 0, -1.6, 1.6, 0],
+  normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1],
+  indices: [0, 1, 2, 0, 2, 3],
+};
+const leaning = [...mat4.fromXRotation(mat4.create(), -1.64)];
 
 const cases: Case[] = [
   { name: 'directional light' },
@@ -45,7 +57,29 @@ const cases: Case[] = [
   { name: 'mirrored object', matrixWorld: mirrored },
   { name: 'no rotation, other scale and spacing', material: { strokeRotation: 0, strokeScale: 3 }, anchorSpacing: 0.6 },
   { name: 'between levels of the map', material: { strokeScale: 0.6 } },
+  { name: 'seen at a slant', mesh: wall, matrixWorld: leaning, material: { strokeRotation: 0 } },
+  {
+    name: 'seen at a slant, strokes the other way',
+    mesh: wall,
+    matrixWorld: leaning,
+    material: { strokeRotation: 1.5 },
+  },
+  {
+    name: 'seen at a slant, two lights and layers',
+    mesh: wall,
+    matrixWorld: leaning,
+    lights: crossed,
+    material: { secondLayer: true },
+  },
+  {
+    name: 'seen at a slant by an orthographic camera',
+    mesh: wall,
+    matrixWorld: leaning,
+    isOrthographic: true,
+    screenConstancy: 1,
+  },
   { name: 'sized on the screen', screenConstancy: 1 },
+  { name: 'sized on the screen, seen at a slant', mesh: wall, matrixWorld: leaning, screenConstancy: 1 },
   { name: 'sized on the screen, placed object', screenConstancy: 1, matrixWorld: placed, lights: [point] },
   { name: 'sized half on the screen, two lights', screenConstancy: 0.5, lights: [directional, redSide] },
   ...(['halfLambert', 'phong', 'toon'] as const).flatMap((toneModel) => [
@@ -80,15 +114,25 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
-for (const { name, lights, matrixWorld, material, anchorSpacing, screenConstancy } of cases) {
+for (const {
+  name,
+  mesh: drawn,
+  lights,
+  matrixWorld,
+  isOrthographic,
+  material,
+  anchorSpacing,
+  screenConstancy,
+} of cases) {
   test(`anchored equals the double-precision reference: ${name}`, async ({ page }) => {
-    const mesh = torus as Required<PlainMesh>;
+    const mesh = (drawn ?? torus) as Required<PlainMesh>;
     const spec: HatchingSpec = {
       width: SIZE,
       height: SIZE,
       ...mesh,
       matrixWorld: matrixWorld ?? identity,
-      camera: perspective,
+      camera: isOrthographic ? orthographic : perspective,
+      orthographic: !!isOrthographic,
       lights: lights ?? [directional],
       material: { ...defaults, ...material, technique: 'anchored', toneNormal: 'smooth' },
       map: 'smooth',
@@ -102,6 +146,7 @@ for (const { name, lights, matrixWorld, material, anchorSpacing, screenConstancy
     const reference = new HatchingReference({
       matrixWorld: spec.matrixWorld,
       eye,
+      orthographic: !!isOrthographic,
       lights: spec.lights,
       material: spec.material as ReferenceMaterial,
       tones: 2,
@@ -139,11 +184,9 @@ for (const { name, lights, matrixWorld, material, anchorSpacing, screenConstancy
       const normal = interpolate(vertexOf(mesh.normals));
       const length = Math.hypot(...normal);
       const unit = normal.map((x) => x / length) as Vec3;
-      const depth = -vec3.transformMat4(
-        [0, 0, 0],
-        reference.toWorld(position),
-        spec.camera.view as unknown as mat4,
-      )[2]!;
+      const depth = isOrthographic
+        ? 1
+        : -vec3.transformMat4([0, 0, 0], reference.toWorld(position), spec.camera.view as unknown as mat4)[2]!;
       const excess = anchoredExcess(reference, position, unit, normal, depth * unitsPerPixel, settings);
       const value = pixels[4 * pixel]!;
       if (value !== 0 && value !== 255) grey++;

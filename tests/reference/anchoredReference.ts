@@ -62,18 +62,28 @@ export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
   });
 }
 
-/** The field at a point in object space, where a pixel is as wide as so many object units. */
+/**
+ * By how many octaves strokes are drawn coarser than face on: where the surface, turned away about the strokes, shows less than
+ * half the distance between them, by what it shows less.
+ */
+function crowdedOctaves(across: Vec3, normal: Vec3, toViewer: Vec3): number {
+  const angle = Math.atan2(Math.abs(dot(across, toViewer)), Math.abs(dot(normal, toViewer)));
+  return Math.max(0, -1 - Math.log2(Math.max(Math.cos(angle), 0.01)));
+}
+
+/** The field at a point in object space, where a pixel is as wide as so many object units and strokes are coarser by octaves. */
 function anchoredField(
   point: Vec3,
   tangent: Vec3,
   bitangent: Vec3,
   unitsPerPixel: number,
+  coarser: number,
   settings: AnchoredSettings,
 ): Field {
   const magnification = -Math.log2(settings.strokeScale * unitsPerPixel * settings.mapSize);
   const wanted = settings.screenConstancy * magnification;
   const lattice = Math.ceil(wanted);
-  const octaves = lattice - magnification;
+  const octaves = lattice - magnification + coarser;
   const coarse = latticeField(point, tangent, bitangent, lattice, octaves, settings);
   if (settings.screenConstancy === 0) return coarse;
   // The last three quarters of the way to the next lattice, smoothly.
@@ -148,10 +158,16 @@ export function anchoredExcess(
   const edge = settings.anchorSpacing / settings.strokeScale;
   const shifted = point.map((c, i) => c + LAYER_SHIFT[i]! * edge) as Vec3;
   const negated = bitangent.map((c) => -c) as Vec3;
+  const toViewer = reference.toViewer(world);
+  const { strokeRotation: angle } = settings;
+  const field = (at: Vec3, t: Vec3, b: Vec3) => {
+    const across = t.map((x, i) => Math.sin(angle) * x + Math.cos(angle) * b[i]!) as Vec3;
+    return anchoredField(at, t, b, unitsPerPixel, crowdedOctaves(across, strokeNormal, toViewer), settings);
+  };
   const fields = [
-    () => anchoredField(point, tangent, bitangent, unitsPerPixel, settings),
+    () => field(point, tangent, bitangent),
     // The frame turned by 90° about the normal.
-    () => anchoredField(shifted, negated, tangent, unitsPerPixel, settings),
+    () => field(shifted, negated, tangent),
   ];
   const tones = reference.layers(reference.tone(world, reference.normalToWorld(toneNormal)), crossing);
   return Math.max(...tones.map((tone, i) => tone - uniformOf(fields[i]!())));

@@ -171,6 +171,13 @@ export class HatchingReference {
     return normalize(vec3.transformMat3([0, 0, 0], n, this.#normalMatrix as unknown as mat3) as Vec3);
   }
 
+  /** From a world position towards the eye, in object space, of any length. */
+  toViewer(worldPosition: Vec3): Vec3 {
+    const { eye, orthographic } = this.#scene;
+    const view = orthographic ? eye : subtract(eye, worldPosition);
+    return vec3.transformMat3([0, 0, 0], view, this.#worldToObjectLinear as unknown as mat3) as Vec3;
+  }
+
   /** Algorithm 1: the frame of a triangle. */
   frame(triangle: Triangle): Frame {
     const id = triangle.flat().join(',');
