@@ -32,7 +32,7 @@ HatchField latticeField(
   vec4 mirror = 1.0 - 2.0 * vec4((anchors.hashes >> 15u) & 1u);
   vec4 u = mirror * (anchorSpacing * uAxis * anchors.offsets) + shiftU;
   vec4 v = anchorSpacing * vAxis * anchors.offsets + shiftV;
-  ThresholdLevel level = chooseLevel(octaves);
+  ThresholdLevel level = chooseLevel(levelFor(octaves));
   vec4 fields = vec4(
     thresholdAt(vec2(u.x, v.x), level), thresholdAt(vec2(u.y, v.y), level),
     thresholdAt(vec2(u.z, v.z), level), thresholdAt(vec2(u.w, v.w), level)
@@ -41,24 +41,24 @@ HatchField latticeField(
   return HatchField(g, level.mixing);
 }
 
-// Octaves by which strokes lie closer on the screen than they may, where the surface leans away across them.
-float crowdedOctaves(const in vec3 lean) {
+// Octaves by which strokes lie closer on the screen than face on, where the surface leans away across them.
+float foreshortenedOctaves(const in vec3 lean) {
   float facing = lean.z * lean.z;
-  float foreshortening = facing / max(facing + lean.y * lean.y, 1e-20);
-  return max(-0.5 * log2(max(foreshortening, 1e-4)) - FREE_CROWDING, 0.0);
+  return -0.5 * log2(max(facing / max(facing + lean.y * lean.y, 1e-20), 1e-4));
 }
 
+// crowding: octaves by which strokes are finer than drawn.
 HatchField anchoredField(
-  const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in vec3 lean, out float across
+  const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in vec3 lean, out float crowding
 ) {
   // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
   float magnification = -levelByDepth(thresholdMapSize);
   float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
   float lattice = ceil(wanted);
   float faceOn = lattice * LATTICE_OCTAVES - magnification;
-  float octaves = faceOn + crowdedOctaves(lean);
-  float perTexel = texelPixels * vUnitsPerPixel;
-  across = texelsAcross(vec2(dot(dFdx(point), vAxis), dot(dFdy(point), vAxis)) / perTexel, faceOn, octaves);
+  float foreshortened = foreshortenedOctaves(lean);
+  float octaves = faceOn + max(foreshortened - FREE_CROWDING, 0.0);
+  crowding = faceOn + foreshortened - levelFor(octaves);
   // At screenConstancy 0 there is one lattice, and no other to fade to.
   float fade = screenConstancy > 0.0 ? smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted)) : 0.0;
   HatchField field = HatchField(0.0, 0.0);

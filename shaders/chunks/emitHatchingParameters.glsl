@@ -31,6 +31,7 @@
     vStrokeNormal = vStrokeNormal * deformedToRest;
   #endif // STROKE_ANCHOR
   vViewToObject = viewToAnchor;
+  vToViewer = viewToAnchor * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition);
 #else
   AdjacencyPrimitive drawn = readDrawnPrimitive();
   AdjacencyPrimitive anchor = readAnchorPrimitive(drawn);

@@ -30,19 +30,19 @@ uniform float texelPixels; // wanted pixels per texel
 // Algorithm 3: the darkness of one layer of strokes, blended over the triangles of the adjacency primitive.
 float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
   #if TECHNIQUE == TECHNIQUE_ANCHORED
-    float across;
-    HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, h.lean, across);
-    return inkAt(field, tone, across);
+    float crowding;
+    HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, h.lean, crowding);
+    return inkAt(field, tone, crowding);
   #elif defined(CRISP)
     // The same frames and weights, but what is blended is the field, and ink is decided once. All frames of a triangle
     // have the same scale, so one choice of level serves them all.
-    float octaves = minification(h.uv[0]);
-    ThresholdLevel level = chooseLevel(octaves);
+    float chosen = levelFor(minification(h.uv[0]));
+    ThresholdLevel level = chooseLevel(chosen);
     #if LEVEL_RULE == LEVEL_RULE_DEPTH
-      float perTexel = texelPixels * strokeScale * vUnitsPerPixel;
-      float across = texelsAcross(vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y)) / perTexel, octaves, octaves);
+      vec2 across = vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y));
+      float crowding = 0.5 * log2(dot(across, across)) + log2(thresholdMapSize) - chosen;
     #else
-      float across = 0.0; // the level sees to it
+      float crowding = 0.0; // the level sees to it
     #endif // LEVEL_RULE
     #if TECHNIQUE == TECHNIQUE_ADJACENCY
       vec4 fields = vec4(
@@ -50,9 +50,9 @@ float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
         thresholdAt(h.uv[2], level), thresholdAt(h.uv[3], level)
       );
       float g = dot(fields, h.weights) * inversesqrt(dot(h.weights, h.weights));
-      return inkAt(HatchField(g, level.mixing), dot(vec4(tone), h.weights) / dot(h.weights, vec4(1.0)), across);
+      return inkAt(HatchField(g, level.mixing), dot(vec4(tone), h.weights) / dot(h.weights, vec4(1.0)), crowding);
     #else
-      return inkAt(HatchField(thresholdAt(h.uv[0], level), level.mixing), tone, across);
+      return inkAt(HatchField(thresholdAt(h.uv[0], level), level.mixing), tone, crowding);
     #endif // TECHNIQUE
   #elif TECHNIQUE == TECHNIQUE_ADJACENCY
     vec4 tones = vec4(tone);

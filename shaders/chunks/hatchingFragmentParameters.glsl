@@ -48,7 +48,7 @@ HatchingParameters readHatchingParameters() {
     h.point = vRestPosition;
     h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;
     h.vAxis = strokeDirection.y * tangent + strokeDirection.x * bitangent;
-    h.lean = (vViewToObject * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition)) * mat3(h.uAxis, h.vAxis, n);
+    h.lean = vToViewer * mat3(h.uAxis, h.vAxis, n);
     h.weights = vec4(1.0, 0.0, 0.0, 0.0);
   #else
     h.uv[0] = vStrokeUv;

@@ -7,6 +7,7 @@
 #elif TECHNIQUE == TECHNIQUE_ANCHORED
   varying vec3 vRestPosition; // object space
   varying vec3 vStrokeNormal; // at the scale of a stroke, object space
+  varying vec3 vToViewer; // object space, of any length
   varying mat3 vViewToObject; // linear part
 #else
   varying vec2 vStrokeUv;

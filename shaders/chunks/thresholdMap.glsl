@@ -27,10 +27,14 @@ struct ThresholdLevel {
   float mixing;
 };
 
-// The level for strokes that would be too fine by so many octaves at the map's own size. Between two levels both are
-// interpolated: strokes that only the finer one has come later, the others swell, and spacing changes evenly.
-ThresholdLevel chooseLevel(const in float octaves) {
-  float level = clamp(octaves, 0.0, thresholdMapLevels - 1.0);
+// The level for strokes that would be too fine by so many octaves at the map's own size.
+float levelFor(const in float octaves) {
+  return clamp(octaves, 0.0, thresholdMapLevels - 1.0);
+}
+
+// Between two levels both are interpolated: strokes that only the finer one has come later, the others swell, and spacing
+// changes evenly.
+ThresholdLevel chooseLevel(const in float level) {
   float finer = floor(level);
   float share = level - finer;
   float rest = 1.0 - share;
@@ -40,12 +44,6 @@ ThresholdLevel chooseLevel(const in float octaves) {
   // Every level has a margin of one texel.
   vec2 corner = vec2(2.0 * (thresholdMapSize - size + finer) + 1.0, 1.0);
   return ThresholdLevel(corner * texel, size * texel, share, inversesqrt(variance), 4.0 * rest * share * min(2.0 * share, 1.0));
-}
-
-// Texels of the level chosen for so many octaves that a pixel takes in across the strokes: `along` x and y of the screen, in
-// texels of the level for `faceOn` octaves.
-float texelsAcross(const in vec2 along, const in float faceOn, const in float octaves) {
-  return max(abs(along.x), abs(along.y)) * exp2(faceOn - clamp(octaves, 0.0, thresholdMapLevels - 1.0));
 }
 
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
@@ -66,13 +64,14 @@ float unskew(const in float h, const in float mixing) {
   return h + mixing * h * (1.0 - h) * (1.07 * x * x - 0.14);
 }
 
-// Texels across a pixel from which strokes, two texels wide, begin to be finer than it, and from which none is told apart.
-#define CROWDED_FROM 2.0
-#define CROWDED 6.0
+// Octaves by which strokes may be finer than drawn, two texels wide, before they begin to turn into their tone, and by which
+// none is told apart.
+#define CROWDED_FROM 1.0
+#define CROWDED 2.5
 
 // Ink ∈ [0, 1] of a field under a tone: decided once, here. The mean over the field is the tone, however wide the edge.
-// texelsAcross: texels that a pixel takes in across the strokes.
-float inkAt(const in HatchField field, const in float tone, const in float texelsAcross) {
+// crowding: octaves by which strokes are finer than drawn.
+float inkAt(const in HatchField field, const in float tone, const in float crowding) {
   vec2 h = normalDistribution(field.g);
   h.x = unskew(h.x, field.mixing);
   float width = clamp(fwidth(field.g) * h.y * edgePixels, 1e-7, 1.0);
@@ -82,5 +81,5 @@ float inkAt(const in HatchField field, const in float tone, const in float texel
   else if (1.0 - tone < 0.5 * width) level = 1.0 + 0.5 * width - sqrt(2.0 * width * (1.0 - tone));
   float ink = clamp((level - h.x) / width + 0.5, 0.0, 1.0);
   // At a slant strokes crowd until a pixel holds several; one taken from among them would be a stray dot. Theirs is the tone.
-  return mix(ink, tone, min(edgePixels, 1.0) * smoothstep(CROWDED_FROM, CROWDED, texelsAcross));
+  return mix(ink, tone, min(edgePixels, 1.0) * smoothstep(CROWDED_FROM, CROWDED, crowding));
 }
