@@ -66,7 +66,8 @@ try {
 const { passed, failed, skipped, remarks } = summariseReports(finished, { filtered: filters.length > 0 });
 for (const remark of remarks) console.error(remark);
 process.exitCode = failed > 0 ? 1 : 0;
-console.log(`${passed} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ''}`);
+if (skipped > 0) console.log(`${skipped} skipped`);
+console.log(`${passed} passed, ${failed} failed`);
 
 function run(command, args) {
   return new Promise((resolve, reject) => {
