@@ -55,11 +55,13 @@ export class Panel {
     const techniques = [settings.technique, settings.compare];
     const isAnchored = techniques.includes('anchored');
     const isCrisp = isAnchored || techniques.includes('adjacencyCrisp');
+    const isPaper = techniques.some((technique) => technique !== 'anchored' && technique !== 'none');
     this.show('screenConstancy', isAnchored);
     this.show('anchorSpacing', isAnchored);
     this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
     this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
     this.show('edge', isCrisp);
+    for (const key of ['offsetU', 'offsetV', 'levelRule'] as const) this.show(key, isPaper);
     // Sized on the screen alone, strokes do not ask what size they would have on the object.
     this.controllers
       .get('strokeScale')!
@@ -78,10 +80,6 @@ export class Panel {
     this.show('lightDistance', isLocal);
     this.show('secondStrength', settings.secondLight !== 'none');
     this.show('strokeLayers', settings.secondLight !== 'none');
-    this.show(
-      'levelRule',
-      techniques.some((technique) => technique !== 'anchored' && technique !== 'none'),
-    );
     this.show('spotAngle', settings.lightKind === 'spot');
     this.show('spotSoftness', settings.lightKind === 'spot');
     for (const key of ['model', 'mapStyle'] as const) {

@@ -67,7 +67,7 @@ test('an artist’s PNG images become the map; broken ones leave it as it is', a
 
 test('the map is saved as an archive of files that make it again', async ({ page }) => {
   await openPlayground(page, PLAIN);
-  await page.getByRole('button', { name: 'Show the map' }).press('Enter');
+  await page.getByRole('button', { name: 'Show the map' }).click();
   const waiting = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save the map' }).click();
   const download = await waiting;
@@ -90,7 +90,7 @@ test('the contact sheet fits a small screen and scrolls', async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 640 });
   await openPlayground(page, PLAIN);
   await page.getByRole('button', { name: 'Settings' }).first().click();
-  await page.getByRole('button', { name: 'Show the map' }).press('Enter');
+  await page.getByRole('button', { name: 'Show the map' }).click();
   const box = (await page.locator('#contact').boundingBox())!;
   expect(box.x).toBeGreaterThanOrEqual(0);
   expect(box.x + box.width).toBeLessThanOrEqual(360);

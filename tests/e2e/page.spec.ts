@@ -172,6 +172,22 @@ test('settings have labels and units, count at once and are reset by double-clic
   await expect.poll(async () => changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
 });
 
+test('only settings that the techniques shown know are offered', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page, 'model=cube');
+  await page.getByRole('button', { name: 'Strokes' }).click();
+  const [anchors, shift] = [page.getByLabel('Anchors'), page.getByLabel('Shift along')];
+  await expect(anchors).toBeVisible();
+  await expect(shift).toBeHidden();
+  await page.getByLabel('Compare with').selectOption('Adjacency');
+  await expect(anchors).toBeVisible();
+  await expect(shift).toBeVisible();
+  await page.getByLabel('Compare with').selectOption('Nothing');
+  await page.getByLabel('Technique').selectOption('Per triangle');
+  await expect(anchors).toBeHidden();
+  await expect(shift).toBeVisible();
+});
+
 test('a lost graphics context is said and comes back with the same drawing', async ({ page }) => {
   await openPlayground(page, 'model=bunny');
   const before = await readDrawing(page);
