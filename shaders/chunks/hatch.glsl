@@ -39,8 +39,8 @@ float hatchLayer(const in HatchingParameters h, const in PerToneNormal tone) {
     float chosen = levelFor(minification(h.uv[0]));
     ThresholdLevel level = chooseLevel(chosen);
     #if LEVEL_RULE == LEVEL_RULE_DEPTH
-      vec2 across = vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y));
-      float crowding = 0.5 * log2(dot(across, across)) + log2(thresholdMapSize) - chosen;
+      vec2 texels = thresholdMapSize * vec2(dFdx(h.uv[0].y), dFdy(h.uv[0].y)); // to a pixel, across the strokes
+      float crowding = 0.5 * log2(dot(texels, texels)) - chosen;
     #else
       float crowding = 0.0; // the level sees to it
     #endif // LEVEL_RULE
