@@ -5,8 +5,12 @@ export type { ApplyHatchingOptions } from './material/applyHatching.js';
 export { applyHatching } from './material/applyHatching.js';
 export type { ToneCurvePoint } from './material/fitToneCurve.js';
 export type { HatchedScene, SkippedMesh } from './material/HatchedScene.js';
-export type { HatchingMaterialOptions, HatchingMaterialParameters, ToneCurve } from './material/HatchingMaterial.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
+export type {
+  HatchingMaterialOptions,
+  HatchingMaterialParameters,
+  ToneCurve,
+} from './material/HatchingMaterialOptions.js';
 export type {
   DebugView,
   HatchingTechnique,
