@@ -3,9 +3,9 @@ import { createRequire } from 'node:module';
 import { gunzipSync } from 'node:zlib';
 import { type BufferGeometry, TorusGeometry } from 'three';
 import { PLYLoader } from 'three/examples/jsm/loaders/PLYLoader.js';
-import { type BakeResult, bake } from '../src/adjacency/bake.js';
 import { buildTriangleAdjacency } from '../src/adjacency/buildTriangleAdjacency.js';
-import type { TriangleMesh } from '../src/adjacency/TriangleMesh.js';
+import { type BakeResult, bake } from '../src/bake/bake.js';
+import type { TriangleMesh } from '../src/mesh/TriangleMesh.js';
 
 /** Speed of the adjacency bake on one thread, in millions of triangles per second; no worker, no transfer. */
 export const name = 'bake';

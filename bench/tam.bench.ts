@@ -1,4 +1,4 @@
-import { generateHatchImages, type HatchImageOptions } from '../src/tam/generateHatchImages.js';
+import { generateHatchImages, type HatchImageOptions } from '../src/hatchImages/generateHatchImages.js';
 
 /** Time to draw tonal art maps on one thread; no worker, no transfer, no upload. */
 export const name = 'tam';

@@ -1,6 +1,9 @@
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
+export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
+export type { HatchImages } from './hatchImages/generateHatchImages.js';
+export type { TonalArtMapSource } from './mapFiles/readSource.js';
 export type { ApplyHatchingOptions } from './material/applyHatching.js';
 export { applyHatching } from './material/applyHatching.js';
 export type { ToneCurvePoint } from './material/fitToneCurve.js';
@@ -20,10 +23,7 @@ export type {
   ToneModel,
   ToneNormal,
 } from './material/shaderConventions.js';
-export type { HatchImageReport } from './tam/checkHatchImages.js';
-export type { HatchImages } from './tam/generateHatchImages.js';
-export type { TonalArtMapSource } from './tam/readSource.js';
-export type { StrokeStyleName } from './tam/strokeStyles.js';
+export type { StrokeStyleName } from './strokes/strokeStyles.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';
 export { disposeHatchingWorkers } from './worker/runTask.js';

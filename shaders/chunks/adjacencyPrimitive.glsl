@@ -8,7 +8,7 @@ struct AdjacencyPrimitive {
 
 #if VERTEX_LAYOUT == VERTEX_LAYOUT_CORNER
 
-// #include "cornerAttributes" declares the attributes from the table in src/adjacency/cornerLayout.ts.
+// #include "cornerAttributes" declares the attributes from the table in src/bake/cornerLayout.ts.
 #include "cornerAttributes"
 
 AdjacencyPrimitive readDrawnPrimitive() {

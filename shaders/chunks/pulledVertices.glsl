@@ -1,4 +1,4 @@
-// The textures of the layout `pull` (src/adjacency/pullLayout.ts).
+// The textures of the layout `pull` (src/bake/pullLayout.ts).
 uniform highp usampler2D triangleVertices;
 uniform highp sampler2D restPositions;
 

@@ -1,9 +1,9 @@
-import { computeAreaNormals } from './computeAreaNormals.js';
+import { computeAreaNormals } from '../mesh/computeAreaNormals.js';
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import { weldPositions } from '../mesh/weldPositions.js';
+import { asPhase, inChunks } from '../slices/inChunks.js';
 import type { EdgeCounts } from './EdgeCounts.js';
-import { asPhase, inChunks } from './inChunks.js';
 import { pairEdges } from './pairEdges.js';
-import type { TriangleMesh } from './TriangleMesh.js';
-import { weldPositions } from './weldPositions.js';
 
 /** Which triangle lies across which edge. */
 export interface TriangleAdjacency extends EdgeCounts {

@@ -1,4 +1,4 @@
-import { nextCorner, previousCorner } from './corners.js';
+import { nextCorner, previousCorner } from '../mesh/corners.js';
 import { EdgeAxes } from './EdgeAxes.js';
 
 /** A half-edge of a non-manifold edge. */

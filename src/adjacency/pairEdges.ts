@@ -1,7 +1,7 @@
-import { isDegenerate } from './computeAreaNormals.js';
-import { NO_TWIN, nextCorner } from './corners.js';
+import { isDegenerate } from '../mesh/computeAreaNormals.js';
+import { NO_TWIN, nextCorner } from '../mesh/corners.js';
+import { asPhase, inChunks } from '../slices/inChunks.js';
 import type { EdgeCounts } from './EdgeCounts.js';
-import { asPhase, inChunks } from './inChunks.js';
 import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 
 /** What `pairEdges` returns; explained at `TriangleAdjacency`. */

@@ -1,10 +1,10 @@
 #!/usr/bin/env node
 import process from 'node:process';
-import { generateHatchImages, type HatchImageOptions } from '../tam/generateHatchImages.js';
-import { generateThresholds } from '../tam/generateThresholds.js';
-import type { MapFile } from '../tam/mapFiles.js';
-import { writeMapFiles } from '../tam/writeMapFiles.js';
-import { runSliced } from '../worker/runSliced.js';
+import { generateHatchImages, type HatchImageOptions } from '../hatchImages/generateHatchImages.js';
+import { generateThresholds } from '../hatchImages/generateThresholds.js';
+import type { MapFile } from '../mapFiles/mapFiles.js';
+import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
+import { runSliced } from '../slices/runSliced.js';
 import { ProgressBar } from './ProgressBar.js';
 import { HELP, parseArguments, styleList, UsageError } from './parseArguments.js';
 import { assertFree, writeFolder } from './writeFolder.js';

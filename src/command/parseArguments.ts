@@ -1,6 +1,6 @@
 import { parseArgs } from 'node:util';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../tam/generateHatchImages.js';
-import { type StrokeStyleName, strokeStyles } from '../tam/strokeStyles.js';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/generateHatchImages.js';
+import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
 
 /** A mistake in how the command was called: told in a sentence, without a stack. */
 export class UsageError extends Error {}

@@ -2,7 +2,7 @@ import { randomBytes } from 'node:crypto';
 import { existsSync } from 'node:fs';
 import { mkdir, readdir, rename, rm, writeFile } from 'node:fs/promises';
 import { basename, dirname, join, resolve } from 'node:path';
-import type { MapFile } from '../tam/mapFiles.js';
+import type { MapFile } from '../mapFiles/mapFiles.js';
 import { UsageError } from './parseArguments.js';
 
 /** Whether a name is one that a map's files have. */

@@ -1,6 +1,6 @@
 import { type BufferGeometry, DataTexture, FloatType, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from 'three';
-import type { PackedPull } from '../adjacency/packPull.js';
-import { pullTextureSize } from '../adjacency/pullLayout.js';
+import type { PackedPull } from '../bake/packPull.js';
+import { pullTextureSize } from '../bake/pullLayout.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 
 /** The textures that the corners of a geometry of the `pull` layout read (`pullLayout`). */

@@ -1,7 +1,7 @@
 import { BufferAttribute, type BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
-import type { BakeResult } from '../adjacency/bake.js';
-import { CORNER_STRIDE, cornerLayout } from '../adjacency/cornerLayout.js';
-import { hatchNormal } from '../adjacency/hatchNormal.js';
+import type { BakeResult } from '../bake/bake.js';
+import { CORNER_STRIDE, cornerLayout } from '../bake/cornerLayout.js';
+import { hatchNormal } from '../bake/hatchNormal.js';
 import { finishGeometry } from './preparedGeometry.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 

@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import type { TriangleMesh } from '../adjacency/TriangleMesh.js';
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import type { CornerRange } from './cornerRange.js';
 import type { VertexAttribute } from './vertexAttributes.js';
 

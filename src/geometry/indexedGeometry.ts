@@ -1,7 +1,7 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
-import type { BakeIndexedResult } from '../adjacency/bakeIndexed.js';
-import type { VertexWords, Words } from '../adjacency/expandPerCorner.js';
-import { hatchNormal } from '../adjacency/hatchNormal.js';
+import type { BakeIndexedResult } from '../bake/bakeIndexed.js';
+import type { VertexWords, Words } from '../bake/expandPerCorner.js';
+import { hatchNormal } from '../bake/hatchNormal.js';
 import { finishGeometry } from './preparedGeometry.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 

@@ -1,5 +1,5 @@
 import { Box3, BufferGeometry, InstancedBufferGeometry, Sphere, Vector3 } from 'three';
-import type { BakeReport } from '../adjacency/bakeSurface.js';
+import type { BakeReport } from '../bake/bakeSurface.js';
 import type { CornerRange } from './cornerRange.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import { isInstanced } from './vertexAttributes.js';

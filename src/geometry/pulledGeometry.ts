@@ -1,6 +1,6 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
-import type { BakePullResult } from '../adjacency/bakePull.js';
-import { hatchNormal } from '../adjacency/hatchNormal.js';
+import type { BakePullResult } from '../bake/bakePull.js';
+import { hatchNormal } from '../bake/hatchNormal.js';
 import { PulledVertices, setPulledVertices } from './PulledVertices.js';
 import { finishGeometry } from './preparedGeometry.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';

@@ -1,7 +1,7 @@
 import { BufferAttribute, type BufferGeometry, Float16BufferAttribute, type InterleavedBufferAttribute } from 'three';
-import { cornerLayout } from '../adjacency/cornerLayout.js';
-import type { VertexWords, Words } from '../adjacency/expandPerCorner.js';
-import { hatchNormal } from '../adjacency/hatchNormal.js';
+import { cornerLayout } from '../bake/cornerLayout.js';
+import type { VertexWords, Words } from '../bake/expandPerCorner.js';
+import { hatchNormal } from '../bake/hatchNormal.js';
 
 /** An attribute as three.js has them in a geometry. */
 export type VertexAttribute = BufferAttribute | InterleavedBufferAttribute;

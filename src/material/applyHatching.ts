@@ -1,5 +1,5 @@
 import { type BatchedMesh, type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
-import { cornerLayout } from '../adjacency/cornerLayout.js';
+import { cornerLayout } from '../bake/cornerLayout.js';
 import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';

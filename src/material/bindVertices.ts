@@ -8,7 +8,7 @@ import type {
   Texture,
   WebGLRenderer,
 } from 'three';
-import { cornerLayout } from '../adjacency/cornerLayout.js';
+import { cornerLayout } from '../bake/cornerLayout.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
 import { deformationOf } from './deformationOf.js';
 import type { VertexLayout } from './shaderConventions.js';

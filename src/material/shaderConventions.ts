@@ -1,4 +1,4 @@
-import { cornerLayout } from '../adjacency/cornerLayout.js';
+import { cornerLayout } from '../bake/cornerLayout.js';
 
 /** How strokes are laid on the surface; the order is the number the shader knows them by. */
 export const TECHNIQUES = ['triangle', 'adjacency', 'anchored'] as const;

@@ -1,16 +1,20 @@
+import { assertHatchImages, checkHatchImages, type HatchImageReport } from '../hatchImages/checkHatchImages.js';
+import { deriveThresholds } from '../hatchImages/deriveThresholds.js';
+import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThresholds.js';
+import {
+  type HatchImageOptions,
+  type HatchImages,
+  resolveHatchImageOptions,
+} from '../hatchImages/generateHatchImages.js';
+import { readSource, type TonalArtMapSource } from '../mapFiles/readSource.js';
+import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
-import { assertHatchImages, checkHatchImages, type HatchImageReport } from './checkHatchImages.js';
-import { deriveThresholds } from './deriveThresholds.js';
-import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
-import { type HatchImageOptions, type HatchImages, resolveHatchImageOptions } from './generateHatchImages.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
 import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.js';
-import { readSource, type TonalArtMapSource } from './readSource.js';
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
-import { writeMapFiles } from './writeMapFiles.js';
 
 /** Part of the time that drawing the images takes; the rest goes into the thresholds. */
 const IMAGES_SHARE = 0.7;

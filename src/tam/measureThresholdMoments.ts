@@ -1,4 +1,4 @@
-import { LIMIT } from './encodeThresholds.js';
+import { LIMIT } from '../hatchImages/encodeThresholds.js';
 import type { ThresholdPair } from './pairThresholdLevels.js';
 
 /** What interpolation leaves of the contrast of a threshold map, averaged over its levels. */

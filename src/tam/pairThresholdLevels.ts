@@ -1,4 +1,4 @@
-import type { ThresholdLevel } from './encodeThresholds.js';
+import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 
 /** A level of thresholds and the next coarser one at the same resolution, encoded as in {@link ThresholdLevel}. */
 export interface ThresholdPair {

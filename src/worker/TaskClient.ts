@@ -1,5 +1,5 @@
+import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
-import { runSliced, type SlicedOptions } from './runSliced.js';
 import { type TaskName, type TaskRequest, type TaskResult, taskNamed } from './tasks.js';
 
 /** A worker without work is ended after this time. It holds a thread and tens of megabytes. */

@@ -1,5 +1,5 @@
+import { runSliced } from '../slices/runSliced.js';
 import { type FromWorker, packError, type ToWorker } from './protocol.js';
-import { runSliced } from './runSliced.js';
 import { taskNamed } from './tasks.js';
 
 /** The worker's side: unpack, run in slices (so that several requests take turns and aborts are heard), pack. */

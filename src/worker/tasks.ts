@@ -1,10 +1,10 @@
-import { bake, bakeRequestBuffers, bakeResultBuffers } from '../adjacency/bake.js';
-import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from '../adjacency/bakeIndexed.js';
-import { bakePull, bakePullResultBuffers } from '../adjacency/bakePull.js';
-import { completeHatchImages } from '../tam/completeHatchImages.js';
-import type { ThresholdLevel } from '../tam/encodeThresholds.js';
-import { generateHatchImages, type HatchImages } from '../tam/generateHatchImages.js';
-import { generateThresholds } from '../tam/generateThresholds.js';
+import { bake, bakeRequestBuffers, bakeResultBuffers } from '../bake/bake.js';
+import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from '../bake/bakeIndexed.js';
+import { bakePull, bakePullResultBuffers } from '../bake/bakePull.js';
+import { completeHatchImages } from '../hatchImages/completeHatchImages.js';
+import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
+import { generateHatchImages, type HatchImages } from '../hatchImages/generateHatchImages.js';
+import { generateThresholds } from '../hatchImages/generateThresholds.js';
 
 /** A long computation that the worker offers. Requests and results are plain data. */
 interface Task<Request, Result> {

@@ -14,7 +14,7 @@ import {
 } from 'three';
 import { TonalArtMap } from 'three-hatching';
 import thresholdMapChunk from '../../shaders/chunks/thresholdMap.glsl?raw';
-import { normalQuantile } from '../../src/tam/encodeThresholds.js';
+import { normalQuantile } from '../../src/hatchImages/encodeThresholds.js';
 
 const renderer = new WebGLRenderer({ antialias: false });
 const camera = new Camera();

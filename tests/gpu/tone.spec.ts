@@ -1,4 +1,4 @@
-import { type StrokeStyleName, strokeStyles } from '../../src/tam/strokeStyles.js';
+import { type StrokeStyleName, strokeStyles } from '../../src/strokes/strokeStyles.js';
 import { expect, test } from '../browser/test.js';
 
 test.beforeEach(async ({ page }) => {

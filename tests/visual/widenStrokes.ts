@@ -2,9 +2,9 @@ import {
   type HatchImageOptions,
   type HatchImages,
   resolveHatchImageOptions,
-} from '../../src/tam/generateHatchImages.js';
-import { placeStrokes } from '../../src/tam/placeStrokes.js';
-import { rasterizeStroke } from '../../src/tam/rasterizeStroke.js';
+} from '../../src/hatchImages/generateHatchImages.js';
+import { placeStrokes } from '../../src/strokes/placeStrokes.js';
+import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
 
 /**
  * The hatch images of `options` with every stroke `factor` times as wide and otherwise the same. The generator itself

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { buildTriangleAdjacency } from '../../../src/adjacency/buildTriangleAdjacency.js';
-import { NO_TWIN, nextCorner, previousCorner } from '../../../src/adjacency/corners.js';
-import type { TriangleMesh } from '../../../src/adjacency/TriangleMesh.js';
-import { finish, meshOf } from './meshes.js';
+import { NO_TWIN, nextCorner, previousCorner } from '../../../src/mesh/corners.js';
+import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
+import { finish, meshOf } from '../mesh/meshes.js';
 
 /** Few places and many triangles: seams, duplicates, degenerate triangles and crowded edges come about all the time. */
 const crowdedMesh = fc

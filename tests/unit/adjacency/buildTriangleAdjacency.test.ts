@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { buildTriangleAdjacency } from '../../../src/adjacency/buildTriangleAdjacency.js';
 import type { EdgeCounts } from '../../../src/adjacency/EdgeCounts.js';
-import { book, byTriangle, fan, finish, meshOf } from './meshes.js';
+import { book, byTriangle, fan, finish, meshOf } from '../mesh/meshes.js';
 
 const manifold: EdgeCounts = { borderEdges: 0, nonManifoldEdges: 0, inconsistentEdges: 0, degenerateTriangles: 0 };
 

@@ -13,7 +13,7 @@ import {
   type TypedArray,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { cornerLayout } from '../../../src/adjacency/cornerLayout.js';
+import { cornerLayout } from '../../../src/bake/cornerLayout.js';
 import type { HatchingStatistics } from '../../../src/geometry/HatchingStatistics.js';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 

@@ -14,7 +14,7 @@ import {
   type TypedArray,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { CORNER_STRIDE, cornerLayout } from '../../../src/adjacency/cornerLayout.js';
+import { CORNER_STRIDE, cornerLayout } from '../../../src/bake/cornerLayout.js';
 import type { HatchingStatistics } from '../../../src/geometry/HatchingStatistics.js';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 

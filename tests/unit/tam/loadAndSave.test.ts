@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { encodePng } from '../../../src/tam/encodePng.js';
+import { encodePng } from '../../../src/mapFiles/encodePng.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
-import { hatchImages } from './draw.js';
+import { hatchImages } from '../strokes/draw.js';
 
 const png = async (name: string, size: number, image: Uint8Array): Promise<File> => {
   const bytes = await encodePng({ width: size, height: size, channels: 1, data: image });

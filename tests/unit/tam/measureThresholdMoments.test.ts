@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { encodeThresholds } from '../../../src/tam/encodeThresholds.js';
-import { generateThresholds } from '../../../src/tam/generateThresholds.js';
+import { encodeThresholds } from '../../../src/hatchImages/encodeThresholds.js';
+import { generateThresholds } from '../../../src/hatchImages/generateThresholds.js';
+import { random as seeded } from '../../../src/strokes/random.js';
 import { measureThresholdMoments } from '../../../src/tam/measureThresholdMoments.js';
 import { pairThresholdLevels } from '../../../src/tam/pairThresholdLevels.js';
-import { random as seeded } from '../../../src/tam/random.js';
 
 /** Thresholds in random places: neighbouring texels know nothing of each other. */
 function noise(size: number, seed: number) {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { generateThresholds } from '../../../src/tam/generateThresholds.js';
+import { generateThresholds } from '../../../src/hatchImages/generateThresholds.js';
 import { packThresholds } from '../../../src/tam/packThresholds.js';
 import { pairThresholdLevels } from '../../../src/tam/pairThresholdLevels.js';
 

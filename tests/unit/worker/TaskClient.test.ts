@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { BakeRequest, BakeResult } from '../../../src/adjacency/bake.js';
+import type { BakeRequest, BakeResult } from '../../../src/bake/bake.js';
 import { TaskClient } from '../../../src/worker/TaskClient.js';
 import { FakeWorker } from './FakeWorker.js';
 

@@ -1,0 +1,41 @@
+import { asPhase } from '../slices/inChunks.js';
+import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
+import type { VertexWords } from './expandPerCorner.js';
+import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
+import { type PackedCorners, packCorners } from './packCorners.js';
+
+/** What the bakes of the `corner` and `pull` layouts are asked to do. Plain data: it travels to the worker. */
+export interface BakeRequest extends SurfaceRequest {
+  /** Attributes to copy from vertices to corners. */
+  attributes: VertexWords[];
+}
+
+/** What the bake of the `corner` layout returns. Plain data: it travels back from the worker. */
+export interface BakeResult extends PackedCorners, CornerAttributes, BakeReport {}
+
+/**
+ * Bakes triangle adjacency into the `corner` layout: weld, pair the edges, cut the creases, smooth the normals, pack.
+ * Throws a RangeError for a mesh that cannot be baked; see `validateTriangleMesh`. Pure: the same request gives the same
+ * bytes everywhere.
+ */
+export function* bake(request: BakeRequest): Generator<number, BakeResult, void> {
+  const { mesh, attributes } = request;
+  const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
+  const packed = yield* asPhase(packCorners(mesh, surface.adjacency.twins), 0.7, 0.85);
+  const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 1);
+  return { ...packed, ...reportOf(surface), ...ofCorners };
+}
+
+/** The buffers of a request, to be transferred with it. */
+export const bakeRequestBuffers = ({ mesh, attributes }: BakeRequest): ArrayBuffer[] => [
+  mesh.positions.buffer,
+  mesh.indices.buffer,
+  ...attributes.map(({ words }) => words.buffer),
+];
+
+/** The buffers of a result, to be transferred with it. */
+export const bakeResultBuffers = (result: BakeResult): ArrayBuffer[] => [
+  result.positions.buffer,
+  result.corners.buffer,
+  ...cornerAttributeBuffers(result),
+];

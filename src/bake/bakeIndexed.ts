@@ -1,0 +1,57 @@
+import { asPhase } from '../slices/inChunks.js';
+import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
+import { packHatchNormals } from './hatchNormal.js';
+import { packNormals } from './packNormals.js';
+import { splitVertices } from './splitVertices.js';
+
+/** What the bake of the `indexed` layout returns. Plain data: it travels back from the worker. */
+export interface BakeIndexedResult extends BakeReport {
+  /** The vertex of each corner, those that were added included: in 16 bits where that is enough. */
+  indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
+  /** For each vertex added, the one it is a copy of. They follow the vertices of the mesh. */
+  addedVertices: Uint32Array<ArrayBuffer>;
+  /** Each vertex's `hatchNormal`. */
+  hatchNormals: Int16Array<ArrayBuffer>;
+  /** x, y, z of each vertex's smooth normal, if asked for. */
+  normals: Float32Array<ArrayBuffer> | null;
+}
+
+/** Index 65535 would be the primitive restart index, so that many vertices are the most. */
+const MOST_SHORT_VERTICES = 0xffff;
+
+/**
+ * Bakes the `indexed` layout: the vertices as they are, a `hatchNormal` for each, and copies of those that need two. The
+ * attributes do not travel; who has them copies the vertices in `addedVertices`. Throws as `bake` does, and is as pure.
+ */
+export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeIndexedResult, void> {
+  const surface = yield* asPhase(bakeSurface(request), 0, 0.85);
+  const { hatchNormals, smoothNormals, adjacency } = surface;
+  const split = yield* asPhase(splitVertices(request.mesh, adjacency.areaNormals, hatchNormals.fans), 0.85, 0.95);
+  const { indices, addedVertices, cornerOfVertex } = split;
+  return {
+    ...reportOf(surface),
+    indices: cornerOfVertex.length <= MOST_SHORT_VERTICES ? new Uint16Array(indices) : indices,
+    addedVertices,
+    hatchNormals: yield* asPhase(packHatchNormals(hatchNormals, cornerOfVertex), 0.95, 0.98),
+    normals: smoothNormals && (yield* asPhase(packNormals(smoothNormals, cornerOfVertex), 0.98, 1)),
+  };
+}
+
+/** The buffers of a request, to be transferred with it. */
+export const bakeIndexedRequestBuffers = ({ mesh }: SurfaceRequest): ArrayBuffer[] => [
+  mesh.positions.buffer,
+  mesh.indices.buffer,
+];
+
+/** The buffers of a result, to be transferred with it. */
+export const bakeIndexedResultBuffers = ({
+  indices,
+  addedVertices,
+  hatchNormals,
+  normals,
+}: BakeIndexedResult): ArrayBuffer[] => [
+  indices.buffer,
+  addedVertices.buffer,
+  hatchNormals.buffer,
+  ...(normals ? [normals.buffer] : []),
+];

@@ -1,0 +1,51 @@
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import { asPhase } from '../slices/inChunks.js';
+import type { BakeRequest } from './bake.js';
+import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
+import { expandPerCorner } from './expandPerCorner.js';
+import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
+import { type PackedPull, packPull } from './packPull.js';
+import { splitVertices } from './splitVertices.js';
+
+/** What the bake of the `pull` layout returns. Plain data: it travels back from the worker. */
+export interface BakePullResult extends PackedPull, CornerAttributes, BakeReport {
+  /** x, y, z of each corner. */
+  positions: Float32Array<ArrayBuffer>;
+}
+
+/** Bakes triangle adjacency into the `pull` layout (`pullLayout`). Throws as `bake` does, and is as pure. */
+export function* bakePull(request: BakeRequest): Generator<number, BakePullResult, void> {
+  const { mesh, attributes } = request;
+  const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
+  const { adjacency, smoothNormals } = surface;
+  let { positions, indices }: TriangleMesh = mesh;
+  if (smoothNormals) {
+    // A vertex at a crease gets several of the normals that are added; it is split, so that each vertex has one.
+    const split = yield* asPhase(splitVertices(mesh, adjacency.areaNormals, smoothNormals.fans), 0.7, 0.75);
+    positions = appendPositions(positions, split.addedVertices);
+    indices = split.indices;
+  }
+  const packed = yield* asPhase(packPull(positions, indices, adjacency.twins), 0.75, 0.82);
+  const words = new Uint32Array(mesh.positions.buffer);
+  const expanded = yield* asPhase(expandPerCorner({ words, wordsPerVertex: 3 }, mesh.indices), 0.82, 0.85);
+  const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 1);
+  return { ...packed, ...reportOf(surface), ...ofCorners, positions: new Float32Array(expanded.buffer) };
+}
+
+/** The positions with those of some vertices repeated at their end. */
+function appendPositions(positions: Float32Array<ArrayBuffer>, vertices: Uint32Array): Float32Array<ArrayBuffer> {
+  const appended = new Float32Array(positions.length + 3 * vertices.length);
+  appended.set(positions);
+  for (const [i, vertex] of vertices.entries()) {
+    appended.set(positions.subarray(3 * vertex, 3 * vertex + 3), positions.length + 3 * i);
+  }
+  return appended;
+}
+
+/** The buffers of a result, to be transferred with it. */
+export const bakePullResultBuffers = (result: BakePullResult): ArrayBuffer[] => [
+  result.positions.buffer,
+  result.triangleVertices.buffer,
+  result.vertexPositions.buffer,
+  ...cornerAttributeBuffers(result),
+];

@@ -1,0 +1,36 @@
+import { asPhase, inChunks } from '../slices/inChunks.js';
+import type { FanNormals } from './bakeSurface.js';
+import { packNormals } from './packNormals.js';
+
+/**
+ * The attribute of either layout that strokes are laid by: the unit normal at the scale of a stroke, in object space, as
+ * normalised 16-bit integers x, y, z, and a fourth one of 0, so that entries are aligned to eight bytes.
+ */
+export const hatchNormal = { name: 'hatchNormal', itemSize: 4 } as const;
+
+/** What a normalised 16-bit integer stores as one. */
+const ONE = 0x7fff;
+
+/** The attribute for some vertices, or for each corner; see `packNormals`. */
+export function* packHatchNormals(
+  hatchNormals: FanNormals,
+  cornerOfVertex: Uint32Array | null,
+): Generator<number, Int16Array<ArrayBuffer>, void> {
+  const normals = yield* asPhase(packNormals(hatchNormals, cornerOfVertex), 0, 0.5);
+  const count = normals.length / 3;
+  const packed = new Int16Array(hatchNormal.itemSize * count);
+  yield* asPhase(
+    inChunks(count, (start, end) => quantizeRange(normals, packed, start, end)),
+    0.5,
+    1,
+  );
+  return packed;
+}
+
+function quantizeRange(normals: Float32Array, packed: Int16Array, start: number, end: number): void {
+  for (let vertex = start; vertex < end; vertex++) {
+    packed[4 * vertex] = Math.round(ONE * normals[3 * vertex]!);
+    packed[4 * vertex + 1] = Math.round(ONE * normals[3 * vertex + 1]!);
+    packed[4 * vertex + 2] = Math.round(ONE * normals[3 * vertex + 2]!);
+  }
+}

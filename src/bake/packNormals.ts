@@ -1,0 +1,40 @@
+import { inChunks } from '../slices/inChunks.js';
+import type { FanNormals } from './bakeSurface.js';
+import { NO_CORNER } from './splitVertices.js';
+
+/**
+ * The normals as an attribute of three floats: for each entry of `cornerOfVertex` that of the corner's fan, +z where that
+ * is NO_CORNER; or for each corner, if null.
+ */
+export function* packNormals(
+  { fans, normals }: FanNormals,
+  cornerOfVertex: Uint32Array | null,
+): Generator<number, Float32Array<ArrayBuffer>, void> {
+  const corners = cornerOfVertex ?? fans.ofCorner;
+  const packed = new Float32Array(3 * corners.length);
+  yield* inChunks(corners.length, (start, end) =>
+    packRange(normals, fans.ofCorner, cornerOfVertex, packed, start, end),
+  );
+  return packed;
+}
+
+function packRange(
+  normals: Float32Array,
+  ofCorner: Uint32Array,
+  cornerOfVertex: Uint32Array | null,
+  packed: Float32Array,
+  start: number,
+  end: number,
+): void {
+  for (let vertex = start; vertex < end; vertex++) {
+    const corner = cornerOfVertex ? cornerOfVertex[vertex]! : vertex;
+    if (corner === NO_CORNER) {
+      packed[3 * vertex + 2] = 1;
+      continue;
+    }
+    const fan = 3 * ofCorner[corner]!;
+    packed[3 * vertex] = normals[fan]!;
+    packed[3 * vertex + 1] = normals[fan + 1]!;
+    packed[3 * vertex + 2] = normals[fan + 2]!;
+  }
+}

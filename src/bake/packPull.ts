@@ -1,0 +1,73 @@
+import { vertexAcross } from '../adjacency/vertexAcross.js';
+import { asPhase, inChunks } from '../slices/inChunks.js';
+import { pullTextureSize, TRIANGLE_WORDS, VERTEX_WORDS } from './pullLayout.js';
+
+/** The textures of the `pull` layout, padded to whole rows (`pullTextureSize`). */
+export interface PackedPull {
+  /** `TRIANGLE_WORDS` words per triangle. */
+  triangleVertices: Uint32Array<ArrayBuffer>;
+  /** `VERTEX_WORDS` floats per vertex. */
+  vertexPositions: Float32Array<ArrayBuffer>;
+}
+
+/** Writes the textures of the `pull` layout. `positions` are those of the vertices that `indices` names. */
+export function* packPull(
+  positions: Float32Array,
+  indices: Uint32Array,
+  twins: Int32Array,
+): Generator<number, PackedPull, void> {
+  const triangleCount = indices.length / 3;
+  const vertexCount = positions.length / 3;
+  const packed = {
+    triangleVertices: new Uint32Array(paddedWords(triangleCount, TRIANGLE_WORDS)),
+    vertexPositions: new Float32Array(paddedWords(vertexCount, VERTEX_WORDS)),
+  };
+  const isUsed = new Uint8Array(vertexCount);
+  yield* asPhase(
+    inChunks(triangleCount, (start, end) => packTriangles(indices, twins, isUsed, packed.triangleVertices, start, end)),
+    0,
+    0.7,
+  );
+  yield* asPhase(
+    inChunks(vertexCount, (start, end) => packPositions(positions, packed.vertexPositions, start, end)),
+    0.7,
+    1,
+  );
+  return packed;
+}
+
+/** Words of a texture of so many entries. A texel has four. */
+function paddedWords(entries: number, wordsPerEntry: number): number {
+  const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4);
+  return 4 * width * height;
+}
+
+function packTriangles(
+  indices: Uint32Array,
+  twins: Int32Array,
+  isUsed: Uint8Array,
+  words: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  for (let triangle = start; triangle < end; triangle++) {
+    const target = TRIANGLE_WORDS * triangle;
+    for (let k = 0; k < 3; k++) {
+      const corner = 3 * triangle + k;
+      const vertex = indices[corner]!;
+      words[target + k] = vertex;
+      words[target + 4 + k] = vertexAcross(indices, twins, corner);
+      if (isUsed[vertex]) continue;
+      isUsed[vertex] = 1;
+      words[target + 3]! |= 1 << k;
+    }
+  }
+}
+
+function packPositions(positions: Float32Array, texels: Float32Array, start: number, end: number): void {
+  for (let vertex = start; vertex < end; vertex++) {
+    texels[VERTEX_WORDS * vertex] = positions[3 * vertex]!;
+    texels[VERTEX_WORDS * vertex + 1] = positions[3 * vertex + 1]!;
+    texels[VERTEX_WORDS * vertex + 2] = positions[3 * vertex + 2]!;
+  }
+}

@@ -1,0 +1,141 @@
+import { isDegenerate } from '../mesh/computeAreaNormals.js';
+import { triangleOf } from '../mesh/corners.js';
+import { hashWords } from '../mesh/hashWords.js';
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import type { Fans } from '../normals/buildFans.js';
+import { asPhase, inChunks } from '../slices/inChunks.js';
+
+/** The corner of a vertex that no triangle uses. */
+export const NO_CORNER = 0xffffffff;
+
+/** What `splitVertices` returns. */
+export interface VertexSplit {
+  /** The vertex of each corner. Vertices that were added follow those of the mesh. */
+  indices: Uint32Array<ArrayBuffer>;
+  /** For each vertex added, the one it is a copy of. */
+  addedVertices: Uint32Array<ArrayBuffer>;
+  /** For each vertex, added ones included, a corner that uses it, or NO_CORNER. All that do are of the same fan. */
+  cornerOfVertex: Uint32Array<ArrayBuffer>;
+}
+
+/**
+ * Adds copies of the vertices that lie in several fans, one for each fan but the first. Degenerate triangles, which draw
+ * nothing, keep their vertices and do not count.
+ *
+ * Vertices in two fans are few, so the copies are found in a hash table (open addressing, load of at most one half).
+ */
+export function* splitVertices(
+  mesh: TriangleMesh,
+  areaNormals: Float64Array,
+  { ofCorner }: Fans,
+): Generator<number, VertexSplit, void> {
+  const vertexCount = mesh.positions.length / 3;
+  const cornerCount = mesh.indices.length;
+  const indices = mesh.indices.slice();
+  const firstCorners = new Uint32Array(vertexCount).fill(NO_CORNER);
+  yield* asPhase(
+    inChunks(cornerCount, (start, end) => findFirst(indices, areaNormals, firstCorners, start, end)),
+    0,
+    0.3,
+  );
+  let strayCount = 0;
+  yield* asPhase(
+    inChunks(cornerCount, (start, end) => {
+      strayCount += countStrays(indices, areaNormals, ofCorner, firstCorners, start, end);
+    }),
+    0.3,
+    0.6,
+  );
+  let size = 16;
+  while (size < 2 * strayCount) size *= 2;
+  const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(strayCount), count: 0 };
+  yield* asPhase(
+    inChunks(cornerCount, (start, end) =>
+      splitRange(mesh, indices, areaNormals, ofCorner, firstCorners, copies, start, end),
+    ),
+    0.6,
+    1,
+  );
+  const corners = copies.corners.subarray(0, copies.count);
+  const cornerOfVertex = new Uint32Array(vertexCount + copies.count);
+  cornerOfVertex.set(firstCorners);
+  cornerOfVertex.set(corners, vertexCount);
+  return { indices, addedVertices: corners.map((corner) => mesh.indices[corner]!), cornerOfVertex };
+}
+
+/** Copies of vertices: the first corner of each in `corners`, its number there + 1 in `table`, where 0 means empty. */
+interface Copies {
+  table: Uint32Array;
+  corners: Uint32Array<ArrayBuffer>;
+  count: number;
+}
+
+/** Notes the first corner of each vertex: one of a triangle with area, if it has any. */
+function findFirst(
+  indices: Uint32Array,
+  areaNormals: Float64Array,
+  firstCorners: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const vertex = indices[corner]!;
+    const first = firstCorners[vertex]!;
+    if (first === NO_CORNER) firstCorners[vertex] = corner;
+    else if (isDegenerate(areaNormals, triangleOf(first)) && !isDegenerate(areaNormals, triangleOf(corner))) {
+      firstCorners[vertex] = corner;
+    }
+  }
+}
+
+/** Counts the corners that cannot use their vertex. */
+function countStrays(
+  indices: Uint32Array,
+  areaNormals: Float64Array,
+  ofCorner: Uint32Array,
+  firstCorners: Uint32Array,
+  start: number,
+  end: number,
+): number {
+  let count = 0;
+  for (let corner = start; corner < end; corner++) {
+    const first = firstCorners[indices[corner]!]!;
+    if (ofCorner[first] !== ofCorner[corner] && !isDegenerate(areaNormals, triangleOf(corner))) count++;
+  }
+  return count;
+}
+
+function splitRange(
+  mesh: TriangleMesh,
+  indices: Uint32Array,
+  areaNormals: Float64Array,
+  ofCorner: Uint32Array,
+  firstCorners: Uint32Array,
+  copies: Copies,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const first = firstCorners[mesh.indices[corner]!]!;
+    if (ofCorner[first] === ofCorner[corner] || isDegenerate(areaNormals, triangleOf(corner))) continue;
+    indices[corner] = firstCorners.length + copyFor(mesh.indices, ofCorner, copies, corner);
+  }
+}
+
+/** The number of the copy of the corner's vertex for its fan: a new one, if there is none yet. */
+function copyFor(vertices: Uint32Array, ofCorner: Uint32Array, copies: Copies, corner: number): number {
+  const { table, corners } = copies;
+  const mask = table.length - 1;
+  const vertex = vertices[corner]!;
+  const fan = ofCorner[corner]!;
+  for (let slot = hashWords(vertex, fan, 0) & mask; ; slot = (slot + 1) & mask) {
+    const copy = table[slot]! - 1;
+    if (copy < 0) {
+      corners[copies.count] = corner;
+      table[slot] = copies.count + 1;
+      return copies.count++;
+    }
+    const other = corners[copy]!;
+    if (vertices[other] === vertex && ofCorner[other] === fan) return copy;
+  }
+}

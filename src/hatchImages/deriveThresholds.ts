@@ -1,0 +1,55 @@
+import { blurToroidal } from '../strokes/blurToroidal.js';
+import { orderOf } from '../strokes/orderOf.js';
+import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
+import type { HatchImages } from './generateHatchImages.js';
+
+/** Ever more blurred copies of the field, by the texels over which each is blurred further, and what each counts. */
+const BLURS = [
+  { radius: 0, weight: 1 },
+  { radius: 1, weight: 1 },
+  { radius: 3, weight: 0.1 },
+  { radius: 9, weight: 0.02 },
+] as const;
+
+/**
+ * Derives thresholds from hatch images, level by level: the darker a texel over all tones, the earlier it becomes ink.
+ *
+ * Images say this in steps of tone only. A slight blur turns steps into slopes, so that strokes swell and can be magnified;
+ * wider ones, which count less, order what is equal for the narrower: blank paper by its distance from strokes, solid ink
+ * by its depth.
+ *
+ * @returns the levels, finest first; yields progress in [0, 1]
+ */
+export function* deriveThresholds({ size, images }: HatchImages): Generator<number, ThresholdLevel[], void> {
+  const levels: ThresholdLevel[] = [];
+  for (let level = 0; level < images[0].length; level++) {
+    const side = size >> level;
+    const order = orderOf(smoothed(meanPaper(images, level), side));
+    const thresholds = new Float32Array(order.length);
+    for (let rank = 0; rank < order.length; rank++) thresholds[order[rank]] = (rank + 0.5) / order.length;
+    levels.push(encodeThresholds(side, thresholds));
+    yield 1 - 1 / 4 ** (level + 1);
+  }
+  return levels;
+}
+
+/** The mean over all tones of what is paper: 0 where all are ink, 1 where none is. */
+function meanPaper(images: readonly (readonly Uint8Array[])[], level: number): Float32Array {
+  const mean = new Float32Array(images[0][level].length);
+  for (const row of images) {
+    const image = row[level];
+    for (let i = 0; i < mean.length; i++) mean[i] += image[i] / (255 * images.length);
+  }
+  return mean;
+}
+
+/** The weighted sum of ever more blurred copies of a toroidal field. */
+function smoothed(field: Float32Array, size: number): Float32Array {
+  const sum = new Float32Array(field.length);
+  let blurred = field;
+  for (const { radius, weight } of BLURS) {
+    blurred = blurToroidal(blurred, size, radius);
+    for (let i = 0; i < sum.length; i++) sum[i] += weight * blurred[i];
+  }
+  return sum;
+}

@@ -1,0 +1,145 @@
+import { blurToroidal } from '../strokes/blurToroidal.js';
+import { drawThresholdField } from '../strokes/drawThresholdField.js';
+import { orderOf } from '../strokes/orderOf.js';
+import { paperTooth } from '../strokes/paperTooth.js';
+import { placeStrokes } from '../strokes/placeStrokes.js';
+import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
+import type { Stroke } from '../strokes/Stroke.js';
+import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
+import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOptions } from './generateHatchImages.js';
+
+/** Strokes are placed in so many steps of tone: enough for an even drawing at any tone in between. */
+const STEPS = 24;
+
+/** Cells of the field per texel and side. */
+const CELLS_PER_TEXEL = 2;
+
+/** Of a field where no stroke reaches: later than any. */
+const UNREACHED = 1e6;
+
+/** Weights of four cells in a row, of which the inner two are the texel's. */
+const TENT = [0.125, 0.375, 0.375, 0.125] as const;
+
+/** Cells visited between two reports of progress: about a millisecond's work. */
+const WORK_PER_SLICE = 300_000;
+
+/** Within so many texels thresholds have the same mean everywhere: several strokes side by side. */
+const NEIGHBOURHOOD = 16;
+
+/** Progress when the strokes are placed. */
+const PLACED = 0.8;
+
+/**
+ * Draws the thresholds of a tonal art map: for each level one image of the tones from which on its texels are ink. The
+ * set {threshold < tone} is a drawing of exactly that mean ink, for every tone; as tone rises, strokes appear between those
+ * that are there, grow longer and swell, until thin lines of paper remain and close.
+ *
+ * "The tone at which a texel becomes ink" is Webb et al.'s threshold scheme (2002), drawn with distance profiles instead
+ * of steps so that it can be interpolated, and equalised so that coverage equals tone. Texel [i][j] equals texel
+ * [size−1−i][size−1−j], so that a direction of strokes and its opposite draw the same. Strokes of a level are those of the
+ * next coarser one and new ones between them.
+ *
+ * @throws RangeError if an option is out of its range, at the first step. `tones` does not matter.
+ * @returns the levels, finest first; yields progress in [0, 1]
+ */
+export function* generateThresholds(options: HatchImageOptions = {}): Generator<number, ThresholdLevel[], void> {
+  const request = resolveHatchImageOptions(options);
+  const { maxInk, proposals } = request.style.thresholds;
+  const layers = request.style.layers.map((layer) => ({ ...layer, from: layer.thresholdsFrom }));
+  // Grain is added to the thresholds afterwards.
+  const style = { ...request.style, maxInk, layers, proposals, grain: undefined };
+  const placing = placeStrokes({ ...request, style, tones: STEPS + 1, pairs: true });
+  let step = placing.next();
+  for (; !step.done; step = placing.next()) yield PLACED * step.value;
+  const strokes = step.value;
+  const levels: ThresholdLevel[] = [];
+  for (let level = 0; level < request.levels; level++) {
+    levels.push(yield* drawLevel(strokes, level, request));
+  }
+  return levels;
+}
+
+/** One level of thresholds. Its field is drawn from one stroke of each pair and completed by symmetry. */
+function* drawLevel(
+  strokes: Stroke[],
+  level: number,
+  request: HatchImageRequest,
+): Generator<number, ThresholdLevel, void> {
+  const size = request.size >> level;
+  const { swell } = request.style.thresholds;
+  const progress = PLACED + (1 - PLACED) * (1 - 1 / 4 ** (level + 1));
+  const image = new Uint8Array(size * size).fill(255);
+  const cells = size * CELLS_PER_TEXEL;
+  const fields = request.style.layers.map(() => new Float32Array(cells * cells).fill(UNREACHED));
+  let darkness = 0;
+  let work = 0;
+  for (let i = 0; i < strokes.length; i += 2) {
+    const stroke = strokes[i];
+    if (stroke.level < level) continue;
+    darkness += rasterizeStroke(image, size, stroke) + rasterizeStroke(image, size, strokes[i + 1]);
+    const field = fields[stroke.layer];
+    work += drawThresholdField(field, size, CELLS_PER_TEXEL, stroke, darkness / (255 * size * size), swell);
+    if (work >= WORK_PER_SLICE) {
+      work = 0;
+      yield progress;
+    }
+  }
+  const half = averageHalf(fields[0], size);
+  yield progress;
+  for (const field of fields.slice(1)) {
+    // Averaged apart, a further layer leaves no bumps on strokes of the first where it will cross them.
+    const across = averageHalf(field, size);
+    for (let i = 0; i < half.length; i++) half[i] = Math.min(half[i], across[i]);
+    yield progress;
+  }
+  const tooth = paperTooth(request, level);
+  if (tooth) {
+    const roughness = request.style.grain!.roughness;
+    // Thresholds stay positive: only their order matters.
+    for (let i = 0; i < half.length; i++) half[i] += (roughness * tooth.depths[i]) / 255;
+  }
+  const uneven = ranked(half);
+  yield progress;
+  // Where strokes happen to lie closer the tile would be darker at every tone, and with every tile the eye sees it again.
+  const local = blurToroidal(uneven, size, NEIGHBOURHOOD);
+  yield progress;
+  for (let i = 0; i < half.length; i++) half[i] = uneven[i] + 1 - local[i];
+  const thresholds = ranked(half);
+  yield progress;
+  return encodeThresholds(size, thresholds);
+}
+
+/** The ranks of half a field as numbers evenly distributed over (0, 1), and the same after a half turn. */
+function ranked(half: Float32Array): Float32Array {
+  const order = orderOf(half);
+  const thresholds = new Float32Array(2 * half.length);
+  const last = thresholds.length - 1;
+  for (let rank = 0; rank < order.length; rank++) {
+    thresholds[order[rank]] = thresholds[last - order[rank]] = (rank + 0.5) / order.length;
+  }
+  return thresholds;
+}
+
+/**
+ * Means of the cells around each texel in the first half of the rows, of the lower of the field and its half turn. They
+ * reach half a texel beyond the texel on every side: what is narrower than two texels would break up along a stroke.
+ */
+function averageHalf(field: Float32Array, size: number): Float32Array {
+  const cells = size * CELLS_PER_TEXEL;
+  const mask = cells - 1;
+  const last = field.length - 1;
+  const half = new Float32Array((size * size) / 2);
+  for (let texel = 0; texel < half.length; texel++) {
+    const firstRow = Math.floor(texel / size) * CELLS_PER_TEXEL - 1;
+    const firstColumn = (texel % size) * CELLS_PER_TEXEL - 1;
+    let sum = 0;
+    for (let row = 0; row < 4; row++) {
+      for (let column = 0; column < 4; column++) {
+        const cell = ((firstRow + row) & mask) * cells + ((firstColumn + column) & mask);
+        sum += TENT[row] * TENT[column] * Math.min(field[cell], field[last - cell]);
+      }
+    }
+    half[texel] = sum;
+  }
+  return half;
+}

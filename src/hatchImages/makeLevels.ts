@@ -1,0 +1,97 @@
+import { orderOf } from '../strokes/orderOf.js';
+import { meanInk } from './checkHatchImages.js';
+import { deriveThresholds } from './deriveThresholds.js';
+import type { HatchImages } from './generateHatchImages.js';
+
+/** Texels per side of the coarsest level: on fewer, strokes are as long as they are wide. */
+const COARSEST_SIZE = 16;
+
+/**
+ * Makes the levels that images of one level lack, each with half the texels, down to 16 per side.
+ *
+ * Shrunk in the ordinary way, strokes would turn grey and as thin as they are far away. Instead, the order in which texels
+ * become ink (`deriveThresholds`) is widened by a texel and then halved, which keeps strokes of about two texels as wide as
+ * they are; and of this order as many texels become ink as give the mean of the tone. So strokes that come early in the
+ * tones stay, those that come late wait for darker ones, all are black, and they nest in tone and level.
+ *
+ * @param images `images[tone][0]`; left as they are
+ * @returns the images with all their levels; yields progress in [0, 1]
+ */
+export function* makeLevels({ size, images }: HatchImages): Generator<number, HatchImages, void> {
+  const result = images.map(([finest]) => [finest]);
+  if (size <= COARSEST_SIZE) return { size, images: result };
+  const means = images.map(([finest]) => meanInk(finest));
+  // A tone no lighter than the ones before, or its levels would not nest.
+  for (let tone = 1; tone < means.length; tone++) means[tone] = Math.max(means[tone], means[tone - 1]);
+  let [{ thresholds }] = yield* deriveThresholds({ size, images: result });
+  for (let side = size; side > COARSEST_SIZE; side /= 2) {
+    thresholds = ranked(halved(widened(thresholds, side), side));
+    const slopes = slopesOf(thresholds, side / 2);
+    for (const [tone, row] of result.entries()) row.push(cut(thresholds, slopes, means[tone]));
+    yield 1;
+  }
+  return { size, images: result };
+}
+
+/** The least of every texel and the eight around it. */
+function widened(field: Float32Array, size: number): Float32Array {
+  const mask = size - 1;
+  const result = new Float32Array(field.length);
+  for (let row = 0; row < size; row++) {
+    for (let column = 0; column < size; column++) {
+      let least = Number.POSITIVE_INFINITY;
+      for (let y = row - 1; y <= row + 1; y++) {
+        for (let x = column - 1; x <= column + 1; x++) {
+          least = Math.min(least, field[(y & mask) * size + (x & mask)]);
+        }
+      }
+      result[row * size + column] = least;
+    }
+  }
+  return result;
+}
+
+/** Means of 2 × 2 texels. */
+function halved(field: Float32Array, size: number): Float32Array {
+  const half = size / 2;
+  const result = new Float32Array(half * half);
+  for (let row = 0; row < half; row++) {
+    for (let column = 0; column < half; column++) {
+      const at = 2 * row * size + 2 * column;
+      result[row * half + column] = (field[at] + field[at + 1] + field[at + size] + field[at + size + 1]) / 4;
+    }
+  }
+  return result;
+}
+
+/** The same order, evenly distributed over (0, 1). */
+function ranked(field: Float32Array): Float32Array {
+  const order = orderOf(field);
+  const result = new Float32Array(field.length);
+  for (let rank = 0; rank < order.length; rank++) result[order[rank]] = (rank + 0.5) / order.length;
+  return result;
+}
+
+/** By how much the field changes from each texel to the next, in the steeper direction. */
+function slopesOf(field: Float32Array, size: number): Float32Array {
+  const mask = size - 1;
+  return field.map((_, i) => {
+    const [row, column] = [Math.floor(i / size), i & mask];
+    const at = (y: number, x: number): number => field[(y & mask) * size + (x & mask)];
+    return (
+      0.5 *
+      Math.max(Math.abs(at(row, column + 1) - at(row, column - 1)), Math.abs(at(row + 1, column) - at(row - 1, column)))
+    );
+  });
+}
+
+/** A drawing of this mean ink, its edges as soft as a texel. */
+function cut(thresholds: Float32Array, slopes: Float32Array, mean: number): Uint8Array {
+  const image = new Uint8Array(thresholds.length).fill(255);
+  if (mean === 0) return image;
+  for (let i = 0; i < image.length; i++) {
+    const ink = (mean - thresholds[i]) / Math.max(slopes[i], 1e-6) + 0.5;
+    image[i] = 255 - Math.round(255 * Math.max(0, Math.min(1, ink)));
+  }
+  return image;
+}

@@ -1,0 +1,193 @@
+import { meanInk } from '../hatchImages/checkHatchImages.js';
+import type { HatchImages } from '../hatchImages/generateHatchImages.js';
+import { decodePng } from './decodePng.js';
+import { MAP_FORMAT, MAP_VERSION, type MapDescription } from './mapFiles.js';
+import type { Pixels } from './Pixels.js';
+import { THRESHOLD_STEP } from './writeMapFiles.js';
+
+/** Longest side of an image. */
+const MAX_SIDE = 4096;
+
+/** Darker than this, the lightest image of a set is not the blank paper of tone 0. */
+const BLANK = 0.002;
+
+/** Reads a file by its name. Throws the end of a sentence that begins with the name. */
+export type ReadFile = (name: string) => Promise<Uint8Array>;
+
+/** What the files of a map hold. */
+export interface ReadMap extends HatchImages {
+  /** Whether there is one image per tone, whose levels are still to be made. */
+  lacksLevels: boolean;
+  /** The thresholds of every level where they were saved. */
+  thresholds: Float32Array[] | undefined;
+}
+
+/**
+ * Reads a map as its JSON file describes it.
+ *
+ * @param name of the JSON file
+ * @throws Error naming the file that is wrong and what to do
+ */
+export async function readMap(name: string, read: ReadFile, onProgress: (done: number) => void): Promise<ReadMap> {
+  const description = parseDescription(name, new TextDecoder().decode(await named(name, read(name))));
+  const lacksLevels = typeof description.images[0] === 'string';
+  const names = description.images.map((row) => (typeof row === 'string' ? [row] : row));
+  const files = [...names.flat(), ...(description.thresholds ?? [])];
+  const progress = counter(files.length, onProgress);
+  const { size } = description;
+  const open = async (file: string, level: number): Promise<Pixels> => {
+    const pixels = await readImage(file, read);
+    const side = size >> level;
+    if (pixels.width !== side || pixels.height !== side) {
+      fail(
+        file,
+        `has ${pixels.width} × ${pixels.height} pixels, but level ${level} of size ${size} needs ${side} × ${side}`,
+      );
+    }
+    progress();
+    return pixels;
+  };
+  const images = await Promise.all(
+    names.map((row) => Promise.all(row.map(async (file, level) => greyOf(await open(file, level))))),
+  );
+  const thresholds =
+    description.thresholds &&
+    (await Promise.all(
+      description.thresholds.map(async (file, level) => {
+        const { channels, data } = await open(file, level);
+        if (channels !== 3) fail(file, 'holds no thresholds: it is grey; save the map again');
+        return gathered(data);
+      }),
+    ));
+  if (lacksLevels) assertLightToDark(names.flat(), images);
+  return { size, images: lacksLevels ? withPaper(images) : images, lacksLevels, thresholds };
+}
+
+/**
+ * Reads images that someone has drawn, one per tone.
+ *
+ * @param names in the order of tones, the lightest first
+ * @param sort whether their order means nothing, and darkness decides
+ * @throws Error naming the file that is wrong and what to do
+ */
+export async function readImages(
+  names: readonly string[],
+  read: ReadFile,
+  sort: boolean,
+  onProgress: (done: number) => void,
+): Promise<ReadMap> {
+  const progress = counter(names.length, onProgress);
+  const files = await Promise.all(
+    names.map(async (name) => {
+      const { width, height, ...pixels } = await readImage(name, read);
+      if (width !== height || (width & (width - 1)) !== 0) {
+        fail(name, `has ${width} × ${height} pixels, but a tile must be square with a power of two, such as 256 × 256`);
+      }
+      progress();
+      return { name, size: width, image: greyOf(pixels) };
+    }),
+  );
+  if (sort) files.sort((a, b) => meanInk(a.image) - meanInk(b.image));
+  const [{ name, size }] = files;
+  const stranger = files.find((file) => file.size !== size);
+  if (stranger) {
+    fail(stranger.name, `has ${stranger.size} pixels per side, but ${name} has ${size}; give every tone the same`);
+  }
+  const images = files.map(({ image }) => [image]);
+  assertLightToDark(
+    files.map((file) => file.name),
+    images,
+  );
+  return { size, images: withPaper(images), lacksLevels: true, thresholds: undefined };
+}
+
+function fail(name: string, fault: string): never {
+  throw new Error(`TonalArtMap.load: ${name} ${fault}.`);
+}
+
+/** Waits for something done with a file and puts its name before what went wrong. */
+async function named<Result>(name: string, work: Promise<Result>): Promise<Result> {
+  try {
+    return await work;
+  } catch (error) {
+    if (error instanceof DOMException) throw error;
+    fail(name, error instanceof Error ? error.message : String(error));
+  }
+}
+
+const readImage = async (name: string, read: ReadFile): Promise<Pixels> =>
+  named(name, decodePng(await named(name, read(name)), MAX_SIDE));
+
+function parseDescription(name: string, text: string): MapDescription {
+  let found: Partial<MapDescription>;
+  try {
+    found = JSON.parse(text);
+  } catch (error) {
+    fail(name, `is not JSON (${(error as Error).message}); save the map again`);
+  }
+  if (found?.format !== MAP_FORMAT) {
+    fail(name, `describes no tonal art map; its "format" must be "${MAP_FORMAT}"`);
+  }
+  if (found.version !== MAP_VERSION) {
+    fail(
+      name,
+      `is of version ${String(found.version)}, but this three-hatching reads version ${MAP_VERSION}; update three-hatching or save the map again`,
+    );
+  }
+  const { size, images, thresholds } = found;
+  if (!Number.isInteger(size) || size! < 1 || size! > MAX_SIDE || (size! & (size! - 1)) !== 0) {
+    fail(name, `has "size" ${String(size)}, but it must be a power of two up to ${MAX_SIDE}`);
+  }
+  const isName = (value: unknown): boolean => typeof value === 'string' && value !== '';
+  const isRow = (row: unknown): boolean => Array.isArray(row) && row.length > 0 && row.every(isName);
+  const isMap = Array.isArray(images) && images.length >= 2 && (images.every(isName) || images.every(isRow));
+  if (!isMap) {
+    fail(
+      name,
+      'must name at least two "images", the lightest first: a file for each tone, or a list of files, its levels',
+    );
+  }
+  const levels = new Set(images!.map((row) => row.length));
+  if (Array.isArray(images![0]) && (levels.size > 1 || images![0].length > Math.log2(size!) + 1)) {
+    fail(name, `must name as many levels for every tone, and at most ${Math.log2(size!) + 1} at size ${size}`);
+  }
+  if (thresholds !== undefined && (!isRow(thresholds) || thresholds.length !== images![0].length)) {
+    fail(name, 'must name as many "thresholds" as levels, or none');
+  }
+  return found as MapDescription;
+}
+
+/** Calls `onProgress` with the part that is done, each time one of `count` is. */
+function counter(count: number, onProgress: (done: number) => void): () => void {
+  let done = 0;
+  return () => onProgress(++done / count);
+}
+
+/** The luminance of each pixel, of its bytes as they are. */
+function greyOf({ channels, data }: Pick<Pixels, 'channels' | 'data'>): Uint8Array {
+  if (channels === 1) return data;
+  const grey = new Uint8Array(data.length / 3);
+  for (let i = 0; i < grey.length; i++) {
+    grey[i] = Math.round(0.2126 * data[3 * i] + 0.7152 * data[3 * i + 1] + 0.0722 * data[3 * i + 2]);
+  }
+  return grey;
+}
+
+function gathered(bytes: Uint8Array): Float32Array {
+  const thresholds = new Float32Array(bytes.length / 3);
+  for (let i = 0; i < thresholds.length; i++) {
+    thresholds[i] = ((bytes[3 * i] << 16) | (bytes[3 * i + 1] << 8) | bytes[3 * i + 2]) * THRESHOLD_STEP;
+  }
+  return thresholds;
+}
+
+function assertLightToDark(names: readonly string[], images: readonly (readonly Uint8Array[])[]): void {
+  const means = images.map(([finest]) => meanInk(finest));
+  const isReversed = means.length > 1 && means.every((mean, i) => i === 0 || mean < means[i - 1]);
+  if (isReversed) fail(names[0], 'is the darkest image but comes first; list the lightest first');
+}
+
+/** Tone 0 is paper; artists rarely draw it. */
+function withPaper(images: Uint8Array[][]): Uint8Array[][] {
+  return meanInk(images[0][0]) > BLANK ? [[new Uint8Array(images[0][0].length).fill(255)], ...images] : images;
+}

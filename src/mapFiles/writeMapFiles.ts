@@ -1,0 +1,49 @@
+import type { HatchImages } from '../hatchImages/generateHatchImages.js';
+import { encodePng } from './encodePng.js';
+import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile } from './mapFiles.js';
+
+/** Thresholds are multiples of this, so a PNG image holds them exactly: eight bits each of red, green and blue. */
+export const THRESHOLD_STEP = 2 ** -24;
+
+/**
+ * The files of a map: one JSON that names them, a grey PNG image for each tone and level, and if there are thresholds an RGB
+ * one for each level. `readMapFiles` reads back exactly what was written.
+ *
+ * @param thresholds of every level, where they were drawn and not derived from the images
+ */
+export async function writeMapFiles(
+  { size, images }: HatchImages,
+  thresholds?: readonly Float32Array[],
+): Promise<MapFile[]> {
+  const files: Promise<MapFile>[] = [];
+  const write = (name: string, level: number, channels: 1 | 3, data: Uint8Array): string => {
+    const side = size >> level;
+    files.push(encodePng({ width: side, height: side, channels, data }).then((bytes) => ({ name, bytes })));
+    return name;
+  };
+  const description: MapDescription = {
+    format: MAP_FORMAT,
+    version: MAP_VERSION,
+    size,
+    images: images.map((row, tone) =>
+      row.map((image, level) => write(`tone-${tone}-level-${level}.png`, level, 1, image)),
+    ),
+    ...(thresholds && {
+      thresholds: thresholds.map((field, level) => write(`thresholds-level-${level}.png`, level, 3, spread(field))),
+    }),
+  };
+  const json = new TextEncoder().encode(`${JSON.stringify(description, undefined, 2)}\n`);
+  return [{ name: MAP_FILE, bytes: json }, ...(await Promise.all(files))];
+}
+
+/** The bytes of thresholds, the highest first. */
+function spread(thresholds: Float32Array): Uint8Array {
+  const bytes = new Uint8Array(3 * thresholds.length);
+  for (let i = 0; i < thresholds.length; i++) {
+    const steps = thresholds[i] / THRESHOLD_STEP;
+    bytes[3 * i] = steps >> 16;
+    bytes[3 * i + 1] = steps >> 8;
+    bytes[3 * i + 2] = steps;
+  }
+  return bytes;
+}

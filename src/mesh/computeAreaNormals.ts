@@ -1,0 +1,37 @@
+import { inChunks } from '../slices/inChunks.js';
+import type { TriangleMesh } from './TriangleMesh.js';
+
+/**
+ * The cross product (V1 − V0) × (V2 − V0) of each triangle, in double precision: its direction is the normal, its length
+ * twice the area. All three components are exactly 0 if, and only if, the triangle is degenerate: two corners at one
+ * position, or all three on one line.
+ */
+export function* computeAreaNormals(mesh: TriangleMesh): Generator<number, Float64Array<ArrayBuffer>, void> {
+  const areaNormals = new Float64Array(mesh.indices.length);
+  yield* inChunks(mesh.indices.length / 3, (start, end) => computeRange(mesh, areaNormals, start, end));
+  return areaNormals;
+}
+
+/** Whether the triangle is degenerate. */
+export const isDegenerate = (areaNormals: Float64Array, triangle: number): boolean =>
+  areaNormals[3 * triangle] === 0 && areaNormals[3 * triangle + 1] === 0 && areaNormals[3 * triangle + 2] === 0;
+
+function computeRange({ positions, indices }: TriangleMesh, areaNormals: Float64Array, start: number, end: number) {
+  for (let corner = 3 * start; corner < 3 * end; corner += 3) {
+    const a = 3 * indices[corner]!;
+    const b = 3 * indices[corner + 1]!;
+    const c = 3 * indices[corner + 2]!;
+    const ax = positions[a]!;
+    const ay = positions[a + 1]!;
+    const az = positions[a + 2]!;
+    const ux = positions[b]! - ax;
+    const uy = positions[b + 1]! - ay;
+    const uz = positions[b + 2]! - az;
+    const vx = positions[c]! - ax;
+    const vy = positions[c + 1]! - ay;
+    const vz = positions[c + 2]! - az;
+    areaNormals[corner] = uy * vz - uz * vy;
+    areaNormals[corner + 1] = uz * vx - ux * vz;
+    areaNormals[corner + 2] = ux * vy - uy * vx;
+  }
+}

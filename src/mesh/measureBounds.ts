@@ -1,0 +1,65 @@
+import { asPhase, inChunks } from '../slices/inChunks.js';
+import type { TriangleMesh } from './TriangleMesh.js';
+
+/** The extent of a mesh: its bounding box, and the radius of the sphere about the middle of the box. */
+export interface Bounds {
+  min: [x: number, y: number, z: number];
+  max: [x: number, y: number, z: number];
+  radius: number;
+}
+
+/** Measures the vertices that triangles use as three.js does: the sphere stands at the middle of the box. */
+export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, void> {
+  const bounds: Bounds = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity], radius: 0 };
+  const { min, max } = bounds;
+  const count = mesh.indices.length;
+  yield* asPhase(
+    inChunks(count, (start, end) => {
+      for (let axis = 0; axis < 3; axis++) {
+        min[axis] = Math.min(min[axis]!, least(mesh, axis, start, end));
+        max[axis] = Math.max(max[axis]!, greatest(mesh, axis, start, end));
+      }
+    }),
+    0,
+    0.6,
+  );
+  const center: Bounds['min'] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
+  yield* asPhase(
+    inChunks(count, (start, end) => {
+      bounds.radius = Math.max(bounds.radius, farthest(mesh, center, start, end));
+    }),
+    0.6,
+    1,
+  );
+  return bounds;
+}
+
+function least({ positions, indices }: TriangleMesh, axis: number, start: number, end: number): number {
+  let value = Infinity;
+  for (let corner = start; corner < end; corner++) value = Math.min(value, positions[3 * indices[corner]! + axis]!);
+  return value;
+}
+
+function greatest({ positions, indices }: TriangleMesh, axis: number, start: number, end: number): number {
+  let value = -Infinity;
+  for (let corner = start; corner < end; corner++) value = Math.max(value, positions[3 * indices[corner]! + axis]!);
+  return value;
+}
+
+/** The greatest distance from the centre. */
+function farthest(
+  { positions, indices }: TriangleMesh,
+  [centerX, centerY, centerZ]: Bounds['min'],
+  start: number,
+  end: number,
+): number {
+  let square = 0;
+  for (let corner = start; corner < end; corner++) {
+    const i = 3 * indices[corner]!;
+    const x = positions[i]! - centerX;
+    const y = positions[i + 1]! - centerY;
+    const z = positions[i + 2]! - centerZ;
+    square = Math.max(square, x * x + y * y + z * z);
+  }
+  return Math.sqrt(square);
+}

@@ -1,0 +1,33 @@
+import { inChunks } from '../slices/inChunks.js';
+import type { Fans } from './buildFans.js';
+import { writeUnit } from './writeUnit.js';
+
+/**
+ * The direction of each fan's vector, as a unit vector. Where the vector is zero, the normal of the fan's first triangle;
+ * where that is degenerate, any unit vector.
+ */
+export function* fanDirections(
+  vectors: Float32Array | Float64Array,
+  areaNormals: Float64Array,
+  { ofCorner, count }: Fans,
+): Generator<number, Float32Array<ArrayBuffer>, void> {
+  const directions = new Float32Array(3 * count);
+  yield* inChunks(ofCorner.length, (start, end) => directRange(vectors, areaNormals, ofCorner, directions, start, end));
+  return directions;
+}
+
+function directRange(
+  vectors: Float32Array | Float64Array,
+  areaNormals: Float64Array,
+  ofCorner: Uint32Array,
+  directions: Float32Array,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const fan = 3 * ofCorner[corner]!;
+    if (directions[fan] !== 0 || directions[fan + 1] !== 0 || directions[fan + 2] !== 0) continue;
+    if (writeUnit(vectors, fan, directions, fan)) continue;
+    if (!writeUnit(areaNormals, corner - (corner % 3), directions, fan)) directions[fan + 2] = 1;
+  }
+}

@@ -1,0 +1,22 @@
+import { describe, expect, it } from 'vitest';
+import { blurToroidal } from '../../../src/strokes/blurToroidal.js';
+
+describe('blurToroidal', () => {
+  it.each([0, 1, 3, 5])('spreads a texel into a tent of radius %i, around the corner', (radius) => {
+    const size = 16;
+    const field = new Float32Array(size * size);
+    field[0] = 1;
+    const blurred = blurToroidal(field, size, radius);
+    const tent = (x: number): number => Math.max(0, radius + 1 - Math.min(x, size - x)) / (radius + 1) ** 2;
+    for (let i = 0; i < field.length; i++) {
+      expect(blurred[i]).toBeCloseTo(tent(Math.floor(i / size)) * tent(i % size), 6);
+    }
+  });
+
+  it('keeps the mean, also where the tent is wider than the field', () => {
+    const field = Float32Array.from({ length: 16 }, (_, i) => i);
+    const blurred = blurToroidal(field, 4, 20);
+    expect(blurred.reduce((a, b) => a + b)).toBeCloseTo(120, 3);
+    expect(Math.max(...blurred) - Math.min(...blurred)).toBeLessThan(0.2);
+  });
+});

@@ -1,0 +1,36 @@
+import {
+  generateHatchImages,
+  type HatchImageOptions,
+  type HatchImages,
+} from '../../../src/hatchImages/generateHatchImages.js';
+import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
+import type { Stroke } from '../../../src/strokes/Stroke.js';
+import { type StrokeStyleName, strokeStyles } from '../../../src/strokes/strokeStyles.js';
+
+/** The styles, for test matrices. */
+export const styleNames = Object.keys(strokeStyles) as StrokeStyleName[];
+
+/** Runs a generator to its end. */
+export function finish<Result>(task: Generator<number, Result, void>): Result {
+  for (;;) {
+    const step = task.next();
+    if (step.done) return step.value;
+  }
+}
+
+const drawn = new Map<string, HatchImages>();
+
+/** Hatch images with these options, drawn once per test file. */
+export function hatchImages(options: HatchImageOptions): HatchImages {
+  const key = JSON.stringify(options);
+  const known = drawn.get(key) ?? finish(generateHatchImages(options));
+  drawn.set(key, known);
+  return known;
+}
+
+/** An image of these strokes alone, in this order. */
+export function drawStrokes(strokes: readonly Stroke[], size: number): Uint8Array {
+  const image = new Uint8Array(size * size).fill(255);
+  for (const stroke of strokes) rasterizeStroke(image, size, stroke);
+  return image;
+}
