@@ -14,7 +14,7 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 const wanted = process.argv.slice(2).map(Number);
 
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
-const { FIGURES } = await server.ssrLoadModule('/src/demo/figures.ts');
+const { FIGURES } = await server.ssrLoadModule('/src/demo/figures/figures.ts');
 const chosen = FIGURES.filter(({ number }) => wanted.length === 0 || wanted.includes(number));
 await server.listen();
 const browser = await chromium.launch(await launchOptions());

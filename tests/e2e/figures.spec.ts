@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { build } from 'vite';
-import { FIGURES } from '../../src/demo/figures.js';
+import { FIGURES } from '../../src/demo/figures/figures.js';
 import { expect, test } from '../browser/test.js';
 import { serveFolders } from '../consumers/serveFolders.js';
 import { angleBetween, changedShare, strokeDirection } from './pictures.js';

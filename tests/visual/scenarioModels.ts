@@ -5,8 +5,8 @@ import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
-import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../src/demo/fourTriangles.js';
-import { shellChair } from '../../src/demo/shellChair.js';
+import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../src/demo/models/fourTriangles.js';
+import { shellChair } from '../../src/demo/models/shellChair.js';
 import type { ScenarioModel } from './scenarios.js';
 
 /** Loads a model, centres it and scales it to a bounding radius of 1. */

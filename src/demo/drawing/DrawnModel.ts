@@ -1,0 +1,163 @@
+import {
+  type Blending,
+  type Box3,
+  Color,
+  type Material,
+  type Mesh,
+  NoBlending,
+  type Object3D,
+  type Texture,
+} from 'three';
+import type { HatchingMaterial, TonalArtMap } from 'three-hatching';
+import type { Settings } from '../settings/settings.js';
+import { applyToMaterial, TEXELS_PER_STROKE } from './applyToMaterial.js';
+import type { Motion } from './Motion.js';
+import { meshesOf } from './meshesOf.js';
+
+/** What a model is made of. */
+export interface ModelFacts {
+  triangles: number;
+  borderEdges: number;
+  nonManifoldEdges: number;
+  degenerateTriangles: number;
+}
+
+/** What a file says of a surface. */
+interface Surface {
+  color: Color;
+  map: Texture | null;
+  vertexColors: boolean;
+  alphaTest: number;
+  opacity: number;
+  transparent: boolean;
+  depthWrite: boolean;
+  blending: Blending;
+  premultipliedAlpha: boolean;
+}
+
+/** A material of the model, its twin for comparisons, and the surface they both draw. */
+interface Skin {
+  drawn: HatchingMaterial;
+  compared: HatchingMaterial;
+  surface: Surface;
+  /** World units per unit of object space: the world is fitted to the model, which has a radius of 1. */
+  scale: number;
+}
+
+const PAPER_COLOR = new Color('white');
+
+/** A model ready to be drawn, with one look or, compared, with two. */
+export class DrawnModel {
+  private readonly skins: readonly Skin[];
+  private readonly dresses: readonly { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
+
+  /**
+   * @param root wears hatching materials that take after the model's surfaces, their strokes scaled to one tile per world
+   *   unit; centred, with a radius of 1
+   * @param bounds of the root, in all its poses
+   * @param motion how it can move
+   * @param free called when the model is not drawn any more
+   */
+  constructor(
+    readonly root: Object3D,
+    readonly bounds: Box3,
+    readonly facts: ModelFacts,
+    readonly motion: Motion | undefined,
+    materials: readonly HatchingMaterial[],
+    private readonly free: () => void,
+  ) {
+    this.skins = materials.map((drawn) => ({
+      drawn,
+      compared: drawn.clone(),
+      surface: surfaceOf(drawn),
+      scale: drawn.strokeScale,
+    }));
+    const twins = new Map<Material, Material>(this.skins.map(({ drawn, compared }) => [drawn, compared]));
+    const twinOf = (material: Material): Material => twins.get(material) ?? material;
+    this.dresses = meshesOf(root).map((mesh) => {
+      const { material } = mesh;
+      return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(twinOf) : twinOf(material) };
+    });
+  }
+
+  /** Puts the settings in force. */
+  apply(settings: Settings): void {
+    for (const { drawn, compared, surface, scale } of this.skins) {
+      applyToMaterial(drawn, settings);
+      applyToMaterial(compared, settings, settings.compare === 'none' ? settings.technique : settings.compare);
+      for (const material of [drawn, compared]) {
+        material.strokeScale *= scale;
+        showSurface(material, surface, settings.surfaceColors === 'shown');
+      }
+    }
+  }
+
+  set tonalArtMap(map: TonalArtMap) {
+    for (const { drawn, compared } of this.skins) drawn.tonalArtMap = compared.tonalArtMap = map;
+  }
+
+  /** @param strokeWidth in pixels of what is drawn into */
+  set strokeWidth(strokeWidth: number) {
+    for (const { drawn, compared } of this.skins) {
+      drawn.texelPixels = compared.texelPixels = strokeWidth / TEXELS_PER_STROKE;
+    }
+  }
+
+  /** Draws on paper, or strokes and nothing else: a surface without paper still hides what is behind it. */
+  showPaper(shown: boolean): void {
+    for (const { drawn, compared, surface } of this.skins) {
+      for (const material of [drawn, compared]) {
+        material.paperOpacity = shown ? 1 : 0;
+        // Written as it is instead of blended, so that no stroke of the far side shows between those of the near one.
+        material.blending = shown ? surface.blending : NoBlending;
+        material.premultipliedAlpha = shown ? surface.premultipliedAlpha : true;
+        material.needsUpdate = true;
+      }
+    }
+  }
+
+  /** Chooses which of the two looks the next rendering shows. */
+  wear(look: 'drawn' | 'compared'): void {
+    for (const dress of this.dresses) dress.mesh.material = dress[look];
+  }
+
+  dispose(): void {
+    this.wear('drawn');
+    for (const { compared, surface } of this.skins) {
+      compared.dispose();
+      surface.map?.dispose();
+    }
+    this.free();
+  }
+}
+
+function surfaceOf(material: HatchingMaterial): Surface {
+  const { color, map, vertexColors, alphaTest, opacity, transparent, depthWrite, blending, premultipliedAlpha } =
+    material;
+  return {
+    color: color.clone(),
+    map,
+    vertexColors,
+    alphaTest,
+    opacity,
+    transparent,
+    depthWrite,
+    blending,
+    premultipliedAlpha,
+  };
+}
+
+function showSurface(material: HatchingMaterial, surface: Surface, isShown: boolean): void {
+  material.color.multiply(isShown ? surface.color : PAPER_COLOR);
+  // Without its picture a cut-out, a leaf say, would be a card.
+  const map = isShown || surface.alphaTest > 0 ? surface.map : null;
+  const vertexColors = isShown && surface.vertexColors;
+  if (map !== material.map || vertexColors !== material.vertexColors) material.needsUpdate = true;
+  material.map = map;
+  material.vertexColors = vertexColors;
+  material.alphaTest = map ? surface.alphaTest : 0;
+  if (!surface.transparent) return;
+  material.transparent = isShown;
+  material.opacity = isShown ? surface.opacity : 1;
+  material.depthWrite = isShown ? surface.depthWrite : true;
+}

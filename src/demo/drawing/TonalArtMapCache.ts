@@ -1,0 +1,40 @@
+import { TonalArtMap } from 'three-hatching';
+import { SETTINGS, type Settings } from '../settings/settings.js';
+
+interface MapOptions {
+  signal: AbortSignal;
+  onProgress: (progress: number) => void;
+}
+
+/** Generates tonal art maps for settings and keeps those already made, the latest few of them, and the person's own. */
+export class TonalArtMapCache {
+  private static readonly kept = 6;
+  private readonly maps = new Map<string, TonalArtMap>();
+  private own: TonalArtMap | undefined;
+
+  /** Keeps a map that the person has brought, for the style `file`, instead of the one before. */
+  keep(map: TonalArtMap): void {
+    this.own?.dispose();
+    this.own = map;
+  }
+
+  /** Resolves at once for a map made before. The map in use must be passed as `inUse` so that it is not thrown away. */
+  async get(settings: Settings, options: MapOptions, inUse: TonalArtMap | undefined): Promise<TonalArtMap> {
+    const { mapSeed: seed, mapTones: tones } = settings;
+    if (settings.mapStyle === 'file' && this.own) return this.own;
+    const style = settings.mapStyle === 'file' ? SETTINGS.mapStyle.default : settings.mapStyle;
+    const size = Number(settings.mapSize);
+    const key = `${style} ${size} ${tones} ${seed}`;
+    const known = this.maps.get(key);
+    const map = known ?? (await TonalArtMap.generate({ style, size, tones, seed, ...options }));
+    this.maps.delete(key);
+    this.maps.set(key, map);
+    for (const [oldKey, old] of this.maps) {
+      if (this.maps.size <= TonalArtMapCache.kept) break;
+      if (old === map || old === inUse) continue;
+      old.dispose();
+      this.maps.delete(oldKey);
+    }
+    return map;
+  }
+}

@@ -1,0 +1,40 @@
+import { MathUtils, Vector2 } from 'three';
+import type { HatchingMaterial } from 'three-hatching';
+import { type Settings, TONE_CURVES } from '../settings/settings.js';
+
+const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
+const offset = new Vector2();
+
+/** How wide the map draws a stroke. */
+export const TEXELS_PER_STROKE = 2;
+
+/** Carries over the settings that both drawings of a comparison share, and the technique, which they need not. */
+export function applyToMaterial(
+  material: HatchingMaterial,
+  settings: Settings,
+  technique: Settings['technique'] = settings.technique,
+): void {
+  material.technique = technique === 'adjacencyCrisp' ? 'adjacency' : technique;
+  material.crisp = technique === 'adjacencyCrisp';
+  material.toneNormal =
+    settings.toneNormal === 'auto' ? (technique === 'anchored' ? 'smooth' : 'face') : settings.toneNormal;
+  material.strokeScale = settings.strokeScale;
+  material.strokeRotation = rotations[settings.strokeDirection](settings.strokeAngle);
+  material.strokeOffset.copy(offset.set(settings.offsetU, settings.offsetV));
+  material.screenConstancy = settings.screenConstancy / 100;
+  material.anchorSpacing = settings.anchorSpacing;
+  material.edgePixels = settings.edge;
+  material.toneModel = settings.toneModel;
+  material.toneSteps = settings.toneSteps;
+  material.shininess = settings.shininess;
+  material.toneCurve = TONE_CURVES[settings.toneCurve];
+  material.reflectedLight = settings.reflectedLight / 100;
+  material.secondLayer = settings.strokeLayers === '2';
+  material.levelRule = settings.levelRule;
+  material.creaseAngle = MathUtils.degToRad(settings.creaseAngle);
+  material.ink.set(settings.ink);
+  material.inkBlend = settings.inkBlend;
+  material.paper.set(settings.paper);
+  material.color.set(settings.color);
+  material.debugView = settings.debugView;
+}

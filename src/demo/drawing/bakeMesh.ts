@@ -1,0 +1,26 @@
+import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } from 'three';
+import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
+import type { PlainMesh } from '../files/PlainMesh.js';
+
+/** A mesh ready to be drawn. */
+export interface BakedMesh {
+  geometry: BufferGeometry;
+  facts: HatchingStatistics;
+  /** An open surface shows its inside. */
+  side: Side;
+}
+
+/** Bakes a mesh for hatching, in the library's worker; normals it does not have are made there, edges kept. */
+export async function bakeMesh(
+  mesh: PlainMesh,
+  options: { signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
+): Promise<BakedMesh> {
+  const source = new BufferGeometry();
+  source.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+  if (mesh.indices) source.setIndex(new BufferAttribute(mesh.indices, 1));
+  if (mesh.normals) source.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
+  if (mesh.colors) source.setAttribute('color', new BufferAttribute(mesh.colors, 3));
+  const geometry = await prepareHatchingGeometry(source, options);
+  const facts = geometry.userData.hatching as HatchingStatistics;
+  return { geometry, facts, side: facts.borderEdges > 0 || facts.nonManifoldEdges > 0 ? DoubleSide : FrontSide };
+}

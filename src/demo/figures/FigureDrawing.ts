@@ -1,0 +1,98 @@
+import {
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  MathUtils,
+  Mesh,
+  PerspectiveCamera,
+  PointLight,
+  Scene,
+  Vector3,
+} from 'three';
+import { HatchingMaterial, type HatchingTechnique, TonalArtMap } from 'three-hatching';
+import { fitCamera } from '../stage/fitCamera.js';
+import { figureModel } from './figureModels.js';
+import type { Figure, Look, MapStyle, Panel } from './figures.js';
+
+/** `paper` draws each panel by its own technique, `anchored` draws anchored strokes where the paper would blend. */
+export type Hand = 'paper' | 'anchored';
+
+const FIELD_OF_VIEW = 26;
+const USUAL_VIEW = [0.22, 0.18, 1] as const;
+const USUAL_REFLECTION = 0.35;
+/** Anchored strokes are black throughout, and look coarser at the same scale. */
+const ANCHORED_SCALE = 1.7;
+const AXES = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) } as const;
+
+const maps = new Map<MapStyle, Promise<TonalArtMap>>();
+
+function mapOf(style: MapStyle): Promise<TonalArtMap> {
+  let map = maps.get(style);
+  if (!map) {
+    map = TonalArtMap.generate({ style });
+    maps.set(style, map);
+  }
+  return map;
+}
+
+/** One panel of a figure, ready to be rendered. */
+export class FigureDrawing {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
+  private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; strokeScale: number }[] = [];
+  private readonly light;
+  private readonly reflected = new HemisphereLight('white', 'black');
+  private readonly lightPosition = new Vector3();
+
+  private constructor(
+    private readonly figure: Figure,
+    panel: Panel,
+  ) {
+    const { kind = 'sun', position, reflected = USUAL_REFLECTION } = panel.light ?? figure.light;
+    // Without decay: turning the light turns the strokes, not the exposure.
+    this.light = kind === 'lamp' ? new PointLight('white', Math.PI, 0, 0) : new DirectionalLight('white', Math.PI);
+    this.lightPosition.fromArray(position);
+    this.reflected.intensity = Math.PI * reflected;
+    this.reflected.visible = reflected > 0;
+    this.scene.add(this.light, this.reflected);
+  }
+
+  /** Waits for the model and the maps, and puts them together. @throws ModelError if the model cannot be had */
+  static async make(figure: Figure, panel: Panel, ink: string, paper: string): Promise<FigureDrawing> {
+    const drawing = new FigureDrawing(figure, panel);
+    const model = await figureModel(panel.model ?? figure.model);
+    const group = new Group();
+    group.rotation.y = MathUtils.degToRad(panel.turned ?? 0);
+    for (const [part, geometry] of Object.entries(model.parts)) {
+      const look: Look = { ...figure.look, ...panel.look, ...panel.parts?.[part] };
+      const { style = 'hatching', technique = 'adjacency', ...options } = look;
+      const tonalArtMap = await mapOf(style);
+      const material = new HatchingMaterial({ ink, paper, ...options, technique, tonalArtMap, side: model.side });
+      drawing.materials.push({ material, technique, strokeScale: material.strokeScale });
+      group.add(new Mesh(geometry, material));
+    }
+    drawing.scene.add(group);
+    const { camera } = drawing;
+    camera.aspect = figure.shape;
+    camera.updateProjectionMatrix();
+    const view = new Vector3(...(panel.view ?? figure.view ?? USUAL_VIEW));
+    fitCamera(camera, model.outline, view, panel.times ?? figure.times);
+    return drawing;
+  }
+
+  /** Turns the light by so many degrees from where the figure has it. */
+  turnLight(degrees: number): void {
+    const axis = AXES[this.figure.turnAxis ?? 'y'];
+    this.light.position.copy(this.lightPosition).applyAxisAngle(axis, MathUtils.degToRad(degrees));
+    this.reflected.position.copy(this.light.position).negate();
+  }
+
+  /** Draws by another technique from now on. */
+  setHand(hand: Hand): void {
+    for (const { material, technique, strokeScale } of this.materials) {
+      const isReplaced = hand === 'anchored' && technique === 'adjacency' && !this.figure.paperOnly;
+      material.technique = isReplaced ? 'anchored' : technique;
+      material.strokeScale = isReplaced ? ANCHORED_SCALE * strokeScale : strokeScale;
+    }
+  }
+}

@@ -1,0 +1,162 @@
+import { FrameClock } from '../stage/FrameClock.js';
+import type { Hand } from './FigureDrawing.js';
+import { FigurePainter } from './FigurePainter.js';
+import { FigurePanel } from './FigurePanel.js';
+import { FIGURES, type Figure } from './figures.js';
+import { figuresPage } from './figuresPage.js';
+
+declare global {
+  interface Window {
+    /** For tests: how many frames the page has drawn since it was opened, and whether all panels in view are as they should be. */
+    __figures?: { readonly framesDrawn: number; readonly isIdle: boolean };
+  }
+}
+
+/** Panels are drawn in a frame until this time is over, and the rest in the next. */
+const FRAME_MILLISECONDS = 12;
+
+/** Lays the figures out, whether they can be drawn or not, and returns their panels. */
+export function layOutFigures(say: (sentence: string) => void, onStale: () => void): FigurePanel[] {
+  const style = getComputedStyle(document.documentElement);
+  const surroundings = {
+    ink: style.getPropertyValue('--ink').trim(),
+    paper: style.getPropertyValue('--paper').trim(),
+    onStale,
+    onFailure: say,
+  };
+  return FIGURES.flatMap((figure) => {
+    const rows = figure.rows.map(({ label, panels }) => ({
+      label,
+      panels: panels.map((panel) => new FigurePanel(figure, panel, surroundings)),
+    }));
+    figuresPage.figures.append(figureElement(figure, rows));
+    return rows.flatMap(({ panels }) => panels);
+  });
+}
+
+function figureElement(figure: Figure, rows: { label?: string | undefined; panels: FigurePanel[] }[]): HTMLElement {
+  const element = document.createElement('figure');
+  element.id = `figure-${figure.number}`;
+  const plates = document.createElement('div');
+  plates.className = figure.beside ? 'plates is-beside' : 'plates';
+  for (const { label, panels } of rows) {
+    const row = document.createElement('div');
+    row.className = 'row';
+    row.dataset.columns = String(panels.length);
+    if (label) row.append(paragraph(label, 'row-label'));
+    for (const { element: panel, canvas } of panels) {
+      canvas.style.aspectRatio = String(figure.shape);
+      row.append(panel);
+    }
+    plates.append(row);
+  }
+  const caption = document.createElement('figcaption');
+  const heading = document.createElement('h2');
+  heading.textContent = `Figure ${figure.number}. ${figure.title}`;
+  caption.append(heading, told('In the paper', figure.paper), told('Here', figure.ours));
+  element.append(plates, caption);
+  return element;
+}
+
+function told(where: string, sentence: string): HTMLElement {
+  const element = paragraph(` ${sentence}`);
+  const name = document.createElement('em');
+  name.textContent = `${where}:`;
+  element.prepend(name);
+  return element;
+}
+
+function paragraph(text: string, className = ''): HTMLElement {
+  const element = document.createElement('p');
+  if (className) element.className = className;
+  element.textContent = text;
+  return element;
+}
+
+/** Draws the panels in view, again when the light turns, and nothing otherwise. */
+export function createFiguresPage(context: WebGL2RenderingContext, say: (sentence: string) => void): void {
+  const { turn, turnValue, hand } = figuresPage;
+  const clock = new FrameClock(draw);
+  const panels = layOutFigures(say, () => clock.invalidate());
+  const painter = new FigurePainter(context, getComputedStyle(document.documentElement).getPropertyValue('--paper'));
+  const paintedAt = new Map(panels.map((panel) => [panel, 0]));
+  let turned = 0;
+  let chosenHand: Hand = 'paper';
+
+  Object.defineProperty(window, '__figures', {
+    value: {
+      get framesDrawn() {
+        return clock.frames;
+      },
+      get isIdle() {
+        return !clock.isWaiting && panels.every(({ isSettled }) => isSettled);
+      },
+    },
+  });
+
+  function draw(): void {
+    const start = performance.now();
+    const ready = panels.filter(({ isReady }) => isReady);
+    // Those that wait longest come first, so that a light that keeps turning reaches them all.
+    for (const panel of ready.sort((a, b) => paintedAt.get(a)! - paintedAt.get(b)!)) {
+      if (performance.now() - start > FRAME_MILLISECONDS) {
+        clock.invalidate();
+        return;
+      }
+      panel.paint(painter, turned, chosenHand);
+      paintedAt.set(panel, performance.now());
+    }
+  }
+
+  const byCanvas = new Map<Element, FigurePanel>(panels.map((panel) => [panel.canvas, panel]));
+  const views = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) byCanvas.get(target)!.see(isIntersecting);
+    },
+    { rootMargin: '25%' },
+  );
+  const sizes = new ResizeObserver((entries) => {
+    for (const { target, devicePixelContentBoxSize, contentRect } of entries) {
+      // Exactly as many pixels as the screen gives it, or it would be blurred; not every browser tells.
+      const { inlineSize, blockSize } = devicePixelContentBoxSize?.[0] ?? {
+        inlineSize: Math.round(contentRect.width * devicePixelRatio),
+        blockSize: Math.round(contentRect.height * devicePixelRatio),
+      };
+      byCanvas.get(target)!.resize(inlineSize, blockSize);
+    }
+  });
+  const box = 'devicePixelContentBoxSize' in ResizeObserverEntry.prototype ? 'device-pixel-content-box' : 'content-box';
+  for (const { canvas } of panels) {
+    views.observe(canvas);
+    sizes.observe(canvas, { box });
+  }
+
+  function spoilAll(): void {
+    for (const panel of panels) panel.spoil();
+  }
+
+  turn.addEventListener('input', () => {
+    turned = turn.valueAsNumber;
+    turn.ariaValueText = `${turned < 0 ? '−' : ''}${Math.abs(turned)}°`;
+    turnValue.textContent = turn.ariaValueText;
+    spoilAll();
+  });
+  hand.addEventListener('change', (event) => {
+    chosenHand = (event.target as HTMLInputElement).value as Hand;
+    spoilAll();
+  });
+
+  const buffer = context.canvas as HTMLCanvasElement;
+  buffer.addEventListener('webglcontextlost', () => {
+    document.documentElement.dataset.state = 'lost';
+    say(
+      'The graphics card has let go of the figures. They stay as they are until it comes back; if not, reload the page.',
+    );
+  });
+  buffer.addEventListener('webglcontextrestored', () => {
+    document.documentElement.dataset.state = 'ready';
+    say('');
+    spoilAll();
+  });
+  document.documentElement.dataset.state = 'ready';
+}

@@ -1,0 +1,121 @@
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 } from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import { prepareHatchingGeometry } from 'three-hatching';
+import { bakeMesh } from '../drawing/bakeMesh.js';
+import type { MadeScene } from '../drawing/drawModel.js';
+import { fitModel } from '../files/fitModel.js';
+import { ModelError } from '../files/ModelError.js';
+import { mergeScene } from '../files/mergeScene.js';
+import type { PlainMesh } from '../files/PlainMesh.js';
+import type { ReadModel } from '../files/readModel.js';
+import handUrl from '../models/assets/hand.glb?url';
+import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';
+import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
+import { shellChair } from '../models/shellChair.js';
+
+/** A model as figures draw it: about of radius 1 around the origin, in parts that may look different. */
+export interface FigureModel {
+  parts: Record<string, BufferGeometry>;
+  side: Side;
+  /** What is to be in the picture: xyz of points. */
+  outline: ArrayLike<number>;
+}
+
+type Neighbour = Exclude<keyof typeof FOUR_TRIANGLES, 'c'>;
+
+/** The models of the figures. Those that belong to the playground too are the same. */
+const models = {
+  dragon: builtIn('dragon3'),
+  bunny: builtIn('bunny'),
+  suzanne: builtIn('suzanne'),
+  hand,
+  teapot: builtIn('teapot'),
+  chair,
+  fourTriangles: () => triangles('alpha', 'beta', 'gamma'),
+  cAndAlpha: () => triangles('alpha'),
+  cAndBeta: () => triangles('beta'),
+  cAndGamma: () => triangles('gamma'),
+};
+
+export type FigureModelName = keyof typeof models;
+
+const loaded = new Map<FigureModelName, Promise<FigureModel>>();
+
+/** Loads and bakes a model, once. @throws ModelError with one sentence for the person at the page */
+export function figureModel(name: FigureModelName): Promise<FigureModel> {
+  let model = loaded.get(name);
+  if (!model) {
+    model = models[name]();
+    loaded.set(name, model);
+  }
+  return model;
+}
+
+const LOADING = { signal: new AbortController().signal, onStage: () => {} };
+
+/** The one mesh of a model that does not move. */
+function meshIn(read: ReadModel | MadeScene): PlainMesh {
+  if (read.kind !== 'mesh') throw new ModelError(`${read.name} has parts that move; a figure takes one mesh.`);
+  return read.mesh;
+}
+
+function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
+  return async () => {
+    const mesh = meshIn(await BUILT_IN_MODELS[name].load(LOADING));
+    const { geometry, side } = await bakeMesh(mesh);
+    return { parts: { all: geometry }, side, outline: mesh.positions };
+  };
+}
+
+/** A right hand, its fingers up and its back to the viewer; its skeleton is left alone. */
+async function hand(): Promise<FigureModel> {
+  const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
+  const { scene } = await new GLTFLoader().loadAsync(handUrl);
+  const mesh = mergeScene(scene);
+  fitModel(mesh);
+  const { positions, normals } = mesh;
+  // It comes with its fingers down and its back towards x.
+  for (const triples of [positions, normals]) {
+    for (let i = 0; triples && i < triples.length; i += 3) {
+      const [x, y, z] = triples.subarray(i, i + 3) as unknown as [number, number, number];
+      triples.set([z, -y, x], i);
+    }
+  }
+  const { geometry } = await bakeMesh(mesh);
+  return { parts: { all: geometry }, side: DoubleSide, outline: positions };
+}
+
+async function chair(): Promise<FigureModel> {
+  const { shell, legs, cushion } = shellChair();
+  const sources = { shell, legs: mergeGeometries(legs), cushion };
+  const outline = Object.values(sources).flatMap((source) => [...source.getAttribute('position').array]);
+  const bounds = new Box3().setFromArray(outline);
+  const { x, y, z } = bounds.getCenter(new Vector3()).negate();
+  const parts: FigureModel['parts'] = {};
+  for (const [name, source] of Object.entries(sources))
+    parts[name] = await prepareHatchingGeometry(source.translate(x, y, z));
+  return {
+    parts,
+    side: DoubleSide,
+    outline: Object.values(sources).flatMap((s) => [...s.getAttribute('position').array]),
+  };
+}
+
+/** Triangle c and some of its neighbours, baked together, as the parts `centre` and `others`. */
+async function triangles(...neighbours: Neighbour[]): Promise<FigureModel> {
+  const source = new BufferGeometry();
+  source.setAttribute('position', new BufferAttribute(new Float32Array(FOUR_TRIANGLES_POSITIONS), 3));
+  source.setIndex([...FOUR_TRIANGLES.c, ...neighbours.flatMap((name) => FOUR_TRIANGLES[name])]);
+  const baked = await prepareHatchingGeometry(source, { layout: 'corner' });
+  const parts = { centre: range(baked, 0, 3), others: range(baked, 3, 3 * neighbours.length) };
+  // In the same place, whether all of them are there or not.
+  return { parts, side: DoubleSide, outline: FOUR_TRIANGLES_POSITIONS };
+}
+
+/** Some corners of a geometry, sharing its attributes. */
+function range(geometry: BufferGeometry, start: number, count: number): BufferGeometry {
+  const part = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(geometry.attributes)) part.setAttribute(name, attribute);
+  part.setDrawRange(start, count);
+  return part;
+}

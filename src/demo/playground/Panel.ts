@@ -1,0 +1,142 @@
+import { type Controller, GUI } from 'lil-gui';
+import {
+  SETTING_GROUPS,
+  SETTING_KEYS,
+  SETTINGS,
+  type Setting,
+  type SettingKey,
+  type Settings,
+} from '../settings/settings.js';
+
+/** At 300 dots per inch. */
+const MILLIMETRES_PER_PIXEL = 25.4 / 300;
+
+/** A button of the panel. */
+export interface PanelAction {
+  label: string;
+  group: (typeof SETTING_GROUPS)[number];
+  run: () => void;
+}
+
+/** The controls, built from the table of settings: labels, values with units, reset by double-click. */
+export class Panel {
+  private readonly controllers = new Map<SettingKey, Controller>();
+  /** How wide strokes come out when the picture is saved in the chosen size and printed. */
+  private readonly printNote = note('');
+
+  constructor(
+    container: HTMLElement,
+    private readonly settings: Settings,
+    actions: readonly PanelAction[],
+    onChange: (key: SettingKey) => void,
+  ) {
+    // Our own style sheet styles it; a style element in the page would be against its content policy.
+    const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
+    const folders = SETTING_GROUPS.map((group, i) => {
+      const folder = i === 0 ? gui : gui.addFolder(group).close();
+      // Without lil-gui's own style sheet its opening animation would never end.
+      folder.openAnimated = (open) => folder.open(open);
+      return [group, folder] as const;
+    });
+    const folderOf = new Map(folders);
+    for (const key of SETTING_KEYS) {
+      const controller = this.add(folderOf.get(SETTINGS[key].group)!, key);
+      controller.onChange(() => {
+        this.refresh();
+        onChange(key);
+      });
+      this.controllers.set(key, controller);
+    }
+    for (const { label, group, run } of actions) folderOf.get(group)!.add({ run }, 'run').name(label);
+    // The first group's settings come before the folders in the page as well.
+    const children = gui.$children;
+    children.append(...[...children.children].filter((child) => child.classList.contains('lil-gui')));
+    this.refresh();
+  }
+
+  /** Shows the settings as they are now, after something else has changed them. */
+  refresh(): void {
+    for (const controller of this.controllers.values()) controller.updateDisplay();
+    const { settings } = this;
+    const isLocal = settings.lightKind !== 'directional';
+    const techniques = [settings.technique, settings.compare];
+    const isAnchored = techniques.includes('anchored');
+    const isCrisp = isAnchored || techniques.includes('adjacencyCrisp');
+    const isPaper = techniques.some((technique) => technique !== 'anchored' && technique !== 'none');
+    this.show('screenConstancy', isAnchored);
+    this.show('anchorSpacing', isAnchored);
+    this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
+    this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
+    this.show('edge', isCrisp);
+    for (const key of ['offsetU', 'offsetV', 'levelRule'] as const) this.show(key, isPaper);
+    // Sized on the screen alone, strokes do not ask what size they would have on the object.
+    this.controllers
+      .get('strokeScale')!
+      .enable(
+        !(
+          settings.technique === 'anchored' &&
+          ['none', 'anchored'].includes(settings.compare) &&
+          settings.screenConstancy === 100
+        ),
+      );
+    const printedPixels = settings.strokeWidth * Number(settings.pictureSize);
+    this.printNote.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
+    this.show('strokeAngle', settings.strokeDirection === 'angle');
+    this.show('toneSteps', settings.toneModel === 'toon');
+    this.show('shininess', settings.toneModel === 'phong');
+    this.show('lightDistance', isLocal);
+    this.show('secondStrength', settings.secondLight !== 'none');
+    this.show('strokeLayers', settings.secondLight !== 'none');
+    this.show('spotAngle', settings.lightKind === 'spot');
+    this.show('spotSoftness', settings.lightKind === 'spot');
+    for (const key of ['model', 'mapStyle'] as const) {
+      this.controllers.get(key)!.domElement.querySelector<HTMLOptionElement>('option:last-child')!.hidden =
+        settings[key] !== 'file';
+    }
+  }
+
+  private show(key: SettingKey, visible: boolean): void {
+    this.controllers.get(key)!.show(visible);
+  }
+
+  private add(gui: GUI, key: SettingKey): Controller {
+    const setting: Setting = SETTINGS[key];
+    const { settings } = this;
+    switch (setting.kind) {
+      case 'choice': {
+        const choices = Object.fromEntries(Object.entries(setting.choices).map(([value, words]) => [words, value]));
+        return this.finish(gui.add(settings, key, choices), setting);
+      }
+      case 'color':
+        return this.finish(gui.addColor(settings, key), setting);
+      case 'number': {
+        const controller = gui.add(settings, key, setting.min, setting.max, setting.step);
+        const unit = document.createElement('span');
+        unit.className = 'unit';
+        unit.textContent = setting.unit;
+        controller.$widget.append(unit);
+        if (setting.ends) controller.$widget.append(note(...setting.ends));
+        if (key === 'strokeWidth') controller.$widget.append(this.printNote);
+        return this.finish(controller, setting);
+      }
+    }
+  }
+
+  private finish(controller: Controller, setting: Setting): Controller {
+    controller.name(setting.label);
+    controller.$name.title = 'Double-click to reset';
+    controller.domElement.addEventListener('dblclick', (event) => {
+      if (event.target instanceof HTMLInputElement && event.target.type === 'text') return;
+      controller.setValue(setting.default);
+    });
+    return controller;
+  }
+}
+
+/** A quiet line below a control; several texts are spread over its width. */
+function note(...texts: string[]): HTMLElement {
+  const element = document.createElement('span');
+  element.className = 'note';
+  for (const text of texts) element.append(Object.assign(document.createElement('span'), { textContent: text }));
+  return element;
+}

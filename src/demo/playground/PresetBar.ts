@@ -1,0 +1,26 @@
+import { PRESETS, type PresetName, presetOf } from '../settings/presets.js';
+import type { Settings } from '../settings/settings.js';
+
+/** A row of buttons, one for each hand; the one the drawing is in is pressed. */
+export class PresetBar {
+  private readonly buttons: readonly (readonly [PresetName, HTMLButtonElement])[];
+
+  constructor(
+    container: HTMLElement,
+    private readonly settings: Settings,
+    onChoose: (name: PresetName) => void,
+  ) {
+    this.buttons = Object.entries(PRESETS).map(([name, { label }]) => {
+      const button = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
+      button.addEventListener('click', () => onChoose(name as PresetName));
+      return [name as PresetName, button] as const;
+    });
+    container.append(...this.buttons.map(([, button]) => button));
+    this.refresh();
+  }
+
+  refresh(): void {
+    const chosen = presetOf(this.settings);
+    for (const [name, button] of this.buttons) button.setAttribute('aria-pressed', String(name === chosen));
+  }
+}

@@ -1,0 +1,73 @@
+import { ModelError } from '../files/ModelError.js';
+import type { Status } from './Status.js';
+
+/** Tells how a task gets on: what it is at, and how far in [0, 1] where that is known. */
+export type Report = (stage: string, progress?: number) => void;
+
+type Slot = 'model' | 'map';
+type TaskEnd = 'done' | 'failed' | 'replaced';
+
+/** Long tasks of the page: one model and one map at a time, shown in the status line, cancelled by its button. */
+export class TaskBoard {
+  private readonly running = new Map<
+    Slot,
+    { controller: AbortController; stage: string; progress: number | undefined }
+  >();
+
+  constructor(
+    private readonly status: Status,
+    private readonly onIdle: () => void,
+  ) {}
+
+  get isIdle(): boolean {
+    return this.running.size === 0;
+  }
+
+  /**
+   * Runs a task; one that is still running in the same slot is given up. Failures are told in the status line.
+   *
+   * @returns how it ended; `replaced` when a later task took its slot
+   */
+  async run(slot: Slot, task: (report: Report, signal: AbortSignal) => Promise<void>): Promise<TaskEnd> {
+    this.running.get(slot)?.controller.abort();
+    const controller = new AbortController();
+    const entry = { controller, stage: 'starting', progress: undefined as number | undefined };
+    this.running.set(slot, entry);
+    const report: Report = (stage, progress) => {
+      if (controller.signal.aborted) return;
+      Object.assign(entry, { stage, progress });
+      this.show();
+    };
+    let failure: string | undefined;
+    let finished = false;
+    try {
+      await task(report, controller.signal);
+      finished = !controller.signal.aborted;
+    } catch (error) {
+      if (!controller.signal.aborted) failure = sentenceFor(error);
+    }
+    const isLatest = this.running.get(slot) === entry;
+    if (isLatest) this.running.delete(slot);
+    if (failure !== undefined) this.status.fail(failure);
+    else if (isLatest && controller.signal.aborted) this.status.say('Cancelled; the drawing is as it was.');
+    this.show();
+    if (this.isIdle) this.onIdle();
+    if (!isLatest) return 'replaced';
+    return finished ? 'done' : 'failed';
+  }
+
+  private show(): void {
+    const entry = this.running.get('model') ?? this.running.get('map');
+    if (!entry) this.status.idle();
+    else this.status.working(entry.stage, entry.progress, () => this.cancel());
+  }
+
+  private cancel(): void {
+    for (const { controller } of this.running.values()) controller.abort();
+  }
+}
+
+function sentenceFor(error: unknown): string {
+  if (error instanceof ModelError) return error.message;
+  return `That did not work: ${error instanceof Error ? error.message : String(error)}`;
+}

@@ -1,0 +1,109 @@
+import { TEXELS_PER_STROKE } from '../drawing/applyToMaterial.js';
+import { isCrisp, SECOND_LIGHT_AZIMUTH, SETTINGS, type Settings, TONE_CURVES } from '../settings/settings.js';
+
+/**
+ * The lines that make the look of the page in a project of one's own.
+ *
+ * @param sceneRadius where it is the look of a loaded scene instead of one geometry's: the radius of that scene, which keeps
+ *   its own colours
+ */
+export function codeSample(settings: Settings, sceneRadius: number | undefined): string {
+  const isScene = sceneRadius !== undefined;
+  const map = [`style: '${settings.mapStyle}'`];
+  if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
+  if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
+  map.push(`seed: ${settings.mapSeed}`);
+  const rotation = { along: '0', towards: 'Math.PI / 2', angle: `(${settings.strokeAngle} / 180) * Math.PI` };
+  const { technique } = settings;
+  const material = ['tonalArtMap', `technique: '${technique === 'adjacencyCrisp' ? 'adjacency' : technique}'`];
+  if (technique === 'adjacencyCrisp') material.push('crisp: true');
+  if (technique === 'anchored') {
+    material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
+  }
+  if (isCrisp(technique) || settings.levelRule === 'depth') {
+    material.push(`texelPixels: ${round(settings.strokeWidth / TEXELS_PER_STROKE)} * renderer.getPixelRatio()`);
+  }
+  if (isCrisp(technique)) material.push(`edgePixels: ${settings.edge}`);
+  if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);
+  if (!isScene) {
+    material.push(
+      `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
+    );
+  }
+  material.push(`strokeRotation: ${rotation[settings.strokeDirection]}`, `toneModel: '${settings.toneModel}'`);
+  const { offsetU, offsetV, creaseAngle } = settings;
+  if (offsetU !== 0 || offsetV !== 0) material.push(`strokeOffset: new Vector2(${offsetU}, ${offsetV})`);
+  if (creaseAngle !== SETTINGS.creaseAngle.default) material.push(`creaseAngle: (${creaseAngle} / 180) * Math.PI`);
+  if (settings.toneModel === 'toon') material.push(`toneSteps: ${settings.toneSteps}`);
+  if (settings.toneModel === 'phong') material.push(`shininess: ${settings.shininess}`);
+  if (settings.toneCurve !== 'linear') material.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
+  if (settings.reflectedLight > 0) material.push(`reflectedLight: ${settings.reflectedLight / 100}`);
+  if (settings.secondLight !== 'none' && settings.strokeLayers === '2') material.push('secondLayer: true');
+  if (settings.levelRule !== SETTINGS.levelRule.default) material.push(`levelRule: '${settings.levelRule}'`);
+  if (settings.inkBlend !== SETTINGS.inkBlend.default) material.push(`inkBlend: '${settings.inkBlend}'`);
+  material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);
+  if (!isScene) material.push(`color: '${settings.color}'`);
+  else if (settings.surfaceColors === 'paper') material.push(`color: 'white'`, 'map: null', 'vertexColors: false');
+  const light = {
+    directional: `new DirectionalLight('white', ${round((Math.PI * settings.lightStrength) / 100)})`,
+    point: `new PointLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, 0)`,
+    spot: `new SpotLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
+  }[settings.lightKind];
+  const place = (distance: number, azimuth: number) =>
+    `setFromSphericalCoords(${distance}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
+  const distance = settings.lightKind === 'directional' ? 1 : round(settings.lightDistance);
+  const lights = [
+    `const light = ${light};
+light.position.${place(distance, settings.lightAzimuth)};
+scene.add(light);
+`,
+  ];
+  const classes = new Set([/new (\w+)/.exec(light)![1]!]);
+  if (settings.secondLight !== 'none') {
+    classes.add('DirectionalLight');
+    const azimuth = settings.lightAzimuth + SECOND_LIGHT_AZIMUTH[settings.secondLight];
+    lights.push(`
+const second = new DirectionalLight('white', ${round((Math.PI * settings.secondStrength) / 100)});
+second.position.${place(1, azimuth)};
+scene.add(second);
+`);
+  }
+  if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
+  if (!isScene) classes.add('Mesh');
+  const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
+  const [imports, use] = isScene
+    ? [
+        'applyHatching, TonalArtMap',
+        `const { scene: model } = await new GLTFLoader().loadAsync('model.glb');
+scene.add(model);
+await applyHatching(model, {
+  strokeScale: ${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world
+  material: {
+${parameters.map((line) => `    ${line}`).join('\n')}
+  },
+});`,
+      ]
+    : [
+        'HatchingMaterial, prepareHatchingGeometry, TonalArtMap',
+        `const material = new HatchingMaterial({
+${parameters.map((line) => `  ${line}`).join('\n')}
+});
+scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));`,
+      ];
+  return `import { ${[...classes].sort().join(', ')} } from 'three';
+${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${imports} } from 'three-hatching';
+
+const tonalArtMap = await ${settings.mapStyle === 'file' ? "TonalArtMap.load('map.json')" : `TonalArtMap.generate({ ${map.join(', ')} })`};
+${use}
+
+${lights.join('')}`;
+}
+
+/** As one would write it. */
+function inSource(value: unknown): string {
+  return JSON.stringify(value).replaceAll('"', "'").replaceAll(',', ', ');
+}
+
+function round(value: number): number {
+  return Math.round(value * 1000) / 1000;
+}

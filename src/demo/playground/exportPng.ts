@@ -1,0 +1,59 @@
+import type { Settings } from '../settings/settings.js';
+import type { HatchingScene } from '../stage/createScene.js';
+
+/** Pictures larger than this are drawn in pieces, because a graphics card need not give a larger surface. */
+const TILE = 2048;
+
+export interface PictureOptions {
+  /** Size of the page in CSS pixels. */
+  width: number;
+  height: number;
+  /** Pixels of the picture per CSS pixel of the page. */
+  scale: number;
+  ground: Settings['pictureGround'];
+}
+
+/** Draws the view once more at the size of the picture, piece by piece, and packs it as PNG. */
+export async function exportPng(scene: HatchingScene, options: PictureOptions): Promise<Blob> {
+  const { renderer, camera } = scene;
+  const width = Math.round(options.width * options.scale);
+  const height = Math.round(options.height * options.scale);
+  const picture = document.createElement('canvas');
+  picture.width = width;
+  picture.height = height;
+  const context = picture.getContext('2d');
+  if (!context) throw new Error('The browser has no room for a picture of this size; choose a smaller one.');
+
+  const pixelRatio = renderer.getPixelRatio();
+  const clearAlpha = renderer.getClearAlpha();
+  try {
+    renderer.setPixelRatio(1);
+    if (options.ground !== 'paper') renderer.setClearAlpha(0);
+    if (options.ground === 'strokes') scene.showPaper(false);
+    for (let y = 0; y < height; y += TILE) {
+      for (let x = 0; x < width; x += TILE) {
+        const tileWidth = Math.min(TILE, width - x);
+        const tileHeight = Math.min(TILE, height - y);
+        renderer.setSize(tileWidth, tileHeight, false);
+        camera.setViewOffset(width, height, x, y, tileWidth, tileHeight);
+        scene.drawPiece({ viewWidth: width, x, width: tileWidth, height: tileHeight }, options.scale);
+        // In the same task as the drawing: the canvas keeps its content no longer than that.
+        context.drawImage(renderer.domElement, x, y);
+      }
+    }
+  } finally {
+    // Sized back before the next frame, so that the page never shows a piece of the picture.
+    camera.clearViewOffset();
+    scene.showPaper(true);
+    renderer.setClearAlpha(clearAlpha);
+    renderer.setPixelRatio(pixelRatio);
+    renderer.setSize(options.width, options.height, false);
+    scene.draw();
+  }
+  return new Promise((resolve, reject) => {
+    picture.toBlob((blob) => {
+      if (blob) resolve(blob);
+      else reject(new Error('The browser could not pack a picture of this size; choose a smaller one.'));
+    }, 'image/png');
+  });
+}

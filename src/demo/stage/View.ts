@@ -1,0 +1,88 @@
+import { Box3, type PerspectiveCamera, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { CameraView } from '../settings/shareLink.js';
+import { framingDistance } from './framingDistance.js';
+import { OrbitKeys } from './OrbitKeys.js';
+
+/** The direction most models are looked at from at first: a little from the side and from above. */
+const USUAL_VIEW = [0.22, 0.18, 1] as const;
+
+/** Where the camera stands: led by hand or keys, or so that the whole model is in the picture. */
+export class View {
+  readonly controls: OrbitControls;
+  private readonly keys: OrbitKeys;
+  /** Whether the view is the one that shows the whole model; it follows changes of the sheet's size then. */
+  private framed = true;
+  private isFraming = false;
+  private readonly first = new Vector3(...USUAL_VIEW);
+  private readonly bounds = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+
+  /** @param onChange called when the picture must be drawn again */
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly camera: PerspectiveCamera,
+    private readonly onChange: () => void,
+  ) {
+    this.controls = new OrbitControls(camera, canvas);
+    this.controls.minDistance = 1.3;
+    this.controls.maxDistance = 30;
+    this.controls.addEventListener('change', () => {
+      if (!this.isFraming) this.framed = false;
+      onChange();
+    });
+    this.keys = new OrbitKeys(canvas, camera, this.controls, this.frame);
+    canvas.addEventListener('dblclick', this.frame);
+  }
+
+  get isFramed(): boolean {
+    return this.framed;
+  }
+
+  /** Shows the whole model. */
+  readonly frame = (): void => {
+    this.isFraming = true;
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.copy(this.first).setLength(framingDistance(this.bounds, this.first, this.camera));
+    this.controls.update();
+    this.isFraming = false;
+    this.framed = true;
+    this.onChange();
+  };
+
+  /**
+   * The model is another one, or another way up.
+   *
+   * @param first the direction to the eye that shows it whole; undefined: as before
+   */
+  setBounds(bounds: Box3, first?: readonly [number, number, number]): void {
+    this.bounds.copy(bounds);
+    if (first) this.first.set(...first);
+    if (this.framed) this.frame();
+  }
+
+  /** The sheet has another shape. */
+  resized(aspect: number): void {
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+    if (this.framed) this.frame();
+  }
+
+  get place(): CameraView {
+    return { position: this.camera.position.toArray(), target: this.controls.target.toArray() };
+  }
+
+  set place({ position, target }: CameraView) {
+    this.camera.position.fromArray(position);
+    this.controls.target.fromArray(target);
+    this.controls.update();
+    this.onChange();
+  }
+
+  dispose(): void {
+    this.keys.dispose();
+    this.controls.dispose();
+  }
+
+  /** The direction to the eye for models that ask for none. */
+  static readonly usual = USUAL_VIEW;
+}

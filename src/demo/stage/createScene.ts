@@ -1,0 +1,239 @@
+import { Group, MathUtils, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import type { TonalArtMap } from 'three-hatching';
+import type { DrawnModel } from '../drawing/DrawnModel.js';
+import type { Settings } from '../settings/settings.js';
+import { FrameClock } from './FrameClock.js';
+import { FrameTimer } from './FrameTimer.js';
+import { LightRig } from './LightRig.js';
+import { MovingResolution } from './MovingResolution.js';
+import { View } from './View.js';
+
+const FIELD_OF_VIEW = 26;
+const MAX_PIXEL_RATIO = 2;
+/** A desk-filling sheet on a large screen is drawn with fewer pixels than it has, rather than slowly. */
+const MAX_PIXELS = 8_000_000;
+
+/** The picture: renderer, camera, lights, and one model drawn with one look or, compared, with two. */
+export type HatchingScene = ReturnType<typeof createScene>;
+
+/** A strip of a view, in the renderer's pixels. */
+interface Piece {
+  viewWidth: number;
+  x: number;
+  width: number;
+  height: number;
+}
+
+/**
+ * Sets up the drawing on a canvas. Nothing is drawn until `invalidate` is called, and then once.
+ */
+export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, plate: HTMLElement) {
+  const renderer = new WebGLRenderer({ canvas, context });
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
+  const lights = new LightRig(scene);
+  /** Holds the model; turned where its up is another. */
+  const upright = new Group();
+  scene.add(upright);
+  let model: DrawnModel | undefined;
+  /** The model before, until the new one has been drawn: programs that both use are not built again then. */
+  let retired: DrawnModel | undefined;
+  let map: TonalArtMap | undefined;
+  let settings: Settings | undefined;
+
+  const frameListeners: (() => void)[] = [];
+  const clock = new FrameClock(() => draw());
+  const moving = new MovingResolution(() => clock.invalidate());
+  const timer = new FrameTimer(context, () => {
+    moving.measured(timer.milliseconds!);
+    for (const listener of timeListeners) listener();
+  });
+  const timeListeners: (() => void)[] = [];
+  const view = new View(canvas, camera, () => clock.invalidate());
+  let lastFrame = 0;
+  /** Share of the width that is drawn in the compared look, or undefined when there is one drawing only. */
+  let divider: (() => number) | undefined;
+
+  function draw(): void {
+    const { clientWidth: width, clientHeight: height } = plate;
+    if (context.isContextLost() || width === 0 || height === 0) return;
+    moving.beforeFrame();
+    move();
+    if (renderer.getPixelRatio() !== pixelRatio()) renderer.setPixelRatio(pixelRatio());
+    timer.measure(() => drawPiece({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio()));
+    retired?.dispose();
+    retired = undefined;
+    for (const listener of frameListeners) listener();
+    if (model?.motion?.isPlaying) clock.invalidate();
+  }
+
+  /** Moves the model on by the time that has passed. */
+  function move(): void {
+    const now = performance.now();
+    model?.motion?.advance((now - lastFrame) / 1000);
+    lastFrame = now;
+  }
+
+  /**
+   * Draws an upright strip of the view into the canvas as it is sized now: the strip begins `x` pixels from the left of a
+   * view that is `viewWidth` wide. The strip of an ordinary frame is the whole view.
+   *
+   * @param pixelRatio pixels drawn per pixel of the page: strokes are as many times as wide, their edges as sharp
+   */
+  function drawPiece({ viewWidth, x, width, height }: Piece, pixelRatio: number): void {
+    const share = divider?.();
+    if (model && settings) model.strokeWidth = settings.strokeWidth * pixelRatio;
+    model?.wear('drawn');
+    if (share === undefined) {
+      renderer.render(scene, camera);
+      return;
+    }
+    const split = MathUtils.clamp(Math.round(share * viewWidth) - x, 0, width);
+    renderer.setScissorTest(true);
+    renderer.setScissor(split, 0, width - split, height);
+    if (split < width) renderer.render(scene, camera);
+    model?.wear('compared');
+    renderer.setScissor(0, 0, split, height);
+    if (split > 0) renderer.render(scene, camera);
+    renderer.setScissorTest(false);
+  }
+
+  function pixelRatio(): number {
+    const { clientWidth: width, clientHeight: height } = plate;
+    const full = Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
+    return full * moving.share;
+  }
+
+  function resize(): void {
+    const { clientWidth: width, clientHeight: height } = plate;
+    if (width === 0 || height === 0) return;
+    renderer.setPixelRatio(pixelRatio());
+    renderer.setSize(width, height, false);
+    view.resized(width / height);
+    timer.reset();
+    // At once, not in the next frame: a canvas that changed its size is empty until it is drawn.
+    draw();
+  }
+
+  function measureBounds(first?: readonly [number, number, number]): void {
+    upright.updateMatrix();
+    if (model) view.setBounds(model.bounds.clone().applyMatrix4(upright.matrix), first);
+  }
+
+  const sizes = new ResizeObserver(resize);
+  sizes.observe(plate);
+  resize();
+
+  return {
+    renderer,
+    scene,
+    camera,
+    view,
+    lightPosition: lights.position,
+    draw,
+    drawPiece,
+
+    /** Draws on paper, or strokes and nothing else. */
+    showPaper(shown: boolean): void {
+      model?.showPaper(shown);
+    },
+
+    /** Calls back after each frame. */
+    onFrame(listener: () => void): void {
+      frameListeners.push(listener);
+    },
+
+    /** Calls back when {@link frameMilliseconds} has changed. */
+    onFrameTime(listener: () => void): void {
+      timeListeners.push(listener);
+    },
+
+    /** What a frame costs, or undefined before one was measured. */
+    get frameMilliseconds(): number | undefined {
+      return timer.milliseconds;
+    },
+
+    /** Whether frames are drawn in a lower resolution, because the machine is too slow for this movement. */
+    get isCoarse(): boolean {
+      return moving.isCoarse;
+    },
+
+    get framesDrawn(): number {
+      return clock.frames;
+    },
+
+    /** Whether a frame was asked for that is not drawn yet. */
+    get isWaiting(): boolean {
+      return clock.isWaiting;
+    },
+
+    /** Asks for one frame. */
+    invalidate(): void {
+      clock.invalidate();
+    },
+
+    /** Draws a model from now on, and frees the one before. `first` is the direction to the eye that shows it whole. */
+    setModel(next: DrawnModel, first: readonly [number, number, number] = View.usual): void {
+      retired?.dispose();
+      retired = model;
+      retired?.root.removeFromParent();
+      model = next;
+      upright.add(next.root);
+      timer.reset();
+      if (map) next.tonalArtMap = map;
+      if (settings) this.apply(settings);
+      measureBounds(first);
+      clock.invalidate();
+    },
+
+    get model(): DrawnModel | undefined {
+      return model;
+    },
+
+    setTonalArtMap(next: TonalArtMap): void {
+      map = next;
+      if (model) model.tonalArtMap = map;
+      clock.invalidate();
+    },
+
+    get tonalArtMap(): TonalArtMap | undefined {
+      return map;
+    },
+
+    /** Draws a second technique left of a divider, whose place is asked for with every frame; or no longer does. */
+    compareWith(share: (() => number) | undefined): void {
+      divider = share;
+      clock.invalidate();
+    },
+
+    /** Puts the settings in force. Cheap: nothing is rebuilt but, where a setting needs another program, that. */
+    apply(next: Settings): void {
+      settings = next;
+      lights.apply(settings);
+      const tilt = settings.upAxis === 'z' ? -Math.PI / 2 : 0;
+      if (upright.rotation.x !== tilt) {
+        upright.rotation.x = tilt;
+        measureBounds();
+      }
+      renderer.setClearColor(settings.paper, 1);
+      model?.apply(settings);
+      clock.invalidate();
+    },
+
+    /** Whether there is all it takes to draw. */
+    get isComplete(): boolean {
+      return model !== undefined && map !== undefined;
+    },
+
+    dispose(): void {
+      sizes.disconnect();
+      view.dispose();
+      clock.dispose();
+      timer.reset();
+      retired?.dispose();
+      model?.dispose();
+      renderer.dispose();
+      renderer.forceContextLoss();
+    },
+  };
+}

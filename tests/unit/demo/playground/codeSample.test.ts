@@ -1,0 +1,123 @@
+import * as THREE from 'three';
+import { describe, expect, test } from 'vitest';
+import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js';
+import { codeSample } from '../../../../src/demo/playground/codeSample.js';
+import { PRESETS, type PresetName, presetLook } from '../../../../src/demo/settings/presets.js';
+import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
+import { LightRig } from '../../../../src/demo/stage/LightRig.js';
+import { applyHatching } from '../../../../src/material/applyHatching.js';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+
+/** Runs a sample as a person would who pastes it where there is a scene, and returns the scene. */
+async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {
+  const names = [...sample.matchAll(/^import \{ (.*) \} from '(.*)';$/gm)];
+  const loader = loaded ? ['three/addons/loaders/GLTFLoader.js'] : [];
+  expect(names.map(([, , from]) => from)).toEqual(['three', ...loader, 'three-hatching']);
+  const given: Record<string, unknown> = {
+    HatchingMaterial,
+    applyHatching,
+    GLTFLoader: class {
+      loadAsync = async () => ({ scene: loaded });
+    },
+    prepareHatchingGeometry: async (geometry: unknown) => geometry,
+    TonalArtMap: { generate: async () => null },
+    scene: new THREE.Scene(),
+    geometry: new THREE.BufferGeometry(),
+    renderer: { getPixelRatio: () => 1 },
+  };
+  for (const name of names[0]![1]!.split(', ')) given[name] = (THREE as Record<string, unknown>)[name];
+  const body = sample.replace(/^import .*$/gm, '');
+  const program = new Function(
+    'given',
+    `const { ${Object.keys(given).join(', ')} } = given; return (async () => { ${body} })();`,
+  );
+  await program(given);
+  return given.scene as THREE.Scene;
+}
+
+const looks: Record<string, Partial<Settings>> = {
+  ...Object.fromEntries(Object.keys(PRESETS).map((name) => [name, presetLook(name as PresetName)])),
+  'two lights': { secondLight: 'left', secondStrength: 80, lightKind: 'spot' },
+  'one layer under two lights': {
+    secondLight: 'opposite',
+    secondStrength: 70,
+    strokeLayers: '1',
+    toneModel: 'phong',
+    shininess: 9,
+  },
+  'tinted, curved, by depth': {
+    technique: 'adjacency',
+    toneCurve: 'contrast',
+    inkBlend: 'multiply',
+    levelRule: 'depth',
+    offsetU: 0.25,
+    creaseAngle: 30,
+  },
+  'toon, perceptual': {
+    technique: 'adjacencyCrisp',
+    toneModel: 'toon',
+    toneSteps: 6,
+    toneCurve: 'perceptual',
+    lightKind: 'point',
+  },
+};
+
+describe('codeSample', () => {
+  test.each(Object.entries(looks))('makes the material and the lights of the page: %s', async (_name, look) => {
+    const settings = { ...defaultSettings(), ...look };
+    const scene = await run(codeSample(settings, undefined));
+
+    const expected = new HatchingMaterial();
+    applyToMaterial(expected, settings);
+    const { material } = scene.children.find((child) => child instanceof THREE.Mesh) as THREE.Mesh;
+    const made = material as HatchingMaterial;
+    // Without a second light a second layer is nothing.
+    if (settings.secondLight === 'none') expected.secondLayer = false;
+    expect(made.defines).toEqual(expected.defines);
+    for (const key of ['strokeScale', 'strokeRotation', 'reflectedLight', 'creaseAngle', 'edgePixels'] as const) {
+      if (key === 'edgePixels' && settings.technique === 'adjacency') continue;
+      expect(made[key], key).toBeCloseTo(expected[key], 3);
+    }
+    if (look.toneModel === 'toon') expect(made.toneSteps).toBe(expected.toneSteps);
+    if (look.toneModel === 'phong') expect(made.shininess).toBe(expected.shininess);
+    expect(made.toneCurve).toEqual(expected.toneCurve);
+    expect(made.strokeOffset.toArray()).toEqual(expected.strokeOffset.toArray());
+    for (const key of ['ink', 'paper', 'color'] as const) expect(made[key].equals(expected[key]), key).toBe(true);
+
+    const drawn = new THREE.Scene();
+    new LightRig(drawn).apply(settings);
+    const describeLight = (light: THREE.Object3D) => {
+      const direction = light.position.clone();
+      if (light instanceof THREE.DirectionalLight) direction.normalize();
+      return [
+        light.type,
+        ...[...direction.toArray(), (light as THREE.Light).intensity].map((x) => x.toFixed(2)),
+      ].join();
+    };
+    const lights = (of: THREE.Scene) =>
+      of.children
+        .filter((child) => child instanceof THREE.Light && child.visible)
+        .map(describeLight)
+        .sort();
+    expect(lights(scene)).toEqual(lights(drawn));
+  });
+
+  test.each(['shown', 'paper'] as const)(
+    'hatches a loaded scene as the page does, its surfaces %s',
+    async (surfaceColors) => {
+      const settings: Settings = { ...defaultSettings(), surfaceColors, ink: '#203080' };
+      const paint = new THREE.MeshStandardMaterial({ color: 'tomato', map: new THREE.Texture() });
+      const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 8), paint);
+      const scene = await run(codeSample(settings, 5), model);
+      expect(scene.children).toContain(model);
+      const made = model.material as unknown as HatchingMaterial;
+      expect(made).toBeInstanceOf(HatchingMaterial);
+      expect(made.technique).toBe(settings.technique);
+      expect(made.ink.getHexString()).toBe('203080');
+      // The page scales models to a radius of 1; a bounding sphere may be a little larger than the farthest vertex.
+      expect(made.strokeScale * 5).toBeCloseTo(settings.strokeScale, 0);
+      expect(made.color.equals(new THREE.Color(surfaceColors === 'shown' ? 'tomato' : 'white'))).toBe(true);
+      expect(made.map).toBe(surfaceColors === 'shown' ? paint.map : null);
+    },
+  );
+});
