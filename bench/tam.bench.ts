@@ -1,4 +1,5 @@
-import { generateHatchImages, type HatchImageOptions } from '../src/hatchImages/generateHatchImages.js';
+import { generateHatchImages } from '../src/hatchImages/generateHatchImages.js';
+import type { HatchImageOptions } from '../src/hatchImages/hatchImageOptions.js';
 
 /** Time to draw tonal art maps on one thread; no worker, no transfer, no upload. */
 export const name = 'tam';

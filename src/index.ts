@@ -2,7 +2,7 @@ export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
 export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
-export type { HatchImages } from './hatchImages/generateHatchImages.js';
+export type { HatchImages } from './hatchImages/HatchImages.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
 export type { ApplyHatchingOptions } from './material/applyHatching.js';
 export { applyHatching } from './material/applyHatching.js';

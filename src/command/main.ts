@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 import process from 'node:process';
-import { generateHatchImages, type HatchImageOptions } from '../hatchImages/generateHatchImages.js';
+import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
+import type { HatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import type { MapFile } from '../mapFiles/mapFiles.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runSliced } from '../slices/runSliced.js';

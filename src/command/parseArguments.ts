@@ -1,5 +1,5 @@
 import { parseArgs } from 'node:util';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/generateHatchImages.js';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
 
 /** A mistake in how the command was called: told in a sentence, without a stack. */

@@ -1,5 +1,5 @@
 import { findLostInk } from './findLostInk.js';
-import type { HatchImages } from './generateHatchImages.js';
+import type { HatchImages } from './HatchImages.js';
 
 /** How well hatch images keep the constraints of section 3.1 of the paper. None of it stops them from being drawn. */
 export interface HatchImageReport {

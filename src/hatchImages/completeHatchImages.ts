@@ -1,6 +1,6 @@
 import { deriveThresholds } from './deriveThresholds.js';
 import type { ThresholdLevel } from './encodeThresholds.js';
-import type { HatchImages } from './generateHatchImages.js';
+import type { HatchImages } from './HatchImages.js';
 import { makeLevels } from './makeLevels.js';
 
 /** Hatch images with what may be missing of a map. */

@@ -1,7 +1,7 @@
 import { blurToroidal } from '../strokes/blurToroidal.js';
 import { orderOf } from '../strokes/orderOf.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
-import type { HatchImages } from './generateHatchImages.js';
+import type { HatchImages } from './HatchImages.js';
 
 /** Ever more blurred copies of the field, by the texels over which each is blurred further, and what each counts. */
 const BLURS = [

@@ -1,12 +1,12 @@
 import { blurToroidal } from '../strokes/blurToroidal.js';
 import { drawThresholdField } from '../strokes/drawThresholdField.js';
-import { orderOf } from '../strokes/orderOf.js';
 import { paperTooth } from '../strokes/paperTooth.js';
 import { placeStrokes } from '../strokes/placeStrokes.js';
+import { ranked } from '../strokes/ranked.js';
 import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
-import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOptions } from './generateHatchImages.js';
+import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOptions } from './hatchImageOptions.js';
 
 /** Strokes are placed in so many steps of tone: enough for an even drawing at any tone in between. */
 const STEPS = 24;
@@ -98,26 +98,23 @@ function* drawLevel(
     // Thresholds stay positive: only their order matters.
     for (let i = 0; i < half.length; i++) half[i] += (roughness * tooth.depths[i]) / 255;
   }
-  const uneven = ranked(half);
+  const uneven = withHalfTurn(ranked(half));
   yield progress;
   // Where strokes happen to lie closer the tile would be darker at every tone, and with every tile the eye sees it again.
   const local = blurToroidal(uneven, size, NEIGHBOURHOOD);
   yield progress;
   for (let i = 0; i < half.length; i++) half[i] = uneven[i] + 1 - local[i];
-  const thresholds = ranked(half);
+  const thresholds = withHalfTurn(ranked(half));
   yield progress;
   return encodeThresholds(size, thresholds);
 }
 
-/** The ranks of half a field as numbers evenly distributed over (0, 1), and the same after a half turn. */
-function ranked(half: Float32Array): Float32Array {
-  const order = orderOf(half);
-  const thresholds = new Float32Array(2 * half.length);
-  const last = thresholds.length - 1;
-  for (let rank = 0; rank < order.length; rank++) {
-    thresholds[order[rank]] = thresholds[last - order[rank]] = (rank + 0.5) / order.length;
-  }
-  return thresholds;
+/** Half a field, and the same after a half turn. */
+function withHalfTurn(half: Float32Array): Float32Array {
+  const whole = new Float32Array(2 * half.length);
+  whole.set(half);
+  for (let i = 0; i < half.length; i++) whole[whole.length - 1 - i] = half[i];
+  return whole;
 }
 
 /**

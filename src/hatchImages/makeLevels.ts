@@ -1,10 +1,8 @@
-import { orderOf } from '../strokes/orderOf.js';
+import { ranked } from '../strokes/ranked.js';
 import { meanInk } from './checkHatchImages.js';
+import { COARSEST_SIZE } from './coarsestSize.js';
 import { deriveThresholds } from './deriveThresholds.js';
-import type { HatchImages } from './generateHatchImages.js';
-
-/** Texels per side of the coarsest level: on fewer, strokes are as long as they are wide. */
-const COARSEST_SIZE = 16;
+import type { HatchImages } from './HatchImages.js';
 
 /**
  * Makes the levels that images of one level lack, each with half the texels, down to 16 per side.
@@ -61,14 +59,6 @@ function halved(field: Float32Array, size: number): Float32Array {
       result[row * half + column] = (field[at] + field[at + 1] + field[at + size] + field[at + size + 1]) / 4;
     }
   }
-  return result;
-}
-
-/** The same order, evenly distributed over (0, 1). */
-function ranked(field: Float32Array): Float32Array {
-  const order = orderOf(field);
-  const result = new Float32Array(field.length);
-  for (let rank = 0; rank < order.length; rank++) result[order[rank]] = (rank + 0.5) / order.length;
   return result;
 }
 

@@ -1,5 +1,5 @@
 import { findLostInk, HALF_INK } from './findLostInk.js';
-import type { HatchImages } from './generateHatchImages.js';
+import type { HatchImages } from './HatchImages.js';
 
 /**
  * Gives finer levels the ink of coarser ones that they lack (`findLostInk`): one texel at each such place becomes half ink,

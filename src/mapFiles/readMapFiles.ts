@@ -1,5 +1,5 @@
 import { meanInk } from '../hatchImages/checkHatchImages.js';
-import type { HatchImages } from '../hatchImages/generateHatchImages.js';
+import type { HatchImages } from '../hatchImages/HatchImages.js';
 import { decodePng } from './decodePng.js';
 import { MAP_FORMAT, MAP_VERSION, type MapDescription } from './mapFiles.js';
 import type { Pixels } from './Pixels.js';

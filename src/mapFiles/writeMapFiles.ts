@@ -1,4 +1,4 @@
-import type { HatchImages } from '../hatchImages/generateHatchImages.js';
+import type { HatchImages } from '../hatchImages/HatchImages.js';
 import { encodePng } from './encodePng.js';
 import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile } from './mapFiles.js';
 

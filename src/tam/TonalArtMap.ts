@@ -1,11 +1,8 @@
 import { assertHatchImages, checkHatchImages, type HatchImageReport } from '../hatchImages/checkHatchImages.js';
 import { deriveThresholds } from '../hatchImages/deriveThresholds.js';
 import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThresholds.js';
-import {
-  type HatchImageOptions,
-  type HatchImages,
-  resolveHatchImageOptions,
-} from '../hatchImages/generateHatchImages.js';
+import type { HatchImages } from '../hatchImages/HatchImages.js';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { readSource, type TonalArtMapSource } from '../mapFiles/readSource.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runTask } from '../worker/runTask.js';

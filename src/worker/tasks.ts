@@ -3,8 +3,9 @@ import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from
 import { bakePull, bakePullResultBuffers } from '../bake/bakePull.js';
 import { completeHatchImages } from '../hatchImages/completeHatchImages.js';
 import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
-import { generateHatchImages, type HatchImages } from '../hatchImages/generateHatchImages.js';
+import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
+import type { HatchImages } from '../hatchImages/HatchImages.js';
 
 /** A long computation that the worker offers. Requests and results are plain data. */
 interface Task<Request, Result> {

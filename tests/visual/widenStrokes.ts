@@ -1,8 +1,5 @@
-import {
-  type HatchImageOptions,
-  type HatchImages,
-  resolveHatchImageOptions,
-} from '../../src/hatchImages/generateHatchImages.js';
+import type { HatchImages } from '../../src/hatchImages/HatchImages.js';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../../src/hatchImages/hatchImageOptions.js';
 import { placeStrokes } from '../../src/strokes/placeStrokes.js';
 import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
 

@@ -1,18 +1,10 @@
 import { damaged } from '../files/ModelError.js';
 import { triangleCount } from '../files/PlainMesh.js';
-import type { LiveScene } from '../files/parseGltf.js';
 import type { ReadModel } from '../files/readModel.js';
-import type { Report } from '../playground/TaskBoard.js';
+import type { MadeScene } from '../models/MadeScene.js';
 import type { DrawnModel } from './DrawnModel.js';
 import { drawMesh } from './drawMesh.js';
-
-/** A model that was made here with parts that move, instead of read. */
-export interface MadeScene {
-  kind: 'scene';
-  name: string;
-  upAxis: 'y';
-  scene: LiveScene;
-}
+import type { Report } from './Report.js';
 
 /** Makes a drawing of what was read, telling how it gets on. `broken`: how much of it was left out. */
 export async function drawModel(

@@ -9,10 +9,10 @@ import {
   Scene,
   Vector3,
 } from 'three';
-import { HatchingMaterial, type HatchingTechnique, TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, type HatchingTechnique, type StrokeStyleName, TonalArtMap } from 'three-hatching';
 import { fitCamera } from '../stage/fitCamera.js';
 import { figureModel } from './figureModels.js';
-import type { Figure, Look, MapStyle, Panel } from './figures.js';
+import type { Figure, Look, Panel } from './figures.js';
 
 /** `paper` draws each panel by its own technique, `anchored` draws anchored strokes where the paper would blend. */
 export type Hand = 'paper' | 'anchored';
@@ -24,9 +24,9 @@ const USUAL_REFLECTION = 0.35;
 const ANCHORED_SCALE = 1.7;
 const AXES = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) } as const;
 
-const maps = new Map<MapStyle, Promise<TonalArtMap>>();
+const maps = new Map<StrokeStyleName, Promise<TonalArtMap>>();
 
-function mapOf(style: MapStyle): Promise<TonalArtMap> {
+function mapOf(style: StrokeStyleName): Promise<TonalArtMap> {
   let map = maps.get(style);
   if (!map) {
     map = TonalArtMap.generate({ style });

@@ -2,7 +2,6 @@ import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 }
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { prepareHatchingGeometry } from 'three-hatching';
 import { bakeMesh } from '../drawing/bakeMesh.js';
-import type { MadeScene } from '../drawing/drawModel.js';
 import { fitModel } from '../files/fitModel.js';
 import { ModelError } from '../files/ModelError.js';
 import { mergeScene } from '../files/mergeScene.js';
@@ -10,6 +9,7 @@ import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import handUrl from '../models/assets/hand.glb?url';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';
+import type { MadeScene } from '../models/MadeScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { shellChair } from '../models/shellChair.js';
 

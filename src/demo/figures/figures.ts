@@ -1,8 +1,6 @@
 /** The paper's figures that are drawn again, as plain data: the page, the pictures in the documentation and their tests read this table. */
-import type { HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
+import type { HatchingMaterialOptions, StrokeStyleName } from 'three-hatching';
 import type { FigureModelName } from './figureModels.js';
-
-export type MapStyle = NonNullable<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>['style']>;
 
 /** How a part of a panel's model is drawn, where it differs from the rest of the figure. */
 export interface Look
@@ -21,7 +19,7 @@ export interface Look
       | 'ink'
     >
   > {
-  style?: MapStyle;
+  style?: StrokeStyleName;
 }
 
 type Triple = readonly [x: number, y: number, z: number];

@@ -1,14 +1,10 @@
+import { findElement } from '../page/findElement.js';
+
 /** The elements of figures/index.html that the script works on. */
 export const figuresPage = {
-  figures: find('figures'),
-  turn: find('turn') as HTMLInputElement,
-  turnValue: find('turn-value'),
-  hand: find('hand'),
-  status: find('status'),
+  figures: findElement('figures'),
+  turn: findElement('turn') as HTMLInputElement,
+  turnValue: findElement('turn-value'),
+  hand: findElement('hand'),
+  status: findElement('status'),
 };
-
-function find(id: string): HTMLElement {
-  const element = document.getElementById(id);
-  if (!element) throw new Error(`figuresPage: figures/index.html has no element with the id "${id}"; add it back.`);
-  return element;
-}

@@ -1,6 +1,6 @@
+import type { FindFile } from './FindFile.js';
 import { type GltfDocument, textureSource } from './gltfFile.js';
 import { pictureSize } from './pictureSize.js';
-import type { FindFile } from './readGltf.js';
 
 /** A picture of 44 kilobytes can unpack to a gigabyte. */
 const MAX_PIXELS = 2 ** 26;

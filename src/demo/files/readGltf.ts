@@ -1,12 +1,10 @@
+import type { FindFile } from './FindFile.js';
 import { checkBufferViews, type GltfDocument, isLive, readGltfDocument, splitGlb } from './gltfFile.js';
 import { collectPictures } from './gltfPictures.js';
 import { ModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 import { type GltfParts, parseGltf } from './parseGltf.js';
-
-/** Bytes of a file of the drop by the name another file uses for it, or undefined. */
-export type FindFile = (uri: string) => Promise<Uint8Array | undefined>;
 
 /**
  * Reads GLB, or glTF with its files, also when compressed with Draco or meshopt. Nothing is fetched from elsewhere.

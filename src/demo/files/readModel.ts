@@ -3,13 +3,14 @@ import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { checkPly } from './checkPly.js';
 import { cleanMesh } from './cleanMesh.js';
+import type { FindFile } from './FindFile.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
 import { damaged, ModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
-import { type FindFile, readGltf } from './readGltf.js';
+import { readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
 import { extensionOf, MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
 

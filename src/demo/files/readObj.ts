@@ -1,8 +1,8 @@
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
+import type { FindFile } from './FindFile.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
-import type { FindFile } from './readGltf.js';
 
 /** Reads an OBJ file; the colours of its MTL file are used when that was dropped along with it. */
 export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<PlainMesh> {

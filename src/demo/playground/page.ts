@@ -1,45 +1,41 @@
+import { findElement } from '../page/findElement.js';
+
 /** The elements of index.html that the script works on. */
 export const page = {
-  sheet: find('sheet'),
-  plate: find('plate'),
-  canvas: find('drawing') as HTMLCanvasElement,
-  divider: find('divider'),
-  lamp: find('lamp'),
-  facts: find('facts'),
-  frameTime: find('frame-time'),
-  card: find('card'),
-  presets: find('presets'),
-  panel: find('panel'),
-  motion: find('motion'),
-  toggleCard: find('toggle-card'),
-  openFiles: find('open-files'),
-  savePng: find('save-png'),
-  undo: find('undo') as HTMLButtonElement,
+  sheet: findElement('sheet'),
+  plate: findElement('plate'),
+  canvas: findElement('drawing') as HTMLCanvasElement,
+  divider: findElement('divider'),
+  lamp: findElement('lamp'),
+  facts: findElement('facts'),
+  frameTime: findElement('frame-time'),
+  card: findElement('card'),
+  presets: findElement('presets'),
+  panel: findElement('panel'),
+  motion: findElement('motion'),
+  toggleCard: findElement('toggle-card'),
+  openFiles: findElement('open-files'),
+  savePng: findElement('save-png'),
+  undo: findElement('undo') as HTMLButtonElement,
   contact: {
-    sheet: find('contact'),
-    scroller: find('contact-scroller'),
-    caption: find('contact-caption'),
-    close: find('close-contact') as HTMLButtonElement,
+    sheet: findElement('contact'),
+    scroller: findElement('contact-scroller'),
+    caption: findElement('contact-caption'),
+    close: findElement('close-contact') as HTMLButtonElement,
   },
-  saveMap: find('save-map'),
-  openMap: find('open-map'),
-  drop: find('drop'),
-  fileInput: find('file-input') as HTMLInputElement,
+  saveMap: findElement('save-map'),
+  openMap: findElement('open-map'),
+  drop: findElement('drop'),
+  fileInput: findElement('file-input') as HTMLInputElement,
   status: {
-    message: find('status'),
-    progress: find('progress'),
-    progressLine: find('progress-line'),
-    cancel: find('cancel') as HTMLButtonElement,
+    message: findElement('status'),
+    progress: findElement('progress'),
+    progressLine: findElement('progress-line'),
+    cancel: findElement('cancel') as HTMLButtonElement,
   },
 };
 
 /** How far the page is: `loading`, `ready` to be used, `lost` without a graphics context, or `failed` for good. */
 export function setPageState(state: 'loading' | 'ready' | 'lost' | 'failed'): void {
   document.documentElement.dataset.state = state;
-}
-
-function find(id: string): HTMLElement {
-  const element = document.getElementById(id);
-  if (!element) throw new Error(`page: index.html has no element with the id "${id}"; add it back.`);
-  return element;
 }

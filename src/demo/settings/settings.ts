@@ -1,4 +1,5 @@
 /** Everything a person can set, as plain data in one place: the panel, the link and the drawing all read this table. */
+import type { BuiltInModel } from '../models/models.js';
 
 interface SettingBase<Value> {
   label: string;
@@ -57,7 +58,7 @@ export const SETTINGS = {
       cube: 'Cube',
       sphere: 'Sphere',
       file: 'Your own',
-    },
+    } satisfies Record<BuiltInModel | 'file', string>,
   },
   technique: { kind: 'choice', label: 'Technique', group: 'Drawing', default: 'anchored', choices: TECHNIQUES },
   compare: {

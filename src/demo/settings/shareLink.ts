@@ -1,10 +1,5 @@
+import type { CameraView } from './CameraView.js';
 import { acceptSetting, defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
-
-/** Where the camera stands and what it looks at, in units of the model's radius. */
-export interface CameraView {
-  position: [number, number, number];
-  target: [number, number, number];
-}
 
 const DECIMALS = 1000;
 

@@ -1,6 +1,6 @@
 import { Box3, type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { CameraView } from '../settings/shareLink.js';
+import type { CameraView } from '../settings/CameraView.js';
 import { framingDistance } from './framingDistance.js';
 import { OrbitKeys } from './OrbitKeys.js';
 

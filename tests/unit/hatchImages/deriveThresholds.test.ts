@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { deriveThresholds as derive } from '../../../src/hatchImages/deriveThresholds.js';
-import type { HatchImages } from '../../../src/hatchImages/generateHatchImages.js';
+import type { HatchImages } from '../../../src/hatchImages/HatchImages.js';
 import { finish, hatchImages } from '../strokes/draw.js';
 
 const deriveThresholds = (images: HatchImages) => finish(derive(images));

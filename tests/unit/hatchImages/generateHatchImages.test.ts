@@ -1,10 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { checkHatchImages } from '../../../src/hatchImages/checkHatchImages.js';
-import {
-  generateHatchImages,
-  type HatchImageOptions,
-  resolveHatchImageOptions,
-} from '../../../src/hatchImages/generateHatchImages.js';
+import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { ThresholdLevel } from '../../../src/hatchImages/encodeThresholds.js';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../../../src/hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../../../src/hatchImages/generateThresholds.js';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
 import { drawThresholdField } from '../../../src/strokes/drawThresholdField.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import { finish, styleNames } from '../strokes/draw.js';

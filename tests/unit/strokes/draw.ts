@@ -1,8 +1,6 @@
-import {
-  generateHatchImages,
-  type HatchImageOptions,
-  type HatchImages,
-} from '../../../src/hatchImages/generateHatchImages.js';
+import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
+import type { HatchImages } from '../../../src/hatchImages/HatchImages.js';
+import type { HatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import { type StrokeStyleName, strokeStyles } from '../../../src/strokes/strokeStyles.js';

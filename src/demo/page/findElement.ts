@@ -1,0 +1,10 @@
+/**
+ * The element of the page's HTML with the id `id`.
+ *
+ * @throws Error if the HTML has none
+ */
+export function findElement(id: string): HTMLElement {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`findElement: the page has no element with the id "${id}"; add it back to its HTML.`);
+  return element;
+}

@@ -1,0 +1,10 @@
+/** Hatch images as bytes, 255 = paper, 0 = ink. */
+export interface HatchImages {
+  /** Texels per side of level 0. */
+  size: number;
+  /**
+   * `images[tone][level]`: (size / 2^level)² bytes in rows of growing v, strokes along u. Image k of n stands for tone
+   * k/(n−1); image 0 is the lightest.
+   */
+  images: Uint8Array[][];
+}

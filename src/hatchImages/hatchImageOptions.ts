@@ -1,0 +1,61 @@
+import { type StrokeStyle, type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
+import { COARSEST_SIZE } from './coarsestSize.js';
+
+/** What `TonalArtMap.generate` draws. */
+export interface HatchImageOptions {
+  /** The hand. Default `'hatching'`. */
+  style?: StrokeStyleName | undefined;
+  /** Another whole number gives another drawing of the same kind; the same one gives the same bytes. Default 1. */
+  seed?: number | undefined;
+  /** Texels per side of the finest level: a power of two from 64 to 1024. Default 256. */
+  size?: number | undefined;
+  /** Number of tones with blank paper, 4 to 16. Default 8. */
+  tones?: number | undefined;
+  /** Number of levels. Default and maximum: all from `size` down to 16 texels. */
+  levels?: number | undefined;
+  /**
+   * Width of a stroke or diameter of a dot in texels, the same on every level. Its default and its range depend on the
+   * style: 1.9 of 1.2 to 2.6 for pen strokes, 2.4 of 1.65 to 2.5 for dots.
+   */
+  strokeWidth?: number | undefined;
+}
+
+/** Options with every default filled in. */
+export interface HatchImageRequest {
+  style: StrokeStyle;
+  seed: number;
+  size: number;
+  tones: number;
+  levels: number;
+}
+
+/**
+ * Fills in defaults and checks ranges.
+ *
+ * @throws RangeError naming the option and what it may be
+ */
+export function resolveHatchImageOptions(options: HatchImageOptions = {}): HatchImageRequest {
+  const { style: name = 'hatching', seed = 1, size = 256, tones = 8 } = options;
+  if (!Object.hasOwn(strokeStyles, name)) {
+    fail('style', name, `one of ${Object.keys(strokeStyles).join(', ')}`);
+  }
+  if (!Number.isSafeInteger(seed)) fail('seed', seed, 'a whole number');
+  if (![64, 128, 256, 512, 1024].includes(size)) fail('size', size, '64, 128, 256, 512 or 1024');
+  if (!Number.isInteger(tones) || tones < 4 || tones > 16) fail('tones', tones, 'a whole number from 4 to 16');
+  const allLevels = Math.log2(size / COARSEST_SIZE) + 1;
+  const levels = options.levels ?? allLevels;
+  if (!Number.isInteger(levels) || levels < 1 || levels > allLevels) {
+    fail('levels', levels, `a whole number from 1 to ${allLevels} at size ${size}, or left out`);
+  }
+  const style: StrokeStyle = strokeStyles[name];
+  const width = options.strokeWidth ?? style.width;
+  const [narrowest, widest] = style.widthRange;
+  if (!(width >= narrowest && width <= widest)) {
+    fail('strokeWidth', width, `a number from ${narrowest} to ${widest} texels for style ${name}`);
+  }
+  return { style: { ...style, width }, seed, size, tones, levels };
+}
+
+function fail(option: keyof HatchImageOptions, value: unknown, allowed: string): never {
+  throw new RangeError(`TonalArtMap.generate: ${option} is ${String(value)}, but must be ${allowed}.`);
+}
