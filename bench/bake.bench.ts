@@ -55,7 +55,7 @@ function measure(mesh: TriangleMesh): Measurement {
     adjacencyMs: round(median(adjacency.map(({ totalMs }) => totalMs))),
     millionTrianglesPerSecond: round(triangles / medianMs / 1000),
     longestStepMs: round(Math.max(...repeats.map(({ longestStepMs }) => longestStepMs))),
-    stepsPerTriangle: round(adjacency[0]!.result.steps / triangles),
+    stepsPerTriangle: round(adjacency[0].result.steps / triangles),
   };
 }
 
@@ -72,11 +72,11 @@ function timed<Result>(start: () => Generator<number, Result, void>) {
   }
 }
 
-const median = (values: number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1]!;
+const median = (values: number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1];
 const round = (value: number): number => Number(value.toPrecision(3));
 
 function meshOf({ attributes, index }: BufferGeometry): TriangleMesh {
-  return { positions: new Float32Array(attributes.position!.array), indices: new Uint32Array(index!.array) };
+  return { positions: new Float32Array(attributes.position.array), indices: new Uint32Array(index!.array) };
 }
 
 function dragon(file: string): TriangleMesh {
@@ -106,7 +106,7 @@ function shuffled({ positions, indices }: TriangleMesh): TriangleMesh {
   for (const [vertex, to] of order.entries())
     result.positions.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * to);
   for (const [triangle, to] of triangles.entries()) {
-    for (let k = 0; k < 3; k++) result.indices[3 * to + k] = order[indices[3 * triangle + k]!]!;
+    for (let k = 0; k < 3; k++) result.indices[3 * to + k] = order[indices[3 * triangle + k]];
   }
   return result;
 }
@@ -124,7 +124,7 @@ function permutation(length: number, random: () => number): Uint32Array {
   const order = Uint32Array.from({ length }, (_, i) => i);
   for (let i = length - 1; i > 0; i--) {
     const j = Math.floor(random() * (i + 1));
-    [order[i], order[j]] = [order[j]!, order[i]!];
+    [order[i], order[j]] = [order[j], order[i]];
   }
   return order;
 }

@@ -136,8 +136,8 @@ export class SurfaceCamera {
     return {
       width: this.size,
       height: this.size,
-      luminance: Float32Array.from({ length: pixels }, (_, i) => rgba[4 * i]! / 255),
-      surface: Uint8Array.from({ length: pixels }, (_, i) => rgba[4 * i + 3]!),
+      luminance: Float32Array.from({ length: pixels }, (_, i) => rgba[4 * i] / 255),
+      surface: Uint8Array.from({ length: pixels }, (_, i) => rgba[4 * i + 3]),
     };
   }
 

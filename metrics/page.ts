@@ -192,14 +192,14 @@ function sizeOnScreen(camera: SurfaceCamera, material: HatchingMaterial): Vector
 }
 
 function seenSquarely(image: LocatedImage): SurfaceImage {
-  return { ...image, surface: image.surface.map((s, i) => (image.places[4 * i + 3]! > SQUARELY ? s : 0)) };
+  return { ...image, surface: image.surface.map((s, i) => (image.places[4 * i + 3] > SQUARELY ? s : 0)) };
 }
 
 /** The point of the model shown nearest to the middle of the picture and seen squarely. */
 function middleOf({ width, height, surface, places }: LocatedImage): Vector3 {
   let [best, nearest] = [-1, Number.POSITIVE_INFINITY];
   for (let i = 0; i < surface.length; i++) {
-    if (surface[i] === 0 || places[4 * i + 3]! < SQUARELY) continue;
+    if (surface[i] === 0 || places[4 * i + 3] < SQUARELY) continue;
     const distance = Math.hypot((i % width) - width / 2, Math.floor(i / width) - height / 2);
     if (distance < nearest) [best, nearest] = [i, distance];
   }

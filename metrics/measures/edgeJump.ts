@@ -14,10 +14,10 @@ export interface EdgeJump {
 export function edgeJump(own: SurfaceImage, twin: SurfaceImage): EdgeJump {
   const jumps: number[] = [];
   for (let i = 0; i < own.luminance.length; i++) {
-    if (own.surface[i] !== 0 && twin.surface[i] !== 0) jumps.push(Math.abs(own.luminance[i]! - twin.luminance[i]!));
+    if (own.surface[i] !== 0 && twin.surface[i] !== 0) jumps.push(Math.abs(own.luminance[i] - twin.luminance[i]));
   }
   if (jumps.length === 0) return { mean: Number.NaN, p95: Number.NaN, samples: 0 };
   jumps.sort((a, b) => a - b);
   const mean = jumps.reduce((sum, jump) => sum + jump, 0) / jumps.length;
-  return { mean, p95: jumps[Math.floor(0.95 * (jumps.length - 1))]!, samples: jumps.length };
+  return { mean, p95: jumps[Math.floor(0.95 * (jumps.length - 1))], samples: jumps.length };
 }

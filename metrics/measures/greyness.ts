@@ -10,7 +10,7 @@ export function greyness({ luminance, surface }: SurfaceImage): number {
   for (let i = 0; i < luminance.length; i++) {
     if (surface[i] === 0) continue;
     all++;
-    if (luminance[i]! > 0.2 && luminance[i]! < 0.8) grey++;
+    if (luminance[i] > 0.2 && luminance[i] < 0.8) grey++;
   }
   return grey / all;
 }

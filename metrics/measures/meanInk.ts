@@ -7,7 +7,7 @@ export function meanInk({ luminance, surface }: SurfaceImage): number {
   for (let i = 0; i < luminance.length; i++) {
     if (surface[i] === 0) continue;
     all++;
-    ink += 1 - luminance[i]!;
+    ink += 1 - luminance[i];
   }
   return ink / all;
 }

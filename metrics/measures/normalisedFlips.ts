@@ -8,7 +8,7 @@ export function normalisedFlips(before: SurfaceImage, after: SurfaceImage): numb
   const count = new FlipCount();
   for (let i = 0; i < before.luminance.length; i++) {
     if (before.surface[i] !== 0 && after.surface[i] !== 0) {
-      count.add(isInk(before.luminance[i]!), isInk(after.luminance[i]!));
+      count.add(isInk(before.luminance[i]), isInk(after.luminance[i]));
     }
   }
   return count.normalised();

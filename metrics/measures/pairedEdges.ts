@@ -14,7 +14,7 @@ export function pairedEdges(positions: ArrayLike<number>, maximumAngle: number):
   const pointOf = new Uint32Array(corners);
   for (let corner = 0; corner < corners; corner++) {
     // Adding 0 folds −0.
-    const key = `${positions[3 * corner]! + 0},${positions[3 * corner + 1]! + 0},${positions[3 * corner + 2]! + 0}`;
+    const key = `${positions[3 * corner] + 0},${positions[3 * corner + 1] + 0},${positions[3 * corner + 2] + 0}`;
     const known = points.get(key);
     if (known === undefined) points.set(key, points.size);
     pointOf[corner] = known ?? points.size - 1;
@@ -23,7 +23,7 @@ export function pairedEdges(positions: ArrayLike<number>, maximumAngle: number):
   /** Corners at the starts of the half-edges between two points, whichever way they run. */
   const halfEdges = new Map<number, number[]>();
   for (let corner = 0; corner < corners; corner++) {
-    const [a, b] = [pointOf[corner]!, pointOf[nextCorner(corner)]!];
+    const [a, b] = [pointOf[corner], pointOf[nextCorner(corner)]];
     const key = Math.min(a, b) * points.size + Math.max(a, b);
     const list = halfEdges.get(key);
     if (list) list.push(corner);
@@ -35,7 +35,7 @@ export function pairedEdges(positions: ArrayLike<number>, maximumAngle: number):
   for (const starts of halfEdges.values()) {
     const [own, twin] = starts;
     if (starts.length !== 2 || own === undefined || twin === undefined) continue;
-    const [start, end] = [pointOf[own]!, pointOf[nextCorner(own)]!];
+    const [start, end] = [pointOf[own], pointOf[nextCorner(own)]];
     // The twin runs the other way round, unless the winding is inconsistent; then there is no common outside.
     if (start === end || pointOf[twin] !== end) continue;
     if (!(dot(faceNormal(positions, own), faceNormal(positions, twin)) >= least)) continue;

@@ -23,29 +23,29 @@ export function reprojectedFlips(before: LocatedImage, after: LocatedImage): num
   const m = after.objectToClip;
   const count = new FlipCount();
   for (let i = 0; i < before.luminance.length; i++) {
-    if (before.surface[i] === 0 || places[4 * i + 3]! < LEAST_FACING) continue;
-    const [x, y, z] = [places[4 * i]!, places[4 * i + 1]!, places[4 * i + 2]!];
-    const w = m[3]! * x + m[7]! * y + m[11]! * z + m[15]!;
-    const column = ((m[0]! * x + m[4]! * y + m[8]! * z + m[12]!) / w / 2 + 0.5) * width - 0.5;
-    const row = ((m[1]! * x + m[5]! * y + m[9]! * z + m[13]!) / w / 2 + 0.5) * height - 0.5;
+    if (before.surface[i] === 0 || places[4 * i + 3] < LEAST_FACING) continue;
+    const [x, y, z] = [places[4 * i], places[4 * i + 1], places[4 * i + 2]];
+    const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+    const column = ((m[0] * x + m[4] * y + m[8] * z + m[12]) / w / 2 + 0.5) * width - 0.5;
+    const row = ((m[1] * x + m[5] * y + m[9] * z + m[13]) / w / 2 + 0.5) * height - 0.5;
     const [left, bottom] = [Math.floor(column), Math.floor(row)];
     if (!(left >= 0 && bottom >= 0 && left + 1 < width && bottom + 1 < height)) continue;
     const corners = [0, 1, width, width + 1].map((step) => bottom * width + left + step);
     if (corners.some((corner) => after.surface[corner] === 0)) continue;
 
     // Object units to a pixel at this depth: the first two rows of the matrix hold pixels per unit, times w.
-    const pixelsPerUnit = (Math.hypot(m[1]!, m[5]!, m[9]!) * height) / 2 / w;
+    const pixelsPerUnit = (Math.hypot(m[1], m[5], m[9]) * height) / 2 / w;
     const nearest = Math.round(row) * width + Math.round(column);
     const away = Math.hypot(
-      after.places[4 * nearest]! - x,
-      after.places[4 * nearest + 1]! - y,
-      after.places[4 * nearest + 2]! - z,
+      after.places[4 * nearest] - x,
+      after.places[4 * nearest + 1] - y,
+      after.places[4 * nearest + 2] - z,
     );
     if (away * pixelsPerUnit > SAME_PLACE_PIXELS) continue;
 
     const [u, v] = [column - left, row - bottom];
-    const [a, b, c, d] = corners.map((corner) => after.luminance[corner]!) as [number, number, number, number];
-    count.add(isInk(before.luminance[i]!), isInk((1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d)));
+    const [a, b, c, d] = corners.map((corner) => after.luminance[corner]) as [number, number, number, number];
+    count.add(isInk(before.luminance[i]), isInk((1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d)));
   }
   return count.normalised();
 }
@@ -54,6 +54,6 @@ export function reprojectedFlips(before: LocatedImage, after: LocatedImage): num
 export function poppingIndex(flips: readonly number[]): number {
   const sorted = flips.toSorted((a, b) => a - b);
   const middle = sorted.length >> 1;
-  const median = sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
+  const median = sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
   return sorted.at(-1)! / median;
 }

@@ -13,7 +13,7 @@ export function strokeCoherence({ width, height, luminance, surface }: SurfaceIm
   const mask = Float32Array.from(surface, (s) => (s === 0 ? 0 : 1));
   const covered = blur(mask, width, height, GRADIENT_SIGMA);
   const light = blur(
-    luminance.map((l, i) => l * mask[i]!),
+    luminance.map((l, i) => l * mask[i]),
     width,
     height,
     GRADIENT_SIGMA,
@@ -26,9 +26,9 @@ export function strokeCoherence({ width, height, luminance, surface }: SurfaceIm
     for (let x = 1; x + 1 < width; x++) {
       const i = y * width + x;
       // Near the outline the smoothing has reached beyond the surface; what changes there is not a stroke.
-      if ([i, i - 1, i + 1, i - width, i + width].some((j) => covered[j]! < 0.9999)) continue;
-      const dx = (light[i + 1]! - light[i - 1]!) / 2;
-      const dy = (light[i + width]! - light[i - width]!) / 2;
+      if ([i, i - 1, i + 1, i - width, i + width].some((j) => covered[j] < 0.9999)) continue;
+      const dx = (light[i + 1] - light[i - 1]) / 2;
+      const dy = (light[i + width] - light[i - width]) / 2;
       xx[i] = dx * dx;
       xy[i] = dx * dy;
       yy[i] = dy * dy;
@@ -42,8 +42,8 @@ export function strokeCoherence({ width, height, luminance, surface }: SurfaceIm
   let [difference, sum] = [0, 0];
   for (let i = 0; i < jxx.length; i++) {
     if (surface[i] === 0) continue;
-    difference += Math.hypot(jxx[i]! - jyy[i]!, 2 * jxy[i]!);
-    sum += jxx[i]! + jyy[i]!;
+    difference += Math.hypot(jxx[i] - jyy[i], 2 * jxy[i]);
+    sum += jxx[i] + jyy[i];
   }
   return difference / sum;
 }
@@ -59,7 +59,7 @@ function blur(source: Float32Array, width: number, height: number, sigma: number
       for (let at = 0; at < length; at++) {
         let value = 0;
         for (let k = Math.max(-radius, -at); k <= Math.min(radius, length - 1 - at); k++) {
-          value += kernel[k + radius]! * from[line * lineStep + (at + k) * step]!;
+          value += kernel[k + radius] * from[line * lineStep + (at + k) * step];
         }
         to[line * lineStep + at * step] = value / total;
       }

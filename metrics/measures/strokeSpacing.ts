@@ -24,9 +24,9 @@ export function strokeSpacing({ width, height, luminance, surface }: SurfaceImag
             whole = false;
             break;
           }
-          const ink = isInk(luminance[i]!);
-          if (x > left && y > top && ink !== isInk(luminance[i - 1]!)) alongRows++;
-          if (x > left && y > top && ink !== isInk(luminance[i - width]!)) alongColumns++;
+          const ink = isInk(luminance[i]);
+          if (x > left && y > top && ink !== isInk(luminance[i - 1])) alongRows++;
+          if (x > left && y > top && ink !== isInk(luminance[i - width])) alongColumns++;
         }
       }
       if (!whole) continue;

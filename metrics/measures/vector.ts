@@ -16,9 +16,9 @@ export function unit(a: Vector): Vector {
 
 /** The xyz at an index of an array of them. */
 export const vectorAt = (array: ArrayLike<number>, index: number): Vector => [
-  array[3 * index]!,
-  array[3 * index + 1]!,
-  array[3 * index + 2]!,
+  array[3 * index],
+  array[3 * index + 1],
+  array[3 * index + 2],
 ];
 
 /** Unit normal of the triangle that a corner of a triangle soup belongs to; NaN for one without area. */

@@ -14,9 +14,9 @@ export class EdgeAxes {
     private readonly origin: number,
     target: number,
   ) {
-    let x = positions[target]! - positions[origin]!;
-    let y = positions[target + 1]! - positions[origin + 1]!;
-    let z = positions[target + 2]! - positions[origin + 2]!;
+    let x = positions[target] - positions[origin];
+    let y = positions[target + 1] - positions[origin + 1];
+    let z = positions[target + 2] - positions[origin + 2];
     const length = Math.sqrt(x * x + y * y + z * z);
     x /= length;
     y /= length;
@@ -50,9 +50,9 @@ export class EdgeAxes {
   /** The angle of a position about the edge, in [0, 2π). */
   angleOf(position: number): number {
     const { positions, origin } = this;
-    const x = positions[position]! - positions[origin]!;
-    const y = positions[position + 1]! - positions[origin + 1]!;
-    const z = positions[position + 2]! - positions[origin + 2]!;
+    const x = positions[position] - positions[origin];
+    const y = positions[position + 1] - positions[origin + 1];
+    const z = positions[position + 2] - positions[origin + 2];
     const angle = Math.atan2(x * this.vx + y * this.vy + z * this.vz, x * this.ux + y * this.uy + z * this.uz);
     // The remainder, because a tiny negative angle plus 2π rounds to 2π.
     return angle < 0 ? (angle + TWO_PI) % TWO_PI : angle;

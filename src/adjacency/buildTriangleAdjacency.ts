@@ -48,5 +48,5 @@ function gatherRange(
   start: number,
   end: number,
 ): void {
-  for (let corner = start; corner < end; corner++) canonicalCorners[corner] = canonical[indices[corner]!]!;
+  for (let corner = start; corner < end; corner++) canonicalCorners[corner] = canonical[indices[corner]];
 }

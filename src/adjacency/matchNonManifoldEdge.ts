@@ -45,22 +45,22 @@ export function matchNonManifoldEdge(
   const heap: Candidate[] = [];
 
   const consider = (left: number, right: number): void => {
-    if (left === right || fins[left]!.isForward === fins[right]!.isForward) return;
-    const gap = (fins[right]!.angle - fins[left]!.angle + TWO_PI) % TWO_PI;
+    if (left === right || fins[left].isForward === fins[right].isForward) return;
+    const gap = (fins[right].angle - fins[left].angle + TWO_PI) % TWO_PI;
     steps += push(heap, { gap, left, right });
   };
-  for (let i = 0; i < count; i++) consider(i, after[i]!);
+  for (let i = 0; i < count; i++) consider(i, after[i]);
 
   while (heap.length > 0) {
-    const { left, right } = heap[0]!;
+    const { left, right } = heap[0];
     steps += pop(heap);
     if (isMatched[left] || isMatched[right]) continue;
     isMatched[left] = 1;
     isMatched[right] = 1;
-    twins[fins[left]!.corner] = fins[right]!.corner;
-    twins[fins[right]!.corner] = fins[left]!.corner;
-    const outerLeft = before[left]!;
-    const outerRight = after[right]!;
+    twins[fins[left].corner] = fins[right].corner;
+    twins[fins[right].corner] = fins[left].corner;
+    const outerLeft = before[left];
+    const outerRight = after[right];
     if (isMatched[outerLeft] || isMatched[outerRight]) continue;
     after[outerLeft] = outerRight;
     before[outerRight] = outerLeft;
@@ -71,15 +71,15 @@ export function matchNonManifoldEdge(
 
 /** The half-edges as fins, in the order of their angles. */
 function sortedFins(corners: readonly number[], positions: Float32Array, canonicalCorners: Uint32Array): Fin[] {
-  const start = 3 * canonicalCorners[corners[0]!]!;
-  const end = 3 * canonicalCorners[nextCorner(corners[0]!)]!;
+  const start = 3 * canonicalCorners[corners[0]];
+  const end = 3 * canonicalCorners[nextCorner(corners[0])];
   const isAscending = comparePositions(positions, start, end) < 0;
   const origin = isAscending ? start : end;
   const axes = new EdgeAxes(positions, origin, isAscending ? end : start);
   const fins: Fin[] = [];
   for (const corner of corners) {
-    const isForward = 3 * canonicalCorners[corner]! === origin;
-    const opposite = 3 * canonicalCorners[previousCorner(corner)]!;
+    const isForward = 3 * canonicalCorners[corner] === origin;
+    const opposite = 3 * canonicalCorners[previousCorner(corner)];
     const angle = axes.angleOf(opposite);
     // The normal stands a quarter turn ahead of a forward triangle and a quarter turn behind a backward one.
     fins.push({ corner, isForward, angle: isForward ? angle : (angle + Math.PI) % TWO_PI, opposite });
@@ -95,9 +95,7 @@ function sortedFins(corners: readonly number[], positions: Float32Array, canonic
 
 /** Lexicographic order of two positions, given as offsets. */
 function comparePositions(positions: Float32Array, a: number, b: number): number {
-  return (
-    positions[a]! - positions[b]! || positions[a + 1]! - positions[b + 1]! || positions[a + 2]! - positions[b + 2]! || 0
-  );
+  return positions[a] - positions[b] || positions[a + 1] - positions[b + 1] || positions[a + 2] - positions[b + 2] || 0;
 }
 
 /** Closest first; equal gaps in the order of angles. */
@@ -110,8 +108,8 @@ function push(heap: Candidate[], candidate: Candidate): number {
   heap.push(candidate);
   while (child > 0) {
     const parent = (child - 1) >> 1;
-    if (!precedes(candidate, heap[parent]!)) break;
-    heap[child] = heap[parent]!;
+    if (!precedes(candidate, heap[parent])) break;
+    heap[child] = heap[parent];
     child = parent;
     steps++;
   }
@@ -128,9 +126,9 @@ function pop(heap: Candidate[]): number {
   for (;;) {
     let child = 2 * parent + 1;
     if (child >= heap.length) break;
-    if (child + 1 < heap.length && precedes(heap[child + 1]!, heap[child]!)) child++;
-    if (!precedes(heap[child]!, last)) break;
-    heap[parent] = heap[child]!;
+    if (child + 1 < heap.length && precedes(heap[child + 1], heap[child])) child++;
+    if (!precedes(heap[child], last)) break;
+    heap[parent] = heap[child];
     parent = child;
     steps++;
   }

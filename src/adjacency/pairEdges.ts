@@ -56,7 +56,7 @@ export function* pairEdges(
   );
   let halfEdgeCount = 0;
   for (let vertex = 0; vertex <= vertexCount; vertex++) {
-    halfEdgeCount += starts[vertex]!;
+    halfEdgeCount += starts[vertex];
     starts[vertex] = halfEdgeCount;
   }
 
@@ -115,9 +115,9 @@ function countRange(
       degenerateTriangles++;
       continue;
     }
-    const a = canonicalCorners[3 * triangle]!;
-    const b = canonicalCorners[3 * triangle + 1]!;
-    const c = canonicalCorners[3 * triangle + 2]!;
+    const a = canonicalCorners[3 * triangle];
+    const b = canonicalCorners[3 * triangle + 1];
+    const c = canonicalCorners[3 * triangle + 2];
     sizes[Math.min(a, b)]!++;
     sizes[Math.min(b, c)]!++;
     sizes[Math.min(c, a)]!++;
@@ -139,9 +139,9 @@ function scatterRange(
   for (let triangle = end - 1; triangle >= start; triangle--) {
     if (isDegenerate(areaNormals, triangle)) continue;
     for (let corner = 3 * triangle + 2; corner >= 3 * triangle; corner--) {
-      const from = canonicalCorners[corner]!;
-      const to = canonicalCorners[nextCorner(corner)]!;
-      const slot = --starts[Math.min(from, to)]!;
+      const from = canonicalCorners[corner];
+      const to = canonicalCorners[nextCorner(corner)];
+      const slot = --starts[Math.min(from, to)];
       corners[slot] = corner;
       highs[slot] = Math.max(from, to);
     }
@@ -161,10 +161,10 @@ function chainRange(
   end: number,
 ): number {
   for (let slot = start; slot < end; slot++) {
-    while (starts[low + 1]! <= slot) low++;
-    const high = highs[slot]!;
-    const before = latest[high]! - 1;
-    if (before >= starts[low]!) {
+    while (starts[low + 1] <= slot) low++;
+    const high = highs[slot];
+    const before = latest[high] - 1;
+    if (before >= starts[low]) {
       previous[slot] = before;
       isSuperseded[before] = 1;
     }
@@ -189,18 +189,18 @@ function pairRange(
   let steps = end - start;
   for (let slot = start; slot < end; slot++) {
     if (isSuperseded[slot] === 1) continue;
-    const second = previous[slot]!;
+    const second = previous[slot];
     if (second === END) {
       borderEdges++;
-    } else if (previous[second]! === END) {
-      const corner = corners[slot]!;
-      const twin = corners[second]!;
+    } else if (previous[second] === END) {
+      const corner = corners[slot];
+      const twin = corners[second];
       twins[corner] = twin;
       twins[twin] = corner;
       if (canonicalCorners[corner] === canonicalCorners[twin]) inconsistentEdges++;
     } else {
       const group: number[] = [];
-      for (let member = slot; member !== END; member = previous[member]!) group.push(corners[member]!);
+      for (let member = slot; member !== END; member = previous[member]) group.push(corners[member]);
       pairing.nonManifoldEdges++;
       steps += group.length + matchNonManifoldEdge(group, positions, canonicalCorners, twins);
     }

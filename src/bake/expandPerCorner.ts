@@ -25,8 +25,8 @@ function expandRange(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const from = indices[corner]! * wordsPerVertex;
+    const from = indices[corner] * wordsPerVertex;
     const to = corner * wordsPerVertex;
-    for (let i = 0; i < wordsPerVertex; i++) expanded[to + i] = words[from + i]!;
+    for (let i = 0; i < wordsPerVertex; i++) expanded[to + i] = words[from + i];
   }
 }

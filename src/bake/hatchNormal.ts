@@ -29,8 +29,8 @@ export function* packHatchNormals(
 
 function quantizeRange(normals: Float32Array, packed: Int16Array, start: number, end: number): void {
   for (let vertex = start; vertex < end; vertex++) {
-    packed[4 * vertex] = Math.round(ONE * normals[3 * vertex]!);
-    packed[4 * vertex + 1] = Math.round(ONE * normals[3 * vertex + 1]!);
-    packed[4 * vertex + 2] = Math.round(ONE * normals[3 * vertex + 2]!);
+    packed[4 * vertex] = Math.round(ONE * normals[3 * vertex]);
+    packed[4 * vertex + 1] = Math.round(ONE * normals[3 * vertex + 1]);
+    packed[4 * vertex + 2] = Math.round(ONE * normals[3 * vertex + 2]);
   }
 }

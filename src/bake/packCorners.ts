@@ -33,9 +33,9 @@ function packRange(
     const alpha = vertexAcross(indices, twins, first);
     const beta = vertexAcross(indices, twins, first + 1);
     const gamma = vertexAcross(indices, twins, first + 2);
-    let own = indices[first]!;
-    let next = indices[first + 1]!;
-    let previous = indices[first + 2]!;
+    let own = indices[first];
+    let next = indices[first + 1];
+    let previous = indices[first + 2];
     for (let k = 0; k < 3; k++) {
       const target = CORNER_STRIDE * (first + k);
       copyPosition(vertices, own, positions, 3 * (first + k));
@@ -54,7 +54,7 @@ function packRange(
 }
 
 function copyPosition(vertices: Float32Array, vertex: number, target: Float32Array, offset: number): void {
-  target[offset] = vertices[3 * vertex]!;
-  target[offset + 1] = vertices[3 * vertex + 1]!;
-  target[offset + 2] = vertices[3 * vertex + 2]!;
+  target[offset] = vertices[3 * vertex];
+  target[offset + 1] = vertices[3 * vertex + 1];
+  target[offset + 2] = vertices[3 * vertex + 2];
 }

@@ -27,14 +27,14 @@ function packRange(
   end: number,
 ): void {
   for (let vertex = start; vertex < end; vertex++) {
-    const corner = cornerOfVertex ? cornerOfVertex[vertex]! : vertex;
+    const corner = cornerOfVertex ? cornerOfVertex[vertex] : vertex;
     if (corner === NO_CORNER) {
       packed[3 * vertex + 2] = 1;
       continue;
     }
-    const fan = 3 * ofCorner[corner]!;
-    packed[3 * vertex] = normals[fan]!;
-    packed[3 * vertex + 1] = normals[fan + 1]!;
-    packed[3 * vertex + 2] = normals[fan + 2]!;
+    const fan = 3 * ofCorner[corner];
+    packed[3 * vertex] = normals[fan];
+    packed[3 * vertex + 1] = normals[fan + 1];
+    packed[3 * vertex + 2] = normals[fan + 2];
   }
 }

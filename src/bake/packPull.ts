@@ -54,20 +54,20 @@ function packTriangles(
     const target = TRIANGLE_WORDS * triangle;
     for (let k = 0; k < 3; k++) {
       const corner = 3 * triangle + k;
-      const vertex = indices[corner]!;
+      const vertex = indices[corner];
       words[target + k] = vertex;
       words[target + 4 + k] = vertexAcross(indices, twins, corner);
       if (isUsed[vertex]) continue;
       isUsed[vertex] = 1;
-      words[target + 3]! |= 1 << k;
+      words[target + 3] |= 1 << k;
     }
   }
 }
 
 function packPositions(positions: Float32Array, texels: Float32Array, start: number, end: number): void {
   for (let vertex = start; vertex < end; vertex++) {
-    texels[VERTEX_WORDS * vertex] = positions[3 * vertex]!;
-    texels[VERTEX_WORDS * vertex + 1] = positions[3 * vertex + 1]!;
-    texels[VERTEX_WORDS * vertex + 2] = positions[3 * vertex + 2]!;
+    texels[VERTEX_WORDS * vertex] = positions[3 * vertex];
+    texels[VERTEX_WORDS * vertex + 1] = positions[3 * vertex + 1];
+    texels[VERTEX_WORDS * vertex + 2] = positions[3 * vertex + 2];
   }
 }

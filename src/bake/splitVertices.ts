@@ -60,7 +60,7 @@ export function* splitVertices(
   const cornerOfVertex = new Uint32Array(vertexCount + copies.count);
   cornerOfVertex.set(firstCorners);
   cornerOfVertex.set(corners, vertexCount);
-  return { indices, addedVertices: corners.map((corner) => mesh.indices[corner]!), cornerOfVertex };
+  return { indices, addedVertices: corners.map((corner) => mesh.indices[corner]), cornerOfVertex };
 }
 
 /** Copies of vertices: the first corner of each in `corners`, its number there + 1 in `table`, where 0 means empty. */
@@ -79,8 +79,8 @@ function findFirst(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const vertex = indices[corner]!;
-    const first = firstCorners[vertex]!;
+    const vertex = indices[corner];
+    const first = firstCorners[vertex];
     if (first === NO_CORNER) firstCorners[vertex] = corner;
     else if (isDegenerate(areaNormals, triangleOf(first)) && !isDegenerate(areaNormals, triangleOf(corner))) {
       firstCorners[vertex] = corner;
@@ -99,7 +99,7 @@ function countStrays(
 ): number {
   let count = 0;
   for (let corner = start; corner < end; corner++) {
-    const first = firstCorners[indices[corner]!]!;
+    const first = firstCorners[indices[corner]];
     if (ofCorner[first] !== ofCorner[corner] && !isDegenerate(areaNormals, triangleOf(corner))) count++;
   }
   return count;
@@ -116,7 +116,7 @@ function splitRange(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const first = firstCorners[mesh.indices[corner]!]!;
+    const first = firstCorners[mesh.indices[corner]];
     if (ofCorner[first] === ofCorner[corner] || isDegenerate(areaNormals, triangleOf(corner))) continue;
     indices[corner] = firstCorners.length + copyFor(mesh.indices, ofCorner, copies, corner);
   }
@@ -126,16 +126,16 @@ function splitRange(
 function copyFor(vertices: Uint32Array, ofCorner: Uint32Array, copies: Copies, corner: number): number {
   const { table, corners } = copies;
   const mask = table.length - 1;
-  const vertex = vertices[corner]!;
-  const fan = ofCorner[corner]!;
+  const vertex = vertices[corner];
+  const fan = ofCorner[corner];
   for (let slot = hashWords(vertex, fan, 0) & mask; ; slot = (slot + 1) & mask) {
-    const copy = table[slot]! - 1;
+    const copy = table[slot] - 1;
     if (copy < 0) {
       corners[copies.count] = corner;
       table[slot] = copies.count + 1;
       return copies.count++;
     }
-    const other = corners[copy]!;
+    const other = corners[copy];
     if (vertices[other] === vertex && ofCorner[other] === fan) return copy;
   }
 }

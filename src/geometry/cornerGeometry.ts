@@ -15,7 +15,7 @@ export function applyCorners(geometry: BufferGeometry, kept: readonly KeptAttrib
     offset += itemSize;
   }
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
-  for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]!);
+  for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
   if (result.normals) geometry.setAttribute('normal', new BufferAttribute(result.normals, 3));
   finishGeometry(geometry, 'corner', result);
 }

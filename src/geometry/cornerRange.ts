@@ -21,7 +21,7 @@ export interface CornerRange {
  */
 export function cornerRange(geometry: BufferGeometry, label: string): CornerRange {
   const unit = geometry.index ? 'index' : 'vertex';
-  const available = geometry.index ? geometry.index.count : geometry.attributes.position!.count;
+  const available = geometry.index ? geometry.index.count : geometry.attributes.position.count;
   const start = Math.max(0, geometry.drawRange.start);
   const end = Math.min(available, geometry.drawRange.start + geometry.drawRange.count);
   const count = Math.max(0, end - start);

@@ -8,7 +8,7 @@ import type { VertexAttribute } from './vertexAttributes.js';
  * vertex shader would see them; indices as 32 bits, counted up where there is no index.
  */
 export function extractMesh(geometry: BufferGeometry, range: CornerRange): TriangleMesh {
-  const position = geometry.attributes.position!;
+  const position = geometry.attributes.position;
   return { positions: copyPositions(position), indices: copyIndices(geometry, range) };
 }
 

@@ -32,7 +32,7 @@ function appendVertices({ words, wordsPerVertex }: VertexWords, vertices: Uint32
   appended.set(words);
   for (const [i, vertex] of vertices.entries()) {
     const from = vertex * wordsPerVertex;
-    for (let j = 0; j < wordsPerVertex; j++) appended[words.length + i * wordsPerVertex + j] = words[from + j]!;
+    for (let j = 0; j < wordsPerVertex; j++) appended[words.length + i * wordsPerVertex + j] = words[from + j];
   }
   return appended;
 }

@@ -72,7 +72,7 @@ export async function prepareHatchingGeometry(
   const label = checkGeometry(geometry);
   const range = cornerRange(geometry, label);
   const kept = keptAttributes(geometry);
-  const position = geometry.attributes.position!;
+  const position = geometry.attributes.position;
   const prepared = startGeometry(geometry, range);
   const request = {
     label,

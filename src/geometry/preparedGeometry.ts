@@ -35,7 +35,7 @@ export function finishGeometry(
   applyBounds(geometry, report);
   const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles } = report;
   const statistics: HatchingStatistics = {
-    triangles: (geometry.index ?? geometry.attributes.position!).count / 3,
+    triangles: (geometry.index ?? geometry.attributes.position).count / 3,
     borderEdges,
     nonManifoldEdges,
     inconsistentEdges,

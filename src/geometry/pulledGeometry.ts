@@ -9,7 +9,7 @@ import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 export function applyPull(geometry: BufferGeometry, kept: readonly KeptAttribute[], result: BakePullResult): void {
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
-  for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]!);
+  for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
   if (result.normals) geometry.setAttribute('normal', new BufferAttribute(result.normals, 3));
   const { triangleVertices, vertexPositions } = result;
   finishGeometry(geometry, 'pull', result, triangleVertices.byteLength + vertexPositions.byteLength);

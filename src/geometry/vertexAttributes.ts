@@ -46,7 +46,7 @@ export function extractWords(attribute: VertexAttribute, count: number): VertexW
   const offset = attribute.offset * perElement;
   const words = new (source.constructor as new (length: number) => Words)(count * wordsPerVertex);
   for (let vertex = 0; vertex < count; vertex++) {
-    for (let i = 0; i < wordsPerVertex; i++) words[vertex * wordsPerVertex + i] = source[vertex * stride + offset + i]!;
+    for (let i = 0; i < wordsPerVertex; i++) words[vertex * wordsPerVertex + i] = source[vertex * stride + offset + i];
   }
   return { words, wordsPerVertex };
 }

@@ -73,17 +73,17 @@ export class Deformation {
 
   /** x, y, z of each vertex as drawn, object space. */
   get positions(): Texture {
-    return this.#target.textures[0]!;
+    return this.#target.textures[0];
   }
 
   /** x, y, z of each vertex's normal as drawn, object space, not of unit length. */
   get normals(): Texture {
-    return this.#target.textures[1]!;
+    return this.#target.textures[1];
   }
 
   /** The rotation of each vertex's skin, a quaternion; zero where the skin is not all that moves it. */
   get turns(): Texture {
-    return this.#target.textures[2]!;
+    return this.#target.textures[2];
   }
 
   get isDisposed(): boolean {

@@ -147,7 +147,7 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   get technique(): HatchingTechnique {
-    return TECHNIQUES[this.defines.TECHNIQUE as number]!;
+    return TECHNIQUES[this.defines.TECHNIQUE as number];
   }
 
   set technique(value: HatchingTechnique) {
@@ -179,16 +179,16 @@ export class HatchingMaterial extends ShaderMaterial {
     const isNamed = value === 'linear' || value === 'perceptual';
     if (!isNamed) {
       const { start, spans, cubics } = fitToneCurve(value);
-      this.uniforms.toneCurveStart!.value = start;
-      this.uniforms.toneCurveSpans!.value = spans;
-      this.uniforms.toneCurveCubics!.value = cubics;
+      this.uniforms.toneCurveStart.value = start;
+      this.uniforms.toneCurveSpans.value = spans;
+      this.uniforms.toneCurveCubics.value = cubics;
     }
     this.#define('TONE_CURVE', 'toneCurve', TONE_CURVES, isNamed ? value : 'points');
     this.#toneCurve = value;
   }
 
   get levelRule(): LevelRule {
-    return LEVEL_RULES[this.defines.LEVEL_RULE as number]!;
+    return LEVEL_RULES[this.defines.LEVEL_RULE as number];
   }
 
   set levelRule(value: LevelRule) {
@@ -196,7 +196,7 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   get inkBlend(): InkBlend {
-    return INK_BLENDS[this.defines.INK_BLEND as number]!;
+    return INK_BLENDS[this.defines.INK_BLEND as number];
   }
 
   set inkBlend(value: InkBlend) {
@@ -204,7 +204,7 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   get strokeAnchor(): StrokeAnchor {
-    return STROKE_ANCHORS[this.defines.STROKE_ANCHOR as number]!;
+    return STROKE_ANCHORS[this.defines.STROKE_ANCHOR as number];
   }
 
   set strokeAnchor(value: StrokeAnchor) {
@@ -212,7 +212,7 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   get toneModel(): ToneModel {
-    return TONE_MODELS[this.defines.TONE_MODEL as number]!;
+    return TONE_MODELS[this.defines.TONE_MODEL as number];
   }
 
   set toneModel(value: ToneModel) {
@@ -220,7 +220,7 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   get toneNormal(): ToneNormal {
-    return TONE_NORMALS[this.defines.TONE_NORMAL as number]!;
+    return TONE_NORMALS[this.defines.TONE_NORMAL as number];
   }
 
   set toneNormal(value: ToneNormal) {
@@ -229,7 +229,7 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   get debugView(): DebugView {
-    return DEBUG_VIEWS[this.defines.DEBUG_VIEW as number]!;
+    return DEBUG_VIEWS[this.defines.DEBUG_VIEW as number];
   }
 
   set debugView(value: DebugView) {
@@ -246,7 +246,7 @@ export class HatchingMaterial extends ShaderMaterial {
   ): void {
     // The cameras of an ArrayCamera have a part of the target each.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
-    this.uniforms.viewportHeight!.value = (part ?? renderer.getCurrentViewport(viewport)).w;
+    this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.#writeUniforms();
     if (this.technique === 'anchored') return;
     const layout = bindVertices(renderer, camera, geometry, object, this);
@@ -290,40 +290,40 @@ export class HatchingMaterial extends ShaderMaterial {
   /** Properties are plain values; this is the one place that brings them to the shader. Allocates nothing. */
   #writeUniforms(): void {
     const u = this.uniforms;
-    u.diffuse!.value = this.color;
-    u.opacity!.value = this.opacity;
-    u.alphaTest!.value = this.alphaTest;
-    u.ink!.value = this.ink;
-    u.paper!.value = this.paper;
-    u.paperOpacity!.value = this.paperOpacity;
-    u.reflectedShare!.value = this.reflectedLight;
-    u.shininess!.value = this.shininess;
-    u.toneSteps!.value = this.toneSteps;
-    u.creaseCosine!.value = Math.cos(this.creaseAngle);
-    u.tonalArtMap!.value = this.tonalArtMap?.texture ?? blankTonalArtMap();
-    u.tonalArtMapTones!.value = this.tonalArtMap?.tones ?? 2;
+    u.diffuse.value = this.color;
+    u.opacity.value = this.opacity;
+    u.alphaTest.value = this.alphaTest;
+    u.ink.value = this.ink;
+    u.paper.value = this.paper;
+    u.paperOpacity.value = this.paperOpacity;
+    u.reflectedShare.value = this.reflectedLight;
+    u.shininess.value = this.shininess;
+    u.toneSteps.value = this.toneSteps;
+    u.creaseCosine.value = Math.cos(this.creaseAngle);
+    u.tonalArtMap.value = this.tonalArtMap?.texture ?? blankTonalArtMap();
+    u.tonalArtMapTones.value = this.tonalArtMap?.tones ?? 2;
 
     // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
     const { strokeScale: scale, strokeOffset: offset } = this;
     const cos = Math.cos(this.strokeRotation);
     const sin = Math.sin(this.strokeRotation);
-    u.strokeTransform!.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
-    u.strokeDirection!.value.set(cos, sin);
-    u.strokeScale!.value = scale;
-    u.anchorSpacing!.value = this.anchorSpacing;
-    u.screenConstancy!.value = this.screenConstancy;
-    u.texelPixels!.value = this.texelPixels;
-    u.edgePixels!.value = this.edgePixels;
+    u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
+    u.strokeDirection.value.set(cos, sin);
+    u.strokeScale.value = scale;
+    u.anchorSpacing.value = this.anchorSpacing;
+    u.screenConstancy.value = this.screenConstancy;
+    u.texelPixels.value = this.texelPixels;
+    u.edgePixels.value = this.edgePixels;
     if (this.tonalArtMap !== null && (this.crisp || this.technique === 'anchored')) {
-      u.thresholdMap!.value = this.tonalArtMap.thresholdTexture;
-      u.thresholdMapLevels!.value = this.tonalArtMap.levels;
+      u.thresholdMap.value = this.tonalArtMap.thresholdTexture;
+      u.thresholdMapLevels.value = this.tonalArtMap.levels;
       const { variance, coarserVariance, covariance } = this.tonalArtMap.thresholdMoments;
-      u.thresholdMoments!.value.set(variance, coarserVariance, covariance);
-      u.thresholdMapSize!.value = this.tonalArtMap.size;
+      u.thresholdMoments.value.set(variance, coarserVariance, covariance);
+      u.thresholdMapSize.value = this.tonalArtMap.size;
     }
 
-    writeTexture(this.map, u.map!, u.mapTransform!);
-    writeTexture(this.alphaMap, u.alphaMap!, u.alphaMapTransform!);
+    writeTexture(this.map, u.map, u.mapTransform);
+    writeTexture(this.alphaMap, u.alphaMap, u.alphaMapTransform);
   }
 
   #switch(define: string, value: boolean): void {

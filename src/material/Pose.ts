@@ -31,7 +31,7 @@ export class Pose {
       this.#differs = true;
     }
     for (let i = 0; i < numbers.length; i++) {
-      const number = Math.fround(numbers[i]!);
+      const number = Math.fround(numbers[i]);
       if (this.#numbers[start + i] === number) continue;
       this.#numbers[start + i] = number;
       this.#differs = true;

@@ -89,7 +89,7 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
       (geometry) => made.push(geometry),
     );
     const { dresses, skipped } = sortOut(fittings, baked);
-    if (skipped.length > 0 && dresses.length === 0) throw skipped[0]!.error;
+    if (skipped.length > 0 && dresses.length === 0) throw skipped[0].error;
 
     let map = options.tonalArtMap ?? null;
     if (mapShare > 0) {

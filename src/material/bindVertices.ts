@@ -84,7 +84,7 @@ function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Ob
 
 /** Uniforms that differ from mesh to mesh; three.js reads them once for all meshes of a material unless told otherwise. */
 function bind(material: ShaderMaterial, name: string, texture: Texture): void {
-  const uniform = material.uniforms[name]!;
+  const uniform = material.uniforms[name];
   if (uniform.value === texture) return;
   uniform.value = texture;
   material.uniformsNeedUpdate = true;

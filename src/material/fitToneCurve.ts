@@ -24,18 +24,18 @@ export function fitToneCurve(points: readonly ToneCurvePoint[]): FittedToneCurve
   checkPoints(points);
   const widths = differences(points.map(([light]) => light));
   const rises = differences(points.map(([, printed]) => printed));
-  const secants = rises.map((rise, i) => rise / widths[i]!);
+  const secants = rises.map((rise, i) => rise / widths[i]);
   const slopes = points.map((_, i) => slopeBetween(secants[i - 1], secants[i], widths[i - 1], widths[i]));
 
   const spans = new Float32Array(2 * TONE_CURVE_SPANS);
   const cubics = new Float32Array(3 * TONE_CURVE_SPANS);
   widths.forEach((width, i) => {
-    const begin = width * slopes[i]!;
-    const end = width * slopes[i + 1]!;
-    spans.set([points[i]![0], 1 / width], 2 * i);
-    cubics.set([begin, 3 * rises[i]! - 2 * begin - end, begin + end - 2 * rises[i]!], 3 * i);
+    const begin = width * slopes[i];
+    const end = width * slopes[i + 1];
+    spans.set([points[i][0], 1 / width], 2 * i);
+    cubics.set([begin, 3 * rises[i] - 2 * begin - end, begin + end - 2 * rises[i]], 3 * i);
   });
-  return { start: points[0]![1], spans, cubics };
+  return { start: points[0][1], spans, cubics };
 }
 
 /** The slope at a point between two spans: a harmonic mean, so that neither is overshot; flat at a turning point. */
@@ -47,7 +47,7 @@ function slopeBetween(before = Number.NaN, after = Number.NaN, widthBefore = 0, 
   return (a + b) / (a / before + b / after);
 }
 
-const differences = (values: readonly number[]): number[] => values.slice(1).map((value, i) => value - values[i]!);
+const differences = (values: readonly number[]): number[] => values.slice(1).map((value, i) => value - values[i]);
 
 function checkPoints(points: readonly ToneCurvePoint[]): void {
   const fail = (what: string): never => {
@@ -59,6 +59,6 @@ function checkPoints(points: readonly ToneCurvePoint[]): void {
   points.forEach((point, i) => {
     const isPair = Array.isArray(point) && point.length === 2 && point.every((x) => x >= 0 && x <= 1);
     if (!isPair) fail(`point ${i}, ${JSON.stringify(point)}, is not a pair of tones in [0, 1]`);
-    if (i > 0 && !(point[0] > points[i - 1]![0])) fail(`point ${i} is not at a darker light than the one before it`);
+    if (i > 0 && !(point[0] > points[i - 1][0])) fail(`point ${i} is not at a darker light than the one before it`);
   });
 }

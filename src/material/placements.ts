@@ -17,7 +17,7 @@ export function placements(mesh: Mesh): Matrix4[] {
   const [bone] = skeleton?.bones ?? [];
   if (bone === undefined) return [mesh.matrixWorld];
   const matrix = new Matrix4().multiplyMatrices(mesh.matrixWorld, bindMatrixInverse).multiply(bone.matrixWorld);
-  return [matrix.multiply(skeleton.boneInverses[0]!).multiply(bindMatrix)];
+  return [matrix.multiply(skeleton.boneInverses[0]).multiply(bindMatrix)];
 }
 
 /** How many world units an object unit is, as the mean over directions and placements; 1 where nothing has a size. */

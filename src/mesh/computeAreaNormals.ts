@@ -18,18 +18,18 @@ export const isDegenerate = (areaNormals: Float64Array, triangle: number): boole
 
 function computeRange({ positions, indices }: TriangleMesh, areaNormals: Float64Array, start: number, end: number) {
   for (let corner = 3 * start; corner < 3 * end; corner += 3) {
-    const a = 3 * indices[corner]!;
-    const b = 3 * indices[corner + 1]!;
-    const c = 3 * indices[corner + 2]!;
-    const ax = positions[a]!;
-    const ay = positions[a + 1]!;
-    const az = positions[a + 2]!;
-    const ux = positions[b]! - ax;
-    const uy = positions[b + 1]! - ay;
-    const uz = positions[b + 2]! - az;
-    const vx = positions[c]! - ax;
-    const vy = positions[c + 1]! - ay;
-    const vz = positions[c + 2]! - az;
+    const a = 3 * indices[corner];
+    const b = 3 * indices[corner + 1];
+    const c = 3 * indices[corner + 2];
+    const ax = positions[a];
+    const ay = positions[a + 1];
+    const az = positions[a + 2];
+    const ux = positions[b] - ax;
+    const uy = positions[b + 1] - ay;
+    const uz = positions[b + 2] - az;
+    const vx = positions[c] - ax;
+    const vy = positions[c + 1] - ay;
+    const vz = positions[c + 2] - az;
     areaNormals[corner] = uy * vz - uz * vy;
     areaNormals[corner + 1] = uz * vx - ux * vz;
     areaNormals[corner + 2] = ux * vy - uy * vx;

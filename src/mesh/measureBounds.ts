@@ -16,8 +16,8 @@ export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, vo
   yield* asPhase(
     inChunks(count, (start, end) => {
       for (let axis = 0; axis < 3; axis++) {
-        min[axis] = Math.min(min[axis]!, least(mesh, axis, start, end));
-        max[axis] = Math.max(max[axis]!, greatest(mesh, axis, start, end));
+        min[axis] = Math.min(min[axis], least(mesh, axis, start, end));
+        max[axis] = Math.max(max[axis], greatest(mesh, axis, start, end));
       }
     }),
     0,
@@ -36,13 +36,13 @@ export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, vo
 
 function least({ positions, indices }: TriangleMesh, axis: number, start: number, end: number): number {
   let value = Infinity;
-  for (let corner = start; corner < end; corner++) value = Math.min(value, positions[3 * indices[corner]! + axis]!);
+  for (let corner = start; corner < end; corner++) value = Math.min(value, positions[3 * indices[corner] + axis]);
   return value;
 }
 
 function greatest({ positions, indices }: TriangleMesh, axis: number, start: number, end: number): number {
   let value = -Infinity;
-  for (let corner = start; corner < end; corner++) value = Math.max(value, positions[3 * indices[corner]! + axis]!);
+  for (let corner = start; corner < end; corner++) value = Math.max(value, positions[3 * indices[corner] + axis]);
   return value;
 }
 
@@ -55,10 +55,10 @@ function farthest(
 ): number {
   let square = 0;
   for (let corner = start; corner < end; corner++) {
-    const i = 3 * indices[corner]!;
-    const x = positions[i]! - centerX;
-    const y = positions[i + 1]! - centerY;
-    const z = positions[i + 2]! - centerZ;
+    const i = 3 * indices[corner];
+    const x = positions[i] - centerX;
+    const y = positions[i + 1] - centerY;
+    const z = positions[i + 2] - centerZ;
     square = Math.max(square, x * x + y * y + z * z);
   }
   return Math.sqrt(square);

@@ -18,7 +18,7 @@ export function* validateTriangleMesh(mesh: TriangleMesh, label: string): Genera
   yield* inChunks(indices.length, (start, end) => {
     const corner = findBadCorner(mesh, start, end);
     if (corner === end) return;
-    const vertex = indices[corner]!;
+    const vertex = indices[corner];
     if (vertex >= positions.length / 3) {
       throw new RangeError(
         `${label}: corner ${corner} refers to vertex ${vertex}, but there are only ${positions.length / 3} vertices. Fix the index, or the exporter that wrote it.`,
@@ -34,11 +34,11 @@ export function* validateTriangleMesh(mesh: TriangleMesh, label: string): Genera
 function findBadCorner({ positions, indices }: TriangleMesh, start: number, end: number): number {
   const vertexCount = positions.length / 3;
   for (let corner = start; corner < end; corner++) {
-    const vertex = indices[corner]!;
+    const vertex = indices[corner];
     if (vertex >= vertexCount) return corner;
-    const x = positions[3 * vertex]!;
-    const y = positions[3 * vertex + 1]!;
-    const z = positions[3 * vertex + 2]!;
+    const x = positions[3 * vertex];
+    const y = positions[3 * vertex + 1];
+    const z = positions[3 * vertex + 2];
     // x − x is 0 for every finite x and NaN for all others.
     if (x - x + (y - y) + (z - z) !== 0) return corner;
   }

@@ -39,19 +39,19 @@ function weldRange(bits: Uint32Array, table: Uint32Array, canonical: Uint32Array
   const mask = table.length - 1;
   let steps = 0;
   for (let vertex = start; vertex < end; vertex++) {
-    const x = fold(bits[3 * vertex]!);
-    const y = fold(bits[3 * vertex + 1]!);
-    const z = fold(bits[3 * vertex + 2]!);
+    const x = fold(bits[3 * vertex]);
+    const y = fold(bits[3 * vertex + 1]);
+    const z = fold(bits[3 * vertex + 2]);
     let slot = hashWords(x, y, z) & mask;
     for (;;) {
       steps++;
-      const other = table[slot]! - 1;
+      const other = table[slot] - 1;
       if (other < 0) {
         table[slot] = vertex + 1;
         canonical[vertex] = vertex;
         break;
       }
-      if (fold(bits[3 * other]!) === x && fold(bits[3 * other + 1]!) === y && fold(bits[3 * other + 2]!) === z) {
+      if (fold(bits[3 * other]) === x && fold(bits[3 * other + 1]) === y && fold(bits[3 * other + 2]) === z) {
         canonical[vertex] = other;
         break;
       }

@@ -36,10 +36,10 @@ export function* absorbSpecks(
     0.4,
     0.6,
   );
-  const isSpeck = (corner: number) => !(patchAreas[rootOf(patches, triangleOf(corner))]! >= smallestArea);
+  const isSpeck = (corner: number) => !(patchAreas[rootOf(patches, triangleOf(corner))] >= smallestArea);
   let vertexCount = 0;
   for (let corner = 0; corner < cornerCount; corner++)
-    vertexCount = Math.max(vertexCount, canonicalCorners[corner]! + 1);
+    vertexCount = Math.max(vertexCount, canonicalCorners[corner] + 1);
   const hosts = new Uint32Array(vertexCount).fill(NO_FAN);
   yield* asPhase(
     inChunks(cornerCount, (start, end) => findHosts(canonicalCorners, ofCorner, fanAreas, isSpeck, hosts, start, end)),
@@ -55,7 +55,7 @@ export function* absorbSpecks(
 
 function joinRange({ twins, canonicalCorners }: Adjacency, patches: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = twins[corner]!;
+    const twin = twins[corner];
     if (twin === NO_TWIN || twin < corner || canonicalCorners[corner] === canonicalCorners[twin]) continue;
     join(patches, triangleOf(corner), triangleOf(twin));
   }
@@ -72,12 +72,12 @@ function addAreas(
   end: number,
 ): void {
   for (let triangle = start; triangle < end; triangle++) {
-    const x = areaNormals[3 * triangle]!;
-    const y = areaNormals[3 * triangle + 1]!;
-    const z = areaNormals[3 * triangle + 2]!;
+    const x = areaNormals[3 * triangle];
+    const y = areaNormals[3 * triangle + 1];
+    const z = areaNormals[3 * triangle + 2];
     const area = 0.5 * Math.sqrt(x * x + y * y + z * z);
-    patchAreas[rootOf(patches, triangle)]! += area;
-    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) fanAreas[ofCorner[corner]!]! += area;
+    patchAreas[rootOf(patches, triangle)] += area;
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) fanAreas[ofCorner[corner]] += area;
   }
 }
 
@@ -92,11 +92,11 @@ function findHosts(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const vertex = canonicalCorners[corner]!;
-    const fan = ofCorner[corner]!;
-    const host = hosts[vertex]!;
+    const vertex = canonicalCorners[corner];
+    const fan = ofCorner[corner];
+    const host = hosts[vertex];
     if (host === fan || isSpeck(corner)) continue;
-    if (host === NO_FAN || fanAreas[fan]! > fanAreas[host]!) hosts[vertex] = fan;
+    if (host === NO_FAN || fanAreas[fan] > fanAreas[host]) hosts[vertex] = fan;
   }
 }
 
@@ -109,7 +109,7 @@ function moveRange(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const host = hosts[canonicalCorners[corner]!]!;
+    const host = hosts[canonicalCorners[corner]];
     if (host !== NO_FAN && host !== ofCorner[corner] && isSpeck(corner)) ofCorner[corner] = host;
   }
 }

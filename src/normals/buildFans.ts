@@ -42,7 +42,7 @@ export function* buildFans(adjacency: Adjacency): Generator<number, Fans, void> 
 /** Joins the two corners at either end of an edge with those of its twin. */
 function joinRange({ twins, canonicalCorners }: Adjacency, parents: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = twins[corner]!;
+    const twin = twins[corner];
     if (twin === NO_TWIN || twin < corner || canonicalCorners[corner] === canonicalCorners[twin]) continue;
     join(parents, corner, nextCorner(twin));
     join(parents, nextCorner(corner), twin);
@@ -54,7 +54,7 @@ function numberRange(parents: Uint32Array, ofCorner: Uint32Array, count: number,
   let next = count;
   for (let corner = start; corner < end; corner++) {
     const root = rootOf(parents, corner);
-    ofCorner[corner] = root === corner ? next++ : ofCorner[root]!;
+    ofCorner[corner] = root === corner ? next++ : ofCorner[root];
   }
   return next;
 }

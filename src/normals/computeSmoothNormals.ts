@@ -24,10 +24,10 @@ function sumRange(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const fan = 3 * ofCorner[corner]!;
+    const fan = 3 * ofCorner[corner];
     const own = corner - (corner % 3);
-    sums[fan]! += areaNormals[own]!;
-    sums[fan + 1]! += areaNormals[own + 1]!;
-    sums[fan + 2]! += areaNormals[own + 2]!;
+    sums[fan] += areaNormals[own];
+    sums[fan + 1] += areaNormals[own + 1];
+    sums[fan + 2] += areaNormals[own + 2];
   }
 }

@@ -24,7 +24,7 @@ function cutRange(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = twins[corner]!;
+    const twin = twins[corner];
     if (twin < corner) continue;
     const cosine = cosineBetween(areaNormals, 3 * triangleOf(corner), 3 * triangleOf(twin));
     // The normal of a triangle that is wound the other way points to the other side.
@@ -36,12 +36,12 @@ function cutRange(
 }
 
 function cosineBetween(normals: Float64Array, a: number, b: number): number {
-  const ax = normals[a]!;
-  const ay = normals[a + 1]!;
-  const az = normals[a + 2]!;
-  const bx = normals[b]!;
-  const by = normals[b + 1]!;
-  const bz = normals[b + 2]!;
+  const ax = normals[a];
+  const ay = normals[a + 1];
+  const az = normals[a + 2];
+  const bx = normals[b];
+  const by = normals[b + 1];
+  const bz = normals[b + 2];
   // Two roots, not one: the product of the squares could leave the range of doubles.
   const lengths = Math.sqrt(ax * ax + ay * ay + az * az) * Math.sqrt(bx * bx + by * by + bz * bz);
   return (ax * bx + ay * by + az * bz) / lengths;

@@ -11,8 +11,8 @@ export function disjointSets(count: number): Uint32Array<ArrayBuffer> {
 /** The root of a member's set. Shortens the path by half on the way. */
 export function rootOf(parents: Uint32Array, member: number): number {
   let root = member;
-  for (let parent = parents[root]!; parent !== root; parent = parents[root]!) {
-    const grandparent = parents[parent]!;
+  for (let parent = parents[root]; parent !== root; parent = parents[root]) {
+    const grandparent = parents[parent];
     parents[root] = grandparent;
     root = grandparent;
   }

@@ -25,7 +25,7 @@ function directRange(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const fan = 3 * ofCorner[corner]!;
+    const fan = 3 * ofCorner[corner];
     if (directions[fan] !== 0 || directions[fan + 1] !== 0 || directions[fan + 2] !== 0) continue;
     if (writeUnit(vectors, fan, directions, fan)) continue;
     if (!writeUnit(areaNormals, corner - (corner % 3), directions, fan)) directions[fan + 2] = 1;

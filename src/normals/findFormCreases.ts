@@ -62,9 +62,9 @@ function splitRange(
   end: number,
 ): void {
   for (let triangle = start; triangle < end; triangle++) {
-    const x = areaNormals[3 * triangle]!;
-    const y = areaNormals[3 * triangle + 1]!;
-    const z = areaNormals[3 * triangle + 2]!;
+    const x = areaNormals[3 * triangle];
+    const y = areaNormals[3 * triangle + 1];
+    const z = areaNormals[3 * triangle + 2];
     areas[triangle] = Math.sqrt(x * x + y * y + z * z);
     writeUnit(areaNormals, 3 * triangle, normals, 3 * triangle);
   }
@@ -79,26 +79,26 @@ function filterRange(
   end: number,
 ): void {
   for (let first = 3 * start; first < 3 * end; first += 3) {
-    const own = areas[triangleOf(first)]!;
-    const x = normals[first]!;
-    const y = normals[first + 1]!;
-    const z = normals[first + 2]!;
+    const own = areas[triangleOf(first)];
+    const x = normals[first];
+    const y = normals[first + 1];
+    const z = normals[first + 2];
     let sumX = own * x;
     let sumY = own * y;
     let sumZ = own * z;
     for (let corner = first; corner < first + 3; corner++) {
-      const twin = twins[corner]!;
+      const twin = twins[corner];
       if (twin === NO_TWIN || canonicalCorners[corner] === canonicalCorners[twin]) continue;
       const neighbour = triangleOf(twin);
-      const neighbourX = normals[3 * neighbour]!;
-      const neighbourY = normals[3 * neighbour + 1]!;
-      const neighbourZ = normals[3 * neighbour + 2]!;
+      const neighbourX = normals[3 * neighbour];
+      const neighbourY = normals[3 * neighbour + 1];
+      const neighbourZ = normals[3 * neighbour + 2];
       const dx = neighbourX - x;
       const dy = neighbourY - y;
       const dz = neighbourZ - z;
       const likeness = 1 - (dx * dx + dy * dy + dz * dz) / CREASE_DISTANCE_SQUARED;
       if (likeness <= 0) continue;
-      const weight = likeness * likeness * areas[neighbour]!;
+      const weight = likeness * likeness * areas[neighbour];
       sumX += weight * neighbourX;
       sumY += weight * neighbourY;
       sumZ += weight * neighbourZ;
@@ -113,13 +113,13 @@ function filterRange(
 
 function cutRange(before: Int32Array, normals: Float32Array, twins: Int32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = before[corner]!;
+    const twin = before[corner];
     if (twin === NO_TWIN) continue;
     const a = 3 * triangleOf(corner);
     const b = 3 * triangleOf(twin);
-    const dx = normals[a]! - normals[b]!;
-    const dy = normals[a + 1]! - normals[b + 1]!;
-    const dz = normals[a + 2]! - normals[b + 2]!;
+    const dx = normals[a] - normals[b];
+    const dy = normals[a + 1] - normals[b + 1];
+    const dz = normals[a + 2] - normals[b + 2];
     if (dx * dx + dy * dy + dz * dz > CREASE_DISTANCE_SQUARED) twins[corner] = NO_TWIN;
   }
 }

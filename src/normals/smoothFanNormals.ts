@@ -85,26 +85,26 @@ function sumRange(
 ): void {
   for (let first = 3 * start; first < 3 * end; first += 3) {
     // A third of the area; area normals are twice the area long.
-    const x = areaNormals[first]! / 6;
-    const y = areaNormals[first + 1]! / 6;
-    const z = areaNormals[first + 2]! / 6;
+    const x = areaNormals[first] / 6;
+    const y = areaNormals[first + 1] / 6;
+    const z = areaNormals[first + 2] / 6;
     const mass = Math.sqrt(x * x + y * y + z * z);
     for (let corner = first; corner < first + 3; corner++) {
-      const fan = ofCorner[corner]!;
-      masses[fan]! += mass;
-      sums[3 * fan]! += x;
-      sums[3 * fan + 1]! += y;
-      sums[3 * fan + 2]! += z;
+      const fan = ofCorner[corner];
+      masses[fan] += mass;
+      sums[3 * fan] += x;
+      sums[3 * fan + 1] += y;
+      sums[3 * fan + 2] += z;
     }
   }
 }
 
 function meanRange(sums: Float64Array, masses: Float64Array, means: Float32Array, start: number, end: number): void {
   for (let fan = start; fan < end; fan++) {
-    const mass = masses[fan]! || 1;
-    means[3 * fan] = sums[3 * fan]! / mass;
-    means[3 * fan + 1] = sums[3 * fan + 1]! / mass;
-    means[3 * fan + 2] = sums[3 * fan + 2]! / mass;
+    const mass = masses[fan] || 1;
+    means[3 * fan] = sums[3 * fan] / mass;
+    means[3 * fan + 1] = sums[3 * fan + 1] / mass;
+    means[3 * fan + 2] = sums[3 * fan + 2] / mass;
   }
 }
 
@@ -126,7 +126,7 @@ function* assemble(surface: FanSurface, masses: Float64Array): Generator<number,
   );
   let edgeCount = 0;
   for (let fan = 0; fan <= fans.count; fan++) {
-    edgeCount += starts[fan]!;
+    edgeCount += starts[fan];
     starts[fan] = edgeCount;
   }
   const heat: Heat = {
@@ -152,14 +152,14 @@ function cotangentRange(
   end: number,
 ): void {
   for (let first = 3 * start; first < 3 * end; first += 3) {
-    const x = areaNormals[first]!;
-    const y = areaNormals[first + 1]!;
-    const z = areaNormals[first + 2]!;
+    const x = areaNormals[first];
+    const y = areaNormals[first + 1];
+    const z = areaNormals[first + 2];
     const area = Math.sqrt(x * x + y * y + z * z);
     if (area === 0) continue;
-    const a = 3 * indices[first]!;
-    const b = 3 * indices[first + 1]!;
-    const c = 3 * indices[first + 2]!;
+    const a = 3 * indices[first];
+    const b = 3 * indices[first + 1];
+    const c = 3 * indices[first + 2];
     const atA = dotFrom(positions, a, b, c) / area;
     const atB = dotFrom(positions, b, c, a) / area;
     const atC = dotFrom(positions, c, a, b) / area;
@@ -172,19 +172,19 @@ function cotangentRange(
 
 /** The scalar product of the edges from `origin` to `a` and to `b`. */
 function dotFrom(positions: Float32Array, origin: number, a: number, b: number): number {
-  const x = positions[origin]!;
-  const y = positions[origin + 1]!;
-  const z = positions[origin + 2]!;
+  const x = positions[origin];
+  const y = positions[origin + 1];
+  const z = positions[origin + 2];
   return (
-    (positions[a]! - x) * (positions[b]! - x) +
-    (positions[a + 1]! - y) * (positions[b + 1]! - y) +
-    (positions[a + 2]! - z) * (positions[b + 2]! - z)
+    (positions[a] - x) * (positions[b] - x) +
+    (positions[a + 1] - y) * (positions[b + 1] - y) +
+    (positions[a + 2] - z) * (positions[b + 2] - z)
   );
 }
 
 /** The twin that has the same fans at both ends, or NO_TWIN. */
 function twinInFans({ twins, canonicalCorners }: FanSurface, corner: number): number {
-  const twin = twins[corner]!;
+  const twin = twins[corner];
   return twin === NO_TWIN || canonicalCorners[corner] === canonicalCorners[twin] ? NO_TWIN : twin;
 }
 
@@ -192,8 +192,8 @@ function twinInFans({ twins, canonicalCorners }: FanSurface, corner: number): nu
 function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end: number): void {
   const { ofCorner } = surface.fans;
   for (let corner = start; corner < end; corner++) {
-    sizes[ofCorner[corner]!]!++;
-    if (twinInFans(surface, corner) === NO_TWIN) sizes[ofCorner[nextCorner(corner)]!]!++;
+    sizes[ofCorner[corner]]!++;
+    if (twinInFans(surface, corner) === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]!++;
   }
 }
 
@@ -207,20 +207,20 @@ function scatterRange(
 ): void {
   const { ofCorner } = surface.fans;
   for (let corner = start; corner < end; corner++) {
-    const from = ofCorner[corner]!;
-    const to = ofCorner[nextCorner(corner)]!;
+    const from = ofCorner[corner];
+    const to = ofCorner[nextCorner(corner)];
     const twin = twinInFans(surface, corner);
-    const across = twin === NO_TWIN ? 0 : cotangents[previousCorner(twin)]!;
-    const weight = 0.5 * (cotangents[previousCorner(corner)]! + across);
-    let slot = --starts[from]!;
+    const across = twin === NO_TWIN ? 0 : cotangents[previousCorner(twin)];
+    const weight = 0.5 * (cotangents[previousCorner(corner)] + across);
+    let slot = --starts[from];
     neighbours[slot] = to;
     weights[slot] = weight;
-    degrees[from]! += Math.abs(weight);
+    degrees[from] += Math.abs(weight);
     if (twin !== NO_TWIN) continue;
-    slot = --starts[to]!;
+    slot = --starts[to];
     neighbours[slot] = from;
     weights[slot] = weight;
-    degrees[to]! += Math.abs(weight);
+    degrees[to] += Math.abs(weight);
   }
 }
 
@@ -231,9 +231,9 @@ function highestRate({ masses, degrees }: Heat): number {
   let degreeSum = 0;
   for (let fan = 0; fan < masses.length; fan++) {
     if (masses[fan] === 0) continue;
-    highest = Math.max(highest, degrees[fan]! / masses[fan]!);
-    massSum += masses[fan]!;
-    degreeSum += degrees[fan]!;
+    highest = Math.max(highest, degrees[fan] / masses[fan]);
+    massSum += masses[fan];
+    degreeSum += degrees[fan];
   }
   return massSum === 0 ? 0 : Math.min(highest, (LARGEST_RATE * degreeSum) / massSum);
 }
@@ -246,7 +246,7 @@ function* flow(
   rate: number,
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const coefficients = heatSeries(steps, TOLERANCE);
-  const result = normals.map((value) => coefficients[0]! * value);
+  const result = normals.map((value) => coefficients[0] * value);
   let current = normals;
   let previous = new Float32Array(normals.length);
   const share = 1 / Math.max(1, coefficients.length - 1);
@@ -254,7 +254,7 @@ function* flow(
     const scale = k === 1 ? 1 : 2;
     yield* asPhase(
       inChunks(heat.masses.length, (start, end) =>
-        stepRange(heat, rate, scale, coefficients[k]!, current, previous, result, start, end),
+        stepRange(heat, rate, scale, coefficients[k], current, previous, result, start, end),
       ),
       (k - 1) * share,
       k * share,
@@ -281,29 +281,29 @@ function stepRange(
   end: number,
 ): void {
   for (let fan = start; fan < end; fan++) {
-    const x = current[3 * fan]!;
-    const y = current[3 * fan + 1]!;
-    const z = current[3 * fan + 2]!;
+    const x = current[3 * fan];
+    const y = current[3 * fan + 1];
+    const z = current[3 * fan + 2];
     let dx = 0;
     let dy = 0;
     let dz = 0;
-    const last = starts[fan + 1]!;
-    for (let edge = starts[fan]!; edge < last; edge++) {
-      const neighbour = 3 * neighbours[edge]!;
-      const weight = weights[edge]!;
-      dx += weight * (current[neighbour]! - x);
-      dy += weight * (current[neighbour + 1]! - y);
-      dz += weight * (current[neighbour + 2]! - z);
+    const last = starts[fan + 1];
+    for (let edge = starts[fan]; edge < last; edge++) {
+      const neighbour = 3 * neighbours[edge];
+      const weight = weights[edge];
+      dx += weight * (current[neighbour] - x);
+      dy += weight * (current[neighbour + 1] - y);
+      dz += weight * (current[neighbour + 2] - z);
     }
-    const step = 1 / (Math.max(rate * masses[fan]!, degrees[fan]!) || 1);
-    const nextX = scale * (x + step * dx) - previous[3 * fan]!;
-    const nextY = scale * (y + step * dy) - previous[3 * fan + 1]!;
-    const nextZ = scale * (z + step * dz) - previous[3 * fan + 2]!;
+    const step = 1 / (Math.max(rate * masses[fan], degrees[fan]) || 1);
+    const nextX = scale * (x + step * dx) - previous[3 * fan];
+    const nextY = scale * (y + step * dy) - previous[3 * fan + 1];
+    const nextZ = scale * (z + step * dz) - previous[3 * fan + 2];
     previous[3 * fan] = nextX;
     previous[3 * fan + 1] = nextY;
     previous[3 * fan + 2] = nextZ;
-    result[3 * fan]! += coefficient * nextX;
-    result[3 * fan + 1]! += coefficient * nextY;
-    result[3 * fan + 2]! += coefficient * nextZ;
+    result[3 * fan] += coefficient * nextX;
+    result[3 * fan + 1] += coefficient * nextY;
+    result[3 * fan + 2] += coefficient * nextZ;
   }
 }

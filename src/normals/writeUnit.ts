@@ -5,9 +5,9 @@ export function writeUnit(
   target: Float32Array,
   to: number,
 ): boolean {
-  const x = source[from]!;
-  const y = source[from + 1]!;
-  const z = source[from + 2]!;
+  const x = source[from];
+  const y = source[from + 1];
+  const z = source[from + 2];
   const length = Math.sqrt(x * x + y * y + z * z);
   if (length === 0) return false;
   target[to] = x / length;

@@ -51,7 +51,7 @@ function interpolate(encoded: Uint8Array, size: number, u: number, v: number): n
   const right = x - column;
   const down = y - row;
   const mask = size - 1;
-  const at = (i: number, j: number) => encoded[((row + j) & mask) * size + ((column + i) & mask)]!;
+  const at = (i: number, j: number) => encoded[((row + j) & mask) * size + ((column + i) & mask)];
   const upper = at(0, 0) * (1 - right) + at(1, 0) * right;
   const lower = at(0, 1) * (1 - right) + at(1, 1) * right;
   return LIMIT * ((upper * (1 - down) + lower * down) / 127.5 - 1);

@@ -160,7 +160,7 @@ function importsOf(file: string): string[] {
   const text = readFileSync(join(libraryFolder, 'dist', file), 'utf8');
   const statements = text.matchAll(/^(?:import|export)\b[^'"`;]*?(?:from\s*)?['"]([^'"]+)['"]/gm);
   const calls = text.matchAll(/\bimport\(\s*['"]([^'"]+)['"]\s*\)/g);
-  return [...new Set([...statements, ...calls].map((match) => match[1]!))];
+  return [...new Set([...statements, ...calls].map((match) => match[1]))];
 }
 
 function compilerOutput(compile: () => string): string {

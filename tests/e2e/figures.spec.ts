@@ -91,14 +91,14 @@ test.describe('on a fine screen, where strokes are wide enough to measure', () =
     expect(angleBetween(turned, direction)).toBeGreaterThan(35);
     expect(angleBetween(turned, direction + 45)).toBeLessThan(10);
     for (const [i, selector] of selectors.entries()) {
-      expect(changedShare(before[i]!, await readPanel(page, selector)), selector).toBeGreaterThan(0.02);
+      expect(changedShare(before[i], await readPanel(page, selector)), selector).toBeGreaterThan(0.02);
     }
 
     const { x, y, width, height } = (await lamp.boundingBox())!;
     await page.mouse.click(x + width / 2, y + height / 2);
     await expect(page.locator('#turn-value')).toHaveText('0°');
     for (const [i, selector] of selectors.entries()) {
-      expect(changedShare(before[i]!, await readPanel(page, selector)), selector).toBe(0);
+      expect(changedShare(before[i], await readPanel(page, selector)), selector).toBe(0);
     }
   });
 });
@@ -112,7 +112,7 @@ test('the technique changes where the paper would blend, and nowhere else', asyn
   await page.keyboard.press('ArrowRight');
   await expect(page.getByRole('radio', { name: 'anchored' })).toBeChecked();
   const changed = [];
-  for (const [i, name] of names.entries()) changed.push(changedShare(before[i]!, await readPanel(page, name)) > 0.02);
+  for (const [i, name] of names.entries()) changed.push(changedShare(before[i], await readPanel(page, name)) > 0.02);
   expect(changed).toEqual([false, true, false, true]);
 });
 
@@ -166,7 +166,7 @@ test('a lost graphics context is said, and the figures come back', async ({ page
   await openFigures(page);
   const before = await readPanel(page, panelOf(4, 'b'));
   await page.evaluate(() => {
-    const extension = window.__webglContexts![0]!.getExtension('WEBGL_lose_context')!;
+    const extension = window.__webglContexts![0].getExtension('WEBGL_lose_context')!;
     (window as unknown as { __bringBack: () => void }).__bringBack = () => extension.restoreContext();
     extension.loseContext();
   });

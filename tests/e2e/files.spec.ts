@@ -68,7 +68,7 @@ test('a picked file is drawn too, with the colours it brings', async ({ page }) 
   await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
   const { data } = await readDrawing(page);
   let red = 0;
-  for (let i = 0; i < data.length; i += 4) if (data[i]! > 150 && data[i + 1]! < 110) red++;
+  for (let i = 0; i < data.length; i += 4) if (data[i] > 150 && data[i + 1] < 110) red++;
   expect(red).toBeGreaterThan(1000);
 });
 

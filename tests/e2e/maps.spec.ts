@@ -32,7 +32,7 @@ test('the contact sheet opens by keyboard, shows every tone and level, and follo
       const { data } = copy.getImageData(0, 0, element.width, 64);
       return [0, 1, 2, 3].map((tone) => {
         let sum = 0;
-        for (let i = 0; i < 64 * 64; i++) sum += 255 - data[4 * ((i >> 6) * element.width + 70 * tone + (i & 63))]!;
+        for (let i = 0; i < 64 * 64; i++) sum += 255 - data[4 * ((i >> 6) * element.width + 70 * tone + (i & 63))];
         return sum / (255 * 64 * 64);
       });
     });

@@ -19,14 +19,14 @@ const pause = (page: Page) => page.getByRole('button', { name: 'Pause' });
 async function openModel(page: Page, files: readonly TestFile[], hash = ''): Promise<void> {
   await openPlayground(page, `model=cube&camera=0,0,5,0,0,0&${hash}`);
   await drop(page, files);
-  await expect(page.locator('#model-name')).toHaveText(files[0]!.name);
+  await expect(page.locator('#model-name')).toHaveText(files[0].name);
 }
 
 /** The share of pixels that are clearly more red, or more blue, than anything else. */
 function colouredShare({ data }: PNG, channel: 0 | 2): number {
   let count = 0;
   for (let i = 0; i < data.length; i += 4)
-    if (data[i + channel]! > 100 + Math.max(data[i + 1]!, data[i + 2 - channel]!)) count++;
+    if (data[i + channel] > 100 + Math.max(data[i + 1], data[i + 2 - channel])) count++;
   return count / (data.length / 4);
 }
 

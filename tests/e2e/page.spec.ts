@@ -106,14 +106,14 @@ test('saves the drawing as PNG, on paper and without, at the size of the page an
 
 function opaqueShare({ data }: PNG): number {
   let opaque = 0;
-  for (let i = 3; i < data.length; i += 4) if (data[i]! > 127) opaque++;
+  for (let i = 3; i < data.length; i += 4) if (data[i] > 127) opaque++;
   return opaque / (data.length / 4);
 }
 
 /** The lightest red of all pixels that are not nearly clear. */
 function lightestRed({ data }: PNG): number {
   let lightest = 0;
-  for (let i = 0; i < data.length; i += 4) if (data[i + 3]! > 40) lightest = Math.max(lightest, data[i]!);
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 40) lightest = Math.max(lightest, data[i]);
   return lightest;
 }
 
@@ -123,9 +123,9 @@ function differentlyOpaqueShare(small: PNG, large: PNG): number {
   let different = 0;
   for (let y = 0; y < small.height; y++) {
     for (let x = 0; x < small.width; x++) {
-      const inSmall = small.data[4 * (y * small.width + x) + 3]! > 127;
+      const inSmall = small.data[4 * (y * small.width + x) + 3] > 127;
       const [largeX, largeY] = [Math.floor((x + 0.5) * factor), Math.floor((y + 0.5) * factor)];
-      if (inSmall !== large.data[4 * (largeY * large.width + largeX) + 3]! > 127) different++;
+      if (inSmall !== large.data[4 * (largeY * large.width + largeX) + 3] > 127) different++;
     }
   }
   return different / (small.width * small.height);

@@ -93,7 +93,7 @@ export function likeness(picture: PNG, larger: PNG, region: Region): number {
   const [meanA, meanB] = [mean(0), mean(1)];
   const covariance = (k: 0 | 1, l: 0 | 1): number => {
     const means = [meanA, meanB];
-    return pairs.reduce((total, pair) => total + (pair[k] - means[k]!) * (pair[l] - means[l]!), 0);
+    return pairs.reduce((total, pair) => total + (pair[k] - means[k]) * (pair[l] - means[l]), 0);
   };
   return covariance(0, 1) / Math.sqrt(covariance(0, 0) * covariance(1, 1));
 }
@@ -115,7 +115,7 @@ export function changedShare(a: PNG, b: PNG): number {
 
 /** The largest difference of any channel of any pixel, of 255. */
 export function largestDifference(a: PNG, b: PNG): number {
-  return a.data.reduce((largest, value, i) => Math.max(largest, Math.abs(value - b.data[i]!)), 0);
+  return a.data.reduce((largest, value, i) => Math.max(largest, Math.abs(value - b.data[i])), 0);
 }
 
 function forEachPixel(picture: PNG, region: Region, visit: (offset: number) => void): void {
@@ -127,7 +127,7 @@ function forEachPixel(picture: PNG, region: Region, visit: (offset: number) => v
 
 function darkness({ data }: PNG, offset: number): number {
   let sum = 0;
-  for (let k = 0; k < 3; k++) sum += (PAPER[k]! - toLinear(data[offset + k]!)) / (PAPER[k]! - INK[k]!);
+  for (let k = 0; k < 3; k++) sum += (PAPER[k] - toLinear(data[offset + k])) / (PAPER[k] - INK[k]);
   return sum / 3;
 }
 

@@ -74,7 +74,7 @@ test('a hand sets everything at once, and can be undone', async ({ page }) => {
   await expect(hands.locator('[aria-pressed=true]')).toHaveCount(0);
 
   await undo.click();
-  expect(changedShare(seen[4]!, await readDrawing(page))).toBe(0);
+  expect(changedShare(seen[4], await readDrawing(page))).toBe(0);
   await page.keyboard.press('Control+z');
   await expect(hands.getByRole('button', { name: 'Charcoal' })).toHaveAttribute('aria-pressed', 'true');
   for (let step = 0; step < 3; step++) await undo.click();

@@ -164,7 +164,7 @@ for (const {
     };
     // Object units to a pixel at a depth of 1.
     const scale = Math.cbrt(Math.abs(mat4.determinant(spec.matrixWorld as unknown as mat4)));
-    const unitsPerPixel = 2 / (spec.camera.projection[5]! * SIZE * scale);
+    const unitsPerPixel = 2 / (spec.camera.projection[5] * SIZE * scale);
     const interior = interiorPixels(fragments, SIZE, SIZE);
     expect(interior.length).toBeGreaterThan(3000);
     let inked = 0;
@@ -174,10 +174,10 @@ for (const {
       const { triangle, barycentric } = fragments[pixel]!;
       const interpolate = (of: (corner: number) => number[]) =>
         [0, 1, 2].map((axis) =>
-          [0, 1, 2].reduce((sum, k) => sum + barycentric[k]! * of(3 * triangle + k)[axis]!, 0),
+          [0, 1, 2].reduce((sum, k) => sum + barycentric[k] * of(3 * triangle + k)[axis], 0),
         ) as Vec3;
       const vertexOf = (array: number[]) => (corner: number) => {
-        const vertex = mesh.indices[corner]!;
+        const vertex = mesh.indices[corner];
         return array.slice(3 * vertex, 3 * vertex + 3);
       };
       const position = interpolate(vertexOf(mesh.positions));
@@ -186,9 +186,9 @@ for (const {
       const unit = normal.map((x) => x / length) as Vec3;
       const depth = isOrthographic
         ? 1
-        : -vec3.transformMat4([0, 0, 0], reference.toWorld(position), spec.camera.view as unknown as mat4)[2]!;
+        : -vec3.transformMat4([0, 0, 0], reference.toWorld(position), spec.camera.view as unknown as mat4)[2];
       const excess = anchoredExcess(reference, position, unit, normal, depth * unitsPerPixel, settings);
-      const value = pixels[4 * pixel]!;
+      const value = pixels[4 * pixel];
       if (value !== 0 && value !== 255) grey++;
       if (excess > 0) inked++;
       // On the very edge of a stroke a rounding decides.

@@ -91,7 +91,7 @@ test('a mirrored object is lit and covered as one modelled mirrored', async ({ p
     mirror.scale.x = -1;
     const geometry = shape().scale(-1, 1, 1);
     const { array } = geometry.index!;
-    for (let i = 0; i < array.length; i += 3) [array[i], array[i + 1]] = [array[i + 1]!, array[i]!];
+    for (let i = 0; i < array.length; i += 3) [array[i], array[i + 1]] = [array[i + 1], array[i]];
     const model = new THREE.Mesh(geometry, mirror.material);
     const pictures: number[][] = [];
     for (const mesh of [mirror, model]) {
@@ -140,7 +140,7 @@ for (const technique of ['adjacency', 'anchored'] as const) {
       const map = new THREE.DataTexture(new Uint8Array([200, 100, 100, 255]), 1, 1);
       map.needsUpdate = true;
       const morphed = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshStandardMaterial({ map }));
-      morphed.geometry.morphAttributes.position = [morphed.geometry.attributes.position!.clone()];
+      morphed.geometry.morphAttributes.position = [morphed.geometry.attributes.position.clone()];
       morphed.updateMorphTargets();
       morphed.position.x = -0.8;
       const plain = new THREE.Mesh(new THREE.SphereGeometry(0.6), new THREE.MeshStandardMaterial({ color: 'teal' }));
@@ -161,13 +161,13 @@ for (const technique of ['adjacency', 'anchored'] as const) {
     }, technique);
     expect(differing(before, hatched, 8)).toBeGreaterThan(500);
     expect(difference(before, restored)).toBe(0);
-    expect(memory[1]!.geometries).toBe(memory[0]!.geometries + 2);
-    expect(memory[1]!.textures).toBeGreaterThan(memory[0]!.textures);
-    expect(memory[1]!.programs).toBeGreaterThan(memory[0]!.programs);
+    expect(memory[1].geometries).toBe(memory[0].geometries + 2);
+    expect(memory[1].textures).toBeGreaterThan(memory[0].textures);
+    expect(memory[1].programs).toBeGreaterThan(memory[0].programs);
     // What every hatching material shares, such as the one blank texel, may stay.
-    expect(memory[2]!.geometries).toBe(memory[0]!.geometries);
-    expect(memory[2]!.programs).toBe(memory[0]!.programs);
-    expect(memory[2]!.textures - memory[0]!.textures).toBeLessThanOrEqual(1);
+    expect(memory[2].geometries).toBe(memory[0].geometries);
+    expect(memory[2].programs).toBe(memory[0].programs);
+    expect(memory[2].textures - memory[0].textures).toBeLessThanOrEqual(1);
   });
 }
 

@@ -12,13 +12,13 @@ test.beforeEach(async ({ page }) => {
 const HALF = 127 / 255;
 const INK = [0.2, 0.4, 1];
 const GROUND = [0.5 * 1, 1 * 0.8, 0.5 * 0.6];
-const mix = (a: number[], b: number[], share: number) => a.map((x, i) => x * (1 - share) + b[i]! * share);
+const mix = (a: number[], b: number[], share: number) => a.map((x, i) => x * (1 - share) + b[i] * share);
 
 const blends = {
   cover: mix(GROUND, INK, HALF),
   multiply: mix(
     GROUND,
-    GROUND.map((x, i) => x * INK[i]!),
+    GROUND.map((x, i) => x * INK[i]),
     HALF,
   ),
 };
@@ -52,8 +52,8 @@ for (const [inkBlend, color] of Object.entries(blends)) {
       expect(covered(hatched!)).toBeGreaterThan(2000);
       expect(difference(hatched!, plain!)).toBeLessThanOrEqual(1);
     }
-    expect(difference(pairs[0]![0]!, pairs[1]![0]!)).toBeGreaterThan(20);
-    expect(difference(pairs[1]![0]!, pairs[2]![0]!)).toBeGreaterThan(20);
+    expect(difference(pairs[0][0], pairs[1][0])).toBeGreaterThan(20);
+    expect(difference(pairs[1][0], pairs[2][0])).toBeGreaterThan(20);
   });
 }
 
@@ -110,7 +110,7 @@ for (const premultipliedAlpha of [false, true]) {
       alpha,
     );
     centre(overGreen!).forEach((value, i) => {
-      expect(Math.abs(value - expected[i]!)).toBeLessThanOrEqual(1);
+      expect(Math.abs(value - expected[i])).toBeLessThanOrEqual(1);
     });
     expect(onNothing![4 * (48 * 96 + 48) + 3]).toBeCloseTo(255 * alpha, -0.3);
   });

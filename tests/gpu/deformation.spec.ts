@@ -16,7 +16,7 @@ for (const technique of ['triangle', 'adjacency'] as const) {
         window.toolkit;
       const renderer = makeRenderer();
       const sheet = new THREE.PlaneGeometry(2, 2, 9, 9);
-      for (let i = 0; i < 100; i++) sheet.attributes.position!.setZ(i, 0.4 * Math.sin(5 * i));
+      for (let i = 0; i < 100; i++) sheet.attributes.position.setZ(i, 0.4 * Math.sin(5 * i));
       sheet.deleteAttribute('normal');
       const grouped = new THREE.BoxGeometry(1, 1, 1, 3, 3, 3).toNonIndexed();
       const tonalArtMap = stripedMap();
@@ -69,7 +69,7 @@ test('the pre-pass writes what three.js computes on the processor: skin, morph t
       const geometry = await prepareHatchingGeometry(source);
       const isSkinned = kind.startsWith('skin');
       const mesh = isSkinned ? onBones(geometry, material) : new THREE.Mesh(geometry, material);
-      if (isSkinned) (mesh as ReturnType<typeof onBones>).skeleton.bones[1]!.rotation.set(0.3, 0.2, 1.1);
+      if (isSkinned) (mesh as ReturnType<typeof onBones>).skeleton.bones[1].rotation.set(0.3, 0.2, 1.1);
       if (kind !== 'skin') mesh.morphTargetInfluences!.splice(0, 2, 0.7, -0.4);
       show(kind, mesh);
     }
@@ -161,7 +161,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
         const material = new HatchingMaterial({ tonalArtMap: greyMap(), technique, strokeAnchor });
         const mesh = onBones(geometry, material);
         const scene = new THREE.Scene().add(mesh);
-        const bone = mesh.skeleton.bones[1]!;
+        const bone = mesh.skeleton.bones[1];
         return drift(scene, mesh, (frame) => bone.rotation.set(0.02 * frame, 0.03 * frame, 0.05 * frame), 10);
       });
     }, technique);
@@ -191,7 +191,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       const light = sun();
       const object = new THREE.Mesh(geometry, material);
       const mesh = onBones(geometry, material);
-      for (const thing of [object, mesh.skeleton.bones[0]!]) {
+      for (const thing of [object, mesh.skeleton.bones[0]]) {
         thing.rotation.set(0.5, 0.4, 0.9);
         thing.position.set(0.2, 0.1, -0.1);
         thing.scale.setScalar(1.2);
@@ -255,7 +255,7 @@ test('meshes that share a geometry and a material each have a pose of their own'
     const tubes = (material: () => InstanceType<typeof HatchingMaterial>) =>
       [-1, 0, 1].map((i) => {
         const mesh = onBones(geometry, material());
-        mesh.skeleton.bones[1]!.rotation.z = i;
+        mesh.skeleton.bones[1].rotation.z = i;
         mesh.position.x = 0.9 * i;
         mesh.scale.setScalar(0.6);
         return mesh;
@@ -304,7 +304,7 @@ test('the pre-pass runs once for a pose, whatever is drawn how often, and leaves
       return renderer.info.render.points;
     };
     const turn = (angle: number) => {
-      mesh.skeleton.bones[1]!.rotation.z = angle;
+      mesh.skeleton.bones[1].rotation.z = angle;
     };
     const points: number[] = [render(), render()];
     const gl = renderer.getContext() as WebGL2RenderingContext;
@@ -358,7 +358,7 @@ test('the pre-pass runs once for a pose, whatever is drawn how often, and leaves
     );
     return {
       points,
-      corners: geometry.attributes.position!.count,
+      corners: geometry.attributes.position.count,
       callsOfPose,
       before,
       after,
@@ -403,7 +403,7 @@ test('the shadow of what deforms moves with it', async ({ page }) => {
     renderer.shadowMap.enabled = true;
     const scene = sceneOf(floor, mesh, light);
     return [0, 1.5].map((angle) => {
-      mesh.skeleton.bones[1]!.rotation.x = angle;
+      mesh.skeleton.bones[1].rotation.x = angle;
       return pixelsOf(scene, renderer);
     });
   });
@@ -430,7 +430,7 @@ test('a device without float targets moves what deforms, hatched as at rest, and
     const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
     const renderer = makeRenderer();
     return [0, 1].map((angle) => {
-      mesh.skeleton.bones[1]!.rotation.z = angle;
+      mesh.skeleton.bones[1].rotation.z = angle;
       return pixelsOf(sceneOf(mesh, sun()), renderer);
     });
   });
@@ -510,7 +510,7 @@ for (const what of ['geometry', 'material'] as const) {
       pixelsOf(sceneOf(sun(), new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap }))), renderer);
       const before = memory.textures;
       const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap }));
-      mesh.skeleton.bones[1]!.rotation.z = 1;
+      mesh.skeleton.bones[1].rotation.z = 1;
       scene.add(mesh);
       const first = pixelsOf(scene, renderer);
       const during = memory.textures;
@@ -533,7 +533,7 @@ test('two renderers deform the same mesh, and a lost context comes back', async 
     const { tubeGeometry, onBones } = window.deforming;
     const material = new HatchingMaterial({ tonalArtMap: stripedMap(), side: THREE.DoubleSide });
     const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), material);
-    mesh.skeleton.bones[1]!.rotation.z = 1;
+    mesh.skeleton.bones[1].rotation.z = 1;
     const scene = sceneOf(mesh, sun());
     const renderer = makeRenderer();
     // The bone texture, made in the first frame, is a new pose in the second.
@@ -602,7 +602,7 @@ test('rays and bounds follow the pose', async ({ page }) => {
     const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), new HatchingMaterial());
     const ray = new THREE.Raycaster(new THREE.Vector3(0, 0.8, 5), new THREE.Vector3(0, 0, -1));
     return [0, Math.PI / 2].map((angle) => {
-      mesh.skeleton.bones[1]!.rotation.z = angle;
+      mesh.skeleton.bones[1].rotation.z = angle;
       mesh.updateMatrixWorld(true);
       mesh.computeBoundingBox();
       mesh.computeBoundingSphere();

@@ -59,9 +59,9 @@ function onBones(
   const mesh = new THREE.SkinnedMesh(geometry, material);
   const bones = [new THREE.Bone(), new THREE.Bone()];
   // Away from the origin, about which a turn of surface and light together would change no coordinate at all.
-  bones[1]!.position.set(0.25, 0.1, 0);
-  bones[0]!.add(bones[1]!);
-  mesh.add(bones[0]!);
+  bones[1].position.set(0.25, 0.1, 0);
+  bones[0].add(bones[1]);
+  mesh.add(bones[0]);
   mesh.bind(new THREE.Skeleton(bones));
   return mesh;
 }
@@ -105,8 +105,8 @@ function deformedCorners(
   { geometry, material }: THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>,
 ): DeformedVertex[] {
   const words = wordsOf(geometry);
-  const corners = geometry.attributes.position!.count;
-  const texture = material.uniforms.deformedPositions!.value as THREE.Texture;
+  const corners = geometry.attributes.position.count;
+  const texture = material.uniforms.deformedPositions.value as THREE.Texture;
   const target = texture.renderTarget as THREE.WebGLRenderTarget;
   const [positions, normals] = [0, 1].map((attachment) => {
     const texels = new Float32Array(4 * target.width * target.height);
@@ -114,7 +114,7 @@ function deformedCorners(
     return texels;
   });
   return Array.from({ length: corners }, (_, corner) => {
-    const texel = 4 * words[8 * Math.floor(corner / 3) + (corner % 3)]!;
+    const texel = 4 * words[8 * Math.floor(corner / 3) + (corner % 3)];
     return { position: [...positions!.slice(texel, texel + 3)], normal: [...normals!.slice(texel, texel + 3)] };
   });
 }
@@ -123,35 +123,31 @@ function deformedCorners(
 function expectedCorner(mesh: THREE.Mesh, corner: number): DeformedVertex {
   const { geometry } = mesh;
   const position = mesh.getVertexPosition(corner, new THREE.Vector3());
-  const normal = new THREE.Vector3().fromBufferAttribute(geometry.attributes.normal!, corner);
+  const normal = new THREE.Vector3().fromBufferAttribute(geometry.attributes.normal, corner);
   const targets = geometry.morphAttributes.normal ?? [];
   const influences = mesh.morphTargetInfluences ?? [];
   if (targets.length > 0) {
     const base = geometry.morphTargetsRelative ? 1 : 1 - influences.reduce((sum, x) => sum + x, 0);
     normal.multiplyScalar(base);
     targets.forEach((target, i) => {
-      normal.addScaledVector(new THREE.Vector3().fromBufferAttribute(target, corner), influences[i]!);
+      normal.addScaledVector(new THREE.Vector3().fromBufferAttribute(target, corner), influences[i]);
     });
   }
   if (mesh instanceof THREE.SkinnedMesh) {
     const matrix = new THREE.Matrix4().multiplyScalar(0);
     for (const axis of ['X', 'Y', 'Z', 'W'] as const) {
-      const bone = geometry.attributes.skinIndex![`get${axis}`](corner);
-      const weight = geometry.attributes.skinWeight![`get${axis}`](corner);
+      const bone = geometry.attributes.skinIndex[`get${axis}`](corner);
+      const weight = geometry.attributes.skinWeight[`get${axis}`](corner);
       const { bones, boneInverses } = mesh.skeleton;
-      const moved = new THREE.Matrix4().multiplyMatrices(bones[bone]!.matrixWorld, boneInverses[bone]!);
+      const moved = new THREE.Matrix4().multiplyMatrices(bones[bone].matrixWorld, boneInverses[bone]);
       moved.elements.forEach((x, i) => {
-        matrix.elements[i]! += weight * x;
+        matrix.elements[i] += weight * x;
       });
     }
     matrix.premultiply(mesh.bindMatrixInverse).multiply(mesh.bindMatrix);
     const [x, y, z] = normal.toArray();
     const e = matrix.elements;
-    normal.set(
-      e[0]! * x + e[4]! * y + e[8]! * z,
-      e[1]! * x + e[5]! * y + e[9]! * z,
-      e[2]! * x + e[6]! * y + e[10]! * z,
-    );
+    normal.set(e[0] * x + e[4] * y + e[8] * z, e[1] * x + e[5] * y + e[9] * z, e[2] * x + e[6] * y + e[10] * z);
   }
   return { position: position.toArray(), normal: normal.toArray() };
 }
@@ -161,16 +157,16 @@ function deviation(renderer: THREE.WebGLRenderer, mesh: THREE.Mesh<THREE.BufferG
   const corners = deformedCorners(renderer, mesh);
   const box = new THREE.Box3();
   const worst = { position: 0, normal: 0, moved: 0 };
-  const expected = Array.from({ length: mesh.geometry.attributes.position!.count }, (_, i) => expectedCorner(mesh, i));
+  const expected = Array.from({ length: mesh.geometry.attributes.position.count }, (_, i) => expectedCorner(mesh, i));
   for (const { position } of expected) box.expandByPoint(new THREE.Vector3(...position));
   const size = box.getSize(new THREE.Vector3()).length();
-  const distance = (a: number[], b: number[]) => Math.hypot(...a.map((x, i) => x - b[i]!));
+  const distance = (a: number[], b: number[]) => Math.hypot(...a.map((x, i) => x - b[i]));
   for (const [corner, { position, normal }] of expected.entries()) {
-    const rest = new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position!, corner).toArray();
+    const rest = new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position, corner).toArray();
     // Not Math.max, which would lose a NaN.
     for (const [name, value] of [
-      ['position', distance(position, corners[corner]!.position) / size],
-      ['normal', distance(normal, corners[corner]!.normal) / Math.hypot(...normal)],
+      ['position', distance(position, corners[corner].position) / size],
+      ['normal', distance(normal, corners[corner].normal) / Math.hypot(...normal)],
       ['moved', distance(position, rest) / size],
     ] as const) {
       if (!(value <= worst[name])) worst[name] = value;
@@ -224,7 +220,7 @@ function onlyBones(mesh: THREE.SkinnedMesh, words: Uint32Array): Map<number, num
     const components = ['getX', 'getY', 'getZ', 'getW'] as const;
     const first = components.find((component) => skinWeight![component](corner) > 0.99999);
     const bone = first ? skinIndex![first](corner) : -1;
-    bones.set(words[8 * Math.floor(corner / 3) + (corner % 3)]!, bone);
+    bones.set(words[8 * Math.floor(corner / 3) + (corner % 3)], bone);
   }
   return bones;
 }
@@ -252,10 +248,10 @@ function drift(
   });
   const words = wordsOf(mesh.geometry);
   const bones = onlyBones(mesh, words);
-  const triangles = Array.from({ length: mesh.geometry.attributes.position!.count / 3 }, (_, t) => t);
+  const triangles = Array.from({ length: mesh.geometry.attributes.position.count / 3 }, (_, t) => t);
   const boneOf = (t: number) => {
-    const six = [0, 1, 2, 4, 5, 6].map((k) => bones.get(words[8 * t + k]!)!);
-    return six.every((bone) => bone === six[0]) ? six[0]! : -1;
+    const six = [0, 1, 2, 4, 5, 6].map((k) => bones.get(words[8 * t + k])!);
+    return six.every((bone) => bone === six[0]) ? six[0] : -1;
   };
   const rigid = new Map<number, number[]>();
   for (const triangle of triangles) rigid.set(boneOf(triangle), [...(rigid.get(boneOf(triangle)) ?? []), triangle]);
@@ -270,7 +266,7 @@ function drift(
       scene.updateMatrixWorld(true);
       const { bones: list, boneInverses } = mesh.skeleton;
       const restToWorld = new THREE.Matrix4()
-        .multiplyMatrices(list[bone]!.matrixWorld, boneInverses[bone]!)
+        .multiplyMatrices(list[bone].matrixWorld, boneInverses[bone])
         .premultiply(mesh.bindMatrixInverse)
         .multiply(mesh.bindMatrix)
         .premultiply(mesh.matrixWorld);
@@ -283,7 +279,7 @@ function drift(
         if (!before) break;
         for (const triangle of ofBone) {
           for (let word = 12 * triangle; word < 12 * triangle + 12; word++) {
-            const change = Math.abs(coordinates[word]! - before[i]![word]!);
+            const change = Math.abs(coordinates[word] - before[i][word]);
             if (!(change <= largest)) largest = change;
           }
         }

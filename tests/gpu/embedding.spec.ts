@@ -55,7 +55,7 @@ test('a BatchedMesh gives the pixels of separate meshes', async ({ page }) => {
       one.applyMatrix4(matrix);
       return one;
     });
-    const batch = new THREE.BatchedMesh(2, geometry.attributes.position!.count, 0, material);
+    const batch = new THREE.BatchedMesh(2, geometry.attributes.position.count, 0, material);
     const id = batch.addGeometry(geometry);
     for (const matrix of matrices) batch.setMatrixAt(batch.addInstance(id), matrix);
     return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), batch))];

@@ -40,7 +40,7 @@ for (const [name, parameters] of Object.entries(ways)) {
     test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
     for (const width of widths) {
       // Strokes of thresholds swell with the tone: the first is the drawn width for the others.
-      const drawn = parameters.crisp || parameters.technique === 'anchored' ? widths[0]! : DRAWN_WIDTH;
+      const drawn = parameters.crisp || parameters.technique === 'anchored' ? widths[0] : DRAWN_WIDTH;
       expect(width / drawn, widths.join()).toBeGreaterThan(0.75);
       expect(width / drawn, widths.join()).toBeLessThan(1.25);
     }
@@ -53,7 +53,7 @@ for (const crisp of [false, true]) {
       (['derivatives', 'depth'] as const).map((levelRule) => drawWall(page, { crisp, levelRule }, DISTANCES)),
     );
     derivatives!.forEach((picture, i) => {
-      expect(difference(picture, depth![i]!), `distance ${DISTANCES[i]}`).toBeLessThanOrEqual(12);
+      expect(difference(picture, depth![i]), `distance ${DISTANCES[i]}`).toBeLessThanOrEqual(12);
     });
   });
 }
@@ -141,7 +141,7 @@ async function drawWall(
         const gl = renderer.getContext();
         const pixels = new Uint8Array(side * side * 4);
         gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-        return Array.from({ length: side * side }, (_, i) => pixels[4 * i]!);
+        return Array.from({ length: side * side }, (_, i) => pixels[4 * i]);
       });
     },
     [parameters, distances, slant, anisotropy, SIDE] as const,
@@ -154,7 +154,7 @@ function medianStrokeWidth(red: number[]): number {
   for (let x = 0; x < SIDE; x++) {
     let [ink, darkest] = [0, 0];
     for (let y = 0; y < SIDE; y++) {
-      const darkness = 1 - red[y * SIDE + x]! / 255;
+      const darkness = 1 - red[y * SIDE + x] / 255;
       if (darkness > 0.05) {
         ink += darkness;
         darkest = Math.max(darkest, darkness);
@@ -166,5 +166,5 @@ function medianStrokeWidth(red: number[]): number {
     }
   }
   expect(widths.length, 'strokes measured').toBeGreaterThan(300);
-  return widths.sort((a, b) => a - b)[widths.length >> 1]!;
+  return widths.sort((a, b) => a - b)[widths.length >> 1];
 }

@@ -110,7 +110,7 @@ test('a light probe is light from all around; a rectangular light gives none, an
     rectangle.position.z = 2;
     const sh = new THREE.SphericalHarmonics3();
     // Irradiance is 0.886227 times the first coefficient.
-    sh.coefficients[0]!.setScalar(Math.PI / 2 / 0.886227);
+    sh.coefficients[0].setScalar(Math.PI / 2 / 0.886227);
     return [
       pixelsOf(sceneOf(wall)),
       pixelsOf(sceneOf(wall, rectangle)),
@@ -119,7 +119,7 @@ test('a light probe is light from all around; a rectangular light gives none, an
   });
   expect(centre(dark!)).toEqual([0, 0, 0]);
   expect(difference(dark!, rectangular!)).toBe(0);
-  expect(Math.abs(centre(probe!)[0]! - 128)).toBeLessThanOrEqual(1);
+  expect(Math.abs(centre(probe!)[0] - 128)).toBeLessThanOrEqual(1);
 });
 
 test('reflected light knows no shadow', async ({ page }) => {
@@ -141,7 +141,7 @@ test('reflected light knows no shadow', async ({ page }) => {
   });
   expect(centre(shaded!)[0]).toBeLessThan(10);
   // (1 − cos 45°) / 2 of the light.
-  expect(Math.abs(centre(opened!)[0]! - 255 * 0.1464)).toBeLessThanOrEqual(2);
+  expect(Math.abs(centre(opened!)[0] - 255 * 0.1464)).toBeLessThanOrEqual(2);
 });
 
 for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
@@ -184,8 +184,8 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       const [before, after] = [two!, twoLayered!].map((pixels) => {
         let [alongRows, alongColumns] = [0, 0];
         for (let i = 4 * 96; i < pixels.length; i += 4) {
-          alongRows += Math.abs(pixels[i]! - pixels[i - 4]!);
-          alongColumns += Math.abs(pixels[i]! - pixels[i - 4 * 96]!);
+          alongRows += Math.abs(pixels[i] - pixels[i - 4]);
+          alongColumns += Math.abs(pixels[i] - pixels[i - 4 * 96]);
         }
         return alongRows / alongColumns;
       });

@@ -84,7 +84,7 @@ const cases: Case[] = [
   // Every tone model under every light; the placements take turns.
   ...models.flatMap((toneModel, i) =>
     Object.entries(every).map(([lightName, list], j) => {
-      const [placement, matrixWorld] = Object.entries(placements)[(i + j) % 3]!;
+      const [placement, matrixWorld] = Object.entries(placements)[(i + j) % 3];
       return {
         name: `${toneModel}, ${lightName}, ${placement}`,
         mesh: torus,
@@ -100,14 +100,14 @@ const cases: Case[] = [
       name: `tone curve ${name}, per triangle, with ${models[i + 1]}`,
       mesh: loadBunny,
       lights: [point],
-      material: { toneCurve, toneModel: models[i + 1]!, technique: 'triangle' } as const,
+      material: { toneCurve, toneModel: models[i + 1], technique: 'triangle' } as const,
     },
   ]),
   ...Object.entries({ ...every, 'several lights': [redSide, fadingSpot] }).map(([name, list], i) => ({
     name: `reflected light, ${name}`,
     mesh: torus,
     lights: list,
-    matrixWorld: [identity, placed, mirrored][i % 3]!,
+    matrixWorld: [identity, placed, mirrored][i % 3],
     material: { reflectedLight: 0.4 },
   })),
   ...(['triangle', 'adjacency'] as const).flatMap((technique) => [
@@ -217,20 +217,20 @@ function expected(spec: HatchingSpec): Map<number, Vec3> {
     unitsPerPixel: (at) => {
       const [x, y, z] = at;
       const view = spec.camera.view;
-      const depth = -(view[2]! * x + view[6]! * y + view[10]! * z + view[14]!);
-      return ((spec.orthographic ? 1 : depth) * 2) / (spec.camera.projection[5]! * SIZE);
+      const depth = -(view[2] * x + view[6] * y + view[10] * z + view[14]);
+      return ((spec.orthographic ? 1 : depth) * 2) / (spec.camera.projection[5] * SIZE);
     },
   });
   const normalOf = (corner: number) => {
-    const vertex = spec.indices[corner]!;
+    const vertex = spec.indices[corner];
     return (spec.normals?.slice(3 * vertex, 3 * vertex + 3) ?? [0, 0, 1]) as Vec3;
   };
   return new Map(
     interiorPixels(fragments, SIZE, SIZE).map((pixel) => {
       const { triangle, barycentric, faceDirection } = fragments[pixel]!;
       const [a, b, c] = [0, 1, 2].map((k) => normalOf(3 * triangle + k)) as [Vec3, Vec3, Vec3];
-      const smooth = a.map((x, i) => barycentric[0] * x + barycentric[1] * b[i]! + barycentric[2] * c[i]!) as Vec3;
-      return [pixel, reference.shade(triangles[triangle]!, neighbours[triangle]!, barycentric, faceDirection, smooth)];
+      const smooth = a.map((x, i) => barycentric[0] * x + barycentric[1] * b[i] + barycentric[2] * c[i]) as Vec3;
+      return [pixel, reference.shade(triangles[triangle], neighbours[triangle], barycentric, faceDirection, smooth)];
     }),
   );
 }
@@ -268,9 +268,9 @@ for (const { name, mesh, ...rest } of cases) {
     for (const [pixel, rgb] of reference) {
       let worst = 0;
       for (let channel = 0; channel < 3; channel++) {
-        const actual = pixels[4 * pixel + channel]!;
+        const actual = pixels[4 * pixel + channel];
         values.add(actual);
-        worst = Math.max(worst, Math.abs(actual - 255 * rgb[channel]!));
+        worst = Math.max(worst, Math.abs(actual - 255 * rgb[channel]));
       }
       sum += worst;
       if (worst <= 4) near++;

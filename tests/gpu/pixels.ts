@@ -11,12 +11,11 @@ export const covered = (pixels: number[]) => {
   return count;
 };
 /** Largest difference of any channel of any pixel. */
-export const difference = (a: number[], b: number[]) =>
-  a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i]!)), 0);
+export const difference = (a: number[], b: number[]) => a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i])), 0);
 export const differing = (a: number[], b: number[], tolerance: number) => {
   let count = 0;
   for (let i = 0; i < a.length; i += 4) {
-    if ([0, 1, 2].some((c) => Math.abs(a[i + c]! - b[i + c]!) > tolerance)) count++;
+    if ([0, 1, 2].some((c) => Math.abs(a[i + c] - b[i + c]) > tolerance)) count++;
   }
   return count;
 };

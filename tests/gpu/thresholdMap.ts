@@ -82,10 +82,10 @@ const thresholdMapTests = {
       let error = 0;
       map.thresholds(level).forEach((threshold, i) => {
         const expected = Math.max(-3, Math.min(3, normalQuantile(threshold)));
-        error = Math.max(error, Math.abs(values[i]! - expected));
+        error = Math.max(error, Math.abs(values[i] - expected));
       });
       // A step of a byte is 0.024; what is less comes of rounding coordinates.
-      const asymmetric = values.filter((value, i) => Math.abs(value - values[values.length - 1 - i]!) > 0.005).length;
+      const asymmetric = values.filter((value, i) => Math.abs(value - values[values.length - 1 - i]) > 0.005).length;
       return { texels: values.length, error, asymmetric };
     });
     map.dispose();
@@ -101,8 +101,8 @@ const thresholdMapTests = {
     let error = 0;
     for (let i = 0; i < texels.length; i++) {
       const [row, column] = [Math.floor(i / size), i % size];
-      const at = (y: number, x: number): number => texels[((row + y) % size) * size + ((column + x) % size)]!;
-      error = Math.max(error, Math.abs(between[i]! - (at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1)) / 4));
+      const at = (y: number, x: number): number => texels[((row + y) % size) * size + ((column + x) % size)];
+      error = Math.max(error, Math.abs(between[i] - (at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1)) / 4));
     }
     map.dispose();
     return error;
@@ -115,11 +115,8 @@ const thresholdMapTests = {
     // Level 1 at the texel centres of level 0: between its own.
     const coarser = sample(map, 0, 0, 1);
     const mixed = sample(map, 0, 0, 0.25);
-    const error = mixed.reduce(
-      (worst, g, i) => Math.max(worst, Math.abs(g - 0.75 * finer[i]! - 0.25 * coarser[i]!)),
-      0,
-    );
-    const apart = finer.reduce((worst, g, i) => Math.max(worst, Math.abs(g - coarser[i]!)), 0);
+    const error = mixed.reduce((worst, g, i) => Math.max(worst, Math.abs(g - 0.75 * finer[i] - 0.25 * coarser[i])), 0);
+    const apart = finer.reduce((worst, g, i) => Math.max(worst, Math.abs(g - coarser[i])), 0);
     map.dispose();
     return { error, apart };
   },

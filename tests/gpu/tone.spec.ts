@@ -42,7 +42,7 @@ async function measureTones(style: StrokeStyleName): Promise<number[]> {
         camera.position.set(2.1 * (place % 2), 2.1 * (place >> 1), 1);
         renderer.render(scene, camera);
         gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-        for (let i = 0; i < pixels.length; i += 4) paper += pixels[i]!;
+        for (let i = 0; i < pixels.length; i += 4) paper += pixels[i];
       }
       errors.push(1 - paper / (255 * side * side * places) - tone);
     }

@@ -113,7 +113,7 @@ const workerTests = {
 
   async badInput() {
     const geometry = new BoxGeometry();
-    geometry.attributes.position!.setX(3, Number.NaN);
+    geometry.attributes.position.setX(3, Number.NaN);
     return prepareHatchingGeometry(geometry).then(
       () => 'resolved',
       (reason: Error) => `${reason instanceof RangeError} ${reason.message}`,

@@ -47,18 +47,18 @@ export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
   const cell = x.map((c) => Math.floor(c + skew)) as Vec3;
   const toSpace = (id: Vec3) => id.map((c) => c - (id[0] + id[1] + id[2]) / 6) as Vec3;
   const origin = toSpace(cell);
-  const local = x.map((c, i) => c - origin[i]!) as Vec3;
+  const local = x.map((c, i) => c - origin[i]) as Vec3;
   // From the cell's first corner, walk along the axes in the order of the local coordinates, largest first.
-  const axes = [0, 1, 2].sort((a, b) => local[b]! - local[a]!);
+  const axes = [0, 1, 2].sort((a, b) => local[b] - local[a]);
   const ids: Vec3[] = [cell];
   for (const axis of axes) {
     const next = [...ids.at(-1)!] as Vec3;
-    next[axis]! += 1;
+    next[axis] += 1;
     ids.push(next);
   }
   return ids.map((id) => {
     const place = toSpace(id);
-    return { id, offset: x.map((c, i) => c - place[i]!) as Vec3 };
+    return { id, offset: x.map((c, i) => c - place[i]) as Vec3 };
   });
 }
 
@@ -156,12 +156,12 @@ export function anchoredExcess(
   const world = reference.toWorld(point);
   const { tangent, bitangent, crossing } = reference.frameOfNormal(strokeNormal, world);
   const edge = settings.anchorSpacing / settings.strokeScale;
-  const shifted = point.map((c, i) => c + LAYER_SHIFT[i]! * edge) as Vec3;
+  const shifted = point.map((c, i) => c + LAYER_SHIFT[i] * edge) as Vec3;
   const negated = bitangent.map((c) => -c) as Vec3;
   const toViewer = reference.toViewer(world);
   const { strokeRotation: angle } = settings;
   const field = (at: Vec3, t: Vec3, b: Vec3) => {
-    const across = t.map((x, i) => Math.sin(angle) * x + Math.cos(angle) * b[i]!) as Vec3;
+    const across = t.map((x, i) => Math.sin(angle) * x + Math.cos(angle) * b[i]) as Vec3;
     return anchoredField(at, t, b, unitsPerPixel, crowdedOctaves(across, strokeNormal, toViewer), settings);
   };
   const fields = [
@@ -170,5 +170,5 @@ export function anchoredExcess(
     () => field(shifted, negated, tangent),
   ];
   const tones = reference.layers(reference.tone(world, reference.normalToWorld(toneNormal)), crossing);
-  return Math.max(...tones.map((tone, i) => tone - uniformOf(fields[i]!())));
+  return Math.max(...tones.map((tone, i) => tone - uniformOf(fields[i]())));
 }

@@ -97,19 +97,19 @@ function lightness(y: number): number {
 /** Through points by Hermite's cubics, with the slopes of Fritsch and Butland; constant outside. */
 function curveThrough(points: readonly [number, number][], x: number): number {
   const last = points.length - 1;
-  if (x <= points[0]![0]) return points[0]![1];
-  if (x >= points[last]![0]) return points[last]![1];
-  const secant = (i: number) => (points[i + 1]![1] - points[i]![1]) / (points[i + 1]![0] - points[i]![0]);
+  if (x <= points[0][0]) return points[0][1];
+  if (x >= points[last][0]) return points[last][1];
+  const secant = (i: number) => (points[i + 1][1] - points[i][1]) / (points[i + 1][0] - points[i][0]);
   const slope = (i: number) => {
     if (i === 0) return secant(0);
     if (i === last) return secant(last - 1);
     const [before, after] = [secant(i - 1), secant(i)];
     if (Math.sign(before) * Math.sign(after) <= 0) return 0;
-    const alpha = (1 + (points[i + 1]![0] - points[i]![0]) / (points[i + 1]![0] - points[i - 1]![0])) / 3;
+    const alpha = (1 + (points[i + 1][0] - points[i][0]) / (points[i + 1][0] - points[i - 1][0])) / 3;
     return (before * after) / (alpha * after + (1 - alpha) * before);
   };
-  const i = points.findIndex((_, k) => x < points[k + 1]![0]);
-  const [[x0, y0], [x1, y1]] = [points[i]!, points[i + 1]!];
+  const i = points.findIndex((_, k) => x < points[k + 1][0]);
+  const [[x0, y0], [x1, y1]] = [points[i], points[i + 1]];
   const h = x1 - x0;
   const t = (x - x0) / h;
   return (
@@ -200,7 +200,7 @@ export class HatchingReference {
   }
 
   #bitangent(n: Vec3, worldCentre: Vec3): { bitangent: Vec3; crossing: number } {
-    const axis = [0, 1, 2].reduce((least, i) => (Math.abs(n[i]!) < Math.abs(n[least]!) ? i : least), 0);
+    const axis = [0, 1, 2].reduce((least, i) => (Math.abs(n[i]) < Math.abs(n[least]) ? i : least), 0);
     const unit: Vec3 = [0, 0, 0];
     unit[axis] = 1;
     const e1 = normalize(subtract(unit, scale(n, dot(n, unit))));
@@ -253,7 +253,7 @@ export class HatchingReference {
       if (light.type === 'ambient') radiance += luminance(light.color) / Math.PI;
       if (light.type === 'hemisphere') {
         const sky = 0.5 * dot(n, normalize(light.position!)) + 0.5;
-        const mixed = light.color.map((c, i) => c * sky + light.groundColor![i]! * (1 - sky)) as Vec3;
+        const mixed = light.color.map((c, i) => c * sky + light.groundColor![i] * (1 - sky)) as Vec3;
         radiance += luminance(mixed) / Math.PI;
       }
       const arriving = incident(light, position);
@@ -324,7 +324,7 @@ export class HatchingReference {
     const { material } = this.#scene;
     const point: Vec3 = [0, 1, 2].map(
       (axis) =>
-        barycentric[0] * triangle[0][axis]! + barycentric[1] * triangle[1][axis]! + barycentric[2] * triangle[2][axis]!,
+        barycentric[0] * triangle[0][axis] + barycentric[1] * triangle[1][axis] + barycentric[2] * triangle[2][axis],
     ) as Vec3;
     const world = this.toWorld(point);
     const central = faceNormal(triangle);
@@ -352,13 +352,13 @@ export class HatchingReference {
       const [u, v] = this.coordinates(point, t);
       const places = [[u, v] as const, [LAYER_SHIFT[0] - v, LAYER_SHIFT[1] + u] as const];
       this.layers(tone, crossing).forEach((layerTone, i) => {
-        layers[i]! += (f / sum) * this.#hatch(places[i]!, layerTone, level);
+        layers[i] += (f / sum) * this.#hatch(places[i], layerTone, level);
       });
     }
-    const darkness = 1 - (1 - layers[0]!) * (1 - layers[1]!);
+    const darkness = 1 - (1 - layers[0]) * (1 - layers[1]);
     const { paper, color } = material;
-    const ground = paper.map((c, i) => c * color[i]!);
-    const stroke = material.ink.map((c, i) => (material.inkBlend === 'multiply' ? c * ground[i]! : c));
-    return ground.map((c, i) => c * (1 - darkness) + stroke[i]! * darkness) as Vec3;
+    const ground = paper.map((c, i) => c * color[i]);
+    const stroke = material.ink.map((c, i) => (material.inkBlend === 'multiply' ? c * ground[i] : c));
+    return ground.map((c, i) => c * (1 - darkness) + stroke[i] * darkness) as Vec3;
   }
 }

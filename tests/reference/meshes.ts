@@ -13,9 +13,9 @@ export const toFloat = (values: number[]) => [...new Float32Array(values)];
 export function trianglesOf({ positions, indices }: PlainMesh): Triangle[] {
   const vertex = (i: number) => positions.slice(3 * i, 3 * i + 3) as Vec3;
   return Array.from({ length: indices.length / 3 }, (_, t) => [
-    vertex(indices[3 * t]!),
-    vertex(indices[3 * t + 1]!),
-    vertex(indices[3 * t + 2]!),
+    vertex(indices[3 * t]),
+    vertex(indices[3 * t + 1]),
+    vertex(indices[3 * t + 2]),
   ]);
 }
 

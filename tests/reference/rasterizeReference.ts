@@ -60,7 +60,7 @@ export function rasterizeReference(
         if (wa < 0 || wb < 0 || wc < 0) continue;
         const depth = wa * a.z + wb * b.z + wc * c.z;
         const pixel = row * width + column;
-        if (depth >= depths[pixel]!) continue;
+        if (depth >= depths[pixel]) continue;
         depths[pixel] = depth;
         const sum = wa / a.w + wb / b.w + wc / c.w;
         fragments[pixel] = {

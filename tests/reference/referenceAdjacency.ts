@@ -15,14 +15,14 @@ export function referenceAdjacency(triangles: readonly Triangle[]): (Triangle | 
   const edgeKey = (a: Vec3, b: Vec3) => [key(a), key(b)].sort().join('|');
   triangles.forEach((t, triangle) => {
     for (let k = 0; k < 3; k++) {
-      const edge = edgeKey(t[k]!, t[(k + 1) % 3]!);
-      byEdge.set(edge, [...(byEdge.get(edge) ?? []), { triangle, opposite: t[(k + 2) % 3]! }]);
+      const edge = edgeKey(t[k], t[(k + 1) % 3]);
+      byEdge.set(edge, [...(byEdge.get(edge) ?? []), { triangle, opposite: t[(k + 2) % 3] }]);
     }
   });
   return triangles.map((t, triangle) =>
     [0, 1, 2].map((k) => {
-      const start = t[k]!;
-      const end = t[(k + 1) % 3]!;
+      const start = t[k];
+      const end = t[(k + 1) % 3];
       const other = byEdge.get(edgeKey(start, end))!.find((side) => side.triangle !== triangle);
       return other === undefined ? null : ([end, start, other.opposite] as Triangle);
     }),

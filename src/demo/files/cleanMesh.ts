@@ -29,9 +29,9 @@ export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } 
   const kept = new Uint32Array(3 * total);
   let length = 0;
   for (let corner = 0; corner < 3 * total; corner += 3) {
-    const a = indices ? indices[corner]! : corner;
-    const b = indices ? indices[corner + 1]! : corner + 1;
-    const c = indices ? indices[corner + 2]! : corner + 2;
+    const a = indices ? indices[corner] : corner;
+    const b = indices ? indices[corner + 1] : corner + 1;
+    const c = indices ? indices[corner + 2] : corner + 2;
     if (!(isSound(a) && isSound(b) && isSound(c))) continue;
     kept[length++] = a;
     kept[length++] = b;
@@ -59,7 +59,7 @@ function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
     if (count === vertexCount) return source.length === 3 * vertexCount ? source : source.slice(0, 3 * vertexCount);
     const picked = new Float32Array(3 * count);
     for (let vertex = 0; vertex < vertexCount; vertex++) {
-      const to = renumbered[vertex]!;
+      const to = renumbered[vertex];
       if (to) picked.set(source.subarray(3 * vertex, 3 * vertex + 3), 3 * (to - 1));
     }
     return picked;
@@ -68,6 +68,6 @@ function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
     positions: pick(mesh.positions)!,
     normals: pick(mesh.normals),
     colors: pick(mesh.colors),
-    indices: indices.map((vertex) => renumbered[vertex]! - 1),
+    indices: indices.map((vertex) => renumbered[vertex] - 1),
   };
 }

@@ -20,9 +20,9 @@ export function fitModel({ positions }: PlainMesh): void {
     radius,
   } = measureExtent(positions);
   for (let i = 0; i < positions.length; i += 3) {
-    positions[i] = (positions[i]! - x) / radius;
-    positions[i + 1] = (positions[i + 1]! - y) / radius;
-    positions[i + 2] = (positions[i + 2]! - z) / radius;
+    positions[i] = (positions[i] - x) / radius;
+    positions[i + 1] = (positions[i + 1] - y) / radius;
+    positions[i + 2] = (positions[i + 2] - z) / radius;
   }
 }
 
@@ -36,15 +36,15 @@ export function measureExtent(positions: Float32Array): Extent {
   const high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i++) {
     const axis = i % 3;
-    const value = positions[i]!;
-    if (value < low[axis]!) low[axis] = value;
-    if (value > high[axis]!) high[axis] = value;
+    const value = positions[i];
+    if (value < low[axis]) low[axis] = value;
+    if (value > high[axis]) high[axis] = value;
   }
-  const centre = [0, 1, 2].map((axis) => low[axis]! / 2 + high[axis]! / 2) as [number, number, number];
+  const centre = [0, 1, 2].map((axis) => low[axis] / 2 + high[axis] / 2) as [number, number, number];
   const [x, y, z] = centre;
   let radius = 0;
   for (let i = 0; i < positions.length; i += 3) {
-    radius = Math.max(radius, Math.hypot(positions[i]! - x, positions[i + 1]! - y, positions[i + 2]! - z));
+    radius = Math.max(radius, Math.hypot(positions[i] - x, positions[i + 1] - y, positions[i + 2] - z));
   }
   if (!(radius > 0 && radius < Infinity))
     throw new ModelError('The model has no size: all its points lie at one place.');

@@ -164,7 +164,7 @@ function checkNodes(gltf: GltfDocument, name: string): void {
     depths[node] = depth;
     reached++;
     if (depth > MAX_DEPTH) throw new ModelError(`${name} nests its nodes more than ${MAX_DEPTH} deep.`);
-    for (const child of nodes[node]!.children ?? []) pending.push({ node: child, depth: depth + 1 });
+    for (const child of nodes[node].children ?? []) pending.push({ node: child, depth: depth + 1 });
   }
   if (reached < nodes.length) throw new ModelError(`${name} is damaged: some of its nodes contain themselves.`);
 }

@@ -53,8 +53,8 @@ export function makeFish(): LiveScene {
     return bone;
   });
   for (const [i, bone] of bones.entries()) bones[i - 1]?.add(bone);
-  bones[0]!.add(eye(1), eye(-1));
-  const root = new Group().add(bones[0]!, mesh);
+  bones[0].add(eye(1), eye(-1));
+  const root = new Group().add(bones[0], mesh);
   root.updateMatrixWorld(true);
   mesh.bind(new Skeleton(bones));
   return { root, animations: [swim('Swim', 2, 0.13), swim('Dart', 0.8, 0.2)] };
@@ -63,7 +63,7 @@ export function makeFish(): LiveScene {
 /** @param side 1 or −1 */
 function eye(side: number): Mesh {
   const geometry = new IcosahedronGeometry(0.032, 3).translate(0.2, 0.06, 0.085 * side);
-  const moved = new Float32Array(geometry.attributes.position!.array.length).map((_, i) =>
+  const moved = new Float32Array(geometry.attributes.position.array.length).map((_, i) =>
     i % 3 === 2 ? 0.045 * side : 0,
   );
   geometry.morphTargetsRelative = true;
@@ -146,11 +146,11 @@ function profileAt(place: number): [above: number, below: number, thickness: num
     1,
     PROFILE.findIndex(([at]) => at >= place),
   );
-  const [from, to] = [PROFILE[next - 1]!, PROFILE[next]!];
+  const [from, to] = [PROFILE[next - 1], PROFILE[next]];
   const share = (place - from[0]) / (to[0] - from[0]);
   const before = PROFILE[next - 2] ?? from;
   const after = PROFILE[next + 1] ?? to;
-  return [1, 2, 3].map((i) => hermite(share, before[i]!, from[i]!, to[i]!, after[i]!)) as [number, number, number];
+  return [1, 2, 3].map((i) => hermite(share, before[i], from[i], to[i], after[i])) as [number, number, number];
 }
 
 /** Between b and c, towards them as a and d say. */

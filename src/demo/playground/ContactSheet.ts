@@ -87,7 +87,7 @@ export class ContactSheet {
 function corner(image: Uint8Array, size: number, side: number): ImageData {
   const pixels = new ImageData(side, side);
   for (let i = 0; i < side * side; i++) {
-    const byte = image[Math.floor(i / side) * size + (i % side)]!;
+    const byte = image[Math.floor(i / side) * size + (i % side)];
     pixels.data.fill(byte, 4 * i, 4 * i + 3);
     pixels.data[4 * i + 3] = 255;
   }

@@ -91,7 +91,7 @@ export class MotionPanel {
     clips.value = String(motion.clip);
     clips.addEventListener('change', () => {
       motion.clip = Number(clips.value);
-      this.sliders[0]!.input.max = String(motion.duration);
+      this.sliders[0].input.max = String(motion.duration);
       this.changed();
     });
     row.append(this.play, clips);

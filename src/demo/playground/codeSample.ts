@@ -58,7 +58,7 @@ light.position.${place(distance, settings.lightAzimuth)};
 scene.add(light);
 `,
   ];
-  const classes = new Set([/new (\w+)/.exec(light)![1]!]);
+  const classes = new Set([/new (\w+)/.exec(light)![1]]);
   if (settings.secondLight !== 'none') {
     classes.add('DirectionalLight');
     const azimuth = settings.lightAzimuth + SECOND_LIGHT_AZIMUTH[settings.secondLight];

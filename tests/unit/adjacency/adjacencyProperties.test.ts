@@ -41,7 +41,7 @@ const anyMesh = fc.oneof(crowdedMesh, crowdedEdge);
 
 const place = ({ positions, indices }: TriangleMesh, corner: number): string =>
   // + 0 turns −0 into 0
-  [...positions.subarray(3 * indices[corner]!, 3 * indices[corner]! + 3)].map((value) => value + 0).join(' ');
+  [...positions.subarray(3 * indices[corner], 3 * indices[corner] + 3)].map((value) => value + 0).join(' ');
 
 const isForward = (mesh: TriangleMesh, corner: number): boolean =>
   place(mesh, corner) < place(mesh, nextCorner(corner));
@@ -51,10 +51,10 @@ const edgeOf = (mesh: TriangleMesh, corner: number): string =>
 
 function unitNormal({ positions, indices }: TriangleMesh, corner: number): number[] {
   const first = corner - (corner % 3);
-  const [a, b, c] = [0, 1, 2].map((k) => [...positions.subarray(3 * indices[first + k]!, 3 * indices[first + k]! + 3)]);
-  const u = b!.map((value, i) => value - a![i]!);
-  const v = c!.map((value, i) => value - a![i]!);
-  const n = [0, 1, 2].map((i) => u[(i + 1) % 3]! * v[(i + 2) % 3]! - u[(i + 2) % 3]! * v[(i + 1) % 3]!);
+  const [a, b, c] = [0, 1, 2].map((k) => [...positions.subarray(3 * indices[first + k], 3 * indices[first + k] + 3)]);
+  const u = b!.map((value, i) => value - a![i]);
+  const v = c!.map((value, i) => value - a![i]);
+  const n = [0, 1, 2].map((i) => u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
   const length = Math.hypot(...n);
   return length === 0 ? [0, 0, 0] : n.map((value) => value / length);
 }
@@ -64,7 +64,7 @@ const isDegenerate = (mesh: TriangleMesh, corner: number): boolean =>
 
 const cosine = (mesh: TriangleMesh, a: number, b: number): number => {
   const normal = unitNormal(mesh, b);
-  return unitNormal(mesh, a).reduce((sum, value, i) => sum + value * normal[i]!, 0);
+  return unitNormal(mesh, a).reduce((sum, value, i) => sum + value * normal[i], 0);
 };
 
 /** All half-edges of triangles with area, by undirected edge. */
@@ -139,7 +139,7 @@ describe('triangle adjacency of any mesh', () => {
         for (const group of halfEdges(mesh).values()) {
           if (group.length < 3) continue;
           const closeness = (corner: number) =>
-            twins[corner] === NO_TWIN ? -Infinity : cosine(mesh, corner, twins[corner]!);
+            twins[corner] === NO_TWIN ? -Infinity : cosine(mesh, corner, twins[corner]);
           for (const a of group) {
             for (const b of group) {
               if (isForward(mesh, a) === isForward(mesh, b)) continue;
@@ -167,10 +167,10 @@ describe('triangle adjacency of any mesh', () => {
         const newNumber = new Map(order.map((old, i) => [old, i]));
         const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, i) => {
           const turn = (random.next().value as number) % 3;
-          return [0, 1, 2].map((k) => newNumber.get(mesh.indices[3 * i + ((k + turn) % 3)]!)!);
+          return [0, 1, 2].map((k) => newNumber.get(mesh.indices[3 * i + ((k + turn) % 3)])!);
         });
         const shuffled = meshOf(
-          order.map((old) => vertices[old]!),
+          order.map((old) => vertices[old]),
           shuffle(triangles),
         );
         expect(surfaceOf(shuffled)).toEqual(surfaceOf(mesh));

@@ -317,7 +317,7 @@ describe('buildTriangleAdjacency', () => {
   test('progress rises from 0 to 1', () => {
     const progress = [...buildTriangleAdjacency(fan(50_000))];
     expect(progress.length).toBeGreaterThan(20);
-    for (let i = 1; i < progress.length; i++) expect(progress[i]).toBeGreaterThanOrEqual(progress[i - 1]!);
+    for (let i = 1; i < progress.length; i++) expect(progress[i]).toBeGreaterThanOrEqual(progress[i - 1]);
     expect(progress.at(-1)).toBe(1);
   });
 });

@@ -25,7 +25,7 @@ const weldedCube = () => {
   const unique = [...new Set(names)];
   return {
     positions: new Float32Array(unique.flatMap((name) => name.split(' ').map(Number))),
-    indices: indices.map((vertex) => unique.indexOf(names[vertex]!)),
+    indices: indices.map((vertex) => unique.indexOf(names[vertex])),
   };
 };
 

@@ -34,8 +34,8 @@ describe.each(meshes)('%s', (_, mesh) => {
       const positionOf = (vertex: number) => [...vertexPositions.subarray(4 * vertex, 4 * vertex + 3)];
       for (let i = 0; i < corners; i++) {
         const triangle = 8 * Math.floor(i / 3);
-        expect(positionOf(words[triangle + (i % 3)]!)).toEqual([...corner.positions.subarray(3 * i, 3 * i + 3)]);
-        const opposite = [0, 1, 2].flatMap((k) => positionOf(words[triangle + 4 + k]!));
+        expect(positionOf(words[triangle + (i % 3)])).toEqual([...corner.positions.subarray(3 * i, 3 * i + 3)]);
+        const opposite = [0, 1, 2].flatMap((k) => positionOf(words[triangle + 4 + k]));
         expect(opposite).toEqual([...corner.corners.subarray(CORNER_STRIDE * i + 7, CORNER_STRIDE * i + 16)]);
       }
       expect(pull.positions).toEqual(corner.positions);
@@ -50,8 +50,8 @@ describe.each(meshes)('%s', (_, mesh) => {
     const writers = new Map<number, number>();
     for (let i = 0; i < corners; i++) {
       const triangle = 8 * Math.floor(i / 3);
-      const vertex = words[triangle + (i % 3)]!;
-      if ((words[triangle + 3]! >> (i % 3)) & 1) {
+      const vertex = words[triangle + (i % 3)];
+      if ((words[triangle + 3] >> (i % 3)) & 1) {
         expect(writers.has(vertex)).toBe(false);
         writers.set(vertex, i);
       }

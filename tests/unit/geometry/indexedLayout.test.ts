@@ -45,7 +45,7 @@ const valuesOf = (geometry: BufferGeometry, name: string): number[][] => {
 /** What each corner sees of an attribute, through the index if there is one. */
 const cornersOf = (geometry: BufferGeometry, name: string): number[][] => {
   const values = valuesOf(geometry, name);
-  return geometry.index ? Array.from(geometry.index.array, (vertex) => values[vertex]!) : values;
+  return geometry.index ? Array.from(geometry.index.array, (vertex) => values[vertex]) : values;
 };
 
 describe('the prepared geometry', () => {
@@ -55,7 +55,7 @@ describe('the prepared geometry', () => {
     geometry.userData = { mine: 1 };
     const prepared = await prepareIndexed(geometry);
     expect([...geometry.index!.array]).toEqual(foldIndices);
-    expect([...geometry.attributes.position!.array]).toEqual(foldPositions);
+    expect([...geometry.attributes.position.array]).toEqual(foldPositions);
     expect(Object.keys(geometry.attributes)).toEqual(['position']);
 
     expect(prepared.name).toBe('fold');
@@ -66,7 +66,7 @@ describe('the prepared geometry', () => {
     expect(hatchNormal.array).toBeInstanceOf(Int16Array);
     expect([hatchNormal.itemSize, hatchNormal.normalized, hatchNormal.count]).toEqual([4, true, 6]);
     expect(valuesOf(prepared, 'hatchNormal')[1]).toEqual([0, 0, 1, 0]);
-    for (const vertex of [3, 4, 5]) expect(valuesOf(prepared, 'hatchNormal')[vertex]![2]).toBeCloseTo(0, 4);
+    for (const vertex of [3, 4, 5]) expect(valuesOf(prepared, 'hatchNormal')[vertex][2]).toBeCloseTo(0, 4);
     expect(prepared.boundingBox!.max.toArray()).toEqual([1, 1, 1]);
     expect(prepared.boundingSphere!.center.toArray()).toEqual([0.5, 0.5, 0.5]);
     const statistics: HatchingStatistics = {
@@ -89,7 +89,7 @@ describe('the prepared geometry', () => {
   ])('of %s adds no vertices, and every corner has what it has in the corner layout', async (_, geometry, added) => {
     const indexed = await prepareIndexed(geometry);
     const corner = await prepareHatchingGeometry(geometry);
-    expect(indexed.attributes.position!.count - geometry.attributes.position!.count).toBe(added);
+    expect(indexed.attributes.position.count - geometry.attributes.position.count).toBe(added);
     for (const name of ['position', 'normal', 'uv', 'hatchNormal']) {
       expect(cornersOf(indexed, name), name).toEqual(cornersOf(corner, name));
     }
@@ -113,7 +113,7 @@ describe('the prepared geometry', () => {
     const geometry = fold();
     const expected = cornersOf(await prepareIndexed(fold()), 'position');
     const promise = prepareIndexed(geometry);
-    (geometry.attributes.position!.array as Float32Array).fill(7);
+    (geometry.attributes.position.array as Float32Array).fill(7);
     geometry.index!.array.fill(0);
     expect(cornersOf(await promise, 'position')).toEqual(expected);
   });
@@ -166,7 +166,7 @@ describe('input', () => {
     const normals = cornersOf(prepared, 'hatchNormal');
     for (const corner of [0, 1, 2]) expect(normals[corner]).toEqual([0, 0, 1, 0]);
     for (const corner of [3, 4, 5])
-      expect(normals[corner]!.slice(0, 3)).toEqual(close([-Math.SQRT1_2, -Math.SQRT1_2, 0]));
+      expect(normals[corner].slice(0, 3)).toEqual(close([-Math.SQRT1_2, -Math.SQRT1_2, 0]));
   });
 });
 
@@ -254,7 +254,7 @@ test('only the draw range is drawn; groups are cut to it', async () => {
 
 test('bad input is rejected as in the corner layout', async () => {
   const geometry = fold();
-  (geometry.attributes.position!.array as TypedArray)[4] = Number.NaN;
+  (geometry.attributes.position.array as TypedArray)[4] = Number.NaN;
   await expect(prepareIndexed(geometry)).rejects.toThrow(
     /^prepareHatchingGeometry: the geometry: the position of vertex 1/,
   );
@@ -262,7 +262,7 @@ test('bad input is rejected as in the corner layout', async () => {
 
 test('smoothingRadius reaches the bake', async () => {
   const bumpy = new SphereGeometry(1, 24, 16);
-  const position = bumpy.attributes.position!;
+  const position = bumpy.attributes.position;
   for (let i = 0; i < position.count; i++) if (i % 7 === 0) position.setX(i, 1.05 * position.getX(i));
   const normals = async (layout: 'corner' | 'indexed', smoothingRadius?: number) =>
     cornersOf(await prepareHatchingGeometry(bumpy, { layout, smoothingRadius }), 'hatchNormal');

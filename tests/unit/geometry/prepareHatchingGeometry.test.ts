@@ -76,8 +76,8 @@ describe('the prepared geometry', () => {
       return attribute.data;
     });
     expect(new Set(buffers).size).toBe(1);
-    expect(buffers[0]!.stride).toBe(CORNER_STRIDE);
-    expect(layoutOf(prepared)[0]!.slice(0, 8)).toEqual([1, 0, 0, 0, 0, 1, 0, 1]);
+    expect(buffers[0].stride).toBe(CORNER_STRIDE);
+    expect(layoutOf(prepared)[0].slice(0, 8)).toEqual([1, 0, 0, 0, 0, 1, 0, 1]);
     const hatchNormal = prepared.getAttribute('hatchNormal') as BufferAttribute;
     expect([hatchNormal.itemSize, hatchNormal.normalized]).toEqual([4, true]);
     expect(hatchNormal.array).toEqual(Int16Array.from({ length: 24 }, (_, i) => (i % 4 === 2 ? 32767 : 0)));
@@ -110,7 +110,7 @@ describe('the prepared geometry', () => {
     const geometry = quad();
     const expected = layoutOf(await prepareHatchingGeometry(quad()));
     const promise = prepareHatchingGeometry(geometry);
-    (geometry.attributes.position!.array as Float32Array).fill(7);
+    (geometry.attributes.position.array as Float32Array).fill(7);
     geometry.addGroup(0, 3, 1);
     geometry.name = 'changed';
     const prepared = await promise;
@@ -263,9 +263,9 @@ describe('attributes', () => {
       ['up', 6],
       ['', 6],
     ]);
-    expect(prepared.morphAttributes.position![0]!.getZ(5)).toBe(5);
-    expect(prepared.morphAttributes.position![1]!.getZ(0)).toBe(-1);
-    expect([...prepared.morphAttributes.color![0]!.array]).toEqual([1, 2, 3, 3, 2, 4]);
+    expect(prepared.morphAttributes.position![0].getZ(5)).toBe(5);
+    expect(prepared.morphAttributes.position![1].getZ(0)).toBe(-1);
+    expect([...prepared.morphAttributes.color![0].array]).toEqual([1, 2, 3, 3, 2, 4]);
     expect([prepared.boundingBox!.min.z, prepared.boundingBox!.max.z]).toEqual([-1, 5]);
   });
 
@@ -373,7 +373,7 @@ describe('bad input is rejected', () => {
     ],
     [
       'freed arrays',
-      changed((g) => Reflect.set(g.attributes.position!, 'array', null)),
+      changed((g) => Reflect.set(g.attributes.position, 'array', null)),
       `${beginning}: the data of attribute "position" is not in memory`,
       /Pass a geometry/,
     ],
@@ -484,7 +484,7 @@ describe('options', () => {
     const { triangles, bytes, borderEdges } = (await prepareHatchingGeometry(source, { layout: 'pull' })).userData
       .hatching;
     const rows = (texels: number) => 2048 * Math.ceil(texels / 2048);
-    const textures = 16 * (rows(2 * triangles) + rows(source.attributes.position!.count));
+    const textures = 16 * (rows(2 * triangles) + rows(source.attributes.position.count));
     expect(bytes).toBe(triangles * 3 * (12 + 12 + 8 + 8) + textures);
     expect(textures / triangles).toBeLessThan(41);
     expect(borderEdges).toBe(0);
@@ -514,7 +514,7 @@ describe('options', () => {
       onProgress: (value) => progress.push(value),
     });
     expect(progress.at(-1)).toBe(1);
-    for (let i = 1; i < progress.length; i++) expect(progress[i]).toBeGreaterThan(progress[i - 1]!);
+    for (let i = 1; i < progress.length; i++) expect(progress[i]).toBeGreaterThan(progress[i - 1]);
   });
 
   test('an aborted signal rejects with its reason, before anything is looked at', async () => {

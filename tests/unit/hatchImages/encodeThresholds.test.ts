@@ -27,13 +27,13 @@ describe('encodeThresholds', () => {
     expect(values[0]).toBe(-3);
     expect(values.at(-1)).toBe(3);
     thresholds.slice(1, -1).forEach((threshold, i) => {
-      expect(Math.abs(values[i + 1]! - normalQuantile(threshold))).toBeLessThanOrEqual(3 / 255 + 1e-6);
+      expect(Math.abs(values[i + 1] - normalQuantile(threshold))).toBeLessThanOrEqual(3 / 255 + 1e-6);
     });
   });
 
   it('keeps a threshold and its complement mirror images', () => {
     const thresholds = Float32Array.from({ length: 64 }, (_, i) => (i + 0.5) / 64);
     const { encoded } = encodeThresholds(8, thresholds);
-    for (let i = 0; i < 64; i++) expect(encoded[i]! + encoded[63 - i]!).toBe(255);
+    for (let i = 0; i < 64; i++) expect(encoded[i] + encoded[63 - i]).toBe(255);
   });
 });

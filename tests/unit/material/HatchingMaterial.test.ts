@@ -46,8 +46,8 @@ describe('HatchingMaterial', () => {
     expect(material.ink.equals(new Color('#112233'))).toBe(true);
     expect(material.strokeOffset.toArray()).toEqual([0.25, 0.5]);
     expect(material.side).toBe(DoubleSide);
-    expect(material.uniforms.tonalArtMap!.value).toBe(map.texture);
-    expect(material.uniforms.opacity!.value).toBe(0.5);
+    expect(material.uniforms.tonalArtMap.value).toBe(map.texture);
+    expect(material.uniforms.opacity.value).toBe(0.5);
   });
 
   test('warns of a parameter it does not know', () => {
@@ -109,7 +109,7 @@ describe('HatchingMaterial', () => {
     material.toneCurve = points;
     expect(material.version).toBe(version + 1);
     expect(material.toneCurve).toBe(points);
-    expect(material.uniforms.toneCurveStart!.value).toBe(0.1);
+    expect(material.uniforms.toneCurveStart.value).toBe(0.1);
     material.toneCurve = 'perceptual';
     expect(material.version).toBe(version + 2);
   });
@@ -147,9 +147,9 @@ describe('HatchingMaterial', () => {
 
   test('reads thresholds only where they are drawn', () => {
     const material = new HatchingMaterial({ tonalArtMap: map });
-    expect(material.uniforms.thresholdMap!.value).toBe(null);
+    expect(material.uniforms.thresholdMap.value).toBe(null);
     const anchored = new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' });
-    expect(anchored.uniforms.thresholdMap!.value).toBe(map.thresholdTexture);
+    expect(anchored.uniforms.thresholdMap.value).toBe(map.thresholdTexture);
   });
 
   test('clones to an equal material that shares textures and nothing else', () => {
@@ -226,8 +226,8 @@ describe('HatchingMaterial', () => {
     }
     expect(clone.strokeOffset.toArray()).toEqual([0.1, 0.2]);
     expect(clone.uniforms).not.toBe(source.uniforms);
-    expect(clone.uniforms.tonalArtMap!.value).toBe(map.texture);
-    expect(clone.uniforms.toneCurveCubics!.value).toEqual(source.uniforms.toneCurveCubics!.value);
+    expect(clone.uniforms.tonalArtMap.value).toBe(map.texture);
+    expect(clone.uniforms.toneCurveCubics.value).toEqual(source.uniforms.toneCurveCubics.value);
     clone.technique = 'adjacency';
     clone.ink.set('red');
     expect(source.technique).toBe('triangle');

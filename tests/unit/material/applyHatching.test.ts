@@ -61,7 +61,7 @@ const dressOf = (root: Object3D) => {
 function brokenMesh(): Mesh {
   const mesh = new Mesh(new PlaneGeometry(), new MeshBasicMaterial());
   mesh.name = 'torn';
-  mesh.geometry.attributes.position!.array[0] = Number.NaN;
+  mesh.geometry.attributes.position.array[0] = Number.NaN;
   return mesh;
 }
 
@@ -166,7 +166,7 @@ describe('what it makes of a scene', () => {
     expect(material.color.equals(new Color('#336699'))).toBe(true);
     expect(material.color).not.toBe(source.color);
     expect(material.userData.self).toBe(circular);
-    expect(material.uniforms.map!.value).not.toBe(undefined);
+    expect(material.uniforms.map.value).not.toBe(undefined);
   });
 
   test('several materials of a mesh stay as many, in their order, with the groups', async () => {
@@ -214,7 +214,7 @@ describe('what it makes of a scene', () => {
     geometry.morphAttributes.position = [new BufferAttribute(new Float32Array(12).fill(0.1), 3)];
     const skinned = new SkinnedMesh(geometry, new MeshBasicMaterial());
     const skeleton = new Skeleton([new Bone()]);
-    skinned.add(skeleton.bones[0]!);
+    skinned.add(skeleton.bones[0]);
     skinned.bind(skeleton);
     skinned.morphTargetInfluences = [0.5];
     skinned.castShadow = true;
@@ -237,7 +237,7 @@ describe('what it makes of a scene', () => {
       Mesh,
       Mesh,
     ];
-    moving.geometry.morphAttributes.position = [moving.geometry.attributes.position!.clone()];
+    moving.geometry.morphAttributes.position = [moving.geometry.attributes.position.clone()];
     await applyHatching(new Group().add(still, alsoStill, moving), { tonalArtMap });
     expect(alsoStill.material).toBe(still.material);
     expect(moving.material).not.toBe(still.material);
@@ -294,10 +294,10 @@ describe('options', () => {
       [a, meshes[0]],
       [b, meshes[1]],
     ]);
-    expect(hatched(meshes[0]!).color.getHexString()).toBe('ffffff');
-    expect(hatched(meshes[1]!).color.getHexString()).toBe(new Color('green').getHexString());
-    expect(hatched(meshes[1]!).ink.equals(new Color('navy'))).toBe(true);
-    expect(hatched(meshes[1]!).side).toBe(DoubleSide);
+    expect(hatched(meshes[0]).color.getHexString()).toBe('ffffff');
+    expect(hatched(meshes[1]).color.getHexString()).toBe(new Color('green').getHexString());
+    expect(hatched(meshes[1]).ink.equals(new Color('navy'))).toBe(true);
+    expect(hatched(meshes[1]).side).toBe(DoubleSide);
   });
 
   test('strokes have one size in the world: three tiles over the radius of the whole', async () => {
@@ -331,7 +331,7 @@ describe('options', () => {
 
   test('the size of a skinned mesh is that of its bones, wherever its node stands', async () => {
     const geometry = new SphereGeometry(1, 64, 32);
-    const count = geometry.attributes.position!.count;
+    const count = geometry.attributes.position.count;
     geometry.setAttribute('skinIndex', new BufferAttribute(new Uint8Array(4 * count), 4));
     geometry.setAttribute('skinWeight', new BufferAttribute(new Float32Array(4 * count).fill(0.25), 4));
     const skinned = new SkinnedMesh(geometry, new MeshBasicMaterial());
@@ -353,7 +353,7 @@ describe('options', () => {
       onProgress: (value) => progress.push(value),
     });
     expect(materials).toHaveLength(2);
-    expect(meshes[1]!.material).toBeInstanceOf(MeshBasicMaterial);
+    expect(meshes[1].material).toBeInstanceOf(MeshBasicMaterial);
     expect(progress.at(-1)).toBe(1);
     expect([...progress].sort((a, b) => a - b)).toEqual(progress);
   });
@@ -482,7 +482,7 @@ describe('when something is wrong', () => {
     const { skipped } = await promise;
     expect(changed.material).toBe(replacement);
     expect(skipped.map(({ mesh }) => mesh)).toEqual([changed]);
-    expect(skipped[0]!.error.message).toContain('while it was being baked');
+    expect(skipped[0].error.message).toContain('while it was being baked');
     hatched(kept);
   });
 

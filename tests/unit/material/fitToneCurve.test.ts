@@ -5,8 +5,8 @@ import { type FittedToneCurve, fitToneCurve, type ToneCurvePoint } from '../../.
 function valueAt({ start, spans, cubics }: FittedToneCurve, tone: number): number {
   let value = start;
   for (let i = 0; i < spans.length / 2; i++) {
-    const t = Math.min(1, Math.max(0, (tone - spans[2 * i]!) * spans[2 * i + 1]!));
-    value += t * (cubics[3 * i]! + t * (cubics[3 * i + 1]! + t * cubics[3 * i + 2]!));
+    const t = Math.min(1, Math.max(0, (tone - spans[2 * i]) * spans[2 * i + 1]));
+    value += t * (cubics[3 * i] + t * (cubics[3 * i + 1] + t * cubics[3 * i + 2]));
   }
   return value;
 }
@@ -41,7 +41,7 @@ describe('fitToneCurve', () => {
   test('never leaves the range between two neighbouring points', () => {
     const curve = fitToneCurve(engraver);
     for (let i = 0; i + 1 < engraver.length; i++) {
-      const [[x0, y0], [x1, y1]] = [engraver[i]!, engraver[i + 1]!];
+      const [[x0, y0], [x1, y1]] = [engraver[i], engraver[i + 1]];
       let before = y0;
       for (let step = 1; step <= 50; step++) {
         const y = valueAt(curve, x0 + ((x1 - x0) * step) / 50);

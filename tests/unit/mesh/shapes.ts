@@ -81,7 +81,7 @@ export function sphere(size: number): TriangleMesh {
         .map(Math.abs)
         .sort(),
     );
-    for (let axis = 0; axis < 3; axis++) mesh.positions[i + axis]! /= length;
+    for (let axis = 0; axis < 3; axis++) mesh.positions[i + axis] /= length;
   }
   return mesh;
 }

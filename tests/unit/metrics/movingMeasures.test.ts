@@ -23,13 +23,13 @@ describe('normalisedFlips', () => {
     const a = picture(
       4,
       1,
-      (x) => [0, 1, 0, 1]![x]!,
+      (x) => [0, 1, 0, 1][x],
       (x) => x < 3,
     );
     const b = picture(
       4,
       1,
-      (x) => [1, 1, 0, 0]![x]!,
+      (x) => [1, 1, 0, 0][x],
       (x) => x > 0,
     );
     expect(normalisedFlips(a, b)).toBe(0);

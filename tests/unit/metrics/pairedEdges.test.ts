@@ -11,7 +11,7 @@ const points = [
   [1, 1, 0],
   [0, 1, 0],
 ];
-const soup = (...indices: number[]) => indices.flatMap((i) => [...points[i]!]);
+const soup = (...indices: number[]) => indices.flatMap((i) => [...points[i]]);
 
 describe('pairedEdges', () => {
   it('names the common edge by the corners of both triangles, ends in the same order', () => {

@@ -9,7 +9,7 @@ import { noise, picture, stripes } from './images.js';
 describe('greyness', () => {
   it('counts what is neither ink nor paper', () => {
     const row = [0, 0.1, 0.19, 0.21, 0.5, 0.79, 0.81, 1];
-    expect(greyness(picture(8, 1, (x) => row[x]!))).toBeCloseTo(3 / 8);
+    expect(greyness(picture(8, 1, (x) => row[x]))).toBeCloseTo(3 / 8);
   });
 
   it('looks at the surface only', () => {
@@ -43,7 +43,7 @@ describe('meanInk', () => {
         picture(
           4,
           1,
-          (x) => [0, 1, 0.5, 0]![x]!,
+          (x) => [0, 1, 0.5, 0][x],
           (x) => x < 3,
         ),
       ),
@@ -120,7 +120,7 @@ describe('strokeCoherence', () => {
         luminance: image.luminance.map((l) => (random() < share ? Math.round(random()) : l)),
       });
     });
-    for (let i = 1; i < values.length; i++) expect(values[i]!).toBeLessThan(values[i - 1]! - 0.02);
+    for (let i = 1; i < values.length; i++) expect(values[i]).toBeLessThan(values[i - 1] - 0.02);
   });
 
   it('does not take the outline of the model for a stroke', () => {

@@ -20,18 +20,18 @@ function cornersOf(mesh: TriangleMesh, smoothingRadius?: number) {
 
 /** Degrees between two directions. */
 function angleBetween(a: readonly number[], b: readonly number[]): number {
-  const dot = a.reduce((sum, value, i) => sum + value * b[i]!, 0);
+  const dot = a.reduce((sum, value, i) => sum + value * b[i], 0);
   return Math.acos(Math.min(1, dot / (Math.hypot(...a) * Math.hypot(...b)))) / DEGREES;
 }
 
 const faceNormal = (mesh: TriangleMesh, triangle: number): number[] => {
   const [a, b, c] = [0, 1, 2].map((k) => {
-    const vertex = 3 * mesh.indices[3 * triangle + k]!;
+    const vertex = 3 * mesh.indices[3 * triangle + k];
     return [...mesh.positions.subarray(vertex, vertex + 3)];
   }) as [number[], number[], number[]];
-  const u = b.map((value, i) => value - a[i]!);
-  const v = c.map((value, i) => value - a[i]!);
-  return [0, 1, 2].map((i) => u[(i + 1) % 3]! * v[(i + 2) % 3]! - u[(i + 2) % 3]! * v[(i + 1) % 3]!);
+  const u = b.map((value, i) => value - a[i]);
+  const v = c.map((value, i) => value - a[i]);
+  return [0, 1, 2].map((i) => u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
 };
 
 const rootMeanSquare = (values: readonly number[]): number =>
@@ -46,7 +46,7 @@ function shaken(mesh: TriangleMesh, amplitude: number): TriangleMesh {
     const key = positions.subarray(i, i + 3).join(' ');
     const move = moves.get(key) ?? [random(), random(), random()];
     moves.set(key, move);
-    for (let axis = 0; axis < 3; axis++) positions[i + axis]! += amplitude * move[axis]!;
+    for (let axis = 0; axis < 3; axis++) positions[i + axis] += amplitude * move[axis];
   }
   return { positions, indices: mesh.indices };
 }
@@ -83,7 +83,7 @@ describe('edges of the form', () => {
     const mesh = shaken(cube(24), 0.011);
     const noisy = cornersOf(mesh, 0.25);
     const clean = cornersOf(cube(24));
-    const errors = noisy.map(({ normal }, corner) => angleBetween(normal, clean[corner]!.normal));
+    const errors = noisy.map(({ normal }, corner) => angleBetween(normal, clean[corner].normal));
     expect(rootMeanSquare(errors)).toBeLessThan(3);
     expect(Math.max(...errors)).toBeLessThan(15);
   });
@@ -146,7 +146,7 @@ describe('noise', () => {
     for (const [i, { normal }] of corners.entries()) if (i < 600 || i % 3 < 2) expect(normal).toEqual([0, 0, 1]);
     // As large as a stroke, it has its own.
     const own = cornersOf(together(flat, fold), 0.02);
-    expect(own[600]!.normal).toEqual([0, -1, 0]);
+    expect(own[600].normal).toEqual([0, -1, 0]);
   });
 });
 
@@ -222,7 +222,7 @@ test('the order of triangles and vertices does not matter, to rounding', () => {
   for (const [to, { i }] of order.entries()) {
     for (let k = 0; k < 3; k++) {
       for (let axis = 0; axis < 3; axis++) {
-        expect(Math.abs(after[3 * to + k]!.normal[axis]! - before[3 * i + k]!.normal[axis]!)).toBeLessThan(1e-4);
+        expect(Math.abs(after[3 * to + k].normal[axis] - before[3 * i + k].normal[axis])).toBeLessThan(1e-4);
       }
     }
   }

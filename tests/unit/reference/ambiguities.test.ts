@@ -152,8 +152,8 @@ describe('the strokes of a neighbour, laid into the triangle', () => {
     const light = sun(1, 0.3, 0.4);
     const plain = sceneOf(light);
     const u = [flat, folded].map((triangle) => plain.coordinates(middle, triangle)[0]);
-    const between = (u[0]! + u[1]!) / 2;
-    expect(Math.abs(u[0]! - u[1]!)).toBeGreaterThan(0.01);
+    const between = (u[0] + u[1]) / 2;
+    expect(Math.abs(u[0] - u[1])).toBeGreaterThan(0.01);
     const scene = sceneOf(light, (_tone, at) => (at > between ? 1 : 0));
     const here = scene.shade(flat, [folded, null, null], [0.5, 0.5, 0], 1, [0, 0, 1])[0];
     const there = scene.shade(folded, [flat, null, null], [0.5, 0.5, 0], 1, [0, 0, 1])[0];

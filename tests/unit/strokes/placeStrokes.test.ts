@@ -20,7 +20,7 @@ function unevenness({ size, tones, levels, ...request }: PlacementRequest): numb
       const blocks = new Array<number>(64).fill(0);
       for (let i = 0; i < image.length; i++) {
         const [row, column] = [Math.floor(i / side), i % side];
-        blocks[8 * Math.floor((8 * row) / side) + Math.floor((8 * column) / side)]! += 255 - image[i]!;
+        blocks[8 * Math.floor((8 * row) / side) + Math.floor((8 * column) / side)] += 255 - image[i];
       }
       const mean = blocks.reduce((a, b) => a + b) / 64;
       result.push(Math.sqrt(blocks.reduce((sum, block) => sum + (block - mean) ** 2, 0) / 64));
@@ -33,7 +33,7 @@ describe('placeStrokes', () => {
   it.each(styleNames)('spreads %s more evenly than chance: less than 0.8 of its unevenness', (style) => {
     const greedy = request({ style, size: 128, tones: 6 });
     const chance = unevenness({ ...greedy, style: { ...greedy.style, proposals: 1 } });
-    const ratios = unevenness(greedy).map((value, i) => value / chance[i]!);
+    const ratios = unevenness(greedy).map((value, i) => value / chance[i]);
     expect(ratios.reduce((a, b) => a + b) / ratios.length).toBeLessThan(0.8);
   });
 

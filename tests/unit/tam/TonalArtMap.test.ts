@@ -112,7 +112,7 @@ describe('TonalArtMap.generate', () => {
     const { data, width, height } = texture.image as { data: Uint8Array; width: number; height: number };
     expect([width, height]).toEqual([118, 66]);
     map.thresholds(1).forEach((threshold, i) => {
-      const byte = data[2 * ((1 + Math.floor(i / 32)) * width + 67 + (i % 32))]!;
+      const byte = data[2 * ((1 + Math.floor(i / 32)) * width + 67 + (i % 32))];
       // The sign is that of h − ½, the order that of h.
       expect(Math.sign(byte - 127.5)).toBe(Math.sign(threshold - 0.5));
     });

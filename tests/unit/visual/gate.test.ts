@@ -12,7 +12,7 @@ function withChangedPixels(count: number, by: number): Picture {
   const picture = noise();
   for (let i = 0; i < count; i++) {
     const first = 4 * ((i * 371) % 2000);
-    for (let channel = 0; channel < 3; channel++) picture.data[first + channel]! += by;
+    for (let channel = 0; channel < 3; channel++) picture.data[first + channel] += by;
   }
   return picture;
 }

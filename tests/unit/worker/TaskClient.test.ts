@@ -49,7 +49,7 @@ afterEach(() => {
 /** A client whose worker is ready. */
 function started(): FakeWorker {
   client.run('bake', request()).catch(() => {});
-  const worker = workers[0]!;
+  const worker = workers[0];
   worker.say({ type: 'ready' });
   worker.say({ type: 'done', id: 0, result: result(0) });
   worker.received.length = 0;
@@ -159,8 +159,8 @@ describe('abort', () => {
     const promise = client.run('bake', request(), { signal: controller.signal });
     controller.abort(new Error('stop'));
     await expect(promise).rejects.toThrow('stop');
-    workers[0]!.say({ type: 'ready' });
-    expect(workers[0]!.received).toEqual([]);
+    workers[0].say({ type: 'ready' });
+    expect(workers[0].received).toEqual([]);
   });
 
   test('while it runs: rejects at once, tells the worker, and leaves the others alone', async () => {
@@ -200,8 +200,8 @@ describe('dispose', () => {
     expect(worker.isTerminated).toBe(true);
     expect(vi.getTimerCount()).toBe(0);
     const again = client.run('bake', request());
-    workers[1]!.say({ type: 'ready' });
-    workers[1]!.say({ type: 'done', id: 3, result: result(3) });
+    workers[1].say({ type: 'ready' });
+    workers[1].say({ type: 'done', id: 3, result: result(3) });
     expect(await again).toEqual({ id: 3 });
   });
 
@@ -209,7 +209,7 @@ describe('dispose', () => {
     const promise = client.run('bake', request());
     client.dispose();
     await expect(promise).rejects.toThrow(/disposed/);
-    expect(workers[0]!.isTerminated).toBe(true);
+    expect(workers[0].isTerminated).toBe(true);
     expect(vi.getTimerCount()).toBe(0);
   });
 
@@ -232,8 +232,8 @@ describe('death of the worker', () => {
     expect(workers).toHaveLength(2);
     // What the dead one has sent may still arrive.
     worker.say({ type: 'done', id: 3, result: result(-1) });
-    workers[1]!.say({ type: 'ready' });
-    workers[1]!.say({ type: 'done', id: 3, result: result(3) });
+    workers[1].say({ type: 'ready' });
+    workers[1].say({ type: 'done', id: 3, result: result(3) });
     expect(await again).toEqual({ id: 3 });
   });
 
@@ -276,16 +276,16 @@ describe('without a worker the main thread computes', () => {
     for (const promise of both) isBaked(await promise);
     expect(create).toHaveBeenCalledOnce();
     expect(warn).toHaveBeenCalledOnce();
-    expect(warn.mock.calls[0]![0]).toMatch(/could not be started \(blocked by the policy\).*createWorker/);
+    expect(warn.mock.calls[0][0]).toMatch(/could not be started \(blocked by the policy\).*createWorker/);
   });
 
   test('when the script cannot be loaded: with the requests that were waiting', async () => {
     const both = [client.run('bake', request()), client.run('bake', request())];
-    workers[0]!.onerror!({});
+    workers[0].onerror!({});
     for (const promise of both) isBaked(await promise);
     isBaked(await client.run('bake', request()));
     expect(workers).toHaveLength(1);
-    expect(warn.mock.calls[0]![0]).toMatch(/its script could not be loaded/);
+    expect(warn.mock.calls[0][0]).toMatch(/its script could not be loaded/);
   });
 
   test('when the worker does not report in time; a second request does not stop the clock', async () => {
@@ -295,7 +295,7 @@ describe('without a worker the main thread computes', () => {
     vi.advanceTimersByTime(5_000);
     isBaked(await promise);
     isBaked(await second);
-    expect(warn.mock.calls[0]![0]).toMatch(/did not report within 15 s/);
+    expect(warn.mock.calls[0][0]).toMatch(/did not report within 15 s/);
   });
 
   test('errors of the task and aborts come through', async () => {

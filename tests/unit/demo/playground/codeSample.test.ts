@@ -25,7 +25,7 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
     geometry: new THREE.BufferGeometry(),
     renderer: { getPixelRatio: () => 1 },
   };
-  for (const name of names[0]![1]!.split(', ')) given[name] = (THREE as Record<string, unknown>)[name];
+  for (const name of names[0][1].split(', ')) given[name] = (THREE as Record<string, unknown>)[name];
   const body = sample.replace(/^import .*$/gm, '');
   const program = new Function(
     'given',
