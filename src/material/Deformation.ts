@@ -38,26 +38,26 @@ const allCorners = { start: 0, count: Infinity };
  * Each vertex is deformed once for a pose, however many corners, materials, cameras and frames ask for it.
  */
 export class Deformation {
-  readonly #points: CornerPoints;
-  readonly #shader: ShaderMaterial;
-  readonly #target: WebGLRenderTarget;
-  readonly #pose = new Pose();
-  readonly #users = new Set<Material>();
-  #isDisposed = false;
+  private readonly points: CornerPoints;
+  private readonly shader: ShaderMaterial;
+  private readonly target: WebGLRenderTarget;
+  private readonly pose = new Pose();
+  private readonly users = new Set<Material>();
+  private disposed = false;
 
   constructor(
     readonly geometry: BufferGeometry,
     { triangleVertices, positions }: PulledVertices,
   ) {
     const { width, height } = positions.image;
-    this.#target = new WebGLRenderTarget(width, height, {
+    this.target = new WebGLRenderTarget(width, height, {
       count: 3,
       type: FloatType,
       minFilter: NearestFilter,
       magFilter: NearestFilter,
       depthBuffer: false,
     });
-    this.#shader = new ShaderMaterial({
+    this.shader = new ShaderMaterial({
       name: 'HatchingDeformation',
       uniforms: { triangleVertices: { value: triangleVertices }, restPositions: { value: positions } },
       vertexShader: deformationVertexShader,
@@ -67,27 +67,27 @@ export class Deformation {
       depthTest: false,
       depthWrite: false,
     });
-    this.#points = new CornerPoints(geometry);
+    this.points = new CornerPoints(geometry);
     geometry.addEventListener('dispose', this.dispose);
   }
 
   /** x, y, z of each vertex as drawn, object space. */
   get positions(): Texture {
-    return this.#target.textures[0];
+    return this.target.textures[0];
   }
 
   /** x, y, z of each vertex's normal as drawn, object space, not of unit length. */
   get normals(): Texture {
-    return this.#target.textures[1];
+    return this.target.textures[1];
   }
 
   /** The rotation of each vertex's skin, a quaternion; zero where the skin is not all that moves it. */
   get turns(): Texture {
-    return this.#target.textures[2];
+    return this.target.textures[2];
   }
 
   get isDisposed(): boolean {
-    return this.#isDisposed;
+    return this.disposed;
   }
 
   /**
@@ -95,24 +95,24 @@ export class Deformation {
    * is the one of the last time, and leaves the renderer as it was. Allocates nothing.
    */
   update(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, material: Material): void {
-    if (!this.#users.has(material)) {
-      this.#users.add(material);
+    if (!this.users.has(material)) {
+      this.users.add(material);
       material.addEventListener('dispose', this.dispose);
     }
-    if (this.#pose.take(mesh)) this.#draw(renderer, camera, mesh);
+    if (this.pose.take(mesh)) this.draw(renderer, camera, mesh);
   }
 
   /** Frees the graphics memory. Called when the geometry or a material that draws it is disposed of. */
   readonly dispose = (): void => {
-    this.#isDisposed = true;
-    this.#target.dispose();
-    this.#shader.dispose();
+    this.disposed = true;
+    this.target.dispose();
+    this.shader.dispose();
     this.geometry.removeEventListener('dispose', this.dispose);
-    for (const material of this.#users) material.removeEventListener('dispose', this.dispose);
+    for (const material of this.users) material.removeEventListener('dispose', this.dispose);
   };
 
-  #draw(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
-    const points = this.#points;
+  private draw(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
+    const points = this.points;
     points.morphTargetInfluences = mesh.morphTargetInfluences;
     if ('isSkinnedMesh' in mesh) {
       const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
@@ -127,9 +127,9 @@ export class Deformation {
     const level = renderer.getActiveMipmapLevel();
     const { start, count } = this.geometry.drawRange;
     this.geometry.setDrawRange(0, Infinity);
-    renderer.setRenderTarget(this.#target);
+    renderer.setRenderTarget(this.target);
     // Not render(): that would be a frame of its own, with lights, shadows, a background and counters.
-    renderer.renderBufferDirect(camera, noScene, this.geometry, this.#shader, points, allCorners);
+    renderer.renderBufferDirect(camera, noScene, this.geometry, this.shader, points, allCorners);
     renderer.setRenderTarget(target, face, level);
     this.geometry.setDrawRange(start, count);
     // The cameras of an ArrayCamera have a part of the target each.

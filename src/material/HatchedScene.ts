@@ -16,7 +16,7 @@ export interface Dress {
 
 /** A scene that `applyHatching` has hatched, and the way back. */
 export class HatchedScene {
-  #before: readonly Dress[];
+  private before: readonly Dress[];
 
   /**
    * Dresses the meshes, all at once.
@@ -33,7 +33,7 @@ export class HatchedScene {
     private readonly made: { dispose(): void }[],
     private readonly release: () => void,
   ) {
-    this.#before = dresses.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
+    this.before = dresses.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
     putOn(dresses);
   }
 
@@ -42,8 +42,8 @@ export class HatchedScene {
    * use until `dispose()`.
    */
   restore(): void {
-    putOn(this.#before);
-    this.#before = [];
+    putOn(this.before);
+    this.before = [];
     this.release();
   }
 

@@ -2,39 +2,39 @@ import type { Mesh, SkinnedMesh } from 'three';
 
 /** What a mesh is deformed by: the numbers of its morph targets, its bones and its binding. */
 export class Pose {
-  #numbers = new Float32Array(0);
-  #length = -1;
-  #differs = true;
+  private numbers = new Float32Array(0);
+  private length = -1;
+  private differs = true;
 
   /** Takes over the pose of `mesh`. Returns whether it differs from the one before. Allocates only where it has grown. */
   take(mesh: Mesh): boolean {
-    const length = this.#length;
-    this.#length = 0;
-    this.#differs = false;
-    if (mesh.morphTargetInfluences) this.#add(mesh.morphTargetInfluences);
+    const length = this.length;
+    this.length = 0;
+    this.differs = false;
+    if (mesh.morphTargetInfluences) this.add(mesh.morphTargetInfluences);
     if ('isSkinnedMesh' in mesh) {
       const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
-      if (skeleton.boneMatrices) this.#add(skeleton.boneMatrices);
-      this.#add(bindMatrix.elements);
-      this.#add(bindMatrixInverse.elements);
+      if (skeleton.boneMatrices) this.add(skeleton.boneMatrices);
+      this.add(bindMatrix.elements);
+      this.add(bindMatrixInverse.elements);
     }
-    return this.#differs || this.#length !== length;
+    return this.differs || this.length !== length;
   }
 
-  #add(numbers: ArrayLike<number>): void {
-    const start = this.#length;
-    this.#length += numbers.length;
-    if (this.#length > this.#numbers.length) {
-      const grown = new Float32Array(this.#length);
-      grown.set(this.#numbers);
-      this.#numbers = grown;
-      this.#differs = true;
+  private add(numbers: ArrayLike<number>): void {
+    const start = this.length;
+    this.length += numbers.length;
+    if (this.length > this.numbers.length) {
+      const grown = new Float32Array(this.length);
+      grown.set(this.numbers);
+      this.numbers = grown;
+      this.differs = true;
     }
     for (let i = 0; i < numbers.length; i++) {
       const number = Math.fround(numbers[i]);
-      if (this.#numbers[start + i] === number) continue;
-      this.#numbers[start + i] = number;
-      this.#differs = true;
+      if (this.numbers[start + i] === number) continue;
+      this.numbers[start + i] = number;
+      this.differs = true;
     }
   }
 }
