@@ -6,14 +6,11 @@ export type { HatchImages } from './hatchImages/HatchImages.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
 export type { ApplyHatchingOptions } from './material/applyHatching.js';
 export { applyHatching } from './material/applyHatching.js';
-export type { ToneCurvePoint } from './material/fitToneCurve.js';
+export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
 export type { HatchedScene, SkippedMesh } from './material/HatchedScene.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
-export type {
-  HatchingMaterialOptions,
-  HatchingMaterialParameters,
-  ToneCurve,
-} from './material/HatchingMaterialOptions.js';
+export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
+export type { HatchingMaterialOptions } from './material/HatchingMaterialProperties.js';
 export type {
   DebugView,
   HatchingTechnique,
@@ -22,7 +19,7 @@ export type {
   StrokeAnchor,
   ToneModel,
   ToneNormal,
-} from './material/shaderConventions.js';
+} from './material/hatchingProperties.js';
 export type { StrokeStyleName } from './strokes/strokeStyles.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';

@@ -2,7 +2,7 @@
 // three's own <lights_fragment_begin> walks the lights and calls RE_Direct with each, shadows included.
 
 uniform float shininess;
-uniform float reflectedShare;
+uniform float reflectedLight;
 
 struct HatchingSurface {
   ToneNormals normals; // unit, view space
@@ -65,12 +65,12 @@ void addIndirectRadiance(inout HatchingSurface surface) {
 // darkest at the terminator and opens up behind it (an engraver's reflected light).
 void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSurface surface) {
   PerToneNormal seen = 0.5 - 0.5 * cosines(toLight, surface.normals);
-  surface.radiance += reflectedShare * luminance(color) * RECIPROCAL_PI * seen;
+  surface.radiance += reflectedLight * luminance(color) * RECIPROCAL_PI * seen;
 }
 
 // The same of all lights that have a direction. Light from all around knows no shadow and no cone.
 void addReflectedRadiance(const in vec3 position, inout HatchingSurface surface) {
-  if (reflectedShare == 0.0) return;
+  if (reflectedLight == 0.0) return;
   #if NUM_DIR_LIGHTS > 0
     for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
       addReflection(directionalLights[i].direction, directionalLights[i].color, surface);

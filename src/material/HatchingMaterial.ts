@@ -1,47 +1,34 @@
 import {
   type BufferGeometry,
   type Camera,
-  Color,
+  type Color,
   type Group,
   Material,
-  Matrix3,
   type Object3D,
   type Scene,
-  ShaderMaterial,
-  type Texture,
-  UniformsLib,
-  UniformsUtils,
-  Vector2,
-  Vector3,
+  type ShaderMaterial,
+  type Vector2,
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bindVertices } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
-import { fitToneCurve } from './fitToneCurve.js';
-import type { HatchingMaterialParameters, ToneCurve } from './HatchingMaterialOptions.js';
+import { defaultOf } from './defaultOf.js';
+import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
+import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import type { HatchingProperty } from './HatchingProperty.js';
+import { propertiesToJSON } from './hatchingJSON.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 import { hatchingFragmentShader, hatchingVertexShader } from './hatchingShaders.js';
-import {
-  DEBUG_VIEWS,
-  type DebugView,
-  type HatchingTechnique,
-  INK_BLENDS,
-  type InkBlend,
-  LEVEL_RULES,
-  type LevelRule,
-  STROKE_ANCHORS,
-  type StrokeAnchor,
-  TECHNIQUES,
-  TONE_CURVES,
-  TONE_MODELS,
-  TONE_NORMALS,
-  type ToneModel,
-  type ToneNormal,
-  VERTEX_LAYOUTS,
-} from './shaderConventions.js';
+import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
+import { TONE_CURVES, VERTEX_LAYOUTS, type VertexLayout } from './shaderConventions.js';
+import { isUsedBy, warnOfUnused } from './unusedProperties.js';
 
 const viewport = new Vector4();
+
+const propertyNames = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
 /**
  * Hatches a surface: strokes lie in it, turn with the light and grow denser in the shade. An implementation of Suarez,
@@ -50,190 +37,56 @@ const viewport = new Vector4();
  * Takes the scene's lights, shadows and fog. One DirectionalLight of intensity π and no other light gives the paper's
  * N·L. Draws geometry from `prepareHatchingGeometry()`.
  *
- * Every property may be set at any time and counts from the next frame on; those that build another program say so.
+ * Every property may be set at any time and counts from the next frame on; those that build another program say so. One
+ * that does not count for the technique in use builds none.
  */
-export class HatchingMaterial extends ShaderMaterial {
-  readonly isHatchingMaterial: boolean = true;
+export class HatchingMaterial extends HatchingMaterialProperties {
+  readonly isHatchingMaterial = true;
   override readonly type: string = 'HatchingMaterial';
 
-  tonalArtMap: TonalArtMap | null = null;
-  strokeScale = 3;
-  strokeRotation = 0;
-  readonly strokeOffset = new Vector2();
-  toneSteps = 4;
-  shininess = 30;
-  reflectedLight = 0;
-  anchorSpacing = 0.45;
-  screenConstancy = 0;
-  texelPixels = 1;
-  edgePixels = 1;
-  creaseAngle = Math.PI / 2;
-  readonly ink = new Color(0x000000);
-  readonly paper = new Color(0xffffff);
-  readonly color = new Color(0xffffff);
-  paperOpacity = 1;
-  map: Texture | null = null;
-  alphaMap: Texture | null = null;
-
-  #toneNormalChosen = false;
-  #toneCurve: ToneCurve = 'linear';
+  /** Choices that were made, and the technique, on which the defaults of the others depend. */
+  private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
+    technique: HATCHING_DEFAULTS.technique,
+  };
+  private curve: ToneCurve = HATCHING_DEFAULTS.toneCurve;
+  /** Where the mesh drawn last has its adjacency. */
+  private vertexLayout: VertexLayout = 'corner';
 
   /** @throws Error if a choice is none of the known names, or `toneCurve` no curve. */
   constructor(parameters?: HatchingMaterialParameters) {
-    super({
-      uniforms: UniformsUtils.merge([
-        UniformsLib.lights,
-        UniformsLib.fog,
-        {
-          alphaMap: { value: null },
-          alphaMapTransform: { value: new Matrix3() },
-          alphaTest: { value: 0 },
-          anchorSpacing: { value: 0 },
-          creaseCosine: { value: 0 },
-          deformedNormals: { value: null },
-          deformedPositions: { value: null },
-          deformedTurns: { value: null },
-          diffuse: { value: null },
-          edgePixels: { value: 0 },
-          ink: { value: null },
-          map: { value: null },
-          mapTransform: { value: new Matrix3() },
-          opacity: { value: 1 },
-          paper: { value: null },
-          paperOpacity: { value: 1 },
-          reflectedShare: { value: 0 },
-          restPositions: { value: null },
-          screenConstancy: { value: 0 },
-          shininess: { value: 0 },
-          strokeDirection: { value: new Vector2() },
-          strokeScale: { value: 1 },
-          strokeTransform: { value: new Matrix3() },
-          texelPixels: { value: 1 },
-          thresholdMap: { value: null },
-          thresholdMapLevels: { value: 1 },
-          thresholdMoments: { value: new Vector3(1, 1, 0) },
-          thresholdMapSize: { value: 1 },
-          tonalArtMap: { value: null },
-          tonalArtMapTones: { value: 2 },
-          toneCurveCubics: { value: null },
-          toneCurveSpans: { value: null },
-          toneCurveStart: { value: 0 },
-          toneSteps: { value: 0 },
-          triangleVertices: { value: null },
-          viewportHeight: { value: 1 },
-        },
-      ]),
-      defines: {
-        TECHNIQUE: TECHNIQUES.indexOf('adjacency'),
-        TONE_MODEL: TONE_MODELS.indexOf('lambert'),
-        TONE_NORMAL: TONE_NORMALS.indexOf('face'),
-        TONE_CURVE: TONE_CURVES.indexOf('linear'),
-        LEVEL_RULE: LEVEL_RULES.indexOf('derivatives'),
-        INK_BLEND: INK_BLENDS.indexOf('cover'),
-        DEBUG_VIEW: DEBUG_VIEWS.indexOf('none'),
-        STROKE_ANCHOR: STROKE_ANCHORS.indexOf('rest'),
-        VERTEX_LAYOUT: VERTEX_LAYOUTS.indexOf('corner'),
-      },
-      vertexShader: hatchingVertexShader,
-      fragmentShader: hatchingFragmentShader,
-      lights: true,
-      fog: true,
-      clipping: true,
-    });
+    super();
+    this.uniforms = createHatchingUniforms();
+    this.vertexShader = hatchingVertexShader;
+    this.fragmentShader = hatchingFragmentShader;
+    this.lights = true;
+    this.fog = true;
+    this.clipping = true;
     // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
     this.forceSinglePass = false;
     this.setValues(parameters);
-    this.#writeUniforms();
+    this.writeDefines();
+    this.writeUniforms();
   }
 
-  get technique(): HatchingTechnique {
-    return TECHNIQUES[this.defines.TECHNIQUE as number];
+  override get toneCurve(): ToneCurve {
+    return this.curve;
   }
 
-  set technique(value: HatchingTechnique) {
-    this.#define('TECHNIQUE', 'technique', TECHNIQUES, value);
-    if (!this.#toneNormalChosen) this.#define('TONE_NORMAL', 'toneNormal', TONE_NORMALS, defaultToneNormal(value));
-  }
-
-  get crisp(): boolean {
-    return this.defines.CRISP !== undefined;
-  }
-
-  set crisp(value: boolean) {
-    this.#switch('CRISP', value);
-  }
-
-  get secondLayer(): boolean {
-    return this.defines.SECOND_LAYER !== undefined;
-  }
-
-  set secondLayer(value: boolean) {
-    this.#switch('SECOND_LAYER', value);
-  }
-
-  get toneCurve(): ToneCurve {
-    return this.#toneCurve;
-  }
-
-  set toneCurve(value: ToneCurve) {
-    const isNamed = value === 'linear' || value === 'perceptual';
-    if (!isNamed) {
+  override set toneCurve(value: ToneCurve) {
+    if (value !== 'linear' && value !== 'perceptual') {
       const { start, spans, cubics } = fitToneCurve(value);
       this.uniforms.toneCurveStart.value = start;
       this.uniforms.toneCurveSpans.value = spans;
       this.uniforms.toneCurveCubics.value = cubics;
     }
-    this.#define('TONE_CURVE', 'toneCurve', TONE_CURVES, isNamed ? value : 'points');
-    this.#toneCurve = value;
+    this.curve = value;
+    this.writeDefines();
   }
 
-  get levelRule(): LevelRule {
-    return LEVEL_RULES[this.defines.LEVEL_RULE as number];
-  }
-
-  set levelRule(value: LevelRule) {
-    this.#define('LEVEL_RULE', 'levelRule', LEVEL_RULES, value);
-  }
-
-  get inkBlend(): InkBlend {
-    return INK_BLENDS[this.defines.INK_BLEND as number];
-  }
-
-  set inkBlend(value: InkBlend) {
-    this.#define('INK_BLEND', 'inkBlend', INK_BLENDS, value);
-  }
-
-  get strokeAnchor(): StrokeAnchor {
-    return STROKE_ANCHORS[this.defines.STROKE_ANCHOR as number];
-  }
-
-  set strokeAnchor(value: StrokeAnchor) {
-    this.#define('STROKE_ANCHOR', 'strokeAnchor', STROKE_ANCHORS, value);
-  }
-
-  get toneModel(): ToneModel {
-    return TONE_MODELS[this.defines.TONE_MODEL as number];
-  }
-
-  set toneModel(value: ToneModel) {
-    this.#define('TONE_MODEL', 'toneModel', TONE_MODELS, value);
-  }
-
-  get toneNormal(): ToneNormal {
-    return TONE_NORMALS[this.defines.TONE_NORMAL as number];
-  }
-
-  set toneNormal(value: ToneNormal) {
-    this.#define('TONE_NORMAL', 'toneNormal', TONE_NORMALS, value);
-    this.#toneNormalChosen = true;
-  }
-
-  get debugView(): DebugView {
-    return DEBUG_VIEWS[this.defines.DEBUG_VIEW as number];
-  }
-
-  set debugView(value: DebugView) {
-    this.#define('DEBUG_VIEW', 'debugView', DEBUG_VIEWS, value);
+  /** Sets properties by name, as three's own. Warns of one that does not count for the technique. */
+  override setValues(values?: HatchingMaterialParameters): void {
+    super.setValues(values);
+    if (values) warnOfUnused(values, this.technique);
   }
 
   override onBeforeRender(
@@ -247,10 +100,12 @@ export class HatchingMaterial extends ShaderMaterial {
     // The cameras of an ArrayCamera have a part of the target each.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
-    this.#writeUniforms();
+    this.writeUniforms();
     if (this.technique === 'anchored') return;
     const layout = bindVertices(renderer, camera, geometry, object, this);
-    this.#define('VERTEX_LAYOUT', 'vertex layout', VERTEX_LAYOUTS, layout);
+    if (layout === this.vertexLayout) return;
+    this.vertexLayout = layout;
+    this.writeDefines();
   }
 
   override copy(source: this): this {
@@ -262,43 +117,61 @@ export class HatchingMaterial extends ShaderMaterial {
     this.wireframe = source.wireframe;
     this.wireframeLinewidth = source.wireframeLinewidth;
     this.defines = { ...source.defines };
-    this.toneCurve = source.toneCurve;
-
-    this.tonalArtMap = source.tonalArtMap;
-    this.strokeScale = source.strokeScale;
-    this.strokeRotation = source.strokeRotation;
-    this.strokeOffset.copy(source.strokeOffset);
-    this.#toneNormalChosen = source.#toneNormalChosen;
-    this.anchorSpacing = source.anchorSpacing;
-    this.screenConstancy = source.screenConstancy;
-    this.texelPixels = source.texelPixels;
-    this.edgePixels = source.edgePixels;
-    this.toneSteps = source.toneSteps;
-    this.shininess = source.shininess;
-    this.reflectedLight = source.reflectedLight;
-    this.creaseAngle = source.creaseAngle;
-    this.ink.copy(source.ink);
-    this.paper.copy(source.paper);
-    this.paperOpacity = source.paperOpacity;
-    this.color.copy(source.color);
-    this.map = source.map;
-    this.alphaMap = source.alphaMap;
-    this.#writeUniforms();
+    for (const name of propertyNames) this.copyProperty(name, source);
+    this.writeDefines();
+    this.writeUniforms();
+    this.needsUpdate = true;
     return this;
   }
 
+  /** What three's own materials write, and every property that is not at its default. The tonal art map is left out. */
+  override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<ShaderMaterial['toJSON']> {
+    // Not ShaderMaterial's: that writes the shaders and the uniforms, which follow from the properties.
+    const json = Material.prototype.toJSON.call(this, meta);
+    return Object.assign(json, propertiesToJSON(this)) as unknown as ReturnType<ShaderMaterial['toJSON']>;
+  }
+
+  protected override choice(name: HatchingPropertyName): string | boolean {
+    return this.chosen[name] ?? this.defaultChoice(name);
+  }
+
+  protected override choose(name: HatchingPropertyName, value: string | boolean): void {
+    const property = propertyOf(name);
+    if (property.kind === 'choice' && !property.choices.includes(value as string)) {
+      throw new Error(`HatchingMaterial.${name}: "${value}" is not known; use one of ${property.choices.join(', ')}.`);
+    }
+    this.chosen[name] = value;
+    this.writeDefines();
+  }
+
+  private defaultChoice(name: HatchingPropertyName): string | boolean {
+    return defaultOf(name, this.technique) as string | boolean;
+  }
+
+  private copyProperty(name: HatchingPropertyName, source: this): void {
+    switch (propertyOf(name).kind) {
+      case 'color':
+        (this[name] as Color).copy(source[name] as Color);
+        break;
+      case 'vector2':
+        (this[name] as Vector2).copy(source[name] as Vector2);
+        break;
+      case 'choice':
+      case 'switch':
+        if (source.chosen[name] === undefined) delete this.chosen[name];
+        else this.chosen[name] = source.chosen[name];
+        break;
+      default:
+        Object.assign(this, { [name]: source[name] });
+    }
+  }
+
   /** Properties are plain values; this is the one place that brings them to the shader. Allocates nothing. */
-  #writeUniforms(): void {
+  private writeUniforms(): void {
     const u = this.uniforms;
-    u.diffuse.value = this.color;
+    writePropertyUniforms(this, u);
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
-    u.ink.value = this.ink;
-    u.paper.value = this.paper;
-    u.paperOpacity.value = this.paperOpacity;
-    u.reflectedShare.value = this.reflectedLight;
-    u.shininess.value = this.shininess;
-    u.toneSteps.value = this.toneSteps;
     u.creaseCosine.value = Math.cos(this.creaseAngle);
     u.tonalArtMap.value = this.tonalArtMap?.texture ?? blankTonalArtMap();
     u.tonalArtMapTones.value = this.tonalArtMap?.tones ?? 2;
@@ -309,11 +182,6 @@ export class HatchingMaterial extends ShaderMaterial {
     const sin = Math.sin(this.strokeRotation);
     u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
     u.strokeDirection.value.set(cos, sin);
-    u.strokeScale.value = scale;
-    u.anchorSpacing.value = this.anchorSpacing;
-    u.screenConstancy.value = this.screenConstancy;
-    u.texelPixels.value = this.texelPixels;
-    u.edgePixels.value = this.edgePixels;
     if (this.tonalArtMap !== null && (this.crisp || this.technique === 'anchored')) {
       u.thresholdMap.value = this.tonalArtMap.thresholdTexture;
       u.thresholdMapLevels.value = this.tonalArtMap.levels;
@@ -321,34 +189,27 @@ export class HatchingMaterial extends ShaderMaterial {
       u.thresholdMoments.value.set(variance, coarserVariance, covariance);
       u.thresholdMapSize.value = this.tonalArtMap.size;
     }
-
-    writeTexture(this.map, u.map, u.mapTransform);
-    writeTexture(this.alphaMap, u.alphaMap, u.alphaMapTransform);
   }
 
-  #switch(define: string, value: boolean): void {
-    if (value === (this.defines[define] !== undefined)) return;
-    if (value) this.defines[define] = '';
-    else delete this.defines[define];
-    this.needsUpdate = true;
-  }
-
-  #define<Name extends string>(define: string, property: string, names: readonly Name[], value: Name): void {
-    const index = names.indexOf(value);
-    if (index === -1) {
-      throw new Error(`HatchingMaterial.${property}: "${value}" is not known; use one of ${names.join(', ')}.`);
+  /** Brings choices to the shader. What does not count for the technique stays at its default: no other program. */
+  private writeDefines(): void {
+    const { technique } = this;
+    let hasChanged = false;
+    const write = (define: string, value: number | string | undefined): void => {
+      if (this.defines[define] === value) return;
+      hasChanged = true;
+      if (value === undefined) delete this.defines[define];
+      else this.defines[define] = value;
+    };
+    for (const name of propertyNames) {
+      const property = propertyOf(name);
+      if (!('define' in property)) continue;
+      const value = isUsedBy(technique, property) ? this.choice(name) : this.defaultChoice(name);
+      if (property.kind === 'choice') write(property.define, property.choices.indexOf(value as string));
+      else write(property.define, value ? '' : undefined);
     }
-    if (this.defines[define] === index) return;
-    this.defines[define] = index;
-    this.needsUpdate = true;
+    write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
+    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(technique === 'anchored' ? 'corner' : this.vertexLayout));
+    if (hasChanged) this.needsUpdate = true;
   }
-}
-
-const defaultToneNormal = (technique: HatchingTechnique): ToneNormal => (technique === 'anchored' ? 'smooth' : 'face');
-
-function writeTexture(texture: Texture | null, uniform: { value: unknown }, transform: { value: Matrix3 }): void {
-  uniform.value = texture;
-  if (texture === null) return;
-  if (texture.matrixAutoUpdate) texture.updateMatrix();
-  transform.value.copy(texture.matrix);
 }

@@ -5,7 +5,7 @@ import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
 import { type Dress, HatchedScene, type SkippedMesh } from './HatchedScene.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialOptions.js';
+import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { placements, worldScale } from './placements.js';
 import { surfaceMeshes } from './surfaceMeshes.js';
 import { isHatching, Wardrobe } from './Wardrobe.js';

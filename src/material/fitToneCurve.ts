@@ -3,6 +3,9 @@ import { TONE_CURVE_SPANS } from './shaderConventions.js';
 /** A point of a tone curve: the tone of the light, and the tone to print there; both in [0, 1], 0 is paper. */
 export type ToneCurvePoint = readonly [light: number, printed: number];
 
+/** See `HatchingMaterial.toneCurve`. */
+export type ToneCurve = 'linear' | 'perceptual' | readonly ToneCurvePoint[];
+
 /** A tone curve as the shader adds it up: `start`, and a cubic for each span. Spans that are not in use add nothing. */
 export interface FittedToneCurve {
   start: number;

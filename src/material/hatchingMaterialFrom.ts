@@ -1,6 +1,6 @@
 import { type Color, Material, type Texture } from 'three';
 import { HatchingMaterial } from './HatchingMaterial.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialOptions.js';
+import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 
 /** What three's own surface materials have beside the base class, and a material of any kind may have. */
 interface SurfaceMaterial extends Material {

@@ -1,7 +1,7 @@
 import { Color, DoubleSide, ShaderChunk, ShaderLib, Texture, Vector2 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialOptions.js';
+import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 
 const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]) });

@@ -1,0 +1,75 @@
+/** A property of the material: one row of the table. What is left out does not apply. */
+export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
+
+export type PropertyGroup = 'Strokes' | 'Tone' | 'Colour' | 'Checking';
+
+interface BaseRow {
+  group: PropertyGroup;
+  /** What it is, for JSDoc and documentation; Markdown. Unit, range, default and techniques are added to it. */
+  sentence: string;
+  /** The techniques it counts for. Left out: all. */
+  techniques?: readonly string[];
+}
+
+/** A uniform of the same name, unless `uniform` says otherwise; `false` where other uniforms are computed from it. */
+export interface NumberRow extends BaseRow {
+  kind: 'number';
+  default: number;
+  /** How the default is written where digits would hide what it is. */
+  defaultSource?: string;
+  unit?: string;
+  /** The interval it lies in, in mathematical notation. */
+  range: `${'(' | '['}${string}, ${string}${')' | ']'}`;
+  uniform?: false;
+}
+
+/** A colour; any of three's representations is taken. */
+export interface ColorRow extends BaseRow {
+  kind: 'color';
+  default: number;
+  defaultWords: string;
+  /** Default: the property's name. */
+  uniform?: string;
+}
+
+export interface Vector2Row extends BaseRow {
+  kind: 'vector2';
+  default: readonly [number, number];
+  unit: string;
+}
+
+/** A texture with its transform: the uniforms `name` and `nameTransform`. */
+export interface TextureRow extends BaseRow {
+  kind: 'texture';
+  default: null;
+}
+
+export interface MapRow extends BaseRow {
+  kind: 'tonalArtMap';
+  default: null;
+}
+
+/** One of several names: a define, so another choice builds another program. */
+export interface ChoiceRow extends BaseRow {
+  kind: 'choice';
+  /** The exported type of the names, and what it is. */
+  type: string;
+  typeSentence: string;
+  /** Every name and what it means; the order is the number the shader knows it by. */
+  choices: Readonly<Record<string, string>>;
+  default: string;
+  /** Techniques with another default. */
+  defaultFor?: Readonly<Record<string, string>>;
+}
+
+/** On or off: a define, so switching builds another program. */
+export interface SwitchRow extends BaseRow {
+  kind: 'switch';
+  default: false;
+}
+
+/** `toneCurve`, which is a name or points. */
+export interface CurveRow extends BaseRow {
+  kind: 'curve';
+  default: 'linear';
+}

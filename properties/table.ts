@@ -1,0 +1,270 @@
+import type { PropertyRow } from './PropertyRow.js';
+
+/**
+ * Every property of `HatchingMaterial`. `npm run properties` writes from it the fields with their documentation, what the
+ * material needs to know of them at run time, and the table in docs/material.md.
+ */
+export const PROPERTIES = {
+  tonalArtMap: {
+    kind: 'tonalArtMap',
+    group: 'Strokes',
+    default: null,
+    sentence:
+      'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the surface stays blank paper.',
+  },
+  technique: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'HatchingTechnique',
+    typeSentence: 'How strokes are laid on the surface.',
+    choices: {
+      triangle:
+        'Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper by Suarez et al., figure 4a).',
+      adjacency: 'Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).',
+      anchored:
+        'beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([anchored.md](anchored.md)).',
+    },
+    default: 'adjacency',
+    sentence: 'How strokes are laid on the surface.',
+  },
+  strokeScale: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 3,
+    unit: 'tiles of the tonal art map per unit of object space',
+    range: '(0, ∞)',
+    sentence: 'Size of the strokes: larger is finer.',
+  },
+  strokeRotation: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0,
+    unit: 'radians',
+    range: '(−∞, ∞)',
+    uniform: false,
+    sentence:
+      'Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it (figure 14).',
+  },
+  strokeOffset: {
+    kind: 'vector2',
+    group: 'Strokes',
+    default: [0, 0],
+    unit: 'tiles',
+    techniques: ['triangle', 'adjacency'],
+    sentence: 'Shift of the strokes along T and B.',
+  },
+  strokeAnchor: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'StrokeAnchor',
+    typeSentence: 'What strokes are fixed to on a mesh that deforms.',
+    choices: {
+      rest: 'the surface. Stroke coordinates are those of the rest pose, and the light is carried into it.',
+      deformed: 'object space, through which the surface moves; the paper by Suarez et al. to the letter.',
+    },
+    default: 'rest',
+    sentence: 'What the strokes of a mesh that deforms are fixed to ([deformation.md](deformation.md)).',
+  },
+  crisp: {
+    kind: 'switch',
+    group: 'Strokes',
+    default: false,
+    techniques: ['triangle', 'adjacency'],
+    sentence:
+      'Blends the thresholds that ink is decided from instead of the greys of the strokes, so that strokes stay black and white. Off is the way of the paper by Suarez et al.',
+  },
+  levelRule: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'LevelRule',
+    typeSentence: 'What the level of the tonal art map is chosen by.',
+    choices: {
+      derivatives:
+        'how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer than drawn, and wider where the surface is seen at a slant.',
+      depth:
+        'the depth of the fragment alone (section 3.4). Strokes are as wide as drawn where the surface is seen face on, and foreshortened like the surface elsewhere.',
+    },
+    default: 'derivatives',
+    techniques: ['triangle', 'adjacency'],
+    sentence: 'What the level of the map is chosen by. `anchored` always goes by depth.',
+  },
+  screenConstancy: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0,
+    range: '[0, 1]',
+    techniques: ['anchored'],
+    sentence:
+      'What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In between, strokes grow less than the object does as it comes nearer.',
+  },
+  texelPixels: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 1,
+    unit: 'pixels of the drawing buffer',
+    range: '(0, ∞)',
+    sentence:
+      'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 * texelPixels` wide.',
+  },
+  edgePixels: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 1,
+    unit: 'pixels',
+    range: '[0, ∞)',
+    sentence: 'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard.',
+  },
+  anchorSpacing: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0.45,
+    unit: 'tiles',
+    range: '(0, ∞)',
+    techniques: ['anchored'],
+    sentence:
+      'Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes.',
+  },
+  creaseAngle: {
+    kind: 'number',
+    group: 'Strokes',
+    default: Math.PI / 2,
+    defaultSource: 'Math.PI / 2',
+    unit: 'radians',
+    range: '(0, π]',
+    uniform: false,
+    techniques: ['adjacency'],
+    sentence:
+      'The angle between the normals of two triangles at which the blend of their strokes has faded out. The default is the rule of the paper by Suarez et al.',
+  },
+  secondLayer: {
+    kind: 'switch',
+    group: 'Strokes',
+    default: false,
+    sentence:
+      'Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep the tone. With one light there is no difference.',
+  },
+  toneModel: {
+    kind: 'choice',
+    group: 'Tone',
+    type: 'ToneModel',
+    typeSentence: 'How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).',
+    choices: {
+      lambert: 'N·L.',
+      halfLambert: '(N·L / 2 + 1/2)², which reaches round to the side turned away.',
+      phong: 'Lambert plus a highlight (R·V)^shininess.',
+      toon: 'Lambert in `toneSteps` hard bands, each of them one tone.',
+    },
+    default: 'lambert',
+    sentence: 'How light becomes tone.',
+  },
+  toneSteps: {
+    kind: 'number',
+    group: 'Tone',
+    default: 4,
+    range: '[2, ∞)',
+    sentence: "Number of bands of the tone model `'toon'`.",
+  },
+  shininess: {
+    kind: 'number',
+    group: 'Tone',
+    default: 30,
+    range: '(0, ∞)',
+    sentence: "Exponent of the highlight of the tone model `'phong'`.",
+  },
+  toneNormal: {
+    kind: 'choice',
+    group: 'Tone',
+    type: 'ToneNormal',
+    typeSentence: 'The normal that tone is computed from.',
+    choices: {
+      face: 'the normal of the flat triangle, as in the paper by Suarez et al.',
+      smooth: 'the interpolated vertex normal.',
+    },
+    default: 'face',
+    defaultFor: { anchored: 'smooth' },
+    sentence: 'The normal that tone is computed from.',
+  },
+  toneCurve: {
+    kind: 'curve',
+    group: 'Tone',
+    default: 'linear',
+    sentence:
+      "From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other points need no other program.",
+  },
+  reflectedLight: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    range: '[0, 1]',
+    sentence:
+      'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it.',
+  },
+  ink: {
+    kind: 'color',
+    group: 'Colour',
+    default: 0x000000,
+    defaultWords: 'black',
+    sentence: 'Colour of the strokes.',
+  },
+  paper: {
+    kind: 'color',
+    group: 'Colour',
+    default: 0xffffff,
+    defaultWords: 'white',
+    sentence: 'Colour of the ground between strokes, multiplied by the surface colour.',
+  },
+  color: {
+    kind: 'color',
+    group: 'Colour',
+    default: 0xffffff,
+    defaultWords: 'white',
+    uniform: 'diffuse',
+    sentence: 'Surface colour.',
+  },
+  inkBlend: {
+    kind: 'choice',
+    group: 'Colour',
+    type: 'InkBlend',
+    typeSentence: 'What ink does to the colour below it.',
+    choices: {
+      cover: "hides it, as gouache or a printer's black.",
+      multiply: 'tints it, as transparent ink.',
+    },
+    default: 'cover',
+    sentence: 'What ink does to the colour below it.',
+  },
+  paperOpacity: {
+    kind: 'number',
+    group: 'Colour',
+    default: 1,
+    range: '[0, 1]',
+    sentence:
+      'Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or `alphaHash`: a material that is drawn opaque keeps its paper.',
+  },
+  map: {
+    kind: 'texture',
+    group: 'Colour',
+    default: null,
+    sentence: 'Surface colour map, multiplied by `color`.',
+  },
+  alphaMap: {
+    kind: 'texture',
+    group: 'Colour',
+    default: null,
+    sentence: "Opacity map (green channel), as in three's own materials.",
+  },
+  debugView: {
+    kind: 'choice',
+    group: 'Checking',
+    type: 'DebugView',
+    typeSentence: 'What is drawn in the place of strokes.',
+    choices: {
+      none: 'nothing: strokes are drawn.',
+      blendFactors: 'the contributions of α, β, γ as red, green, blue (figure 8).',
+      tone: 'the wanted tone as grey.',
+      frames: 'a checker in the stroke coordinates of the triangle itself.',
+    },
+    default: 'none',
+    sentence: 'Draws something else in the place of strokes, to see what goes into them.',
+  },
+} as const satisfies Record<string, PropertyRow>;

@@ -1,0 +1,168 @@
+import { constantCase } from './constantCase.js';
+import { describe } from './describe.js';
+import type { PropertyRow } from './PropertyRow.js';
+
+type Table = Readonly<Record<string, PropertyRow>>;
+
+const HEADER = '// Written by `npm run properties` from properties/table.ts. Change that, not this.\n';
+
+/** src/material/hatchingProperties.ts: what is needed at run time, and the types of the choices. */
+export function writePropertyData(table: Table): string {
+  const rows = Object.entries(table);
+  const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [choiceType(row)] : []));
+  return `${HEADER}import type { HatchingProperty } from './HatchingProperty.js';
+
+${types.join('\n')}
+/** The default of every property; colours as 0xrrggbb. */
+export const HATCHING_DEFAULTS = {
+${rows.map(([name, row]) => `${name}: ${defaultSource(row)},`).join('\n')}
+} as const;
+
+/** Every property of \`HatchingMaterial\`, by name. */
+export const HATCHING_PROPERTIES = {
+${rows.map(([name, row]) => `${name}: { ${runtimeFields(name, row).join(', ')} },`).join('\n')}
+} as const satisfies Record<string, HatchingProperty>;
+
+export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;
+`;
+}
+
+/** src/material/HatchingMaterialProperties.ts: the fields of the material and its parameters, with their documentation. */
+export function writePropertyFields(table: Table): string {
+  const rows = Object.entries(table);
+  const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
+  return `${HEADER}import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { ToneCurve } from './fitToneCurve.js';
+import { HATCHING_DEFAULTS, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './hatchingProperties.js';
+
+/** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
+export interface HatchingMaterialOptions {
+${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'ColorRepresentation' : valueType(row)};`).join('\n')}
+}
+
+/** The properties of \`HatchingMaterial\` as fields. What setting a choice does is up to the material. */
+export abstract class HatchingMaterialProperties extends ShaderMaterial {
+${rows.map(([name, row]) => `${jsDoc(row)}\n${field(name, row)}`).join('\n\n')}
+
+  /** The choice in force. */
+  protected abstract choice(name: HatchingPropertyName): string | boolean;
+
+  /** @throws Error if \`value\` is none of the property's choices */
+  protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
+}
+`;
+}
+
+function choiceType({ type, typeSentence, choices }: Extract<PropertyRow, { kind: 'choice' }>): string {
+  const items = Object.entries(choices).flatMap(([name, sentence]) => {
+    const [first, ...rest] = wrapped(`\`${name}\`: ${plain(sentence)}`);
+    return [`- ${first}`, ...rest.map((line) => `  ${line}`)];
+  });
+  return `${comment([typeSentence, ...items])}
+export type ${type} = ${Object.keys(choices)
+    .map((name) => `'${name}'`)
+    .join(' | ')};
+`;
+}
+
+function runtimeFields(name: string, row: PropertyRow): string[] {
+  const fields = [`kind: '${row.kind}'`];
+  if (row.kind === 'color') fields.push(`uniform: '${row.uniform ?? name}'`);
+  if (row.kind === 'texture' || (row.kind === 'number' && row.uniform !== false)) fields.push(`uniform: '${name}'`);
+  if (row.kind === 'texture') fields.push(`transform: '${name}Transform'`);
+  if (row.kind === 'choice' || row.kind === 'switch') fields.push(`define: '${constantCase(name)}'`);
+  if (row.kind === 'choice') {
+    fields.push(`choices: ${list(Object.keys(row.choices))}`);
+    if (row.defaultFor) fields.push(`defaultFor: ${JSON.stringify(row.defaultFor)}`);
+  }
+  if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
+  return fields;
+}
+
+const list = (names: readonly string[]): string => `[${names.map((name) => `'${name}'`).join(', ')}]`;
+
+function defaultSource(row: PropertyRow): string {
+  switch (row.kind) {
+    case 'number':
+      return row.defaultSource ?? `${row.default}`;
+    case 'color':
+      return `0x${row.default.toString(16).padStart(6, '0')}`;
+    default:
+      return JSON.stringify(row.default);
+  }
+}
+
+function valueType(row: PropertyRow): string {
+  switch (row.kind) {
+    case 'number':
+      return 'number';
+    case 'color':
+      return 'Color';
+    case 'vector2':
+      return 'Vector2';
+    case 'texture':
+      return 'Texture | null';
+    case 'tonalArtMap':
+      return 'TonalArtMap | null';
+    case 'choice':
+      return row.type;
+    case 'switch':
+      return 'boolean';
+    case 'curve':
+      return 'ToneCurve';
+  }
+}
+
+function field(name: string, row: PropertyRow): string {
+  const fallback = `HATCHING_DEFAULTS.${name}`;
+  switch (row.kind) {
+    case 'color':
+      return `readonly ${name}: Color = new Color(${fallback});`;
+    case 'vector2':
+      return `readonly ${name}: Vector2 = new Vector2(...${fallback});`;
+    case 'curve':
+      return `abstract ${name}: ${valueType(row)};`;
+    case 'choice':
+    case 'switch':
+      return `get ${name}(): ${valueType(row)} {
+  return this.choice('${name}') as ${valueType(row)};
+}
+
+set ${name}(value: ${valueType(row)}) {
+  this.choose('${name}', value);
+}`;
+    default:
+      return `${name}: ${valueType(row)} = ${fallback};`;
+  }
+}
+
+/** Of the text in a comment, so that with indent and asterisk no line is longer than those of code. */
+const LINE_LENGTH = 115;
+
+function jsDoc(row: PropertyRow): string {
+  const { sentence, default: fallback, measure, techniques, isDefine } = describe(row);
+  const words = [plain(sentence)];
+  if (measure) words.push(`${measure.charAt(0).toUpperCase()}${measure.slice(1)}.`);
+  words.push(`Default ${fallback}.`);
+  if (techniques) words.push(`Only ${techniques}.`);
+  if (isDefine && row.kind !== 'curve') words.push('Another value builds another program.');
+  return comment(wrapped(words.join(' ')));
+}
+
+function comment(lines: readonly string[]): string {
+  return lines.length === 1 ? `/** ${lines[0]} */` : `/**\n${lines.map((line) => ` * ${line}`).join('\n')}\n */`;
+}
+
+function wrapped(text: string): string[] {
+  const lines = [''];
+  for (const word of text.split(' ')) {
+    const last = lines[lines.length - 1];
+    if (last && last.length + 1 + word.length > LINE_LENGTH) lines.push(word);
+    else lines[lines.length - 1] = last ? `${last} ${word}` : word;
+  }
+  return lines;
+}
+
+/** Without links to other pages of the documentation, which an editor cannot follow. */
+const plain = (markdown: string): string => markdown.replace(/ \(\[[^\]]*\]\([^)]*\)\)/g, '');

@@ -1,0 +1,320 @@
+// Written by `npm run properties` from properties/table.ts. Change that, not this.
+import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { ToneCurve } from './fitToneCurve.js';
+import {
+  type DebugView,
+  HATCHING_DEFAULTS,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+  type InkBlend,
+  type LevelRule,
+  type StrokeAnchor,
+  type ToneModel,
+  type ToneNormal,
+} from './hatchingProperties.js';
+
+/** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
+export interface HatchingMaterialOptions {
+  /**
+   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
+   * surface stays blank paper. Default `null`.
+   */
+  tonalArtMap: TonalArtMap | null;
+  /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
+  technique: HatchingTechnique;
+  /** Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`. */
+  strokeScale: number;
+  /**
+   * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
+   * (figure 14). Radians. Default `0`.
+   */
+  strokeRotation: number;
+  /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
+  strokeOffset: Vector2;
+  /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
+  strokeAnchor: StrokeAnchor;
+  /**
+   * Blends the thresholds that ink is decided from instead of the greys of the strokes, so that strokes stay black and
+   * white. Off is the way of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another
+   * value builds another program.
+   */
+  crisp: boolean;
+  /**
+   * What the level of the map is chosen by. `anchored` always goes by depth. Default `'derivatives'`. Only
+   * `'triangle'`, `'adjacency'`. Another value builds another program.
+   */
+  levelRule: LevelRule;
+  /**
+   * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
+   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`.
+   */
+  screenConstancy: number;
+  /**
+   * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
+   * of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 *
+   * texelPixels` wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
+   */
+  texelPixels: number;
+  /**
+   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
+   * Default `1`.
+   */
+  edgePixels: number;
+  /**
+   * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
+   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`.
+   */
+  anchorSpacing: number;
+  /**
+   * The angle between the normals of two triangles at which the blend of their strokes has faded out. The default is
+   * the rule of the paper by Suarez et al. Radians in (0, π]. Default `Math.PI / 2`. Only `'adjacency'`.
+   */
+  creaseAngle: number;
+  /**
+   * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
+   * the tone. With one light there is no difference. Default `false`. Another value builds another program.
+   */
+  secondLayer: boolean;
+  /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
+  toneModel: ToneModel;
+  /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
+  toneSteps: number;
+  /** Exponent of the highlight of the tone model `'phong'`. In (0, ∞). Default `30`. */
+  shininess: number;
+  /**
+   * The normal that tone is computed from. Default `'face'`, for `'anchored'` `'smooth'`. Another value builds another
+   * program.
+   */
+  toneNormal: ToneNormal;
+  /**
+   * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
+   * covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points
+   * `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other
+   * points need no other program. Default `'linear'`.
+   */
+  toneCurve: ToneCurve;
+  /**
+   * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
+   * shade is darkest at the terminator, as engravers draw it. In [0, 1]. Default `0`.
+   */
+  reflectedLight: number;
+  /** Colour of the strokes. Default black. */
+  ink: ColorRepresentation;
+  /** Colour of the ground between strokes, multiplied by the surface colour. Default white. */
+  paper: ColorRepresentation;
+  /** Surface colour. Default white. */
+  color: ColorRepresentation;
+  /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */
+  inkBlend: InkBlend;
+  /**
+   * Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or
+   * `alphaHash`: a material that is drawn opaque keeps its paper. In [0, 1]. Default `1`.
+   */
+  paperOpacity: number;
+  /** Surface colour map, multiplied by `color`. Default `null`. */
+  map: Texture | null;
+  /** Opacity map (green channel), as in three's own materials. Default `null`. */
+  alphaMap: Texture | null;
+  /**
+   * Draws something else in the place of strokes, to see what goes into them. Default `'none'`. Another value builds
+   * another program.
+   */
+  debugView: DebugView;
+}
+
+/** The properties of `HatchingMaterial` as fields. What setting a choice does is up to the material. */
+export abstract class HatchingMaterialProperties extends ShaderMaterial {
+  /**
+   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
+   * surface stays blank paper. Default `null`.
+   */
+  tonalArtMap: TonalArtMap | null = HATCHING_DEFAULTS.tonalArtMap;
+
+  /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
+  get technique(): HatchingTechnique {
+    return this.choice('technique') as HatchingTechnique;
+  }
+
+  set technique(value: HatchingTechnique) {
+    this.choose('technique', value);
+  }
+
+  /** Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`. */
+  strokeScale: number = HATCHING_DEFAULTS.strokeScale;
+
+  /**
+   * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
+   * (figure 14). Radians. Default `0`.
+   */
+  strokeRotation: number = HATCHING_DEFAULTS.strokeRotation;
+
+  /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
+  readonly strokeOffset: Vector2 = new Vector2(...HATCHING_DEFAULTS.strokeOffset);
+
+  /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
+  get strokeAnchor(): StrokeAnchor {
+    return this.choice('strokeAnchor') as StrokeAnchor;
+  }
+
+  set strokeAnchor(value: StrokeAnchor) {
+    this.choose('strokeAnchor', value);
+  }
+
+  /**
+   * Blends the thresholds that ink is decided from instead of the greys of the strokes, so that strokes stay black and
+   * white. Off is the way of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another
+   * value builds another program.
+   */
+  get crisp(): boolean {
+    return this.choice('crisp') as boolean;
+  }
+
+  set crisp(value: boolean) {
+    this.choose('crisp', value);
+  }
+
+  /**
+   * What the level of the map is chosen by. `anchored` always goes by depth. Default `'derivatives'`. Only
+   * `'triangle'`, `'adjacency'`. Another value builds another program.
+   */
+  get levelRule(): LevelRule {
+    return this.choice('levelRule') as LevelRule;
+  }
+
+  set levelRule(value: LevelRule) {
+    this.choose('levelRule', value);
+  }
+
+  /**
+   * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
+   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`.
+   */
+  screenConstancy: number = HATCHING_DEFAULTS.screenConstancy;
+
+  /**
+   * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
+   * of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 *
+   * texelPixels` wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
+   */
+  texelPixels: number = HATCHING_DEFAULTS.texelPixels;
+
+  /**
+   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
+   * Default `1`.
+   */
+  edgePixels: number = HATCHING_DEFAULTS.edgePixels;
+
+  /**
+   * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
+   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`.
+   */
+  anchorSpacing: number = HATCHING_DEFAULTS.anchorSpacing;
+
+  /**
+   * The angle between the normals of two triangles at which the blend of their strokes has faded out. The default is
+   * the rule of the paper by Suarez et al. Radians in (0, π]. Default `Math.PI / 2`. Only `'adjacency'`.
+   */
+  creaseAngle: number = HATCHING_DEFAULTS.creaseAngle;
+
+  /**
+   * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
+   * the tone. With one light there is no difference. Default `false`. Another value builds another program.
+   */
+  get secondLayer(): boolean {
+    return this.choice('secondLayer') as boolean;
+  }
+
+  set secondLayer(value: boolean) {
+    this.choose('secondLayer', value);
+  }
+
+  /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
+  get toneModel(): ToneModel {
+    return this.choice('toneModel') as ToneModel;
+  }
+
+  set toneModel(value: ToneModel) {
+    this.choose('toneModel', value);
+  }
+
+  /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
+  toneSteps: number = HATCHING_DEFAULTS.toneSteps;
+
+  /** Exponent of the highlight of the tone model `'phong'`. In (0, ∞). Default `30`. */
+  shininess: number = HATCHING_DEFAULTS.shininess;
+
+  /**
+   * The normal that tone is computed from. Default `'face'`, for `'anchored'` `'smooth'`. Another value builds another
+   * program.
+   */
+  get toneNormal(): ToneNormal {
+    return this.choice('toneNormal') as ToneNormal;
+  }
+
+  set toneNormal(value: ToneNormal) {
+    this.choose('toneNormal', value);
+  }
+
+  /**
+   * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
+   * covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points
+   * `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other
+   * points need no other program. Default `'linear'`.
+   */
+  abstract toneCurve: ToneCurve;
+
+  /**
+   * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
+   * shade is darkest at the terminator, as engravers draw it. In [0, 1]. Default `0`.
+   */
+  reflectedLight: number = HATCHING_DEFAULTS.reflectedLight;
+
+  /** Colour of the strokes. Default black. */
+  readonly ink: Color = new Color(HATCHING_DEFAULTS.ink);
+
+  /** Colour of the ground between strokes, multiplied by the surface colour. Default white. */
+  readonly paper: Color = new Color(HATCHING_DEFAULTS.paper);
+
+  /** Surface colour. Default white. */
+  readonly color: Color = new Color(HATCHING_DEFAULTS.color);
+
+  /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */
+  get inkBlend(): InkBlend {
+    return this.choice('inkBlend') as InkBlend;
+  }
+
+  set inkBlend(value: InkBlend) {
+    this.choose('inkBlend', value);
+  }
+
+  /**
+   * Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or
+   * `alphaHash`: a material that is drawn opaque keeps its paper. In [0, 1]. Default `1`.
+   */
+  paperOpacity: number = HATCHING_DEFAULTS.paperOpacity;
+
+  /** Surface colour map, multiplied by `color`. Default `null`. */
+  map: Texture | null = HATCHING_DEFAULTS.map;
+
+  /** Opacity map (green channel), as in three's own materials. Default `null`. */
+  alphaMap: Texture | null = HATCHING_DEFAULTS.alphaMap;
+
+  /**
+   * Draws something else in the place of strokes, to see what goes into them. Default `'none'`. Another value builds
+   * another program.
+   */
+  get debugView(): DebugView {
+    return this.choice('debugView') as DebugView;
+  }
+
+  set debugView(value: DebugView) {
+    this.choose('debugView', value);
+  }
+
+  /** The choice in force. */
+  protected abstract choice(name: HatchingPropertyName): string | boolean;
+
+  /** @throws Error if `value` is none of the property's choices */
+  protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
+}

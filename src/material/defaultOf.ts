@@ -1,0 +1,14 @@
+import type { HatchingProperty } from './HatchingProperty.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from './hatchingProperties.js';
+
+/** The default of a property; some techniques have one of their own. Colours are numbers, vectors arrays. */
+export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {
+  const property: HatchingProperty = HATCHING_PROPERTIES[name];
+  const ofTechnique = property.kind === 'choice' ? property.defaultFor?.[technique] : undefined;
+  return ofTechnique ?? HATCHING_DEFAULTS[name];
+}

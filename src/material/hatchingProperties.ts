@@ -1,0 +1,136 @@
+// Written by `npm run properties` from properties/table.ts. Change that, not this.
+import type { HatchingProperty } from './HatchingProperty.js';
+
+/**
+ * How strokes are laid on the surface.
+ * - `triangle`: Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper by Suarez et al.,
+ *   figure 4a).
+ * - `adjacency`: Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).
+ * - `anchored`: beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to
+ *   triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh.
+ */
+export type HatchingTechnique = 'triangle' | 'adjacency' | 'anchored';
+
+/**
+ * What strokes are fixed to on a mesh that deforms.
+ * - `rest`: the surface. Stroke coordinates are those of the rest pose, and the light is carried into it.
+ * - `deformed`: object space, through which the surface moves; the paper by Suarez et al. to the letter.
+ */
+export type StrokeAnchor = 'rest' | 'deformed';
+
+/**
+ * What the level of the tonal art map is chosen by.
+ * - `derivatives`: how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer
+ *   than drawn, and wider where the surface is seen at a slant.
+ * - `depth`: the depth of the fragment alone (section 3.4). Strokes are as wide as drawn where the surface is seen face
+ *   on, and foreshortened like the surface elsewhere.
+ */
+export type LevelRule = 'derivatives' | 'depth';
+
+/**
+ * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
+ * - `lambert`: N·L.
+ * - `halfLambert`: (N·L / 2 + 1/2)², which reaches round to the side turned away.
+ * - `phong`: Lambert plus a highlight (R·V)^shininess.
+ * - `toon`: Lambert in `toneSteps` hard bands, each of them one tone.
+ */
+export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon';
+
+/**
+ * The normal that tone is computed from.
+ * - `face`: the normal of the flat triangle, as in the paper by Suarez et al.
+ * - `smooth`: the interpolated vertex normal.
+ */
+export type ToneNormal = 'face' | 'smooth';
+
+/**
+ * What ink does to the colour below it.
+ * - `cover`: hides it, as gouache or a printer's black.
+ * - `multiply`: tints it, as transparent ink.
+ */
+export type InkBlend = 'cover' | 'multiply';
+
+/**
+ * What is drawn in the place of strokes.
+ * - `none`: nothing: strokes are drawn.
+ * - `blendFactors`: the contributions of α, β, γ as red, green, blue (figure 8).
+ * - `tone`: the wanted tone as grey.
+ * - `frames`: a checker in the stroke coordinates of the triangle itself.
+ */
+export type DebugView = 'none' | 'blendFactors' | 'tone' | 'frames';
+
+/** The default of every property; colours as 0xrrggbb. */
+export const HATCHING_DEFAULTS = {
+  tonalArtMap: null,
+  technique: 'adjacency',
+  strokeScale: 3,
+  strokeRotation: 0,
+  strokeOffset: [0, 0],
+  strokeAnchor: 'rest',
+  crisp: false,
+  levelRule: 'derivatives',
+  screenConstancy: 0,
+  texelPixels: 1,
+  edgePixels: 1,
+  anchorSpacing: 0.45,
+  creaseAngle: Math.PI / 2,
+  secondLayer: false,
+  toneModel: 'lambert',
+  toneSteps: 4,
+  shininess: 30,
+  toneNormal: 'face',
+  toneCurve: 'linear',
+  reflectedLight: 0,
+  ink: 0x000000,
+  paper: 0xffffff,
+  color: 0xffffff,
+  inkBlend: 'cover',
+  paperOpacity: 1,
+  map: null,
+  alphaMap: null,
+  debugView: 'none',
+} as const;
+
+/** Every property of `HatchingMaterial`, by name. */
+export const HATCHING_PROPERTIES = {
+  tonalArtMap: { kind: 'tonalArtMap' },
+  technique: { kind: 'choice', define: 'TECHNIQUE', choices: ['triangle', 'adjacency', 'anchored'] },
+  strokeScale: { kind: 'number', uniform: 'strokeScale' },
+  strokeRotation: { kind: 'number' },
+  strokeOffset: { kind: 'vector2', techniques: ['triangle', 'adjacency'] },
+  strokeAnchor: { kind: 'choice', define: 'STROKE_ANCHOR', choices: ['rest', 'deformed'] },
+  crisp: { kind: 'switch', define: 'CRISP', techniques: ['triangle', 'adjacency'] },
+  levelRule: {
+    kind: 'choice',
+    define: 'LEVEL_RULE',
+    choices: ['derivatives', 'depth'],
+    techniques: ['triangle', 'adjacency'],
+  },
+  screenConstancy: { kind: 'number', uniform: 'screenConstancy', techniques: ['anchored'] },
+  texelPixels: { kind: 'number', uniform: 'texelPixels' },
+  edgePixels: { kind: 'number', uniform: 'edgePixels' },
+  anchorSpacing: { kind: 'number', uniform: 'anchorSpacing', techniques: ['anchored'] },
+  creaseAngle: { kind: 'number', techniques: ['adjacency'] },
+  secondLayer: { kind: 'switch', define: 'SECOND_LAYER' },
+  toneModel: { kind: 'choice', define: 'TONE_MODEL', choices: ['lambert', 'halfLambert', 'phong', 'toon'] },
+  toneSteps: { kind: 'number', uniform: 'toneSteps' },
+  shininess: { kind: 'number', uniform: 'shininess' },
+  toneNormal: {
+    kind: 'choice',
+    define: 'TONE_NORMAL',
+    choices: ['face', 'smooth'],
+    defaultFor: { anchored: 'smooth' },
+  },
+  toneCurve: { kind: 'curve' },
+  reflectedLight: { kind: 'number', uniform: 'reflectedLight' },
+  ink: { kind: 'color', uniform: 'ink' },
+  paper: { kind: 'color', uniform: 'paper' },
+  color: { kind: 'color', uniform: 'diffuse' },
+  inkBlend: { kind: 'choice', define: 'INK_BLEND', choices: ['cover', 'multiply'] },
+  paperOpacity: { kind: 'number', uniform: 'paperOpacity' },
+  map: { kind: 'texture', uniform: 'map', transform: 'mapTransform' },
+  alphaMap: { kind: 'texture', uniform: 'alphaMap', transform: 'alphaMapTransform' },
+  debugView: { kind: 'choice', define: 'DEBUG_VIEW', choices: ['none', 'blendFactors', 'tone', 'frames'] },
+} as const satisfies Record<string, HatchingProperty>;
+
+export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;

@@ -1,0 +1,61 @@
+import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3 } from 'three';
+import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import type { HatchingProperty } from './HatchingProperty.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
+
+type Uniforms = Record<string, IUniform>;
+
+/** The uniforms of one material: those of its properties, those computed from them, and those of lights, fog and meshes. */
+export function createHatchingUniforms(): Uniforms {
+  const uniforms: Uniforms = UniformsUtils.merge([
+    UniformsLib.lights,
+    UniformsLib.fog,
+    {
+      alphaTest: { value: 0 },
+      creaseCosine: { value: 0 },
+      opacity: { value: 1 },
+      strokeDirection: { value: new Vector2() },
+      strokeTransform: { value: new Matrix3() },
+      toneCurveCubics: { value: null },
+      toneCurveSpans: { value: null },
+      toneCurveStart: { value: 0 },
+      viewportHeight: { value: 1 },
+      // of the tonal art map
+      thresholdMap: { value: null },
+      thresholdMapLevels: { value: 1 },
+      thresholdMapSize: { value: 1 },
+      thresholdMoments: { value: new Vector3(1, 1, 0) },
+      tonalArtMap: { value: null },
+      tonalArtMapTones: { value: 2 },
+      // of the mesh that is drawn
+      deformedNormals: { value: null },
+      deformedPositions: { value: null },
+      deformedTurns: { value: null },
+      restPositions: { value: null },
+      triangleVertices: { value: null },
+    },
+  ]);
+  for (const property of Object.values<HatchingProperty>(HATCHING_PROPERTIES)) {
+    if (!('uniform' in property) || property.uniform === undefined) continue;
+    uniforms[property.uniform] = { value: null };
+    if (property.kind === 'texture') uniforms[property.transform] = { value: new Matrix3() };
+  }
+  return uniforms;
+}
+
+/** Brings the properties that have a uniform of their own to it. Allocates nothing. */
+export function writePropertyUniforms(material: HatchingMaterialProperties, uniforms: Uniforms): void {
+  for (const key in HATCHING_PROPERTIES) {
+    const name = key as HatchingPropertyName;
+    const property: HatchingProperty = HATCHING_PROPERTIES[name];
+    if (!('uniform' in property) || property.uniform === undefined) continue;
+    uniforms[property.uniform].value = material[name];
+    if (property.kind === 'texture') writeTransform(material[name] as Texture | null, uniforms[property.transform]);
+  }
+}
+
+function writeTransform(texture: Texture | null, uniform: IUniform<Matrix3>): void {
+  if (texture === null) return;
+  if (texture.matrixAutoUpdate) texture.updateMatrix();
+  uniform.value.copy(texture.matrix);
+}

@@ -1,0 +1,29 @@
+import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import type { HatchingProperty } from './HatchingProperty.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from './hatchingProperties.js';
+
+const warned = new Set<string>();
+
+/** Whether a property counts for a technique. */
+export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
+  techniques?.includes(technique) ?? true;
+
+/** Warns, once each, of parameters that were set to something and do not count for the technique. */
+export function warnOfUnused(parameters: HatchingMaterialParameters, technique: HatchingTechnique): void {
+  for (const name of Object.keys(parameters)) {
+    if (!Object.hasOwn(HATCHING_PROPERTIES, name)) continue;
+    const property: HatchingProperty = HATCHING_PROPERTIES[name as HatchingPropertyName];
+    const isDefault = parameters[name as HatchingPropertyName] === HATCHING_DEFAULTS[name as HatchingPropertyName];
+    const key = `${name} ${technique}`;
+    if (isDefault || isUsedBy(technique, property) || warned.has(key)) continue;
+    warned.add(key);
+    console.warn(
+      `HatchingMaterial: "${name}" is not used by the technique "${technique}", only by ${property.techniques?.join(' and ')}.`,
+    );
+  }
+}

@@ -1,0 +1,152 @@
+import { readFileSync } from 'node:fs';
+import { Color, Texture, Vector2 } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { outputs } from '../../../properties/outputs.js';
+import type { PropertyRow } from '../../../properties/PropertyRow.js';
+import { PROPERTIES } from '../../../properties/table.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+} from '../../../src/material/hatchingProperties.js';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+
+afterEach(() => vi.restoreAllMocks());
+
+const rows = Object.entries(PROPERTIES) as [HatchingPropertyName, PropertyRow][];
+const names = rows.map(([name]) => name);
+
+/** A value other than the default. */
+function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
+  switch (row.kind) {
+    case 'number':
+      return row.default / 2 + 0.25;
+    case 'color':
+      return new Color('tomato');
+    case 'vector2':
+      return new Vector2(0.25, 0.75);
+    case 'texture':
+      return new Texture();
+    case 'tonalArtMap':
+      return TonalArtMap.fromHatchImages({ size: 2, images: [[new Uint8Array(4).fill(255)], [new Uint8Array(4)]] });
+    case 'choice':
+      return Object.keys(row.choices).find((choice) => choice !== HATCHING_DEFAULTS[name]);
+    case 'switch':
+      return true;
+    case 'curve':
+      return [
+        [0, 0.1],
+        [1, 0.9],
+      ];
+  }
+}
+
+const changed = Object.fromEntries(rows.map(([name, row]) => [name, anotherValue(name, row)]));
+const plain = (value: unknown): unknown =>
+  value instanceof Color ? value.getHex() : value instanceof Vector2 ? value.toArray() : value;
+
+describe('the table of properties', () => {
+  const written = outputs();
+  test.each(Object.keys(written))('%s is what it writes; if not, run `npm run properties`', (path) => {
+    expect(readFileSync(path, 'utf8')).toBe(written[path]);
+  });
+
+  test('names techniques that there are', () => {
+    const techniques = Object.keys(PROPERTIES.technique.choices);
+    for (const [name, row] of rows)
+      expect(techniques, name).toEqual(expect.arrayContaining([...(row.techniques ?? [])]));
+  });
+
+  test('keeps its sentences out of what runs', () => {
+    const runtime = JSON.stringify([HATCHING_PROPERTIES, HATCHING_DEFAULTS]);
+    for (const [name, { sentence }] of rows) expect(runtime, name).not.toContain(sentence.slice(0, 20));
+  });
+});
+
+describe('every property', () => {
+  test('has its default', () => {
+    const material = new HatchingMaterial();
+    for (const name of names) expect(plain(material[name]), name).toEqual(HATCHING_DEFAULTS[name]);
+  });
+
+  test('is copied', () => {
+    vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const source = new HatchingMaterial(changed as HatchingMaterialParameters);
+    const clone = source.clone();
+    for (const name of names) {
+      expect(plain(source[name]), name).toEqual(plain(changed[name]));
+      expect(plain(clone[name]), name).toEqual(plain(changed[name]));
+    }
+    expect(clone.defines).toEqual(source.defines);
+  });
+
+  test('is written as JSON where it is not at its default, but for the map of strokes', () => {
+    vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const bare = new HatchingMaterial().toJSON() as unknown as Record<string, unknown>;
+    const full = new HatchingMaterial(changed as HatchingMaterialParameters).toJSON() as unknown as typeof bare;
+    expect(bare.type).toBe('HatchingMaterial');
+    expect(bare).not.toHaveProperty('uniforms');
+    for (const [name, { kind }] of rows) {
+      if (kind === 'texture') expect(full[name], name).toBe((changed[name] as Texture).uuid);
+      else if (kind === 'tonalArtMap') expect(full).not.toHaveProperty(name);
+      else expect(full[name], name).toEqual(plain(changed[name]));
+      // three's own material writes these two whatever they are.
+      if (name !== 'color' && name !== 'shininess') expect(bare).not.toHaveProperty(name);
+    }
+  });
+
+  test('reaches the shader, each by its uniform or its define', () => {
+    vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const seen = ({ vertexShader, fragmentShader, defines, uniforms }: HatchingMaterial): string => {
+      const values = Object.entries(uniforms).map(([key, { value }]) => [key, idOf(value)]);
+      return JSON.stringify([vertexShader, fragmentShader, defines, values]);
+    };
+    for (const [name, row] of rows) {
+      const base = row.techniques ? { technique: row.techniques[0] } : {};
+      const parameters = { ...base, [name]: changed[name] } as HatchingMaterialParameters;
+      const before = new HatchingMaterial(base as HatchingMaterialParameters);
+      expect(seen(new HatchingMaterial(parameters)), name).not.toBe(seen(before));
+    }
+  });
+});
+
+describe('a property that does not count for the technique', () => {
+  const unused = rows.flatMap(([name, { techniques }]) =>
+    Object.keys(PROPERTIES.technique.choices)
+      .filter((technique) => techniques && !techniques.includes(technique))
+      .map((technique) => [name, technique as HatchingMaterial['technique']] as const),
+  );
+
+  test.each(unused)('%s under %s asks for no other program', (name, technique) => {
+    const material = new HatchingMaterial({ technique });
+    const { version } = material;
+    Object.assign(material, { [name]: name === 'strokeOffset' ? material.strokeOffset.set(1, 1) : changed[name] });
+    expect(material.version).toBe(version);
+  });
+
+  test('is remembered for the technique that it counts for', () => {
+    const material = new HatchingMaterial({ technique: 'anchored' });
+    material.levelRule = 'depth';
+    material.crisp = true;
+    expect(material.defines).toEqual(new HatchingMaterial({ technique: 'anchored' }).defines);
+    material.technique = 'adjacency';
+    const expected = new HatchingMaterial({ technique: 'adjacency', levelRule: 'depth', crisp: true });
+    expect(material.defines).toEqual(expected.defines);
+  });
+
+  test('is warned of once where it is set to something, not at its default', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    new HatchingMaterial({ technique: 'anchored', creaseAngle: HATCHING_DEFAULTS.creaseAngle });
+    expect(warn).not.toHaveBeenCalled();
+    for (let i = 0; i < 2; i++) new HatchingMaterial({ creaseAngle: 1, technique: 'anchored' });
+    expect(warn.mock.calls).toEqual([
+      ['HatchingMaterial: "creaseAngle" is not used by the technique "anchored", only by adjacency.'],
+    ]);
+  });
+});
+
+/** Objects by what they hold, so that what is equal looks equal. */
+const idOf = (value: unknown): unknown =>
+  (value as Texture | null)?.isTexture ? (value as Texture).uuid : value instanceof Color ? value.getHex() : value;
