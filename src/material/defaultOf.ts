@@ -5,6 +5,7 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from './hatchingProperties.js';
+import { plainValue } from './plainValue.js';
 
 /** The default of a property; some techniques have one of their own. Colours are numbers, vectors arrays. */
 export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {
@@ -12,3 +13,7 @@ export function defaultOf(name: HatchingPropertyName, technique: HatchingTechniq
   const ofTechnique = property.kind === 'choice' ? property.defaultFor?.[technique] : undefined;
   return ofTechnique ?? HATCHING_DEFAULTS[name];
 }
+
+/** Whether a value, plain or not, is the default of a property. */
+export const isDefault = (name: HatchingPropertyName, value: unknown, technique: HatchingTechnique): boolean =>
+  JSON.stringify(plainValue(value)) === JSON.stringify(defaultOf(name, technique));

@@ -1,7 +1,7 @@
-import type { Color, Vector2 } from 'three';
-import { defaultOf } from './defaultOf.js';
+import { isDefault } from './defaultOf.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
+import { plainValue } from './plainValue.js';
 
 /**
  * The properties of a material that are not at their defaults, as JSON: colours as numbers, vectors as arrays. Textures are
@@ -12,14 +12,7 @@ export function propertiesToJSON(material: HatchingMaterialProperties): Record<s
   for (const [name, { kind }] of Object.entries(HATCHING_PROPERTIES)) {
     if (kind === 'texture' || kind === 'tonalArtMap') continue;
     const value = plainValue(material[name as HatchingPropertyName]);
-    const fallback = defaultOf(name as HatchingPropertyName, material.technique);
-    if (JSON.stringify(value) !== JSON.stringify(fallback)) json[name] = value;
+    if (!isDefault(name as HatchingPropertyName, value, material.technique)) json[name] = value;
   }
   return json;
-}
-
-function plainValue(value: unknown): unknown {
-  if ((value as Color | null)?.isColor) return (value as Color).getHex();
-  if ((value as Vector2 | null)?.isVector2) return (value as Vector2).toArray();
-  return value;
 }

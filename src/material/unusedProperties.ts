@@ -1,11 +1,7 @@
+import { isDefault } from './defaultOf.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingProperty } from './HatchingProperty.js';
-import {
-  HATCHING_DEFAULTS,
-  HATCHING_PROPERTIES,
-  type HatchingPropertyName,
-  type HatchingTechnique,
-} from './hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from './hatchingProperties.js';
 
 const warned = new Set<string>();
 
@@ -18,9 +14,9 @@ export function warnOfUnused(parameters: HatchingMaterialParameters, technique: 
   for (const name of Object.keys(parameters)) {
     if (!Object.hasOwn(HATCHING_PROPERTIES, name)) continue;
     const property: HatchingProperty = HATCHING_PROPERTIES[name as HatchingPropertyName];
-    const isDefault = parameters[name as HatchingPropertyName] === HATCHING_DEFAULTS[name as HatchingPropertyName];
     const key = `${name} ${technique}`;
-    if (isDefault || isUsedBy(technique, property) || warned.has(key)) continue;
+    if (isUsedBy(technique, property) || warned.has(key)) continue;
+    if (isDefault(name as HatchingPropertyName, parameters[name as HatchingPropertyName], technique)) continue;
     warned.add(key);
     console.warn(
       `HatchingMaterial: "${name}" is not used by the technique "${technique}", only by ${property.techniques?.join(' and ')}.`,

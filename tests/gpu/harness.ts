@@ -104,13 +104,14 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   const { ink, paper, color, strokeOffset, ...material } = spec.material;
   const hatching = new HatchingMaterial({
     ...material,
-    strokeOffset: new Vector2(...strokeOffset),
     tonalArtMap: anchored ? thresholdMap : analyticMap(spec.map),
     edgePixels: 0,
-    anchorSpacing: spec.anchorSpacing ?? 0.35,
-    screenConstancy: spec.screenConstancy ?? 0,
     side: spec.doubleSided ? DoubleSide : FrontSide,
   });
+  // Set one by one: as parameters, those that the technique does not use would be warned of.
+  hatching.strokeOffset.set(...strokeOffset);
+  hatching.anchorSpacing = spec.anchorSpacing ?? 0.35;
+  hatching.screenConstancy = spec.screenConstancy ?? 0;
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);
   hatching.paper.setRGB(...(paper as [number, number, number]), LinearSRGBColorSpace);
   hatching.color.setRGB(...(color as [number, number, number]), LinearSRGBColorSpace);
