@@ -1,0 +1,25 @@
+/** What the benchmarks know of the library beyond its public names: the bake and the maps, step by step. */
+export { absorbSpecks } from '../src/adjacency/absorbSpecks.js';
+export { bake } from '../src/adjacency/bake.js';
+export { bakeIndexed } from '../src/adjacency/bakeIndexed.js';
+export { bakePull } from '../src/adjacency/bakePull.js';
+export { DEFAULT_SMOOTHING_SHARE, type FanNormals, type Surface } from '../src/adjacency/bakeSurface.js';
+export { buildFans } from '../src/adjacency/buildFans.js';
+export { computeAreaNormals } from '../src/adjacency/computeAreaNormals.js';
+export { cutCreases } from '../src/adjacency/cutCreases.js';
+export { expandPerCorner } from '../src/adjacency/expandPerCorner.js';
+export { fanDirections } from '../src/adjacency/fanDirections.js';
+export { findFormCreases } from '../src/adjacency/findFormCreases.js';
+export { packHatchNormals } from '../src/adjacency/hatchNormal.js';
+export { measureBounds } from '../src/adjacency/measureBounds.js';
+export { packCornerAttributes } from '../src/adjacency/packCornerAttributes.js';
+export { packCorners } from '../src/adjacency/packCorners.js';
+export { packPull } from '../src/adjacency/packPull.js';
+export { pairEdges } from '../src/adjacency/pairEdges.js';
+export { smoothFanNormals } from '../src/adjacency/smoothFanNormals.js';
+export { splitVertices } from '../src/adjacency/splitVertices.js';
+export type { TriangleMesh } from '../src/adjacency/TriangleMesh.js';
+export { validateTriangleMesh } from '../src/adjacency/validateTriangleMesh.js';
+export { weldPositions } from '../src/adjacency/weldPositions.js';
+export { generateHatchImages, type HatchImageOptions } from '../src/tam/generateHatchImages.js';
+export { generateThresholds } from '../src/tam/generateThresholds.js';
