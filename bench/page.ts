@@ -4,6 +4,9 @@ const measures = {
   bake: async () => (await import('./bake/measureBake.js')).measureBake,
   upload: async () => (await import('./upload/measureUpload.js')).measureUpload,
   map: async () => (await import('./tam/measureMap.js')).measureMap,
+  comparedFrames: async () => (await import('./compare/compareFrames.js')).compareFrames,
+  comparedBakes: async () => (await import('./compare/compareBakes.js')).compareBakes,
+  comparedMaps: async () => (await import('./compare/compareMaps.js')).compareMaps,
 };
 
 async function measure(name: keyof typeof measures, ...args: unknown[]): Promise<unknown> {
