@@ -13,13 +13,13 @@ const titles = {
 /** Notes on what the figures of a benchmark are. */
 const notes = {
   frame: `Every technique on every layout that it can draw, beside three's \`MeshPhongMaterial\` on the geometry of the \`corner\` layout and on the
-plain indexed one. All are drawn in turn in one page, every other turn backwards; a frame is timed from its first command until a
+plain indexed one, and beside \`adjacency\`. All are drawn in turn in one page, every other turn backwards; a frame is timed from its first command until a
 pixel of it can be read. Ratios are taken within a turn, and their median is given with its 95 % interval; times are medians.`,
-  bake: `The steps of the bake on one thread of the page. \`check\` validates and measures the bounds, \`weld\` joins equal positions, \`pair\` finds
-the twins of edges, \`creases\` cuts at the crease angle and finds the edges of the form, \`normals\` smooths the hatch normals, \`pack\` writes a
+  bake: `The steps of the bake on one thread of the page. \`check\` validates and measures the bounds, \`weld\` joins equal positions, \`pair\` computes
+the normals of triangles and finds the twins of edges, \`creases\` cuts at the crease angle and finds the edges of the form, \`normals\` smooths the hatch normals, \`pack\` writes a
 layout; \`transfer\` hands the request to a worker and takes the result of the \`corner\` layout from it.`,
-  upload: `How much longer a frame takes for which the geometry has to be given to the graphics card: what \`bufferData\` and \`texImage\` cost,
-whoever pays for them.`,
+  upload: `How much longer a frame takes for which the geometry has to be given to the graphics card: what \`bufferData\` and \`texImage2D\`
+cost. One triangle is drawn.`,
   tam: '`TonalArtMap.generate` does this in a worker.',
   drop: `A file is handed to the built playground; the time runs until the first frame that shows it can be read. Cold is the first
 file of a page, warm the following ones. Both are medians with their 95 % interval.`,

@@ -2,7 +2,7 @@ import { Mesh } from 'three';
 import type { HatchingTechnique, PrepareHatchingGeometryOptions } from 'three-hatching';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
-import { alternate, type Side, type Times } from './alternate.js';
+import { alternate, type Effort, type Side, type Times } from './alternate.js';
 import { loadLibraries } from './loadLibraries.js';
 
 /** Frames of both libraries, by technique. */
@@ -10,7 +10,7 @@ export async function compareFrames(
   model: string,
   layout: PrepareHatchingGeometryOptions['layout'],
   techniques: readonly HatchingTechnique[],
-  turns: number,
+  effort: Effort,
   size: number,
 ): Promise<Record<string, Times>> {
   const libraries = await loadLibraries();
@@ -27,7 +27,7 @@ export async function compareFrames(
   const times: Record<string, Times> = {};
   for (const technique of techniques) {
     for (const { material } of Object.values(meshes)) material.technique = technique;
-    times[technique] = await alternate(turns, (side) => stage.timeFrame(meshes[side]));
+    times[technique] = await alternate(effort, (side) => stage.timeFrame(meshes[side]));
   }
   return times;
 }

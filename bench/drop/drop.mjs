@@ -8,8 +8,8 @@ import { timeDrop, untilIdle } from './timeDrop.mjs';
 import { writeModelFile } from './writeModelFile.mjs';
 
 const FILES = { 'torus12k.ply': [60, 100], 'torus200k.ply': [250, 400], 'torus200k.stl': [250, 400] };
-const PLAN = { files: Object.keys(FILES), pages: 6, drops: 4 };
-const QUICK = { files: ['torus12k.ply'], pages: 1, drops: 3 };
+const PLAN = { files: Object.keys(FILES), pages: 6, drops: 3 };
+const QUICK = { files: ['torus12k.ply'], pages: 1, drops: 2 };
 
 /** The time from handing a file to the playground to the first frame that shows it. */
 export const drop = {

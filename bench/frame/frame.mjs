@@ -7,6 +7,9 @@ const PLAN = {
 };
 const QUICK = { turns: { dragon11k: 5 }, size: 512 };
 
+/** What all are compared with. */
+const REFERENCES = ['phong corner', 'phong indexed', 'adjacency corner'];
+
 /** Frames of all techniques and layouts beside three's Phong material. */
 export const frame = {
   name: 'frame',
@@ -26,12 +29,11 @@ export const frame = {
       ([model, { triangles, turns, drawn }]) => `${model}, ${triangles.toLocaleString('en')} triangles, ${turns} turns:
 
 ${table([
-  ['', 'ms', 'to Phong, corner', 'to Phong, indexed'],
-  ...Object.entries(drawn).map(([name, { ms, toCorner, toIndexed }]) => [
+  ['', 'ms', ...REFERENCES.map((reference) => `to ${reference}`)],
+  ...Object.entries(drawn).map(([name, { ms, to }]) => [
     name,
     figure(ms),
-    withInterval(toCorner),
-    withInterval(toIndexed),
+    ...REFERENCES.map((reference) => (reference === name ? '1' : withInterval(to[reference]))),
   ]),
 ])}`,
     );
@@ -39,15 +41,11 @@ ${table([
   },
 };
 
-/** Median times, and ratios within a turn to Phong on the same expanded and on the plain indexed geometry. */
+/** Median times, and ratios within a turn. */
 function summarise({ triangles, times }, turns) {
-  const drawn = Object.entries(times).map(([name, list]) => [
-    name,
-    {
-      ms: median(list),
-      toCorner: medianInterval(ratios(list, times['phong corner'])),
-      toIndexed: medianInterval(ratios(list, times['phong indexed'])),
-    },
-  ]);
+  const drawn = Object.entries(times).map(([name, list]) => {
+    const to = REFERENCES.map((reference) => [reference, medianInterval(ratios(list, times[reference]))]);
+    return [name, { ms: median(list), to: Object.fromEntries(to) }];
+  });
   return { triangles, turns, drawn: Object.fromEntries(drawn) };
 }
