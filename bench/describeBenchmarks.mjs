@@ -40,7 +40,7 @@ ${benchmark.describe(result)}`;
     return [`## ${titles[benchmark.name]}\n\n${notes[benchmark.name]}\n\n${parts.join('\n\n')}`];
   });
   const file = fileURLToPath(new URL('../docs/benchmarks.md', import.meta.url));
-  writeFileSync(file, `${introduction}\n\n${sections.join('\n\n')}\n`);
+  writeFileSync(file, `${[introduction, ...sections].join('\n\n')}\n`);
 }
 
 const introduction = `# Benchmarks
