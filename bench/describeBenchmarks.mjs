@@ -1,0 +1,63 @@
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { benchmarks } from './benchmarks.mjs';
+
+const titles = {
+  frame: 'Frames',
+  bake: 'The bake by phase',
+  upload: 'Upload',
+  tam: 'Maps',
+  drop: 'From drop to first frame',
+};
+
+/** Notes on what the figures of a benchmark are. */
+const notes = {
+  frame: `Every technique on every layout that it can draw, beside three's \`MeshPhongMaterial\` on the geometry of the \`corner\` layout and on the
+plain indexed one, and beside \`adjacency\`. All are drawn in turn in one page, every other turn backwards; a frame is timed from its first command until a
+pixel of it can be read. Ratios are taken within a turn, and their median is given with its 95 % interval; times are medians.`,
+  bake: `The steps of the bake on one thread of the page. \`check\` validates and measures the bounds, \`weld\` joins equal positions, \`pair\` computes
+the normals of triangles and finds the twins of edges, \`creases\` cuts at the crease angle and finds the edges of the form, \`normals\` smooths the hatch normals, \`pack\` writes a
+layout; \`transfer\` hands the request to a worker and takes the result of the \`corner\` layout from it.`,
+  upload: `How much longer a frame takes for which the geometry has to be given to the graphics card: what \`bufferData\` and \`texImage2D\`
+cost. One triangle is drawn.`,
+  tam: '`TonalArtMap.generate` does this in a worker.',
+  drop: `A file is handed to the built playground; the time runs until the first frame that shows it can be read. Cold is the first
+file of a page, warm the following ones. Both are medians with their 95 % interval.`,
+};
+
+/** Writes docs/benchmarks.md from the files in bench/results. */
+export function describeBenchmarks() {
+  const sections = benchmarks.flatMap((benchmark) => {
+    const runs = ['', '.swiftshader', '.llvmpipe'].flatMap((suffix) => read(`${benchmark.name}${suffix}.json`) ?? []);
+    if (runs.length === 0) return [];
+    const parts = runs.map(({ environment, seconds, result }) => {
+      const { renderer, cpu, cores, chromium, node, commit } = environment;
+      const drawn = benchmark.perRasteriser ? `Drawn by ${renderer}. ` : '';
+      return `${benchmark.perRasteriser ? `### ${benchmark.name}, ${shortName(renderer)}\n\n` : ''}${drawn}${cpu}, ${cores} cores, Chromium ${chromium}, Node ${node.slice(1)}; commit ${commit}; took ${seconds} s.
+
+${benchmark.describe(result)}`;
+    });
+    return [`## ${titles[benchmark.name]}\n\n${notes[benchmark.name]}\n\n${parts.join('\n\n')}`];
+  });
+  const file = fileURLToPath(new URL('../docs/benchmarks.md', import.meta.url));
+  writeFileSync(file, `${[introduction, ...sections].join('\n\n')}\n`);
+}
+
+const introduction = `# Benchmarks
+
+Written by \`npm run bench\` from the files in \`bench/results\`. The processor draws, so times say little about a graphics card; what they
+are good for is comparing, and there only ratios from one run count: on a busy machine times drift by a factor of two, ratios within a turn
+hardly.
+
+\`a [b, c]\` is a median a with its 95 % interval from b to c, from the ranks of the values, whatever their distribution.
+
+\`npm run bench:compare -- OLD [NEW]\` builds the library of two commits (NEW is the working tree if not given) and draws both in one page, in
+turn. **Slower** means that the whole interval of the ratio new/old lies above 1.03, **faster** that it lies below 1/1.03; anything else
+is the **same** as far as can be told. More turns (\`--turns=31\`) make the interval narrower.`;
+
+function read(name) {
+  const file = new URL(`./results/${name}`, import.meta.url);
+  return existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : undefined;
+}
+
+const shortName = (renderer) => /swiftshader|llvmpipe/i.exec(renderer)?.[0] ?? renderer;

@@ -1,0 +1,45 @@
+import { type BufferGeometry, Mesh, MeshPhongMaterial } from 'three';
+import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { loadModel } from '../loadModel.js';
+import { Stage } from '../Stage.js';
+
+const WARM_UP_TURNS = 2;
+
+/** Times in milliseconds, one per turn, of everything that can draw the model. */
+export interface FrameTimes {
+  triangles: number;
+  times: Record<string, number[]>;
+}
+
+export async function measureFrames(model: string, turns: number, size: number): Promise<FrameTimes> {
+  const plain = await loadModel(model);
+  const corner = await prepareHatchingGeometry(plain, { layout: 'corner' });
+  const pull = await prepareHatchingGeometry(plain, { layout: 'pull' });
+  const indexed = await prepareHatchingGeometry(plain, { layout: 'indexed' });
+  const tonalArtMap = await TonalArtMap.generate();
+  const hatched = (technique: HatchingTechnique, geometry: BufferGeometry): Mesh =>
+    new Mesh(geometry, new HatchingMaterial({ tonalArtMap, technique }));
+  const meshes: Record<string, Mesh> = {
+    'phong corner': new Mesh(corner, new MeshPhongMaterial()),
+    'phong indexed': new Mesh(plain, new MeshPhongMaterial()),
+    'triangle corner': hatched('triangle', corner),
+    'triangle pull': hatched('triangle', pull),
+    'adjacency corner': hatched('adjacency', corner),
+    'adjacency pull': hatched('adjacency', pull),
+    'anchored corner': hatched('anchored', corner),
+    'anchored pull': hatched('anchored', pull),
+    'anchored indexed': hatched('anchored', indexed),
+  };
+
+  const stage = new Stage(size);
+  const order = Object.keys(meshes);
+  const times = Object.fromEntries(order.map((name) => [name, [] as number[]]));
+  for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
+    // Every other turn backwards: what is drawn before may make a difference.
+    for (const name of turn % 2 === 0 ? order : order.toReversed()) {
+      const time = stage.timeFrame(meshes[name]!);
+      if (turn >= 0) times[name]!.push(time);
+    }
+  }
+  return { triangles: plain.index!.count / 3, times };
+}

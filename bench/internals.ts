@@ -1,0 +1,27 @@
+/** What the benchmarks know of the library beyond its public names: the bake and the maps, step by step. */
+
+export { pairEdges } from '../src/adjacency/pairEdges.js';
+export { bake } from '../src/bake/bake.js';
+export { bakeIndexed } from '../src/bake/bakeIndexed.js';
+export { bakePull } from '../src/bake/bakePull.js';
+export { DEFAULT_SMOOTHING_SHARE, type FanNormals, type Surface } from '../src/bake/bakeSurface.js';
+export { expandPerCorner } from '../src/bake/expandPerCorner.js';
+export { packHatchNormals } from '../src/bake/hatchNormal.js';
+export { packCornerAttributes } from '../src/bake/packCornerAttributes.js';
+export { packCorners } from '../src/bake/packCorners.js';
+export { packPull } from '../src/bake/packPull.js';
+export { splitVertices } from '../src/bake/splitVertices.js';
+export { generateHatchImages } from '../src/hatchImages/generateHatchImages.js';
+export { generateThresholds } from '../src/hatchImages/generateThresholds.js';
+export type { HatchImageOptions } from '../src/hatchImages/hatchImageOptions.js';
+export { computeAreaNormals } from '../src/mesh/computeAreaNormals.js';
+export { measureBounds } from '../src/mesh/measureBounds.js';
+export type { TriangleMesh } from '../src/mesh/TriangleMesh.js';
+export { validateTriangleMesh } from '../src/mesh/validateTriangleMesh.js';
+export { weldPositions } from '../src/mesh/weldPositions.js';
+export { absorbSpecks } from '../src/normals/absorbSpecks.js';
+export { buildFans } from '../src/normals/buildFans.js';
+export { cutCreases } from '../src/normals/cutCreases.js';
+export { fanDirections } from '../src/normals/fanDirections.js';
+export { findFormCreases } from '../src/normals/findFormCreases.js';
+export { smoothFanNormals } from '../src/normals/smoothFanNormals.js';

@@ -1,0 +1,17 @@
+/** The page that measures: loads what one benchmark needs, and nothing else. */
+const measures = {
+  frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
+  bake: async () => (await import('./bake/measureBake.js')).measureBake,
+  upload: async () => (await import('./upload/measureUpload.js')).measureUpload,
+  map: async () => (await import('./tam/measureMap.js')).measureMap,
+  comparedFrames: async () => (await import('./compare/compareFrames.js')).compareFrames,
+  comparedBakes: async () => (await import('./compare/compareBakes.js')).compareBakes,
+  comparedMaps: async () => (await import('./compare/compareMaps.js')).compareMaps,
+};
+
+async function measure(name: keyof typeof measures, ...args: unknown[]): Promise<unknown> {
+  const run = (await measures[name]()) as (...args: unknown[]) => unknown;
+  return run(...args);
+}
+
+Object.assign(window, { measure });

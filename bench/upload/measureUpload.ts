@@ -1,0 +1,29 @@
+import { Mesh, TorusGeometry } from 'three';
+import { HatchingMaterial, type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
+import { loadModel } from '../loadModel.js';
+import { Stage } from '../Stage.js';
+
+const SIZE = 64;
+
+/**
+ * Milliseconds that a frame takes longer when the geometry must be given to the graphics card for it, as often as `repeats`
+ * says. The program is built before, and one triangle is drawn: all is uploaded for it.
+ */
+export async function measureUpload(
+  model: string,
+  layout: PrepareHatchingGeometryOptions['layout'],
+  repeats: number,
+): Promise<{ bytes: number; times: number[] }> {
+  const stage = new Stage(SIZE);
+  const material = new HatchingMaterial({ technique: 'anchored' });
+  stage.timeFrame(new Mesh(await prepareHatchingGeometry(new TorusGeometry(), { layout }), material));
+  const geometry = await prepareHatchingGeometry(await loadModel(model), { layout });
+  geometry.setDrawRange(0, 3);
+  const mesh = new Mesh(geometry, material);
+  const times = Array.from({ length: repeats }, () => {
+    const time = stage.timeFrame(mesh) - stage.timeFrame(mesh);
+    geometry.dispose();
+    return Math.max(0, time);
+  });
+  return { bytes: geometry.userData.hatching.bytes, times };
+}
