@@ -55,7 +55,7 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
 // biome-ignore lint/correctness/useYield: one step, too short to be sliced.
 function* canonicalOf(canonical: Uint32Array, indices: Uint32Array): Generator<number, Uint32Array<ArrayBuffer>, void> {
   const canonicalCorners = new Uint32Array(indices.length);
-  for (let corner = 0; corner < indices.length; corner++) canonicalCorners[corner] = canonical[indices[corner]!]!;
+  for (let corner = 0; corner < indices.length; corner++) canonicalCorners[corner] = canonical[indices[corner]];
   return canonicalCorners;
 }
 

@@ -30,7 +30,7 @@ function shuffled({ positions, indices }: TriangleMesh): TriangleMesh {
   for (const [vertex, to] of order.entries())
     result.positions.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * to);
   for (const [triangle, to] of triangles.entries()) {
-    for (let k = 0; k < 3; k++) result.indices[3 * to + k] = order[indices[3 * triangle + k]!]!;
+    for (let k = 0; k < 3; k++) result.indices[3 * to + k] = order[indices[3 * triangle + k]];
   }
   return result;
 }
@@ -48,7 +48,7 @@ function permutation(length: number, random: () => number): Uint32Array {
   const order = Uint32Array.from({ length }, (_, i) => i);
   for (let i = length - 1; i > 0; i--) {
     const j = Math.floor(random() * (i + 1));
-    [order[i], order[j]] = [order[j]!, order[i]!];
+    [order[i], order[j]] = [order[j], order[i]];
   }
   return order;
 }

@@ -15,7 +15,6 @@ import {
   PointLight,
   Scene,
   SpotLight,
-  Vector2,
   WebGLRenderer,
 } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
