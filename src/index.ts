@@ -16,13 +16,13 @@ export type {
 } from './material/HatchingMaterialOptions.js';
 export type {
   DebugView,
-  HatchingTechnique,
   InkBlend,
   LevelRule,
   StrokeAnchor,
   ToneModel,
   ToneNormal,
 } from './material/shaderConventions.js';
+export type { HatchingTechnique } from './material/techniques.js';
 export type { StrokeStyleName } from './strokes/strokeStyles.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';

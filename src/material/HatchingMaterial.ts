@@ -21,18 +21,16 @@ import { bindVertices } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { fitToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters, ToneCurve } from './HatchingMaterialOptions.js';
-import { hatchingFragmentShader, hatchingVertexShader } from './hatchingShaders.js';
+import { hatchingShaders } from './hatchingShaders.js';
 import {
   DEBUG_VIEWS,
   type DebugView,
-  type HatchingTechnique,
   INK_BLENDS,
   type InkBlend,
   LEVEL_RULES,
   type LevelRule,
   STROKE_ANCHORS,
   type StrokeAnchor,
-  TECHNIQUES,
   TONE_CURVES,
   TONE_MODELS,
   TONE_NORMALS,
@@ -40,6 +38,7 @@ import {
   type ToneNormal,
   VERTEX_LAYOUTS,
 } from './shaderConventions.js';
+import { type HatchingTechnique, techniques } from './techniques.js';
 
 const viewport = new Vector4();
 
@@ -75,6 +74,7 @@ export class HatchingMaterial extends ShaderMaterial {
   map: Texture | null = null;
   alphaMap: Texture | null = null;
 
+  #technique: HatchingTechnique = 'adjacency';
   #toneNormalChosen = false;
   #toneCurve: ToneCurve = 'linear';
 
@@ -101,7 +101,7 @@ export class HatchingMaterial extends ShaderMaterial {
           opacity: { value: 1 },
           paper: { value: null },
           paperOpacity: { value: 1 },
-          reflectedShare: { value: 0 },
+          reflectedLight: { value: 0 },
           restPositions: { value: null },
           screenConstancy: { value: 0 },
           shininess: { value: 0 },
@@ -124,7 +124,6 @@ export class HatchingMaterial extends ShaderMaterial {
         },
       ]),
       defines: {
-        TECHNIQUE: TECHNIQUES.indexOf('adjacency'),
         TONE_MODEL: TONE_MODELS.indexOf('lambert'),
         TONE_NORMAL: TONE_NORMALS.indexOf('face'),
         TONE_CURVE: TONE_CURVES.indexOf('linear'),
@@ -134,8 +133,7 @@ export class HatchingMaterial extends ShaderMaterial {
         STROKE_ANCHOR: STROKE_ANCHORS.indexOf('rest'),
         VERTEX_LAYOUT: VERTEX_LAYOUTS.indexOf('corner'),
       },
-      vertexShader: hatchingVertexShader,
-      fragmentShader: hatchingFragmentShader,
+      ...hatchingShaders('adjacency'),
       lights: true,
       fog: true,
       clipping: true,
@@ -147,12 +145,22 @@ export class HatchingMaterial extends ShaderMaterial {
   }
 
   get technique(): HatchingTechnique {
-    return TECHNIQUES[this.defines.TECHNIQUE as number];
+    return this.#technique;
   }
 
   set technique(value: HatchingTechnique) {
-    this.#define('TECHNIQUE', 'technique', TECHNIQUES, value);
-    if (!this.#toneNormalChosen) this.#define('TONE_NORMAL', 'toneNormal', TONE_NORMALS, defaultToneNormal(value));
+    if (!Object.hasOwn(techniques, value)) {
+      throw new Error(
+        `HatchingMaterial.technique: "${value}" is not known; use one of ${Object.keys(techniques).join(', ')}.`,
+      );
+    }
+    if (value === this.#technique) return;
+    this.#technique = value;
+    // Programs are told apart by their text.
+    Object.assign(this, hatchingShaders(value));
+    this.needsUpdate = true;
+    if (this.#toneNormalChosen) return;
+    this.#define('TONE_NORMAL', 'toneNormal', TONE_NORMALS, techniques[value].toneNormal);
   }
 
   get crisp(): boolean {
@@ -248,7 +256,7 @@ export class HatchingMaterial extends ShaderMaterial {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.#writeUniforms();
-    if (this.technique === 'anchored') return;
+    if (techniques[this.technique].vertexData !== 'adjacency') return;
     const layout = bindVertices(renderer, camera, geometry, object, this);
     this.#define('VERTEX_LAYOUT', 'vertex layout', VERTEX_LAYOUTS, layout);
   }
@@ -261,7 +269,10 @@ export class HatchingMaterial extends ShaderMaterial {
     this.clipping = source.clipping;
     this.wireframe = source.wireframe;
     this.wireframeLinewidth = source.wireframeLinewidth;
+    this.vertexShader = source.vertexShader;
+    this.fragmentShader = source.fragmentShader;
     this.defines = { ...source.defines };
+    this.#technique = source.#technique;
     this.toneCurve = source.toneCurve;
 
     this.tonalArtMap = source.tonalArtMap;
@@ -296,7 +307,7 @@ export class HatchingMaterial extends ShaderMaterial {
     u.ink.value = this.ink;
     u.paper.value = this.paper;
     u.paperOpacity.value = this.paperOpacity;
-    u.reflectedShare.value = this.reflectedLight;
+    u.reflectedLight.value = this.reflectedLight;
     u.shininess.value = this.shininess;
     u.toneSteps.value = this.toneSteps;
     u.creaseCosine.value = Math.cos(this.creaseAngle);
@@ -314,7 +325,7 @@ export class HatchingMaterial extends ShaderMaterial {
     u.screenConstancy.value = this.screenConstancy;
     u.texelPixels.value = this.texelPixels;
     u.edgePixels.value = this.edgePixels;
-    if (this.tonalArtMap !== null && (this.crisp || this.technique === 'anchored')) {
+    if (this.tonalArtMap !== null && (this.crisp || techniques[this.technique].map === 'thresholdMap')) {
       u.thresholdMap.value = this.tonalArtMap.thresholdTexture;
       u.thresholdMapLevels.value = this.tonalArtMap.levels;
       const { variance, coarserVariance, covariance } = this.tonalArtMap.thresholdMoments;
@@ -343,8 +354,6 @@ export class HatchingMaterial extends ShaderMaterial {
     this.needsUpdate = true;
   }
 }
-
-const defaultToneNormal = (technique: HatchingTechnique): ToneNormal => (technique === 'anchored' ? 'smooth' : 'face');
 
 function writeTexture(texture: Texture | null, uniform: { value: unknown }, transform: { value: Matrix3 }): void {
   uniform.value = texture;

@@ -1,15 +1,8 @@
 import type { ColorRepresentation, MaterialParameters, Texture, Vector2 } from 'three';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { ToneCurvePoint } from './fitToneCurve.js';
-import type {
-  DebugView,
-  HatchingTechnique,
-  InkBlend,
-  LevelRule,
-  StrokeAnchor,
-  ToneModel,
-  ToneNormal,
-} from './shaderConventions.js';
+import type { DebugView, InkBlend, LevelRule, StrokeAnchor, ToneModel, ToneNormal } from './shaderConventions.js';
+import type { HatchingTechnique } from './techniques.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
 export interface HatchingMaterialOptions {

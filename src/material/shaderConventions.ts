@@ -1,15 +1,5 @@
 import { cornerLayout } from '../bake/cornerLayout.js';
 
-/** How strokes are laid on the surface; the order is the number the shader knows them by. */
-export const TECHNIQUES = ['triangle', 'adjacency', 'anchored'] as const;
-/**
- * - `triangle`: Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper, figure 4a).
- * - `adjacency`: Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).
- * - `anchored`: beyond the paper. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink
- *   is decided per pixel, after blending: continuous, crisp and independent of the mesh.
- */
-export type HatchingTechnique = (typeof TECHNIQUES)[number];
-
 export const TONE_MODELS = ['lambert', 'halfLambert', 'phong', 'toon'] as const;
 /**
  * How light becomes tone (paper, section 3.4 and figure 9).
@@ -72,23 +62,19 @@ const numbered = (prefix: string, names: readonly string[]) =>
   names.map((name, index) => `#define ${prefix}_${constantCase(name)} ${index}`).join('\n');
 
 /** The names TypeScript and GLSL share, as defines. Which of them is chosen is a define of the material. */
-export const conventionsChunk = [
-  numbered('TECHNIQUE', TECHNIQUES),
-  numbered('TONE_MODEL', TONE_MODELS),
-  numbered('TONE_NORMAL', TONE_NORMALS),
-  numbered('TONE_CURVE', TONE_CURVES),
-  numbered('LEVEL_RULE', LEVEL_RULES),
-  numbered('INK_BLEND', INK_BLENDS),
-  numbered('DEBUG_VIEW', DEBUG_VIEWS),
-  `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
-  numbered('STROKE_ANCHOR', STROKE_ANCHORS),
-  numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
-  // The triangles c, α, β, γ, or c alone.
-  '#if TECHNIQUE == TECHNIQUE_ADJACENCY\n#define TRIANGLE_COUNT 4\n#else\n#define TRIANGLE_COUNT 1\n#endif // TECHNIQUE',
-  '#if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING && STROKE_ANCHOR == STROKE_ANCHOR_REST\n#define ANCHORED_AT_REST\n#endif // VERTEX_LAYOUT',
-].join('\n');
+export const conventionsChunk = (): string =>
+  [
+    numbered('TONE_MODEL', TONE_MODELS),
+    numbered('TONE_NORMAL', TONE_NORMALS),
+    numbered('TONE_CURVE', TONE_CURVES),
+    numbered('LEVEL_RULE', LEVEL_RULES),
+    numbered('INK_BLEND', INK_BLENDS),
+    numbered('DEBUG_VIEW', DEBUG_VIEWS),
+    `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
+    numbered('STROKE_ANCHOR', STROKE_ANCHORS),
+    numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
+  ].join('\n');
 
 /** Declarations of the attributes of the `corner` layout. */
-export const cornerAttributesChunk = cornerLayout
-  .map(({ name, itemSize }) => `attribute vec${itemSize} ${name};`)
-  .join('\n');
+export const cornerAttributesChunk = (): string =>
+  cornerLayout.map(({ name, itemSize }) => `attribute vec${itemSize} ${name};`).join('\n');

@@ -1,0 +1,9 @@
+#include "paper/crossedUv"
+
+float crossingOf(const in HatchingParameters h) {
+  return vCrossing;
+}
+
+HatchingParameters secondLayer(const in HatchingParameters h) {
+  return HatchingParameters(crossedUv(h.uv));
+}
