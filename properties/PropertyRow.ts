@@ -58,8 +58,10 @@ export interface ChoiceRow extends BaseRow {
   /** Every name and what it means; the order is the number the shader knows it by. */
   choices: Readonly<Record<string, string>>;
   default: string;
-  /** Techniques with another default. */
+  /** The default under each technique, where it depends on that. */
   defaultFor?: Readonly<Record<string, string>>;
+  /** `false` for the technique: it chooses the shaders themselves. */
+  isDefine?: false;
 }
 
 /** On or off: a define, so switching builds another program. */

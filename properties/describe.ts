@@ -32,8 +32,8 @@ function describeDefault(row: PropertyRow): string {
     case 'color':
       return row.defaultWords;
     case 'choice': {
-      const others = Object.entries(row.defaultFor ?? {}).map(([name, value]) => `, for \`'${name}'\` \`'${value}'\``);
-      return `\`'${row.default}'\`${others.join('')}`;
+      const others = Object.entries(row.defaultFor ?? {}).filter(([, value]) => value !== row.default);
+      return [`\`'${row.default}'\``, ...others.map(([name, value]) => `for \`'${name}'\` \`'${value}'\``)].join(', ');
     }
     case 'curve':
       return `\`'${row.default}'\``;

@@ -1,4 +1,10 @@
 import type { PropertyRow } from './PropertyRow.js';
+import { TECHNIQUES, type TechniqueRow } from './techniques.js';
+
+type Techniques = keyof typeof TECHNIQUES;
+
+const ofTechniques = (read: (row: TechniqueRow) => string): Record<Techniques, string> =>
+  Object.fromEntries(Object.entries(TECHNIQUES).map(([name, row]) => [name, read(row)])) as Record<Techniques, string>;
 
 /**
  * Every property of `HatchingMaterial`. `npm run properties` writes from it the fields with their documentation, what the
@@ -17,13 +23,8 @@ export const PROPERTIES = {
     group: 'Strokes',
     type: 'HatchingTechnique',
     typeSentence: 'How strokes are laid on the surface.',
-    choices: {
-      triangle:
-        'Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper by Suarez et al., figure 4a).',
-      adjacency: 'Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).',
-      anchored:
-        'beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([anchored.md](anchored.md)).',
-    },
+    choices: ofTechniques(({ sentence }) => sentence),
+    isDefine: false,
     default: 'adjacency',
     sentence: 'How strokes are laid on the surface.',
   },
@@ -181,7 +182,7 @@ export const PROPERTIES = {
       smooth: 'the interpolated vertex normal.',
     },
     default: 'face',
-    defaultFor: { anchored: 'smooth' },
+    defaultFor: ofTechniques(({ toneNormal }) => toneNormal),
     sentence: 'The normal that tone is computed from.',
   },
   toneCurve: {

@@ -1,16 +1,17 @@
 import { constantCase } from './constantCase.js';
 import { describe } from './describe.js';
 import type { PropertyRow } from './PropertyRow.js';
+import type { TechniqueRow } from './techniques.js';
 
 type Table = Readonly<Record<string, PropertyRow>>;
 
 const HEADER = '// Written by `npm run properties` from properties/table.ts. Change that, not this.\n';
 
 /** src/material/hatchingProperties.ts: what is needed at run time, and the types of the choices. */
-export function writePropertyData(table: Table): string {
+export function writePropertyData(table: Table, techniques: Readonly<Record<string, TechniqueRow>>): string {
   const rows = Object.entries(table);
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [choiceType(row)] : []));
-  return `${HEADER}import type { HatchingProperty } from './HatchingProperty.js';
+  return `${HEADER}import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
 
 ${types.join('\n')}
 /** The default of every property; colours as 0xrrggbb. */
@@ -24,6 +25,13 @@ ${rows.map(([name, row]) => `${name}: { ${runtimeFields(name, row).join(', ')} }
 } as const satisfies Record<string, HatchingProperty>;
 
 export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;
+
+/** What the material needs to know of every technique. */
+export const HATCHING_TECHNIQUES = {
+${Object.entries(techniques)
+  .map(([name, { vertexData, map }]) => `${name}: { vertexData: '${vertexData}', map: '${map}' },`)
+  .join('\n')}
+} as const satisfies Record<HatchingTechnique, HatchingTechniqueData>;
 `;
 }
 
@@ -71,7 +79,8 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
   if (row.kind === 'color') fields.push(`uniform: '${row.uniform ?? name}'`);
   if (row.kind === 'texture' || (row.kind === 'number' && row.uniform !== false)) fields.push(`uniform: '${name}'`);
   if (row.kind === 'texture') fields.push(`transform: '${name}Transform'`);
-  if (row.kind === 'choice' || row.kind === 'switch') fields.push(`define: '${constantCase(name)}'`);
+  if (row.kind === 'switch' || (row.kind === 'choice' && row.isDefine !== false))
+    fields.push(`define: '${constantCase(name)}'`);
   if (row.kind === 'choice') {
     fields.push(`choices: ${list(Object.keys(row.choices))}`);
     if (row.defaultFor) fields.push(`defaultFor: ${JSON.stringify(row.defaultFor)}`);

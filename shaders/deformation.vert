@@ -4,8 +4,8 @@
 #include <common>
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>
-#include "pulledVertices"
-#include "turns"
+#include "perTriangle/pulledVertices"
+#include "perTriangle/turns"
 
 flat varying vec3 vPosition;
 flat varying vec3 vNormal;

@@ -1,7 +1,8 @@
 // Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the fragment shader stage.
+// What is included as "technique/…", here and in the chunks, comes from the folder of the material's technique.
 #include "conventions"
 #include "strokeLayers"
-#include "hatchingVaryings"
+#include "technique/varyings"
 
 uniform vec3 diffuse;
 uniform float opacity;
@@ -23,7 +24,8 @@ varying vec3 vViewPosition;
 #include <logdepthbuf_pars_fragment>
 #include <clipping_planes_pars_fragment>
 
-#include "hatchingFragmentParameters"
+#include "safeNormalize"
+#include "technique/read"
 #include "toneNormals"
 #include "radiance"
 #include "tone"
@@ -44,7 +46,6 @@ void main() {
 
   #include <normal_fragment_begin>
   HatchingSurface material = HatchingSurface(readToneNormals(normal, faceDirection), PerToneNormal(0.0));
-  ReflectedLight reflectedLight = ReflectedLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   #include <lights_fragment_begin>
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
@@ -54,10 +55,7 @@ void main() {
   diffuseColor.a *= printed.a;
   #include <alphatest_fragment>
   #include <alphahash_fragment>
-  vec3 outgoingLight = printed.rgb;
-  #if DEBUG_VIEW != DEBUG_VIEW_NONE
-    outgoingLight = debugColor(parameters, tone);
-  #endif // DEBUG_VIEW
+  vec3 outgoingLight = debugView(printed.rgb, parameters, tone);
 
   #include <opaque_fragment>
   #include <tonemapping_fragment>

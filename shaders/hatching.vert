@@ -1,11 +1,10 @@
 // Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the geometry shader stage.
+// What is included as "technique/…" comes from the folder of the material's technique.
 #include "conventions"
 #include "strokeLayers"
-#include "hatchingVaryings"
+#include "technique/varyings"
 
 varying vec3 vViewPosition;
-
-uniform float viewportHeight; // pixels
 
 #include <common>
 #include <batching_pars_vertex>
@@ -19,16 +18,8 @@ uniform float viewportHeight; // pixels
 #include <logdepthbuf_pars_vertex>
 #include <clipping_planes_pars_vertex>
 
-#include "triangleGeometry"
-#if TECHNIQUE == TECHNIQUE_ANCHORED
-  #include "anchorAttributes"
-  #include "deformedToRest"
-#else
-  #include <lights_pars_begin>
-  #include "lightOrientation"
-  #include "adjacencyPrimitive"
-  #include "hatchingParameters"
-#endif // TECHNIQUE
+#include "unitsPerPixel"
+#include "technique/vertex"
 
 void main() {
   #include <uv_vertex>
@@ -39,7 +30,7 @@ void main() {
 
   #include <beginnormal_vertex>
   #include <begin_vertex>
-  #include "deformVertex"
+  #include "technique/deform"
   #include <defaultnormal_vertex>
   #include <normal_vertex>
   #include <project_vertex>
@@ -52,5 +43,8 @@ void main() {
   #include <shadowmap_vertex>
   #include <fog_vertex>
 
-  #include "emitHatchingParameters"
+  {
+    #include "objectToView"
+    #include "technique/emit"
+  }
 }

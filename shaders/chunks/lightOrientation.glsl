@@ -13,6 +13,13 @@ float lightLuminance(const in vec3 rgb) {
   return dot(rgb, vec3(0.2126, 0.7152, 0.0722));
 }
 
+// A unit vector perpendicular to n, built on the coordinate axis that n leans to least.
+vec3 anyTangent(const in vec3 n) {
+  vec3 a = abs(n);
+  vec3 axis = a.x <= a.y && a.x <= a.z ? vec3(1.0, 0.0, 0.0) : a.y <= a.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+  return normalize(axis - n * dot(n, axis));
+}
+
 // Below this squared sine of the angle between light and normal, the light gives no direction.
 #define PARALLEL_SQUARED_SINE 1e-8
 

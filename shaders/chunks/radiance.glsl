@@ -2,7 +2,7 @@
 // three's own <lights_fragment_begin> walks the lights and calls RE_Direct with each, shadows included.
 
 uniform float shininess;
-uniform float reflectedLight;
+uniform float reflectedLight; // share of each light that the surroundings throw back
 
 struct HatchingSurface {
   ToneNormals normals; // unit, view space
@@ -17,11 +17,7 @@ vec4 cosines(const in vec3 direction, const in mat4x3 normals) {
   return direction * normals;
 }
 
-void addDirectRadiance(
-  const in IncidentLight light, const in vec3 geometryPosition, const in vec3 geometryNormal,
-  const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, inout HatchingSurface surface,
-  inout ReflectedLight reflectedLight
-) {
+void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, inout HatchingSurface surface) {
   PerToneNormal cosine = cosines(light.direction, surface.normals);
   #if TONE_MODEL == TONE_MODEL_HALF_LAMBERT
     // The terminator moves from 90° to 180°: nothing is lost in flat black.
@@ -33,12 +29,13 @@ void addDirectRadiance(
   #if TONE_MODEL == TONE_MODEL_PHONG
     // R·V of Phong's model, where R is the light mirrored at the normal.
     PerToneNormal mirrored =
-      2.0 * cosine * cosines(geometryViewDir, surface.normals) - dot(light.direction, geometryViewDir);
+      2.0 * cosine * cosines(toViewer, surface.normals) - dot(light.direction, toViewer);
     response += step(0.0, cosine) * pow(max(mirrored, 1e-6), PerToneNormal(shininess));
   #endif // TONE_MODEL
   surface.radiance += luminance(light.color) * RECIPROCAL_PI * response;
 }
-#define RE_Direct addDirectRadiance
+// three also hands over what only its own materials need: a sum called reflectedLight among it, which there is none of here.
+#define RE_Direct(light, at, normal, toViewer, clearcoat, surface, sum) addDirectRadiance(light, toViewer, surface)
 
 float indirectRadiance(const in vec3 n) {
   vec3 irradiance = getAmbientLightIrradiance(ambientLightColor);

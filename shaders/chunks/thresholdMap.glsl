@@ -51,6 +51,14 @@ float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
   return level.contrast * (6.0 * mix(encoded.r, encoded.g, level.share) - 3.0);
 }
 
+// The field of four places, blended by their weights.
+HatchField blendedField(
+  const in vec2 a, const in vec2 b, const in vec2 c, const in vec2 d, const in vec4 weights, const in ThresholdLevel level
+) {
+  vec4 fields = vec4(thresholdAt(a, level), thresholdAt(b, level), thresholdAt(c, level), thresholdAt(d, level));
+  return HatchField(dot(fields, weights) * inversesqrt(dot(weights, weights)), level.mixing);
+}
+
 // Φ, the standard normal distribution, to 2e-4, and its slope.
 vec2 normalDistribution(const in float g) {
   float h = 1.0 / (1.0 + exp(-1.5957691216 * (g + 0.044715 * g * g * g)));

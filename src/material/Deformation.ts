@@ -19,7 +19,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
-import { deformationFragmentShader, deformationVertexShader } from './hatchingShaders.js';
+import { deformationShaders } from './hatchingShaders.js';
 import { Pose } from './Pose.js';
 
 /** The corners of a mesh as points. three.js brings bones and morph targets to them as it would to the mesh. */
@@ -60,8 +60,7 @@ export class Deformation {
     this.shader = new ShaderMaterial({
       name: 'HatchingDeformation',
       uniforms: { triangleVertices: { value: triangleVertices }, restPositions: { value: positions } },
-      vertexShader: deformationVertexShader,
-      fragmentShader: deformationFragmentShader,
+      ...deformationShaders(),
       glslVersion: GLSL3,
       blending: NoBlending,
       depthTest: false,

@@ -19,8 +19,13 @@ import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js
 import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { HatchingProperty } from './HatchingProperty.js';
 import { propertiesToJSON } from './hatchingJSON.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
-import { hatchingFragmentShader, hatchingVertexShader } from './hatchingShaders.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  HATCHING_TECHNIQUES,
+  type HatchingPropertyName,
+} from './hatchingProperties.js';
+import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
 import { TONE_CURVES, VERTEX_LAYOUTS, type VertexLayout } from './shaderConventions.js';
 import { isUsedBy, warnOfUnused } from './unusedProperties.js';
@@ -56,15 +61,13 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   constructor(parameters?: HatchingMaterialParameters) {
     super();
     this.uniforms = createHatchingUniforms();
-    this.vertexShader = hatchingVertexShader;
-    this.fragmentShader = hatchingFragmentShader;
     this.lights = true;
     this.fog = true;
     this.clipping = true;
     // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
     this.forceSinglePass = false;
     this.setValues(parameters);
-    this.writeDefines();
+    this.writeProgram();
     this.writeUniforms();
   }
 
@@ -80,7 +83,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       this.uniforms.toneCurveCubics.value = cubics;
     }
     this.curve = value;
-    this.writeDefines();
+    this.writeProgram();
   }
 
   /** Sets properties by name, as three's own. Warns of one that does not count for the technique. */
@@ -101,11 +104,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms();
-    if (this.technique === 'anchored') return;
+    if (HATCHING_TECHNIQUES[this.technique].vertexData !== 'adjacency') return;
     const layout = bindVertices(renderer, camera, geometry, object, this);
     if (layout === this.vertexLayout) return;
     this.vertexLayout = layout;
-    this.writeDefines();
+    this.writeProgram();
   }
 
   override copy(source: this): this {
@@ -118,7 +121,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.wireframeLinewidth = source.wireframeLinewidth;
     this.defines = { ...source.defines };
     for (const name of propertyNames) this.copyProperty(name, source);
-    this.writeDefines();
+    this.writeProgram();
     this.writeUniforms();
     this.needsUpdate = true;
     return this;
@@ -141,7 +144,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       throw new Error(`HatchingMaterial.${name}: "${value}" is not known; use one of ${property.choices.join(', ')}.`);
     }
     this.chosen[name] = value;
-    this.writeDefines();
+    this.writeProgram();
   }
 
   private defaultChoice(name: HatchingPropertyName): string | boolean {
@@ -182,7 +185,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const sin = Math.sin(this.strokeRotation);
     u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
     u.strokeDirection.value.set(cos, sin);
-    if (this.tonalArtMap !== null && (this.crisp || this.technique === 'anchored')) {
+    if (this.tonalArtMap !== null && (this.crisp || HATCHING_TECHNIQUES[this.technique].map === 'thresholdMap')) {
       u.thresholdMap.value = this.tonalArtMap.thresholdTexture;
       u.thresholdMapLevels.value = this.tonalArtMap.levels;
       const { variance, coarserVariance, covariance } = this.tonalArtMap.thresholdMoments;
@@ -191,10 +194,16 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     }
   }
 
-  /** Brings choices to the shader. What does not count for the technique stays at its default: no other program. */
-  private writeDefines(): void {
+  /**
+   * Brings choices to the shader: the technique's are its chunks, the others are defines. What does not count for the
+   * technique stays at its default: no other program.
+   */
+  private writeProgram(): void {
     const { technique } = this;
-    let hasChanged = false;
+    const { vertexData } = HATCHING_TECHNIQUES[technique];
+    const { vertexShader, fragmentShader } = hatchingShaders(technique);
+    let hasChanged = this.vertexShader !== vertexShader || this.fragmentShader !== fragmentShader;
+    Object.assign(this, { vertexShader, fragmentShader });
     const write = (define: string, value: number | string | undefined): void => {
       if (this.defines[define] === value) return;
       hasChanged = true;
@@ -203,13 +212,13 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     };
     for (const name of propertyNames) {
       const property = propertyOf(name);
-      if (!('define' in property)) continue;
+      if (!('define' in property) || property.define === undefined) continue;
       const value = isUsedBy(technique, property) ? this.choice(name) : this.defaultChoice(name);
       if (property.kind === 'choice') write(property.define, property.choices.indexOf(value as string));
       else write(property.define, value ? '' : undefined);
     }
     write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
-    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(technique === 'anchored' ? 'corner' : this.vertexLayout));
+    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(vertexData === 'adjacency' ? this.vertexLayout : 'corner'));
     if (hasChanged) this.needsUpdate = true;
   }
 }

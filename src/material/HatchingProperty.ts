@@ -28,9 +28,10 @@ export interface HatchingTexture extends UsedByTechniques {
 /** One of several names. The shader knows it as a define whose value is the name's place in `choices`. */
 export interface HatchingChoice extends UsedByTechniques {
   kind: 'choice';
-  define: string;
+  /** Left out for the technique: it chooses the shaders themselves. */
+  define?: string;
   choices: readonly string[];
-  /** Techniques with another default. */
+  /** The default under each technique, where it depends on that. */
   defaultFor?: Readonly<Record<string, string>>;
 }
 
@@ -38,4 +39,12 @@ export interface HatchingChoice extends UsedByTechniques {
 export interface HatchingSwitch extends UsedByTechniques {
   kind: 'switch';
   define: string;
+}
+
+/** What the material needs to know of a technique; all else lies in its folder of chunks, shaders/techniques/<name>. */
+export interface HatchingTechniqueData {
+  /** What it asks of a geometry's vertices: the primitive of six, or a normal at the scale of a stroke. */
+  vertexData: 'adjacency' | 'hatchNormal';
+  /** The texture it reads, unless the material is crisp: that takes thresholds. */
+  map: 'tonalArtMap' | 'thresholdMap';
 }

@@ -1,13 +1,13 @@
 // Written by `npm run properties` from properties/table.ts. Change that, not this.
-import type { HatchingProperty } from './HatchingProperty.js';
+import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
 
 /**
  * How strokes are laid on the surface.
  * - `triangle`: Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper by Suarez et al.,
  *   figure 4a).
  * - `adjacency`: Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).
- * - `anchored`: beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to
- *   triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh.
+ * - `anchored`: goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of
+ *   to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh.
  */
 export type HatchingTechnique = 'triangle' | 'adjacency' | 'anchored';
 
@@ -94,7 +94,7 @@ export const HATCHING_DEFAULTS = {
 /** Every property of `HatchingMaterial`, by name. */
 export const HATCHING_PROPERTIES = {
   tonalArtMap: { kind: 'tonalArtMap' },
-  technique: { kind: 'choice', define: 'TECHNIQUE', choices: ['triangle', 'adjacency', 'anchored'] },
+  technique: { kind: 'choice', choices: ['triangle', 'adjacency', 'anchored'] },
   strokeScale: { kind: 'number', uniform: 'strokeScale' },
   strokeRotation: { kind: 'number' },
   strokeOffset: { kind: 'vector2', techniques: ['triangle', 'adjacency'] },
@@ -119,7 +119,7 @@ export const HATCHING_PROPERTIES = {
     kind: 'choice',
     define: 'TONE_NORMAL',
     choices: ['face', 'smooth'],
-    defaultFor: { anchored: 'smooth' },
+    defaultFor: { triangle: 'face', adjacency: 'face', anchored: 'smooth' },
   },
   toneCurve: { kind: 'curve' },
   reflectedLight: { kind: 'number', uniform: 'reflectedLight' },
@@ -134,3 +134,10 @@ export const HATCHING_PROPERTIES = {
 } as const satisfies Record<string, HatchingProperty>;
 
 export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;
+
+/** What the material needs to know of every technique. */
+export const HATCHING_TECHNIQUES = {
+  triangle: { vertexData: 'adjacency', map: 'tonalArtMap' },
+  adjacency: { vertexData: 'adjacency', map: 'tonalArtMap' },
+  anchored: { vertexData: 'hatchNormal', map: 'thresholdMap' },
+} as const satisfies Record<HatchingTechnique, HatchingTechniqueData>;

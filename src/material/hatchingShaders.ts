@@ -1,65 +1,54 @@
-import adjacencyPrimitive from '../../shaders/chunks/adjacencyPrimitive.glsl?raw';
-import anchorAttributes from '../../shaders/chunks/anchorAttributes.glsl?raw';
-import anchoredHatch from '../../shaders/chunks/anchoredHatch.glsl?raw';
-import debugViews from '../../shaders/chunks/debugViews.glsl?raw';
-import deformedToRest from '../../shaders/chunks/deformedToRest.glsl?raw';
-import deformVertex from '../../shaders/chunks/deformVertex.glsl?raw';
-import emitHatchingParameters from '../../shaders/chunks/emitHatchingParameters.glsl?raw';
-import hatch from '../../shaders/chunks/hatch.glsl?raw';
-import hatchingFragmentParameters from '../../shaders/chunks/hatchingFragmentParameters.glsl?raw';
-import hatchingParameters from '../../shaders/chunks/hatchingParameters.glsl?raw';
-import hatchingVaryings from '../../shaders/chunks/hatchingVaryings.glsl?raw';
-import lightOrientation from '../../shaders/chunks/lightOrientation.glsl?raw';
-import printedColor from '../../shaders/chunks/printedColor.glsl?raw';
-import pulledVertices from '../../shaders/chunks/pulledVertices.glsl?raw';
-import radiance from '../../shaders/chunks/radiance.glsl?raw';
-import simplexLattice from '../../shaders/chunks/simplexLattice.glsl?raw';
-import strokeLayers from '../../shaders/chunks/strokeLayers.glsl?raw';
-import thresholdMap from '../../shaders/chunks/thresholdMap.glsl?raw';
-import tonalArtMap from '../../shaders/chunks/tonalArtMap.glsl?raw';
-import tone from '../../shaders/chunks/tone.glsl?raw';
-import toneCurve from '../../shaders/chunks/toneCurve.glsl?raw';
-import toneNormals from '../../shaders/chunks/toneNormals.glsl?raw';
-import triangleGeometry from '../../shaders/chunks/triangleGeometry.glsl?raw';
-import turns from '../../shaders/chunks/turns.glsl?raw';
-import deformationFragmentSource from '../../shaders/deformation.frag?raw';
-import deformationVertexSource from '../../shaders/deformation.vert?raw';
-import fragmentSource from '../../shaders/hatching.frag?raw';
-import vertexSource from '../../shaders/hatching.vert?raw';
+import type { HatchingTechnique } from './hatchingProperties.js';
 import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk } from './shaderConventions.js';
 
-const chunks = {
-  adjacencyPrimitive,
-  anchorAttributes,
-  anchoredHatch,
-  conventions: conventionsChunk,
-  cornerAttributes: cornerAttributesChunk,
-  debugViews,
-  deformedToRest,
-  deformVertex,
-  emitHatchingParameters,
-  hatch,
-  hatchingFragmentParameters,
-  hatchingParameters,
-  hatchingVaryings,
-  lightOrientation,
-  printedColor,
-  pulledVertices,
-  radiance,
-  simplexLattice,
-  strokeLayers,
-  thresholdMap,
-  tonalArtMap,
-  tone,
-  toneCurve,
-  toneNormals,
-  triangleGeometry,
-  turns,
-};
+/** The text of a program's two stages: ours resolved; three resolves its own includes when it compiles. */
+export interface Shaders {
+  vertexShader: string;
+  fragmentShader: string;
+}
 
-/** Our chunks resolved; three resolves its own when it compiles. */
-export const hatchingVertexShader: string = resolveIncludes(vertexSource, chunks);
-export const hatchingFragmentShader: string = resolveIncludes(fragmentSource, chunks);
-export const deformationVertexShader: string = resolveIncludes(deformationVertexSource, chunks);
-export const deformationFragmentShader: string = deformationFragmentSource;
+/** Every file of shaders/, as text. */
+const files: Readonly<Record<string, string>> = import.meta.glob('../../shaders/**', {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
+
+// Resolved when first asked for: a page that never hatches should not pay, nor a bundler have to keep it.
+const made = new Map<string, Shaders>();
+
+/** The shaders of a technique. */
+export const hatchingShaders = (technique: HatchingTechnique): Shaders => shadersFrom('hatching', technique);
+
+/** The shaders of the pre-pass that deforms vertices. */
+export const deformationShaders = (): Shaders => shadersFrom('deformation');
+
+function shadersFrom(name: string, technique?: HatchingTechnique): Shaders {
+  const key = `${name} ${technique}`;
+  let shaders = made.get(key);
+  if (!shaders) {
+    const chunks = chunksFor(technique);
+    shaders = {
+      vertexShader: resolveIncludes(files[`../../shaders/${name}.vert`], chunks),
+      fragmentShader: resolveIncludes(files[`../../shaders/${name}.frag`], chunks),
+    };
+    made.set(key, shaders);
+  }
+  return shaders;
+}
+
+/** Chunks by the names they are included by: `tone` for chunks/tone.glsl, `technique/read` for techniques/<technique>/read.glsl. */
+function chunksFor(technique?: HatchingTechnique): Record<string, string> {
+  const chunks: Record<string, string> = { conventions: conventionsChunk(), cornerAttributes: cornerAttributesChunk() };
+  for (const [path, text] of Object.entries(files)) {
+    const name = path
+      .replace('../../shaders/', '')
+      .replace(`techniques/${technique}/`, 'technique/')
+      .replace('chunks/', '')
+      .replace('.glsl', '');
+    // Another technique's chunks are no business of this one's.
+    if (!name.startsWith('techniques/')) chunks[name] = text;
+  }
+  return chunks;
+}

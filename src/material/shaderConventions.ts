@@ -1,4 +1,5 @@
 import { cornerLayout } from '../bake/cornerLayout.js';
+import type { HatchingProperty } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES } from './hatchingProperties.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
@@ -15,19 +16,16 @@ const numbered = (prefix: string, names: readonly string[]) =>
 const constantCase = (name: string) => name.replace(/([A-Z])/g, '_$1').toUpperCase();
 
 /** The names TypeScript and GLSL share, as defines. Which of them is chosen is a define of the material. */
-export const conventionsChunk = [
-  ...Object.values(HATCHING_PROPERTIES).flatMap((property) =>
-    property.kind === 'choice' ? numbered(property.define, property.choices) : [],
-  ),
-  ...numbered('TONE_CURVE', TONE_CURVES),
-  `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
-  ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
-  // The triangles c, α, β, γ, or c alone.
-  '#if TECHNIQUE == TECHNIQUE_ADJACENCY\n#define TRIANGLE_COUNT 4\n#else\n#define TRIANGLE_COUNT 1\n#endif // TECHNIQUE',
-  '#if VERTEX_LAYOUT == VERTEX_LAYOUT_DEFORMING && STROKE_ANCHOR == STROKE_ANCHOR_REST\n#define ANCHORED_AT_REST\n#endif // VERTEX_LAYOUT',
-].join('\n');
+export const conventionsChunk = (): string =>
+  [
+    ...Object.values<HatchingProperty>(HATCHING_PROPERTIES).flatMap((property) =>
+      property.kind === 'choice' && property.define ? numbered(property.define, property.choices) : [],
+    ),
+    ...numbered('TONE_CURVE', TONE_CURVES),
+    `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
+    ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
+  ].join('\n');
 
 /** Declarations of the attributes of the `corner` layout. */
-export const cornerAttributesChunk = cornerLayout
-  .map(({ name, itemSize }) => `attribute vec${itemSize} ${name};`)
-  .join('\n');
+export const cornerAttributesChunk = (): string =>
+  cornerLayout.map(({ name, itemSize }) => `attribute vec${itemSize} ${name};`).join('\n');

@@ -181,7 +181,7 @@ function writeCoordinates(material: HatchingMaterial, first: 0 | 2): void {
   material.fragmentShader = material.fragmentShader.replace(
     '#include <opaque_fragment>',
     {
-      triangle: 'gl_FragColor = vec4(parameters.uv[0], parameters.uv[0]);',
+      triangle: 'gl_FragColor = vec4(parameters.uv, parameters.uv);',
       adjacency: `gl_FragColor = vec4(parameters.uv[${first}], parameters.uv[${first + 1}]);`,
       anchored: `gl_FragColor = vec4(${ofAnchored}, ${ofAnchored});`,
     }[material.technique],

@@ -21,4 +21,24 @@ describe('resolveIncludes', () => {
       'resolveIncludes: there is no shader chunk "nothing"; known are something.',
     );
   });
+
+  test('a name may have a folder', () => {
+    expect(resolveIncludes('#include "folder/name"', { 'folder/name': 'text' })).toBe('text');
+  });
+
+  test('a name that no chunk could have is missing all the same', () => {
+    expect(() => resolveIncludes('#include "to String"', {})).toThrow('no shader chunk "to String"');
+    expect(() => resolveIncludes('#include "toString"', {})).toThrow('no shader chunk "toString"');
+  });
+
+  test('a chunk that includes itself says by which way', () => {
+    const chunks = { a: '#include "b"', b: '#include "a"' };
+    expect(() => resolveIncludes('#include "a"', chunks)).toThrow(
+      'resolveIncludes: the shader chunk "a" includes itself, by way of a, b.',
+    );
+  });
+
+  test('the same chunk twice is no circle', () => {
+    expect(resolveIncludes('#include "a"\n#include "a"', { a: 'x' })).toBe('x\nx');
+  });
 });

@@ -13,11 +13,5 @@ float sampleTonalArtMap(const in vec2 uv, const in float tone) {
   #endif // TONE_MODEL
   float layer = clamp(floor(x / 3.0), 0.0, max(ceil((tonalArtMapTones - 1.0) / 3.0) - 1.0, 0.0));
   vec4 weights = max(1.0 - abs(x - 3.0 * layer - vec4(0.0, 1.0, 2.0, 3.0)), 0.0);
-  #if LEVEL_RULE == LEVEL_RULE_DEPTH
-    float level = levelByDepth(float(textureSize(tonalArtMap, 0).x));
-    vec4 images = textureLod(tonalArtMap, vec3(uv, layer), level);
-  #else
-    vec4 images = texture(tonalArtMap, vec3(uv, layer));
-  #endif // LEVEL_RULE
-  return dot(1.0 - images, weights);
+  return dot(1.0 - readImages(tonalArtMap, vec3(uv, layer)), weights);
 }

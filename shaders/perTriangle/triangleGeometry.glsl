@@ -9,13 +9,6 @@ vec3 triangleNormal(const in vec3 a, const in vec3 b, const in vec3 c) {
   return squaredLength > 0.0 ? n * inversesqrt(squaredLength) : vec3(0.0);
 }
 
-// A unit vector perpendicular to n, built on the coordinate axis that n leans to least.
-vec3 anyTangent(const in vec3 n) {
-  vec3 a = abs(n);
-  vec3 axis = a.x <= a.y && a.x <= a.z ? vec3(1.0, 0.0, 0.0) : a.y <= a.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
-  return normalize(axis - n * dot(n, axis));
-}
-
 struct Triangle {
   vec3 a, b, c;
 };

@@ -1,8 +1,11 @@
 // Strokes anchored in object space: the four triangles of the paper's adjacency primitive give way to the four nearest
 // points of a lattice that is fixed on the object. Each samples the threshold map in the light's frame at the fragment,
 // the fields are blended, and ink is decided once. Independent of the mesh, and continuous wherever its normals are.
-#include "simplexLattice"
+#include "levelByDepth"
+#include "thresholdMap"
+#include "technique/simplexLattice"
 
+uniform float anchorSpacing; // tiles between anchors
 uniform float screenConstancy; // 0: strokes sized on the object, 1: on the screen
 
 // Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
@@ -33,12 +36,9 @@ HatchField latticeField(
   vec4 u = mirror * (anchorSpacing * uAxis * anchors.offsets) + shiftU;
   vec4 v = anchorSpacing * vAxis * anchors.offsets + shiftV;
   ThresholdLevel level = chooseLevel(levelFor(octaves));
-  vec4 fields = vec4(
-    thresholdAt(vec2(u.x, v.x), level), thresholdAt(vec2(u.y, v.y), level),
-    thresholdAt(vec2(u.z, v.z), level), thresholdAt(vec2(u.w, v.w), level)
+  return blendedField(
+    vec2(u.x, v.x), vec2(u.y, v.y), vec2(u.z, v.z), vec2(u.w, v.w), anchors.weights, level
   );
-  float g = dot(fields, anchors.weights) * inversesqrt(dot(anchors.weights, anchors.weights));
-  return HatchField(g, level.mixing);
 }
 
 // Octaves by which strokes lie closer on the screen than face on, where the surface leans away across them.
@@ -74,4 +74,10 @@ HatchField anchoredField(
   // The fields are independent: their variances add.
   field.g *= inversesqrt(1.0 - 2.0 * fade * (1.0 - fade));
   return field;
+}
+
+float hatchLayer(const in HatchingParameters h, const in float tone) {
+  float crowding;
+  HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, h.lean, crowding);
+  return inkAt(field, tone, crowding);
 }

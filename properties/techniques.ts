@@ -1,0 +1,34 @@
+/** A way to lay strokes on a surface: one row, and a folder of chunks in shaders/techniques/ of the same name. */
+export interface TechniqueRow {
+  /** What it is, for JSDoc and documentation; Markdown. */
+  sentence: string;
+  /** What it asks of a geometry's vertices: the primitive of six, or a normal at the scale of a stroke. */
+  vertexData: 'adjacency' | 'hatchNormal';
+  /** The texture it reads, unless the material is crisp: that takes thresholds. */
+  map: 'tonalArtMap' | 'thresholdMap';
+  /** The normal tone is computed from where none is asked for. */
+  toneNormal: 'face' | 'smooth';
+}
+
+export const TECHNIQUES = {
+  triangle: {
+    sentence:
+      'Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper by Suarez et al., figure 4a).',
+    vertexData: 'adjacency',
+    map: 'tonalArtMap',
+    toneNormal: 'face',
+  },
+  adjacency: {
+    sentence: 'Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).',
+    vertexData: 'adjacency',
+    map: 'tonalArtMap',
+    toneNormal: 'face',
+  },
+  anchored: {
+    sentence:
+      'goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([anchored.md](anchored.md)).',
+    vertexData: 'hatchNormal',
+    map: 'thresholdMap',
+    toneNormal: 'smooth',
+  },
+} as const satisfies Record<string, TechniqueRow>;

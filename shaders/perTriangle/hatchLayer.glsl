@@ -1,0 +1,10 @@
+// Algorithm 3: the darkness of one layer of strokes, blended as greys or, beyond the paper, before ink is decided.
+#include "perTriangle/levelRules"
+#ifdef CRISP
+  #include "thresholdMap"
+  #include "perTriangle/crispLevel"
+  #include "technique/crisp"
+#else
+  #include "perTriangle/tonalArtMap"
+  #include "technique/greys"
+#endif // CRISP

@@ -1,0 +1,7 @@
+// What `triangle` and `adjacency` need to know of the lights, the triangle and its neighbours.
+#include <lights_pars_begin>
+#include "lightOrientation"
+#include "perTriangle/triangleGeometry"
+#include "perTriangle/adjacencyPrimitive"
+#include "perTriangle/vertexLayouts"
+#include "perTriangle/strokeCoordinates"

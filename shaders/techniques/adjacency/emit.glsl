@@ -1,0 +1,29 @@
+// Algorithm 2: beside the triangle's own, the coordinates in its neighbours' frames and the blend factors.
+#include "perTriangle/emit"
+vec3 normalAlpha = normalOf(triangleAlpha(drawn));
+vec3 normalBeta = normalOf(triangleBeta(drawn));
+vec3 normalGamma = normalOf(triangleGamma(drawn));
+vec3 strokesAlpha = strokeCoordinates(
+  anchorPosition, triangleAlpha(anchor), triangleAlpha(drawn), normalAlpha, turns.alpha, objectToView, viewToObject
+);
+vec3 strokesBeta = strokeCoordinates(
+  anchorPosition, triangleBeta(anchor), triangleBeta(drawn), normalBeta, turns.beta, objectToView, viewToObject
+);
+vec3 strokesGamma = strokeCoordinates(
+  anchorPosition, triangleGamma(anchor), triangleGamma(drawn), normalGamma, turns.gamma, objectToView, viewToObject
+);
+vStrokeUvCentralAlpha = vec4(strokesC.xy, strokesAlpha.xy);
+vStrokeUvBetaGamma = vec4(strokesBeta.xy, strokesGamma.xy);
+#if STROKE_LAYERS == 2
+  vCrossing = vec4(strokesC.z, strokesAlpha.z, strokesBeta.z, strokesGamma.z);
+#endif // STROKE_LAYERS
+// −1 at the vertex that does not belong to the neighbour (Algorithm 2): corner 2 for α, 0 for β, 1 for γ.
+vBlendFactors = vec3(
+  drawn.corner == 2 ? -1.0 : sharedBlendFactor(normalC, normalAlpha),
+  drawn.corner == 0 ? -1.0 : sharedBlendFactor(normalC, normalBeta),
+  drawn.corner == 1 ? -1.0 : sharedBlendFactor(normalC, normalGamma)
+);
+// A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
+vFaceNormals = mat4x3(
+  normalC * viewToObject, normalAlpha * viewToObject, normalBeta * viewToObject, normalGamma * viewToObject
+);

@@ -1,0 +1,23 @@
+// What hatching needs to know at this fragment.
+struct HatchingParameters {
+  vec2 uv[4]; // in the frames of c, α, β, γ
+  vec4 weights; // f of c, α, β, γ, clamped
+};
+
+HatchingParameters readHatchingParameters() {
+  HatchingParameters h;
+  h.uv[0] = vStrokeUvCentralAlpha.xy;
+  h.uv[1] = vStrokeUvCentralAlpha.zw;
+  h.uv[2] = vStrokeUvBetaGamma.xy;
+  h.uv[3] = vStrokeUvBetaGamma.zw;
+  // −1 at the opposite vertex gives the slope of figure 7, it is no contribution to subtract. Clamping the vertices
+  // instead would stretch the support over the whole triangle.
+  h.weights = vec4(1.0, max(vBlendFactors, 0.0));
+  return h;
+}
+
+// Algorithm 3, Σ Color·f / Σ f: one value from those of c, α, β, γ.
+float blend(const in HatchingParameters h, const in vec4 values) {
+  // f of c is 1, so the sum of the weights is at least 1.
+  return dot(values, h.weights) / dot(h.weights, vec4(1.0));
+}

@@ -1,0 +1,9 @@
+#include "perTriangle/vertex"
+
+uniform float creaseCosine; // cos of the angle between normals from which neighbours no longer blend
+
+// Algorithm 2's f at the vertices shared with a neighbour: N_c·N_t, with the crease angle moved to zero.
+float sharedBlendFactor(const in vec3 centralNormal, const in vec3 neighbourNormal) {
+  float cosine = dot(centralNormal, neighbourNormal);
+  return max((cosine - creaseCosine) / (1.0 - creaseCosine), -1.0);
+}

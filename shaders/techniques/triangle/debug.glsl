@@ -1,0 +1,5 @@
+#include "noNeighbours"
+
+vec2 frameUv(const in HatchingParameters h) {
+  return h.uv;
+}

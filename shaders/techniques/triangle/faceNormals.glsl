@@ -1,0 +1,6 @@
+#define FaceNormals vec3
+#define PerFaceNormal float
+
+vec3 readFaceNormals(const in float side) {
+  return safeNormalize(vFaceNormal) * side;
+}

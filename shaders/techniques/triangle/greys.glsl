@@ -1,0 +1,3 @@
+float hatchLayer(const in HatchingParameters h, const in float tone) {
+  return sampleTonalArtMap(h.uv, tone);
+}

@@ -1,0 +1,7 @@
+#include "perTriangle/varyings"
+
+varying vec2 vStrokeUv;
+varying vec3 vFaceNormal; // view space; equal at the three corners, so it needs no `flat`
+#if STROKE_LAYERS == 2
+  varying float vCrossing; // how far the lights disagree
+#endif // STROKE_LAYERS
