@@ -1,3 +1,5 @@
+import type { NumberRange } from '../src/material/HatchingProperty.js';
+
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
 
@@ -18,8 +20,8 @@ export interface NumberRow extends BaseRow {
   /** How the default is written where digits would hide what it is. */
   defaultSource?: string;
   unit?: string;
-  /** The interval it lies in, in mathematical notation. */
-  range: `${'(' | '['}${string}, ${string}${')' | ']'}`;
+  /** Left out: every finite number. */
+  range?: NumberRange;
   uniform?: false;
 }
 
@@ -58,7 +60,7 @@ export interface ChoiceRow extends BaseRow {
   /** Every name and what it means; the order is the number the shader knows it by. */
   choices: Readonly<Record<string, string>>;
   default: string;
-  /** The default under each technique, where it depends on that. */
+  /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
   /** `false` for the technique: it chooses the shaders themselves. */
   isDefine?: false;

@@ -1,3 +1,4 @@
+import { describeRange } from '../src/material/checkNumber.js';
 import type { PropertyRow } from './PropertyRow.js';
 
 /** A property in words, in parts that JSDoc and documentation put together each in their own way. */
@@ -45,6 +46,6 @@ function describeDefault(row: PropertyRow): string {
 function describeMeasure(row: PropertyRow): string {
   if (row.kind === 'vector2') return row.unit;
   if (row.kind !== 'number') return '';
-  const range = row.range === '(−∞, ∞)' ? '' : `in ${row.range}`;
+  const range = row.range && `in ${describeRange(row.range).replace(`${Math.PI}`, 'π')}`;
   return [row.unit, range].filter(Boolean).join(' ');
 }

@@ -33,7 +33,7 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: 3,
     unit: 'tiles of the tonal art map per unit of object space',
-    range: '(0, ∞)',
+    range: { above: 0 },
     sentence: 'Size of the strokes: larger is finer.',
   },
   strokeRotation: {
@@ -41,7 +41,6 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: 0,
     unit: 'radians',
-    range: '(−∞, ∞)',
     uniform: false,
     sentence:
       'Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it (figure 14).',
@@ -93,7 +92,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Strokes',
     default: 0,
-    range: '[0, 1]',
+    range: { from: 0, to: 1 },
     techniques: ['anchored'],
     sentence:
       'What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In between, strokes grow less than the object does as it comes nearer.',
@@ -103,7 +102,7 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: 1,
     unit: 'pixels of the drawing buffer',
-    range: '(0, ∞)',
+    range: { above: 0 },
     sentence:
       'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 * texelPixels` wide.',
   },
@@ -112,7 +111,7 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: 1,
     unit: 'pixels',
-    range: '[0, ∞)',
+    range: { from: 0 },
     sentence: 'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard.',
   },
   anchorSpacing: {
@@ -120,7 +119,7 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: 0.45,
     unit: 'tiles',
-    range: '(0, ∞)',
+    range: { above: 0 },
     techniques: ['anchored'],
     sentence:
       'Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes.',
@@ -131,11 +130,11 @@ export const PROPERTIES = {
     default: Math.PI / 2,
     defaultSource: 'Math.PI / 2',
     unit: 'radians',
-    range: '(0, π]',
+    range: { from: 0, to: Math.PI },
     uniform: false,
     techniques: ['adjacency'],
     sentence:
-      'The angle between the normals of two triangles at which the blend of their strokes has faded out. The default is the rule of the paper by Suarez et al.',
+      'The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing blends. The default is the rule of the paper by Suarez et al.',
   },
   secondLayer: {
     kind: 'switch',
@@ -162,14 +161,14 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 4,
-    range: '[2, ∞)',
+    range: { from: 2 },
     sentence: "Number of bands of the tone model `'toon'`.",
   },
   shininess: {
     kind: 'number',
     group: 'Tone',
     default: 30,
-    range: '(0, ∞)',
+    range: { from: 0 },
     sentence: "Exponent of the highlight of the tone model `'phong'`.",
   },
   toneNormal: {
@@ -183,7 +182,8 @@ export const PROPERTIES = {
     },
     default: 'face',
     defaultFor: ofTechniques(({ toneNormal }) => toneNormal),
-    sentence: 'The normal that tone is computed from.',
+    sentence:
+      "The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again.",
   },
   toneCurve: {
     kind: 'curve',
@@ -196,7 +196,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 0,
-    range: '[0, 1]',
+    range: { from: 0, to: 1 },
     sentence:
       'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it.',
   },
@@ -238,7 +238,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Colour',
     default: 1,
-    range: '[0, 1]',
+    range: { from: 0, to: 1 },
     sentence:
       'Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or `alphaHash`: a material that is drawn opaque keeps its paper.',
   },

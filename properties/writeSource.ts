@@ -1,3 +1,4 @@
+import type { NumberRange } from '../src/material/HatchingProperty.js';
 import { constantCase } from './constantCase.js';
 import { describe } from './describe.js';
 import type { PropertyRow } from './PropertyRow.js';
@@ -41,16 +42,23 @@ export function writePropertyFields(table: Table): string {
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
   return `${HEADER}import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { checkNumber } from './checkNumber.js';
+import { checkTonalArtMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import { HATCHING_DEFAULTS, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './hatchingProperties.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './hatchingProperties.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
 export interface HatchingMaterialOptions {
-${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'ColorRepresentation' : valueType(row)};`).join('\n')}
+${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'ColorRepresentation' : setType(row)};`).join('\n')}
 }
 
 /** The properties of \`HatchingMaterial\` as fields. What setting a choice does is up to the material. */
 export abstract class HatchingMaterialProperties extends ShaderMaterial {
+  private hatchImages: TonalArtMap | null = null;
+  private readonly numbers = {
+    ${rows.flatMap(([name, row]) => (row.kind === 'number' ? [`${name}: HATCHING_DEFAULTS.${name} as number`] : [])).join(',\n')},
+  };
+
 ${rows.map(([name, row]) => `${jsDoc(row)}\n${field(name, row)}`).join('\n\n')}
 
   /** The choice in force. */
@@ -85,9 +93,12 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
     fields.push(`choices: ${list(Object.keys(row.choices))}`);
     if (row.defaultFor) fields.push(`defaultFor: ${JSON.stringify(row.defaultFor)}`);
   }
+  if (row.kind === 'number' && row.range) fields.push(`range: ${rangeSource(row.range)}`);
   if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
   return fields;
 }
+
+const rangeSource = (range: NumberRange): string => JSON.stringify(range).replace(`${Math.PI}`, 'Math.PI');
 
 const list = (names: readonly string[]): string => `[${names.map((name) => `'${name}'`).join(', ')}]`;
 
@@ -123,6 +134,10 @@ function valueType(row: PropertyRow): string {
   }
 }
 
+/** What may be set, where that is more than is read. */
+const setType = (row: PropertyRow): string =>
+  row.kind === 'choice' && row.defaultFor ? `${valueType(row)} | 'auto'` : valueType(row);
+
 function field(name: string, row: PropertyRow): string {
   const fallback = `HATCHING_DEFAULTS.${name}`;
   switch (row.kind) {
@@ -138,8 +153,24 @@ function field(name: string, row: PropertyRow): string {
   return this.choice('${name}') as ${valueType(row)};
 }
 
-set ${name}(value: ${valueType(row)}) {
+set ${name}(value: ${setType(row)}) {
   this.choose('${name}', value);
+}`;
+    case 'tonalArtMap':
+      return `get ${name}(): ${valueType(row)} {
+  return this.hatchImages;
+}
+
+set ${name}(value: ${valueType(row)}) {
+  this.hatchImages = checkTonalArtMap(value);
+}`;
+    case 'number':
+      return `get ${name}(): number {
+  return this.numbers.${name};
+}
+
+set ${name}(value: number) {
+  this.numbers.${name} = checkNumber('${name}', value${row.range ? `, HATCHING_PROPERTIES.${name}.range` : ''});
 }`;
     default:
       return `${name}: ${valueType(row)} = ${fallback};`;

@@ -9,5 +9,6 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
     float last = max(toneSteps - 1.0, 1.0);
     tone = floor(tone * last + 0.5) / last;
   #endif // TONE_MODEL
-  return curvedTone(tone);
+  // A curve of points may leave the range by a rounding error; what follows takes roots of tone and of 1 − tone.
+  return clamp(curvedTone(tone), 0.0, 1.0);
 }

@@ -7,6 +7,7 @@ import {
   type Object3D,
   type Scene,
   type ShaderMaterial,
+  type Texture,
   type Vector2,
   Vector4,
   type WebGLRenderer,
@@ -18,7 +19,7 @@ import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { HatchingProperty } from './HatchingProperty.js';
-import { propertiesToJSON } from './hatchingJSON.js';
+import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
@@ -27,6 +28,7 @@ import {
 } from './hatchingProperties.js';
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
+import { programSwitches } from './programSwitches.js';
 import { TONE_CURVES, VERTEX_LAYOUTS, type VertexLayout } from './shaderConventions.js';
 import { isUsedBy, warnOfUnused } from './unusedProperties.js';
 
@@ -54,6 +56,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     technique: HATCHING_DEFAULTS.technique,
   };
   private curve: ToneCurve = HATCHING_DEFAULTS.toneCurve;
+  /** Of the frame before. */
+  private drawnSwitches: number | undefined;
   /** Where the mesh drawn last has its adjacency. */
   private vertexLayout: VertexLayout = 'corner';
 
@@ -64,6 +68,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.lights = true;
     this.fog = true;
     this.clipping = true;
+    this.hookBeforeRender();
     // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
     this.forceSinglePass = false;
     this.setValues(parameters);
@@ -88,11 +93,55 @@ export class HatchingMaterial extends HatchingMaterialProperties {
 
   /** Sets properties by name, as three's own. Warns of one that does not count for the technique. */
   override setValues(values?: HatchingMaterialParameters): void {
+    const { defines } = this;
     super.setValues(values);
-    if (values) warnOfUnused(values, this.technique);
+    if (!values) return;
+    if (this.defines !== defines) {
+      // three.js puts what was given in the place of the material's own.
+      this.defines = { ...defines, ...this.defines };
+      this.needsUpdate = true;
+      this.writeProgram();
+    }
+    warnOfUnused(values, this.technique);
   }
 
-  override onBeforeRender(
+  /**
+   * Gives the material what `toJSON` wrote, but for the tonal art map. Called by three's own loaders, which find the class
+   * after `MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial)`.
+   *
+   * @param textures by uuid
+   */
+  override fromJSON(json: HatchingMaterialJSON, textures: Readonly<Record<string, Texture>> = {}): this {
+    setFromJSON(this, json, textures);
+    return this;
+  }
+
+  /** A material from what `toJSON` wrote, with any version of three.js. See the method of the same name. */
+  static fromJSON(json: HatchingMaterialJSON, textures: Readonly<Record<string, Texture>> = {}): HatchingMaterial {
+    return new HatchingMaterial().fromJSON(json, textures);
+  }
+
+  /** Keeps a function that is set as `onBeforeRender` and the material's own, which brings the properties to the shader. */
+  private hookBeforeRender(): void {
+    type Hook = Material['onBeforeRender'];
+    const after = (hook?: Hook): Hook => {
+      const { beforeRender } = this;
+      return function (this: HatchingMaterial, ...parameters) {
+        beforeRender.apply(this, parameters);
+        hook?.apply(this, parameters);
+      };
+    };
+    let current = after();
+    Object.defineProperty(this, 'onBeforeRender', {
+      get: () => current,
+      set: (hook: Hook) => {
+        current = after(hook);
+      },
+      configurable: true,
+    });
+  }
+
+  private beforeRender(
     renderer: WebGLRenderer,
     _scene: Scene,
     camera: Camera,
@@ -100,6 +149,9 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     object: Object3D,
     _group: Group,
   ): void {
+    const switches = programSwitches(this);
+    if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
+    this.drawnSwitches = switches;
     // The cameras of an ArrayCamera have a part of the target each.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
@@ -140,6 +192,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
 
   protected override choose(name: HatchingPropertyName, value: string | boolean): void {
     const property = propertyOf(name);
+    if (property.kind === 'choice' && property.defaultFor && value === 'auto') {
+      delete this.chosen[name];
+      this.writeProgram();
+      return;
+    }
     if (property.kind === 'choice' && !property.choices.includes(value as string)) {
       throw new Error(`HatchingMaterial.${name}: "${value}" is not known; use one of ${property.choices.join(', ')}.`);
     }

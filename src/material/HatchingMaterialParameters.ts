@@ -4,6 +4,8 @@ import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
 /** What `new HatchingMaterial()` and `setValues()` take. */
 export type HatchingMaterialParameters = MaterialParameters &
   Partial<HatchingMaterialOptions> & {
+    /** Defines of your own, beside the material's. */
+    defines?: Record<string, unknown>;
     fog?: boolean;
     wireframe?: boolean;
     clipping?: boolean;

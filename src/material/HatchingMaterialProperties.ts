@@ -1,10 +1,13 @@
 // Written by `npm run properties` from properties/table.ts. Change that, not this.
 import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { checkNumber } from './checkNumber.js';
+import { checkTonalArtMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import {
   type DebugView,
   HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
   type HatchingPropertyName,
   type HatchingTechnique,
   type InkBlend,
@@ -67,8 +70,9 @@ export interface HatchingMaterialOptions {
    */
   anchorSpacing: number;
   /**
-   * The angle between the normals of two triangles at which the blend of their strokes has faded out. The default is
-   * the rule of the paper by Suarez et al. Radians in (0, π]. Default `Math.PI / 2`. Only `'adjacency'`.
+   * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
+   * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
+   * `'adjacency'`.
    */
   creaseAngle: number;
   /**
@@ -80,13 +84,13 @@ export interface HatchingMaterialOptions {
   toneModel: ToneModel;
   /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
   toneSteps: number;
-  /** Exponent of the highlight of the tone model `'phong'`. In (0, ∞). Default `30`. */
+  /** Exponent of the highlight of the tone model `'phong'`. In [0, ∞). Default `30`. */
   shininess: number;
   /**
-   * The normal that tone is computed from. Default `'face'`, for `'anchored'` `'smooth'`. Another value builds another
-   * program.
+   * The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again. Default
+   * `'face'`, for `'anchored'` `'smooth'`. Another value builds another program.
    */
-  toneNormal: ToneNormal;
+  toneNormal: ToneNormal | 'auto';
   /**
    * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
    * covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points
@@ -125,11 +129,32 @@ export interface HatchingMaterialOptions {
 
 /** The properties of `HatchingMaterial` as fields. What setting a choice does is up to the material. */
 export abstract class HatchingMaterialProperties extends ShaderMaterial {
+  private hatchImages: TonalArtMap | null = null;
+  private readonly numbers = {
+    strokeScale: HATCHING_DEFAULTS.strokeScale as number,
+    strokeRotation: HATCHING_DEFAULTS.strokeRotation as number,
+    screenConstancy: HATCHING_DEFAULTS.screenConstancy as number,
+    texelPixels: HATCHING_DEFAULTS.texelPixels as number,
+    edgePixels: HATCHING_DEFAULTS.edgePixels as number,
+    anchorSpacing: HATCHING_DEFAULTS.anchorSpacing as number,
+    creaseAngle: HATCHING_DEFAULTS.creaseAngle as number,
+    toneSteps: HATCHING_DEFAULTS.toneSteps as number,
+    shininess: HATCHING_DEFAULTS.shininess as number,
+    reflectedLight: HATCHING_DEFAULTS.reflectedLight as number,
+    paperOpacity: HATCHING_DEFAULTS.paperOpacity as number,
+  };
+
   /**
    * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
    * surface stays blank paper. Default `null`.
    */
-  tonalArtMap: TonalArtMap | null = HATCHING_DEFAULTS.tonalArtMap;
+  get tonalArtMap(): TonalArtMap | null {
+    return this.hatchImages;
+  }
+
+  set tonalArtMap(value: TonalArtMap | null) {
+    this.hatchImages = checkTonalArtMap(value);
+  }
 
   /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
   get technique(): HatchingTechnique {
@@ -141,13 +166,25 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /** Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`. */
-  strokeScale: number = HATCHING_DEFAULTS.strokeScale;
+  get strokeScale(): number {
+    return this.numbers.strokeScale;
+  }
+
+  set strokeScale(value: number) {
+    this.numbers.strokeScale = checkNumber('strokeScale', value, HATCHING_PROPERTIES.strokeScale.range);
+  }
 
   /**
    * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
    * (figure 14). Radians. Default `0`.
    */
-  strokeRotation: number = HATCHING_DEFAULTS.strokeRotation;
+  get strokeRotation(): number {
+    return this.numbers.strokeRotation;
+  }
+
+  set strokeRotation(value: number) {
+    this.numbers.strokeRotation = checkNumber('strokeRotation', value);
+  }
 
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
   readonly strokeOffset: Vector2 = new Vector2(...HATCHING_DEFAULTS.strokeOffset);
@@ -190,32 +227,63 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
    * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
    * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`.
    */
-  screenConstancy: number = HATCHING_DEFAULTS.screenConstancy;
+  get screenConstancy(): number {
+    return this.numbers.screenConstancy;
+  }
+
+  set screenConstancy(value: number) {
+    this.numbers.screenConstancy = checkNumber('screenConstancy', value, HATCHING_PROPERTIES.screenConstancy.range);
+  }
 
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
    * of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 *
    * texelPixels` wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
    */
-  texelPixels: number = HATCHING_DEFAULTS.texelPixels;
+  get texelPixels(): number {
+    return this.numbers.texelPixels;
+  }
+
+  set texelPixels(value: number) {
+    this.numbers.texelPixels = checkNumber('texelPixels', value, HATCHING_PROPERTIES.texelPixels.range);
+  }
 
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
    * Default `1`.
    */
-  edgePixels: number = HATCHING_DEFAULTS.edgePixels;
+  get edgePixels(): number {
+    return this.numbers.edgePixels;
+  }
+
+  set edgePixels(value: number) {
+    this.numbers.edgePixels = checkNumber('edgePixels', value, HATCHING_PROPERTIES.edgePixels.range);
+  }
 
   /**
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
    * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`.
    */
-  anchorSpacing: number = HATCHING_DEFAULTS.anchorSpacing;
+  get anchorSpacing(): number {
+    return this.numbers.anchorSpacing;
+  }
+
+  set anchorSpacing(value: number) {
+    this.numbers.anchorSpacing = checkNumber('anchorSpacing', value, HATCHING_PROPERTIES.anchorSpacing.range);
+  }
 
   /**
-   * The angle between the normals of two triangles at which the blend of their strokes has faded out. The default is
-   * the rule of the paper by Suarez et al. Radians in (0, π]. Default `Math.PI / 2`. Only `'adjacency'`.
+   * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
+   * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
+   * `'adjacency'`.
    */
-  creaseAngle: number = HATCHING_DEFAULTS.creaseAngle;
+  get creaseAngle(): number {
+    return this.numbers.creaseAngle;
+  }
+
+  set creaseAngle(value: number) {
+    this.numbers.creaseAngle = checkNumber('creaseAngle', value, HATCHING_PROPERTIES.creaseAngle.range);
+  }
 
   /**
    * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
@@ -239,20 +307,32 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
-  toneSteps: number = HATCHING_DEFAULTS.toneSteps;
+  get toneSteps(): number {
+    return this.numbers.toneSteps;
+  }
 
-  /** Exponent of the highlight of the tone model `'phong'`. In (0, ∞). Default `30`. */
-  shininess: number = HATCHING_DEFAULTS.shininess;
+  set toneSteps(value: number) {
+    this.numbers.toneSteps = checkNumber('toneSteps', value, HATCHING_PROPERTIES.toneSteps.range);
+  }
+
+  /** Exponent of the highlight of the tone model `'phong'`. In [0, ∞). Default `30`. */
+  get shininess(): number {
+    return this.numbers.shininess;
+  }
+
+  set shininess(value: number) {
+    this.numbers.shininess = checkNumber('shininess', value, HATCHING_PROPERTIES.shininess.range);
+  }
 
   /**
-   * The normal that tone is computed from. Default `'face'`, for `'anchored'` `'smooth'`. Another value builds another
-   * program.
+   * The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again. Default
+   * `'face'`, for `'anchored'` `'smooth'`. Another value builds another program.
    */
   get toneNormal(): ToneNormal {
     return this.choice('toneNormal') as ToneNormal;
   }
 
-  set toneNormal(value: ToneNormal) {
+  set toneNormal(value: ToneNormal | 'auto') {
     this.choose('toneNormal', value);
   }
 
@@ -268,7 +348,13 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
    * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
    * shade is darkest at the terminator, as engravers draw it. In [0, 1]. Default `0`.
    */
-  reflectedLight: number = HATCHING_DEFAULTS.reflectedLight;
+  get reflectedLight(): number {
+    return this.numbers.reflectedLight;
+  }
+
+  set reflectedLight(value: number) {
+    this.numbers.reflectedLight = checkNumber('reflectedLight', value, HATCHING_PROPERTIES.reflectedLight.range);
+  }
 
   /** Colour of the strokes. Default black. */
   readonly ink: Color = new Color(HATCHING_DEFAULTS.ink);
@@ -292,7 +378,13 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
    * Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or
    * `alphaHash`: a material that is drawn opaque keeps its paper. In [0, 1]. Default `1`.
    */
-  paperOpacity: number = HATCHING_DEFAULTS.paperOpacity;
+  get paperOpacity(): number {
+    return this.numbers.paperOpacity;
+  }
+
+  set paperOpacity(value: number) {
+    this.numbers.paperOpacity = checkNumber('paperOpacity', value, HATCHING_PROPERTIES.paperOpacity.range);
+  }
 
   /** Surface colour map, multiplied by `color`. Default `null`. */
   map: Texture | null = HATCHING_DEFAULTS.map;

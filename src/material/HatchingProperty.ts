@@ -1,5 +1,11 @@
 /** What the material needs to know of a property at run time. */
-export type HatchingProperty = HatchingValue | HatchingTexture | HatchingChoice | HatchingSwitch | HatchingOther;
+export type HatchingProperty =
+  | HatchingNumber
+  | HatchingValue
+  | HatchingTexture
+  | HatchingChoice
+  | HatchingSwitch
+  | HatchingOther;
 
 /** What the material brings to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
@@ -13,9 +19,23 @@ interface UsedByTechniques {
 
 /** A value that the shader reads from a uniform. */
 export interface HatchingValue extends UsedByTechniques {
-  kind: 'number' | 'color' | 'vector2';
+  kind: 'color' | 'vector2';
   /** Left out where other uniforms are computed from the value. */
   uniform?: string;
+}
+
+/** A number; infinite ones and NaN are in no range. */
+export interface HatchingNumber extends UsedByTechniques {
+  kind: 'number';
+  uniform?: string;
+  range?: NumberRange;
+}
+
+/** Above a bound or from it on, and up to another. */
+export interface NumberRange {
+  above?: number;
+  from?: number;
+  to?: number;
 }
 
 /** A texture, and the uniform of its transform. */
@@ -31,7 +51,7 @@ export interface HatchingChoice extends UsedByTechniques {
   /** Left out for the technique: it chooses the shaders themselves. */
   define?: string;
   choices: readonly string[];
-  /** The default under each technique, where it depends on that. */
+  /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
 }
 

@@ -5,5 +5,6 @@ uniform float creaseCosine; // cos of the angle between normals from which neigh
 // Algorithm 2's f at the vertices shared with a neighbour: N_c·N_t, with the crease angle moved to zero.
 float sharedBlendFactor(const in vec3 centralNormal, const in vec3 neighbourNormal) {
   float cosine = dot(centralNormal, neighbourNormal);
-  return max((cosine - creaseCosine) / (1.0 - creaseCosine), -1.0);
+  // At a crease angle of 0 nothing blends, and there is nothing to divide by.
+  return creaseCosine < 1.0 ? max((cosine - creaseCosine) / (1.0 - creaseCosine), -1.0) : -1.0;
 }

@@ -1,11 +1,12 @@
 import { readFileSync } from 'node:fs';
-import { Color, Texture, Vector2 } from 'three';
+import { Color, DoubleSide, MaterialLoader, Texture, Vector2 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { outputs } from '../../../properties/outputs.js';
 import type { PropertyRow } from '../../../properties/PropertyRow.js';
 import { PROPERTIES } from '../../../properties/table.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
+import type { NumberRange } from '../../../src/material/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
@@ -150,3 +151,85 @@ describe('a property that does not count for the technique', () => {
 /** Objects by what they hold, so that what is equal looks equal. */
 const idOf = (value: unknown): unknown =>
   (value as Texture | null)?.isTexture ? (value as Texture).uuid : value instanceof Color ? value.getHex() : value;
+
+describe('a value out of range', () => {
+  const numbers = rows.flatMap(([name, row]) => (row.kind === 'number' ? [[name, row] as const] : []));
+  const outside = ({ above, from, to }: NumberRange = {}): number[] => [
+    Number.NaN,
+    Infinity,
+    ...[above, from === undefined ? from : from - 0.1, to && to + 0.1].filter((x) => x !== undefined),
+  ];
+
+  test.each(numbers)('%s is refused, and the one before stays', (name, { range }) => {
+    const material = new HatchingMaterial();
+    for (const value of [...outside(range), '1', null]) {
+      const set = (): unknown => Object.assign(material, { [name]: value });
+      expect(set, String(value)).toThrow(`HatchingMaterial.${name}: ${value} is not a number`);
+    }
+    expect(material[name]).toBe(HATCHING_DEFAULTS[name]);
+    for (const value of [range?.from, range?.to].filter((bound) => bound !== undefined)) {
+      Object.assign(material, { [name]: value });
+      expect(material[name]).toBe(value);
+    }
+  });
+
+  test.each([5, 'map', {}, undefined])('tonalArtMap is refused: %j', (value) => {
+    const material = new HatchingMaterial();
+    expect(() => Object.assign(material, { tonalArtMap: value })).toThrow('HatchingMaterial.tonalArtMap: ');
+    expect(material.tonalArtMap).toBe(null);
+  });
+});
+
+describe('JSON', () => {
+  test('brings every property back, textures by their uuid, the tonal art map aside', () => {
+    vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const source = new HatchingMaterial({ ...(changed as HatchingMaterialParameters), side: DoubleSide, fog: false });
+    source.name = 'stone';
+    source.stencilRef = 3;
+    source.userData = { note: [1, 2] };
+    source.depthWrite = false;
+    const textures = Object.fromEntries([source.map!, source.alphaMap!].map((texture) => [texture.uuid, texture]));
+    const made = HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(source.toJSON())), textures);
+    for (const name of names.filter((name) => name !== 'tonalArtMap')) {
+      expect(plain(made[name]), name).toEqual(plain(source[name]));
+    }
+    for (const key of ['uuid', 'name', 'side', 'fog', 'stencilRef', 'depthWrite', 'userData'] as const) {
+      expect(made[key], key).toEqual(source[key]);
+    }
+    expect(made.defines).toEqual(source.defines);
+    expect(HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(source.toJSON()))).map).toBe(null);
+  });
+
+  test("three's own loader finds the class once it is registered", () => {
+    MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial);
+    const source = new HatchingMaterial({ ink: 'navy', strokeScale: 5, technique: 'anchored' });
+    const made = new MaterialLoader().parse(JSON.parse(JSON.stringify(source.toJSON())));
+    expect(made).toBeInstanceOf(HatchingMaterial);
+    expect(made).toMatchObject({ strokeScale: 5, technique: 'anchored', ink: source.ink });
+  });
+});
+
+describe('what belongs to the user', () => {
+  test('defines are added to the material’s own', () => {
+    const plainDefines = new HatchingMaterial({ technique: 'anchored' }).defines;
+    const material = new HatchingMaterial({ defines: { MINE: 1 }, technique: 'anchored' });
+    expect(material.defines).toEqual({ ...plainDefines, MINE: 1 });
+    expect(material.clone().defines).toEqual(material.defines);
+  });
+
+  test('copying onto a material that was drawn asks for its program', () => {
+    const material = new HatchingMaterial();
+    const { version } = material;
+    material.copy(new HatchingMaterial({ toneModel: 'toon' }));
+    expect(material.version).toBeGreaterThan(version);
+  });
+
+  test('toneNormal goes back to what the technique has', () => {
+    const material = new HatchingMaterial({ technique: 'anchored', toneNormal: 'face' });
+    material.toneNormal = 'auto';
+    expect(material.toneNormal).toBe('smooth');
+    material.technique = 'triangle';
+    expect(material.toneNormal).toBe('face');
+    expect(() => Object.assign(material, { inkBlend: 'auto' })).toThrow('"auto" is not known');
+  });
+});
