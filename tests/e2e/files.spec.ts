@@ -108,7 +108,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
     [[file('points.ply', points)], /^points\.ply holds points but no triangles/],
     [
       [file('nan.obj', 'v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\nf 1 2 9\n')],
-      /^None of the triangles .* sound corners\.$/,
+      /^None of the triangles .* valid corners\.$/,
     ],
     [[file('flat.obj', 'v 1 1 1\nf 1 1 1\n')], /^The model has no size/],
     [[file('lines.obj', 'v 0 0 0\nv 1 0 0\nl 1 2\n')], /^The file holds no triangles/],

@@ -1,19 +1,9 @@
-import {
-  type AnimationClip,
-  Box3,
-  Group,
-  type InstancedMesh,
-  MathUtils,
-  Matrix4,
-  type Mesh,
-  type Object3D,
-  Vector3,
-} from 'three';
+import { type AnimationClip, Box3, Group, type InstancedMesh, MathUtils, type Object3D, Vector3 } from 'three';
 import { applyHatching, type HatchingStatistics } from 'three-hatching';
-import { MAX_TRIANGLES } from '../files/cleanMesh.js';
+import { checkTriangleCount } from '../files/checkTriangleCount.js';
 import { measureExtent } from '../files/fitModel.js';
-import { ModelError } from '../files/ModelError.js';
 import type { LiveScene } from '../files/parseGltf.js';
+import { placements } from '../files/placements.js';
 import { DrawnModel, type ModelFacts } from './DrawnModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
@@ -126,25 +116,8 @@ function countVertices(holder: Group): number {
     vertices += count * times;
     triangles += ((geometry.index?.count ?? count) / 3) * times;
   }
-  if (!(vertices > 0 && triangles > 0)) {
-    throw new ModelError('The file holds no triangles; only surfaces can be hatched, not points or lines.');
-  }
-  if (triangles > MAX_TRIANGLES) {
-    throw new ModelError(
-      `The model has more than ${MAX_TRIANGLES.toLocaleString('en')} triangles, which this page cannot draw.`,
-    );
-  }
+  checkTriangleCount(vertices > 0 ? triangles : 0);
   return vertices;
-}
-
-function placements(mesh: Mesh): Matrix4[] {
-  if (!('isInstancedMesh' in mesh)) return [mesh.matrixWorld];
-  const instanced = mesh as InstancedMesh;
-  return Array.from({ length: instanced.count }, (_, i) => {
-    const matrix = new Matrix4();
-    instanced.getMatrixAt(i, matrix);
-    return matrix.premultiply(mesh.matrixWorld);
-  });
 }
 
 /** Sums over the parts; shared and repeated ones count as often as they are drawn. */

@@ -1,24 +1,13 @@
-import {
-  DirectionalLight,
-  Group,
-  HemisphereLight,
-  MathUtils,
-  Mesh,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  Vector3,
-} from 'three';
+import { DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PointLight, Scene, Vector3 } from 'three';
 import { HatchingMaterial, type HatchingTechnique, type StrokeStyleName, TonalArtMap } from 'three-hatching';
-import { fitCamera } from '../stage/fitCamera.js';
+import { createCamera, DEFAULT_VIEW } from '../stage/createCamera.js';
+import { fitCamera } from '../stage/framing.js';
 import { figureModel } from './figureModels.js';
 import type { Figure, Look, Panel } from './figures.js';
 
 /** `paper` draws each panel by its own technique, `anchored` draws anchored strokes where the paper would blend. */
 export type Hand = 'paper' | 'anchored';
 
-const FIELD_OF_VIEW = 26;
-const USUAL_VIEW = [0.22, 0.18, 1] as const;
 const USUAL_REFLECTION = 0.35;
 /** Anchored strokes are black throughout, and look coarser at the same scale. */
 const ANCHORED_SCALE = 1.7;
@@ -38,7 +27,7 @@ function mapOf(style: StrokeStyleName): Promise<TonalArtMap> {
 /** One panel of a figure, ready to be rendered. */
 export class FigureDrawing {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
+  readonly camera = createCamera();
   private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; strokeScale: number }[] = [];
   private readonly light;
   private readonly reflected = new HemisphereLight('white', 'black');
@@ -75,7 +64,7 @@ export class FigureDrawing {
     const { camera } = drawing;
     camera.aspect = figure.shape;
     camera.updateProjectionMatrix();
-    const view = new Vector3(...(panel.view ?? figure.view ?? USUAL_VIEW));
+    const view = new Vector3(...(panel.view ?? figure.view ?? DEFAULT_VIEW));
     fitCamera(camera, model.outline, view, panel.times ?? figure.times);
     return drawing;
   }

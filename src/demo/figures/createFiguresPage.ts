@@ -1,3 +1,4 @@
+import { setPageState } from '../page/setPageState.js';
 import { FrameClock } from '../stage/FrameClock.js';
 import type { Hand } from './FigureDrawing.js';
 import { FigurePainter } from './FigurePainter.js';
@@ -148,15 +149,15 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
 
   const buffer = context.canvas as HTMLCanvasElement;
   buffer.addEventListener('webglcontextlost', () => {
-    document.documentElement.dataset.state = 'lost';
+    setPageState('lost');
     say(
       'The graphics card has let go of the figures. They stay as they are until it comes back; if not, reload the page.',
     );
   });
   buffer.addEventListener('webglcontextrestored', () => {
-    document.documentElement.dataset.state = 'ready';
+    setPageState('ready');
     say('');
     spoilAll();
   });
-  document.documentElement.dataset.state = 'ready';
+  setPageState('ready');
 }

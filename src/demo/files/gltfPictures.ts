@@ -1,6 +1,7 @@
 import type { FindFile } from './FindFile.js';
 import { type GltfDocument, textureSource } from './gltfFile.js';
 import { pictureSize } from './pictureSize.js';
+import { readUri } from './readUri.js';
 
 /** A picture of 44 kilobytes can unpack to a gigabyte. */
 const MAX_PIXELS = 2 ** 26;
@@ -22,12 +23,7 @@ export async function collectPictures(
   return Promise.all(
     (gltf.images ?? []).map(async ({ uri, bufferView }, i) => {
       if (!used.has(i)) return undefined;
-      const bytes =
-        uri === undefined
-          ? viewBytes(gltf, buffers, bufferView)
-          : uri.startsWith('data:')
-            ? new Uint8Array(await (await fetch(uri)).arrayBuffer())
-            : await findFile(uri);
+      const bytes = uri === undefined ? viewBytes(gltf, buffers, bufferView) : await readUri(uri, findFile);
       const size = bytes && pictureSize(bytes);
       if (!size || size[0] * size[1] > MAX_PIXELS || size[0] * size[1] === 0) return undefined;
       return new Blob([bytes as Uint8Array<ArrayBuffer>]);

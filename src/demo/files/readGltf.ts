@@ -1,10 +1,12 @@
 import type { FindFile } from './FindFile.js';
+import { baseName } from './fileName.js';
 import { checkBufferViews, type GltfDocument, isLive, readGltfDocument, splitGlb } from './gltfFile.js';
 import { collectPictures } from './gltfPictures.js';
 import { ModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 import { type GltfParts, parseGltf } from './parseGltf.js';
+import { readUri } from './readUri.js';
 
 /**
  * Reads GLB, or glTF with its files, also when compressed with Draco or meshopt. Nothing is fetched from elsewhere.
@@ -49,9 +51,7 @@ async function collectBuffers(
         if (extensions) return new Uint8Array(0);
         throw new ModelError(`${name} is cut short: its binary part is missing.`);
       }
-      const found = uri.startsWith('data:')
-        ? new Uint8Array(await (await fetch(uri)).arrayBuffer())
-        : await findFile(uri);
+      const found = await readUri(uri, findFile);
       if (!found) throw new ModelError(`${name} needs ${baseName(uri)}; drop both files together.`);
       if (found.length < byteLength) {
         throw new ModelError(
@@ -61,8 +61,4 @@ async function collectBuffers(
       return found;
     }),
   );
-}
-
-function baseName(uri: string): string {
-  return uri.split(/[\\/]/).pop() ?? uri;
 }

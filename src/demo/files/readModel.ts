@@ -4,6 +4,7 @@ import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { checkPly } from './checkPly.js';
 import { cleanMesh } from './cleanMesh.js';
 import type { FindFile } from './FindFile.js';
+import { baseName, extensionOf, withoutGz } from './fileName.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
 import { damaged, ModelError } from './ModelError.js';
@@ -12,7 +13,7 @@ import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
 import { readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
-import { extensionOf, MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
+import { MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
 
 /** Together, uncompressed. Larger models are read whole into memory several times over. */
 const MAX_BYTES = 512 * 1024 * 1024;
@@ -62,14 +63,14 @@ export async function readModel(files: readonly ModelFile[], onStage: (stage: st
   const main = chooseMain(files);
   onStage(`reading ${main.name}`);
   const bytes = await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name);
-  const format = sniffFormat(plainName(main.name), bytes);
+  const format = sniffFormat(withoutGz(main.name), bytes);
   const findFile: FindFile = async (uri) => {
-    const wanted = safeDecode(uri).split(/[\\/]/).pop()?.toLowerCase();
-    const file = files.find(({ name }) => name.split(/[\\/]/).pop()?.toLowerCase() === wanted);
+    const wanted = baseName(safeDecode(uri)).toLowerCase();
+    const file = files.find(({ name }) => baseName(name).toLowerCase() === wanted);
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
   const parsed = await parse(format, bytes, main.name, findFile);
-  const read: Read = { name: plainName(main.name), upAxis: format === 'stl' ? 'z' : 'y' };
+  const read: Read = { name: withoutGz(main.name), upAxis: format === 'stl' ? 'z' : 'y' };
   if ('document' in parsed) return { kind: 'parts', ...read, parts: parsed };
   onStage('looking over the triangles');
   const { mesh, broken } = cleanMesh(parsed);
@@ -111,10 +112,6 @@ function wholeBuffer(bytes: Uint8Array): ArrayBuffer {
   return (isWhole ? bytes.buffer : bytes.slice().buffer) as ArrayBuffer;
 }
 
-function plainName(name: string): string {
-  return name.replace(/\.gz$/i, '');
-}
-
 function safeDecode(uri: string): string {
   try {
     return decodeURIComponent(uri);
@@ -125,7 +122,7 @@ function safeDecode(uri: string): string {
 
 function chooseMain(files: readonly ModelFile[]): ModelFile {
   const rank = (file: ModelFile): number => {
-    const at = (MODEL_EXTENSIONS as readonly string[]).indexOf(extensionOf(plainName(file.name)) ?? '');
+    const at = (MODEL_EXTENSIONS as readonly string[]).indexOf(extensionOf(withoutGz(file.name)) ?? '');
     return at === -1 ? MODEL_EXTENSIONS.length : at;
   };
   const [main] = [...files].sort((a, b) => rank(a) - rank(b));

@@ -1,3 +1,4 @@
+import { extensionOf } from './fileName.js';
 import { ModelError } from './ModelError.js';
 
 export type ModelFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
@@ -29,11 +30,6 @@ export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat {
     throw new ModelError(`${name} is not a ${extension!.toUpperCase()} file inside, or it was cut short.`);
   }
   throw new ModelError(`${name} is not a model this page can read; it takes GLB, glTF, OBJ, PLY and STL.`);
-}
-
-/** The lower-case extension, without the dot. */
-export function extensionOf(name: string): string | undefined {
-  return /\.([a-z0-9]+)$/i.exec(name)?.[1]?.toLowerCase();
 }
 
 function isBinaryStl(bytes: Uint8Array): boolean {

@@ -4,11 +4,12 @@ import { loadModelFiles } from '../files/loadModelFiles.js';
 import type { ModelFile, ReadModel } from '../files/readModel.js';
 import type { MadeScene } from '../models/MadeScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
+import { setPageState } from '../page/setPageState.js';
 import type { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import { modelCaption } from './modelCaption.js';
-import { page, setPageState } from './page.js';
+import { page } from './page.js';
 import type { TaskBoard } from './TaskBoard.js';
 
 interface LoadedModel {

@@ -1,6 +1,7 @@
 import type { TonalArtMap } from 'three-hatching';
 import { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
 import type { ModelFile } from '../files/readModel.js';
+import { setPageState } from '../page/setPageState.js';
 import { presetLook } from '../settings/presets.js';
 import { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
@@ -16,7 +17,7 @@ import { MotionPanel } from './MotionPanel.js';
 import { areOfMap, loadOwnMap, zipMap } from './OwnMap.js';
 import { Panel } from './Panel.js';
 import { PresetBar } from './PresetBar.js';
-import { page, setPageState } from './page.js';
+import { page } from './page.js';
 import type { Status } from './Status.js';
 import { TakeAway } from './TakeAway.js';
 import { TaskBoard } from './TaskBoard.js';

@@ -34,8 +34,3 @@ export const page = {
     cancel: findElement('cancel') as HTMLButtonElement,
   },
 };
-
-/** How far the page is: `loading`, `ready` to be used, `lost` without a graphics context, or `failed` for good. */
-export function setPageState(state: 'loading' | 'ready' | 'lost' | 'failed'): void {
-  document.documentElement.dataset.state = state;
-}

@@ -1,11 +1,9 @@
 import { Box3, type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraView } from '../settings/CameraView.js';
-import { framingDistance } from './framingDistance.js';
+import { DEFAULT_VIEW } from './createCamera.js';
+import { framingDistance } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
-
-/** The direction most models are looked at from at first: a little from the side and from above. */
-const USUAL_VIEW = [0.22, 0.18, 1] as const;
 
 /** Where the camera stands: led by hand or keys, or so that the whole model is in the picture. */
 export class View {
@@ -14,7 +12,7 @@ export class View {
   /** Whether the view is the one that shows the whole model; it follows changes of the sheet's size then. */
   private framed = true;
   private isFraming = false;
-  private readonly first = new Vector3(...USUAL_VIEW);
+  private readonly first = new Vector3(...DEFAULT_VIEW);
   private readonly bounds = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
 
   /** @param onChange called when the picture must be drawn again */
@@ -82,7 +80,4 @@ export class View {
     this.keys.dispose();
     this.controls.dispose();
   }
-
-  /** The direction to the eye for models that ask for none. */
-  static readonly usual = USUAL_VIEW;
 }

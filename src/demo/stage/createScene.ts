@@ -1,14 +1,14 @@
-import { Group, MathUtils, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { Group, MathUtils, Scene, WebGLRenderer } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { DrawnModel } from '../drawing/DrawnModel.js';
 import type { Settings } from '../settings/settings.js';
+import { createCamera, DEFAULT_VIEW } from './createCamera.js';
 import { FrameClock } from './FrameClock.js';
 import { FrameTimer } from './FrameTimer.js';
 import { LightRig } from './LightRig.js';
 import { MovingResolution } from './MovingResolution.js';
 import { View } from './View.js';
 
-const FIELD_OF_VIEW = 26;
 const MAX_PIXEL_RATIO = 2;
 /** A desk-filling sheet on a large screen is drawn with fewer pixels than it has, rather than slowly. */
 const MAX_PIXELS = 8_000_000;
@@ -30,7 +30,7 @@ interface Piece {
 export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, plate: HTMLElement) {
   const renderer = new WebGLRenderer({ canvas, context });
   const scene = new Scene();
-  const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
+  const camera = createCamera();
   const lights = new LightRig(scene);
   /** Holds the model; turned where its up is another. */
   const upright = new Group();
@@ -173,7 +173,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     },
 
     /** Draws a model from now on, and frees the one before. `first` is the direction to the eye that shows it whole. */
-    setModel(next: DrawnModel, first: readonly [number, number, number] = View.usual): void {
+    setModel(next: DrawnModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
       retired?.dispose();
       retired = model;
       retired?.root.removeFromParent();
