@@ -48,8 +48,8 @@ console.log(`${Math.round(bytes / 1000)} kB together`);
 
 if (wanted.length === 0) {
   const sections = FIGURES.map(
-    ({ number, title, paper, ours }) =>
-      `## Figure ${number}. ${title}\n\n![Figure ${number}](figures/figure-${number}.png)\n\n*In the paper:* ${paper}\n\n*Here:* ${ours}\n`,
+    ({ number, title, inThePaper, here }) =>
+      `## Figure ${number}. ${title}\n\n![Figure ${number}](figures/figure-${number}.png)\n\n*In the paper:* ${inThePaper}\n\n*Here:* ${here}\n`,
   );
   const introduction = `# The figures of the paper
 

@@ -44,7 +44,7 @@ async function readPanel(page: Page, selector: string): Promise<PNG> {
 
 const isBlank = ({ data }: PNG) => new Set(new Uint32Array(new Uint8Array(data).buffer)).size === 1;
 
-test('every figure is told in words and every panel of it drawn, in one graphics context', async ({ page }) => {
+test('every figure has a caption and every panel of it is drawn, in one graphics context', async ({ page }) => {
   const addresses: string[] = [];
   page.on('request', (request) => addresses.push(request.url()));
   await page.addInitScript(() => {
@@ -59,8 +59,8 @@ test('every figure is told in words and every panel of it drawn, in one graphics
   expect(FIGURES.map(({ number }) => number)).toEqual([4, 8, 9, 10, 11, 12, 13, 14]);
   for (const figure of FIGURES) {
     const caption = page.getByRole('figure').filter({ hasText: `Figure ${figure.number}. ${figure.title}` });
-    await expect(caption).toContainText(figure.paper);
-    await expect(caption).toContainText(figure.ours);
+    await expect(caption).toContainText(figure.inThePaper);
+    await expect(caption).toContainText(figure.here);
     for (const { name } of figure.rows.flatMap(({ panels }) => panels)) {
       const picture = await readPanel(page, panelOf(figure.number, name));
       expect(isBlank(picture), `figure ${figure.number}, ${name}`).toBe(false);
@@ -130,7 +130,7 @@ test('draws nothing while nothing changes, and only what is in view when somethi
   expect(await sizeOfLast()).toBe(0);
 });
 
-test('fits a screen 360 pixels wide in dark surroundings, with the lamp large enough for a thumb', async ({ page }) => {
+test('fits a screen 360 pixels wide in dark mode, with the lamp large enough for a thumb', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 360, height: 640 });
   await openFigures(page);
@@ -177,7 +177,7 @@ test('a lost graphics context is said, and the figures come back', async ({ page
   expect(changedShare(before, await readPanel(page, panelOf(4, 'b')))).toBeGreaterThan(0.02);
 });
 
-test('a browser without WebGL 2 is told so, and can read the captions', async ({ page }) => {
+test('a browser without WebGL 2 gets a message, and the captions', async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });

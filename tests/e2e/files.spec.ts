@@ -20,7 +20,7 @@ test.use({ viewport: { width: 640, height: 480 } });
 test('models of every format are drawn when dropped', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
-  const cases: [name: string, facts: string, files: TestFile[]][] = [
+  const cases: [name: string, statistics: string, files: TestFile[]][] = [
     ['octahedron.glb', '16 triangles', [file('octahedron.glb', octahedronGlb())]],
     [
       'octahedron.gltf',
@@ -34,11 +34,11 @@ test('models of every format are drawn when dropped', async ({ page }) => {
     ['ascii.stl', '8 triangles', [file('ascii.stl', octahedronAsciiStl)]],
     ['misnamed.obj', '8 triangles', [file('misnamed.obj', octahedronPly)]],
   ];
-  for (const [name, facts, files] of cases) {
+  for (const [name, statistics, files] of cases) {
     await drop(page, files);
     await expect(page.locator('#model-name')).toHaveText(name);
     // Nothing but this: a closed surface has no borders.
-    await expect(page.locator('#model-facts')).toHaveText(facts);
+    await expect(page.locator('#model-statistics')).toHaveText(statistics);
   }
   const after = await readDrawing(page);
   expect(changedShare(before, after)).toBeGreaterThan(0.1);
@@ -48,7 +48,7 @@ test('models of every format are drawn when dropped', async ({ page }) => {
 test('a mirrored part of a model is not turned inside out', async ({ page }) => {
   await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=0&lightElevation=60');
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
-  await expect(page.locator('#model-facts')).toHaveText('16 triangles');
+  await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
   const picture = await readDrawing(page);
   // Lit from above; the inside of a shape would be light below.
   const top = { ...WHOLE, bottom: 0.5 };

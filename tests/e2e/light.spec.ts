@@ -59,7 +59,7 @@ test('the side that faces the lamp is the lighter one, and the lamp goes behind 
   expect(meanInk(fromLeft, RIGHT_HALF)).toBeGreaterThan(meanInk(fromLeft, LEFT_HALF) + 0.2);
 
   const { x } = await middleOf(page, '#lamp');
-  const { x: centre } = await middleOf(page, '#plate');
+  const { x: centre } = await middleOf(page, '#viewport');
   await dragLamp(page, { x: 2 * (centre - x), y: 0 });
   const fromRight = await readDrawing(page);
   expect(meanInk(fromRight, LEFT_HALF)).toBeGreaterThan(meanInk(fromRight, RIGHT_HALF) + 0.2);
@@ -129,7 +129,7 @@ test.describe('by touch', () => {
     expect(moved.elevation).toBeGreaterThan(before.place.elevation + 4);
     expect(moved.distance).toBe(before.place.distance);
 
-    const centre = await middleOf(page, '#plate');
+    const centre = await middleOf(page, '#viewport');
     await touch('touchStart', [to, { x: centre.x, y: centre.y + 100 }]);
     await touch('touchMove', [to, { x: centre.x, y: centre.y + 125 }]);
     await touch('touchMove', [to, { x: centre.x, y: centre.y + 150 }]);

@@ -91,10 +91,12 @@ test('the contact sheet fits a small screen and scrolls', async ({ page }) => {
   await openPlayground(page, PLAIN);
   await page.getByRole('button', { name: 'Settings' }).first().click();
   await page.getByRole('button', { name: 'Show the map' }).click();
-  const box = (await page.locator('#contact').boundingBox())!;
+  const box = (await page.locator('#contact-sheet').boundingBox())!;
   expect(box.x).toBeGreaterThanOrEqual(0);
   expect(box.x + box.width).toBeLessThanOrEqual(360);
-  const scrolls = await page.locator('#contact-scroller').evaluate((element) => getComputedStyle(element).overflowX);
+  const scrolls = await page
+    .locator('#contact-sheet-scroller')
+    .evaluate((element) => getComputedStyle(element).overflowX);
   expect(scrolls).toBe('auto');
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
 });

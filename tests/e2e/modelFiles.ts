@@ -1,5 +1,5 @@
 import { MeshoptEncoder } from 'meshoptimizer';
-import { packGlb } from './liveModel.js';
+import { packGlb } from './columnModel.js';
 
 /** An octahedron in every format the page takes, made here so that the tests need no files. */
 

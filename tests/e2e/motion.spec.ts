@@ -2,7 +2,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
 import { expect, test } from '../browser/test.js';
-import { columnGlb } from './liveModel.js';
+import { columnGlb } from './columnModel.js';
 import { file, type TestFile } from './modelFiles.js';
 import { changedShare, meanInk } from './pictures.js';
 import { drop, framesDrawn, openPlayground, readDrawing, ready } from './playground.js';
@@ -139,10 +139,10 @@ test.describe('where motion is to be reduced', () => {
     await expect(page.locator('#model-name')).toHaveText('column.glb');
   });
 
-  test('what is broken in a live model is left out, or said', async ({ page }) => {
+  test('broken parts of an animated model are left out or reported', async ({ page }) => {
     const numbers = [0, 0, 0, 1, Number.NaN, 0, 0, 1, 0, 0, 0, 1];
     await openModel(page, column({ bend: numbers }));
-    await expect(page.locator('#model-facts')).toHaveText(/1 broken one left out$/);
+    await expect(page.locator('#model-statistics')).toHaveText(/1 broken one left out$/);
     expect(await page.getByRole('combobox', { name: 'Clip' }).locator('option').allTextContents()).toEqual(['Turn']);
 
     // 30,000 × 30,000 pixels in a few bytes would fill gigabytes.
@@ -191,7 +191,7 @@ test.describe('where motion is to be reduced', () => {
     expect(changedShare(before, await readDrawing(page))).toBe(0);
   });
 
-  test('putting a large live model together can be called off', async ({ page }) => {
+  test('assembling a large animated model can be cancelled', async ({ page }) => {
     await openModel(page, column());
     const before = await readDrawing(page);
     await drop(page, [file('tower.glb', columnGlb({ rings: 16_000 }))]);

@@ -24,7 +24,7 @@ test('opens with the dragon, hatched, without a layout shift, and asks no other 
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page);
   await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
-  await expect(page.locator('#model-facts')).toHaveText(/^47,794 triangles/);
+  await expect(page.locator('#model-statistics')).toHaveText(/^47,794 triangles/);
   await expect(page.getByRole('slider', { name: 'Light' })).toBeVisible();
   await expect(page.getByText('drag the light')).toBeVisible();
   const picture = await readDrawing(page);
@@ -48,7 +48,7 @@ test('an idle page draws no frames', async ({ page }) => {
 test('the camera turns by mouse and keys, and comes back to the whole model', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const first = await readDrawing(page);
-  const { x, y } = await middleOf(page, '#plate');
+  const { x, y } = await middleOf(page, '#viewport');
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 60, y + 20, { steps: 3 });
@@ -147,10 +147,10 @@ test('fits a screen 360 pixels wide, with everything large enough for a thumb', 
   }
   await settings.click();
   await expect(page.getByLabel('Stroke scale')).toBeVisible();
-  const plate = (await page.locator('#plate').boundingBox())!;
+  const viewport = (await page.locator('#viewport').boundingBox())!;
   const card = (await page.locator('#card').boundingBox())!;
-  expect(plate.height).toBeGreaterThan(180);
-  expect(plate.y + plate.height).toBeLessThanOrEqual(card.y);
+  expect(viewport.height).toBeGreaterThan(180);
+  expect(viewport.y + viewport.height).toBeLessThanOrEqual(card.y);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
   await page.keyboard.press('Escape');
   await expect(page.getByLabel('Stroke scale')).toBeHidden();

@@ -57,7 +57,7 @@ export async function readDrawing(page: Page): Promise<PNG> {
   await overlays.evaluateAll((elements) => {
     for (const element of elements) (element as HTMLElement).style.visibility = 'hidden';
   });
-  const picture = PNG.sync.read(await page.locator('#plate').screenshot());
+  const picture = PNG.sync.read(await page.locator('#viewport').screenshot());
   await overlays.evaluateAll((elements) => {
     for (const element of elements) (element as HTMLElement).style.visibility = '';
   });

@@ -51,32 +51,32 @@ function differingColumns(a: PNG, b: PNG): number[] {
   return [...columns];
 }
 
-test('a hand sets everything at once, and can be undone', async ({ page }) => {
+test('a preset sets everything at once, and can be undone', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=sphere');
-  const hands = page.getByRole('group', { name: 'Hand' });
+  const presets = page.getByRole('group', { name: 'Style presets' });
   const undo = page.getByRole('button', { name: 'Undo' });
-  await expect(hands.getByRole('button', { name: 'Pen', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await expect(presets.getByRole('button', { name: 'Pen', exact: true })).toHaveAttribute('aria-pressed', 'true');
   await expect(undo).toBeDisabled();
   const pen = await readDrawing(page);
   const seen = [pen];
-  for (const hand of ['Woodcut', 'Stipple', 'Charcoal', 'Pencil']) {
-    await hands.getByRole('button', { name: hand }).click();
-    await expect(hands.getByRole('button', { name: hand })).toHaveAttribute('aria-pressed', 'true');
+  for (const name of ['Woodcut', 'Stipple', 'Charcoal', 'Pencil']) {
+    await presets.getByRole('button', { name }).click();
+    await expect(presets.getByRole('button', { name })).toHaveAttribute('aria-pressed', 'true');
     const picture = await readDrawing(page);
-    for (const other of seen) expect(changedShare(other, picture), hand).toBeGreaterThan(0.05);
+    for (const other of seen) expect(changedShare(other, picture), name).toBeGreaterThan(0.05);
     seen.push(picture);
   }
   await expect.poll(() => page.url()).toContain('mapStyle=pencil');
   const width = page.getByLabel('Stroke width');
   await width.fill('5');
   await width.press('Enter');
-  await expect(hands.locator('[aria-pressed=true]')).toHaveCount(0);
+  await expect(presets.locator('[aria-pressed=true]')).toHaveCount(0);
 
   await undo.click();
   expect(changedShare(seen[4], await readDrawing(page))).toBe(0);
   await page.keyboard.press('Control+z');
-  await expect(hands.getByRole('button', { name: 'Charcoal' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(presets.getByRole('button', { name: 'Charcoal' })).toHaveAttribute('aria-pressed', 'true');
   for (let step = 0; step < 3; step++) await undo.click();
   await expect(undo).toBeDisabled();
   expect(changedShare(pen, await readDrawing(page))).toBe(0);

@@ -5,7 +5,7 @@ import { meshesOf } from './meshesOf.js';
 const LONGEST_STEP = 0.1;
 
 /** A shape of a mesh. */
-interface Target {
+interface MorphTarget {
   mesh: Mesh;
   index: number;
   /** How much there is of it where nothing moves. */
@@ -21,9 +21,9 @@ export class Motion {
   speed = 1;
 
   private readonly mixer: AnimationMixer;
-  private readonly targets = new Map<string, Target[]>();
+  private readonly morphTargets = new Map<string, MorphTarget[]>();
   /** Shapes that a person has taken from the clip, by how much of them there is. */
-  private readonly held = new Map<string, number>();
+  private readonly overrides = new Map<string, number>();
   private action: AnimationAction | undefined;
 
   /** Shows the first clip, if there is any, at its beginning. */
@@ -33,13 +33,13 @@ export class Motion {
   ) {
     this.mixer = new AnimationMixer(root);
     this.clips = animations.map(({ name }, i) => name || `Clip ${i + 1}`);
-    for (const mesh of meshesOf(root)) this.addTargets(mesh);
-    this.morphs = [...this.targets.keys()];
+    for (const mesh of meshesOf(root)) this.addMorphTargets(mesh);
+    this.morphs = [...this.morphTargets.keys()];
     this.clip = 0;
   }
 
   /** Whether there is anything to move. */
-  get isPossible(): boolean {
+  get canMove(): boolean {
     return this.clips.length > 0 || this.morphs.length > 0;
   }
 
@@ -78,21 +78,21 @@ export class Motion {
   }
 
   /** How much there is of a shape, usually in [0, 1]. */
-  morph(name: string): number {
-    const [target] = this.targets.get(name) ?? [];
+  influenceOf(name: string): number {
+    const [target] = this.morphTargets.get(name) ?? [];
     return target?.mesh.morphTargetInfluences?.[target.index] ?? 0;
   }
 
   /** Takes a shape from the clip and holds it; undefined gives it back. */
-  hold(name: string, amount: number | undefined): void {
-    if (amount === undefined) {
-      this.held.delete(name);
-      for (const { mesh, index, rest } of this.targets.get(name) ?? []) mesh.morphTargetInfluences![index] = rest;
+  setInfluence(name: string, influence: number | undefined): void {
+    if (influence === undefined) {
+      this.overrides.delete(name);
+      for (const { mesh, index, rest } of this.morphTargets.get(name) ?? []) mesh.morphTargetInfluences![index] = rest;
       // Only stopping makes the mixer write again what it thinks is there already.
       const { time } = this;
       this.action?.stop().play();
       this.time = time;
-    } else this.held.set(name, amount);
+    } else this.overrides.set(name, influence);
     this.pose();
   }
 
@@ -102,17 +102,17 @@ export class Motion {
 
   private pose(seconds = 0): void {
     this.mixer.update(seconds);
-    for (const [name, amount] of this.held) {
-      for (const { mesh, index } of this.targets.get(name)!) mesh.morphTargetInfluences![index] = amount;
+    for (const [name, influence] of this.overrides) {
+      for (const { mesh, index } of this.morphTargets.get(name)!) mesh.morphTargetInfluences![index] = influence;
     }
   }
 
   /** Targets of one name are one shape, also on several meshes; a target without a name gets a number. */
-  private addTargets(mesh: Mesh): void {
+  private addMorphTargets(mesh: Mesh): void {
     for (const [key, index] of Object.entries(mesh.morphTargetDictionary ?? {})) {
       const name = /^\d*$/.test(key) ? `Shape ${index + 1}` : key;
       const target = { mesh, index, rest: mesh.morphTargetInfluences?.[index] ?? 0 };
-      this.targets.set(name, [...(this.targets.get(name) ?? []), target]);
+      this.morphTargets.set(name, [...(this.morphTargets.get(name) ?? []), target]);
     }
   }
 }

@@ -5,7 +5,7 @@ import type { PlainMesh } from '../files/PlainMesh.js';
 /** A mesh ready to be drawn. */
 export interface BakedMesh {
   geometry: BufferGeometry;
-  facts: HatchingStatistics;
+  statistics: HatchingStatistics;
   /** An open surface shows its inside. */
   side: Side;
 }
@@ -21,6 +21,10 @@ export async function bakeMesh(
   if (mesh.normals) source.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   if (mesh.colors) source.setAttribute('color', new BufferAttribute(mesh.colors, 3));
   const geometry = await prepareHatchingGeometry(source, options);
-  const facts = geometry.userData.hatching as HatchingStatistics;
-  return { geometry, facts, side: facts.borderEdges > 0 || facts.nonManifoldEdges > 0 ? DoubleSide : FrontSide };
+  const statistics = geometry.userData.hatching as HatchingStatistics;
+  return {
+    geometry,
+    statistics,
+    side: statistics.borderEdges > 0 || statistics.nonManifoldEdges > 0 ? DoubleSide : FrontSide,
+  };
 }

@@ -6,7 +6,7 @@ import { figureModel } from './figureModels.js';
 import type { Figure, Look, Panel } from './figures.js';
 
 /** `paper` draws each panel by its own technique, `anchored` draws anchored strokes where the paper would blend. */
-export type Hand = 'paper' | 'anchored';
+export type TechniqueChoice = 'asInPaper' | 'anchored';
 
 const USUAL_REFLECTION = 0.35;
 /** Anchored strokes are black throughout, and look coarser at the same scale. */
@@ -62,10 +62,10 @@ export class FigureDrawing {
     }
     drawing.scene.add(group);
     const { camera } = drawing;
-    camera.aspect = figure.shape;
+    camera.aspect = figure.aspect;
     camera.updateProjectionMatrix();
     const view = new Vector3(...(panel.view ?? figure.view ?? DEFAULT_VIEW));
-    fitCamera(camera, model.outline, view, panel.times ?? figure.times);
+    fitCamera(camera, model.outline, view, panel.zoom ?? figure.zoom);
     return drawing;
   }
 
@@ -77,9 +77,9 @@ export class FigureDrawing {
   }
 
   /** Draws by another technique from now on. */
-  setHand(hand: Hand): void {
+  setTechnique(choice: TechniqueChoice): void {
     for (const { material, technique, strokeScale } of this.materials) {
-      const isReplaced = hand === 'anchored' && technique === 'adjacency' && !this.figure.paperOnly;
+      const isReplaced = choice === 'anchored' && technique === 'adjacency' && !this.figure.fixedTechnique;
       material.technique = isReplaced ? 'anchored' : technique;
       material.strokeScale = isReplaced ? ANCHORED_SCALE * strokeScale : strokeScale;
     }

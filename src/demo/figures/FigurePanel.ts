@@ -1,13 +1,13 @@
-import { FigureDrawing, type Hand } from './FigureDrawing.js';
+import { FigureDrawing, type TechniqueChoice } from './FigureDrawing.js';
 import type { FigurePainter } from './FigurePainter.js';
 import type { Figure, Panel } from './figures.js';
 
 /** What a panel needs of the page. */
-export interface PanelSurroundings {
+export interface PanelContext {
   ink: string;
   paper: string;
   /** Called when the panel has something to draw. */
-  onStale(): void;
+  onOutdated(): void;
   /** Called with one sentence when the panel cannot be drawn. */
   onFailure(sentence: string): void;
 }
@@ -17,17 +17,17 @@ export class FigurePanel {
   readonly element: HTMLElement;
   readonly canvas = document.createElement('canvas');
   /** In view, or nearly. */
-  isSeen = false;
+  isVisible = false;
   /** What the canvas shows is not what it should. */
-  isStale = true;
+  isOutdated = true;
   private size = { width: 0, height: 0 };
   private drawing: FigureDrawing | undefined;
-  private making: Promise<void> | undefined;
+  private loading: Promise<void> | undefined;
 
   constructor(
     private readonly figure: Figure,
     private readonly panel: Panel,
-    private readonly surroundings: PanelSurroundings,
+    private readonly context: PanelContext,
   ) {
     this.element = document.createElement('div');
     this.element.className = 'panel';
@@ -43,50 +43,50 @@ export class FigurePanel {
 
   /** Whether there is nothing to wait for: unseen, or drawn as it should be. */
   get isSettled(): boolean {
-    return !this.isSeen || !this.isStale;
+    return !this.isVisible || !this.isOutdated;
   }
 
   /** Whether it is time to draw. */
   get isReady(): boolean {
-    return this.isSeen && this.isStale && this.drawing !== undefined;
+    return this.isVisible && this.isOutdated && this.drawing !== undefined;
   }
 
-  see(isSeen: boolean): void {
-    this.isSeen = isSeen;
-    if (isSeen) this.making ??= this.make();
-    if (this.isReady) this.surroundings.onStale();
+  setVisible(isVisible: boolean): void {
+    this.isVisible = isVisible;
+    if (isVisible) this.loading ??= this.make();
+    if (this.isReady) this.context.onOutdated();
   }
 
   /** Takes the size it is shown in, in pixels of the screen. */
   resize(width: number, height: number): void {
     this.size = { width, height };
-    this.spoil();
+    this.invalidate();
   }
 
   /** What is shown is out of date. */
-  spoil(): void {
-    this.isStale = true;
-    if (this.isReady) this.surroundings.onStale();
+  invalidate(): void {
+    this.isOutdated = true;
+    if (this.isReady) this.context.onOutdated();
   }
 
-  paint(painter: FigurePainter, turn: number, hand: Hand): void {
+  paint(painter: FigurePainter, turn: number, choice: TechniqueChoice): void {
     const drawing = this.drawing;
     if (!drawing) return;
     const { width, height } = this.size;
     if (width === 0 || height === 0) return;
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
-    drawing.setHand(hand);
+    drawing.setTechnique(choice);
     drawing.turnLight(turn);
-    if (painter.paint(drawing, this.canvas, devicePixelRatio)) this.isStale = false;
+    if (painter.paint(drawing, this.canvas, devicePixelRatio)) this.isOutdated = false;
   }
 
   private async make(): Promise<void> {
-    const { ink, paper, onFailure, onStale } = this.surroundings;
+    const { ink, paper, onFailure, onOutdated } = this.context;
     try {
       this.drawing = await FigureDrawing.make(this.figure, this.panel, ink, paper);
-      onStale();
+      onOutdated();
     } catch (error) {
-      this.isStale = false;
+      this.isOutdated = false;
       onFailure(
         `Figure ${this.figure.number} cannot be drawn: ${error instanceof Error ? error.message : String(error)}`,
       );

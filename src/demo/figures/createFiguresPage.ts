@@ -1,6 +1,6 @@
 import { setPageState } from '../page/setPageState.js';
-import { FrameClock } from '../stage/FrameClock.js';
-import type { Hand } from './FigureDrawing.js';
+import { FrameScheduler } from '../stage/FrameScheduler.js';
+import type { TechniqueChoice } from './FigureDrawing.js';
 import { FigurePainter } from './FigurePainter.js';
 import { FigurePanel } from './FigurePanel.js';
 import { FIGURES, type Figure } from './figures.js';
@@ -17,18 +17,18 @@ declare global {
 const FRAME_MILLISECONDS = 12;
 
 /** Lays the figures out, whether they can be drawn or not, and returns their panels. */
-export function layOutFigures(say: (sentence: string) => void, onStale: () => void): FigurePanel[] {
+export function layOutFigures(say: (sentence: string) => void, onOutdated: () => void): FigurePanel[] {
   const style = getComputedStyle(document.documentElement);
-  const surroundings = {
+  const context = {
     ink: style.getPropertyValue('--ink').trim(),
     paper: style.getPropertyValue('--paper').trim(),
-    onStale,
+    onOutdated,
     onFailure: say,
   };
   return FIGURES.flatMap((figure) => {
     const rows = figure.rows.map(({ label, panels }) => ({
       label,
-      panels: panels.map((panel) => new FigurePanel(figure, panel, surroundings)),
+      panels: panels.map((panel) => new FigurePanel(figure, panel, context)),
     }));
     figuresPage.figures.append(figureElement(figure, rows));
     return rows.flatMap(({ panels }) => panels);
@@ -46,7 +46,7 @@ function figureElement(figure: Figure, rows: { label?: string | undefined; panel
     row.dataset.columns = String(panels.length);
     if (label) row.append(paragraph(label, 'row-label'));
     for (const { element: panel, canvas } of panels) {
-      canvas.style.aspectRatio = String(figure.shape);
+      canvas.style.aspectRatio = String(figure.aspect);
       row.append(panel);
     }
     plates.append(row);
@@ -54,12 +54,12 @@ function figureElement(figure: Figure, rows: { label?: string | undefined; panel
   const caption = document.createElement('figcaption');
   const heading = document.createElement('h2');
   heading.textContent = `Figure ${figure.number}. ${figure.title}`;
-  caption.append(heading, told('In the paper', figure.paper), told('Here', figure.ours));
+  caption.append(heading, captionLine('In the paper', figure.inThePaper), captionLine('Here', figure.here));
   element.append(plates, caption);
   return element;
 }
 
-function told(where: string, sentence: string): HTMLElement {
+function captionLine(where: string, sentence: string): HTMLElement {
   const element = paragraph(` ${sentence}`);
   const name = document.createElement('em');
   name.textContent = `${where}:`;
@@ -76,21 +76,21 @@ function paragraph(text: string, className = ''): HTMLElement {
 
 /** Draws the panels in view, again when the light turns, and nothing otherwise. */
 export function createFiguresPage(context: WebGL2RenderingContext, say: (sentence: string) => void): void {
-  const { turn, turnValue, hand } = figuresPage;
-  const clock = new FrameClock(draw);
-  const panels = layOutFigures(say, () => clock.invalidate());
+  const { turn, turnValue, technique } = figuresPage;
+  const scheduler = new FrameScheduler(draw);
+  const panels = layOutFigures(say, () => scheduler.invalidate());
   const painter = new FigurePainter(context, getComputedStyle(document.documentElement).getPropertyValue('--paper'));
   const paintedAt = new Map(panels.map((panel) => [panel, 0]));
   let turned = 0;
-  let chosenHand: Hand = 'paper';
+  let choice: TechniqueChoice = 'asInPaper';
 
   Object.defineProperty(window, '__figures', {
     value: {
       get framesDrawn() {
-        return clock.frames;
+        return scheduler.frames;
       },
       get isIdle() {
-        return !clock.isWaiting && panels.every(({ isSettled }) => isSettled);
+        return !scheduler.isWaiting && panels.every(({ isSettled }) => isSettled);
       },
     },
   });
@@ -101,10 +101,10 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
     // Those that wait longest come first, so that a light that keeps turning reaches them all.
     for (const panel of ready.sort((a, b) => paintedAt.get(a)! - paintedAt.get(b)!)) {
       if (performance.now() - start > FRAME_MILLISECONDS) {
-        clock.invalidate();
+        scheduler.invalidate();
         return;
       }
-      panel.paint(painter, turned, chosenHand);
+      panel.paint(painter, turned, choice);
       paintedAt.set(panel, performance.now());
     }
   }
@@ -112,7 +112,7 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   const byCanvas = new Map<Element, FigurePanel>(panels.map((panel) => [panel.canvas, panel]));
   const views = new IntersectionObserver(
     (entries) => {
-      for (const { target, isIntersecting } of entries) byCanvas.get(target)!.see(isIntersecting);
+      for (const { target, isIntersecting } of entries) byCanvas.get(target)!.setVisible(isIntersecting);
     },
     { rootMargin: '25%' },
   );
@@ -132,19 +132,19 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
     sizes.observe(canvas, { box });
   }
 
-  function spoilAll(): void {
-    for (const panel of panels) panel.spoil();
+  function invalidateAll(): void {
+    for (const panel of panels) panel.invalidate();
   }
 
   turn.addEventListener('input', () => {
     turned = turn.valueAsNumber;
     turn.ariaValueText = `${turned < 0 ? '−' : ''}${Math.abs(turned)}°`;
     turnValue.textContent = turn.ariaValueText;
-    spoilAll();
+    invalidateAll();
   });
-  hand.addEventListener('change', (event) => {
-    chosenHand = (event.target as HTMLInputElement).value as Hand;
-    spoilAll();
+  technique.addEventListener('change', (event) => {
+    choice = (event.target as HTMLInputElement).value as TechniqueChoice;
+    invalidateAll();
   });
 
   const buffer = context.canvas as HTMLCanvasElement;
@@ -157,7 +157,7 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   buffer.addEventListener('webglcontextrestored', () => {
     setPageState('ready');
     say('');
-    spoilAll();
+    invalidateAll();
   });
   setPageState('ready');
 }

@@ -8,8 +8,8 @@ import { mergeScene } from '../files/mergeScene.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import handUrl from '../models/assets/hand.glb?url';
+import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';
-import type { MadeScene } from '../models/MadeScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { shellChair } from '../models/shellChair.js';
 
@@ -54,7 +54,7 @@ export function figureModel(name: FigureModelName): Promise<FigureModel> {
 const LOADING = { signal: new AbortController().signal, onStage: () => {} };
 
 /** The one mesh of a model that does not move. */
-function meshIn(read: ReadModel | MadeScene): PlainMesh {
+function meshIn(read: ReadModel | BuiltInScene): PlainMesh {
   if (read.kind !== 'mesh') throw new ModelError(`${read.name} has parts that move; a figure takes one mesh.`);
   return read.mesh;
 }

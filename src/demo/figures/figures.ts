@@ -29,7 +29,7 @@ export interface PanelLight {
   position: Triple;
   /** A sun by default: its light comes from the position, everywhere in the same direction. */
   kind?: 'sun' | 'lamp';
-  /** What the surroundings reflect, as a share of the light. */
+  /** Light that the surroundings reflect, as a share of the light itself. */
   reflected?: number;
 }
 
@@ -41,7 +41,7 @@ interface PanelDefaults {
   /** Direction from the model to the eye. */
   view?: Triple;
   /** How many times as large the picture is as one that the model just fills. */
-  times?: number;
+  zoom?: number;
 }
 
 /** One picture of a figure. */
@@ -66,18 +66,18 @@ export interface Figure extends PanelDefaults {
   number: number;
   title: string;
   /** One sentence on what the paper shows. */
-  paper: string;
+  inThePaper: string;
   /** One sentence on what is shown here. */
-  ours: string;
+  here: string;
   rows: readonly Row[];
   /** Rows stand beside each other on a wide page. */
   beside?: true;
   /** Width to height of each panel. */
-  shape: number;
+  aspect: number;
   /** The axis the light turns about: upright, or the line of sight where the light would end up behind something flat. */
   turnAxis?: 'y' | 'z';
   /** Nothing here is left of the paper's technique with another one. */
-  paperOnly?: true;
+  fixedTechnique?: true;
 }
 
 const degrees = (angle: number) => (angle * Math.PI) / 180;
@@ -108,11 +108,11 @@ export const FIGURES: readonly Figure[] = [
     ...flat,
     number: 4,
     title: 'Four triangles',
-    paper:
+    inThePaper:
       'Four adjacent triangles with different normals break the strokes at their edges (a); blended, they fade over (b).',
-    ours: 'The same: without blending every edge shows; with it strokes run out into grey before the edge.',
+    here: 'The same: without blending every edge shows; with it strokes run out into grey before the edge.',
     model: 'fourTriangles',
-    shape: 1.1,
+    aspect: 1.1,
     look: { strokeScale: 1.2 },
     rows: [
       {
@@ -127,11 +127,12 @@ export const FIGURES: readonly Figure[] = [
     ...flat,
     number: 8,
     title: 'Contributions',
-    paper: 'What each neighbour contributes to the triangle in the middle, what that does to the strokes, and the sum.',
-    ours: 'The same, a neighbour a row: its contribution in colour, the two triangles blended, and at the right none, one and all.',
+    inThePaper:
+      'What each neighbour contributes to the triangle in the middle, what that does to the strokes, and the sum.',
+    here: 'The same, a neighbour a row: its contribution in colour, the two triangles blended, and at the right none, one and all.',
     model: 'fourTriangles',
-    shape: 1.1,
-    paperOnly: true,
+    aspect: 1.1,
+    fixedTechnique: true,
     look: { strokeScale: 1.2 },
     rows: [
       {
@@ -160,10 +161,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 9,
     title: 'Lighting techniques',
-    paper: 'The number of the texture is determined per fragment, with different lighting techniques.',
-    ours: 'Tone as grey and the strokes that it asks for, for four techniques: bands are hard with toon, soft with the rest.',
+    inThePaper: 'The number of the texture is determined per fragment, with different lighting techniques.',
+    here: 'Tone as grey and the strokes that it asks for, for four techniques: bands are hard with toon, soft with the rest.',
     model: 'teapot',
-    shape: 1.45,
+    aspect: 1.45,
     beside: true,
     light: { position: [-1.6, 1.3, 1.3], reflected: 0 },
     view: [0.1, 0.3, 1],
@@ -185,11 +186,11 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 10,
     title: 'All effects on a head',
-    paper:
+    inThePaper:
       'A face under every effect: strokes turned about the normal, scaled, lit from several places, and the model turned.',
-    ours: 'Suzanne stands in for the face; the lamp of the third row is near, so its strokes spread from it, and the last row is in colour.',
+    here: 'Suzanne stands in for the face; the lamp of the third row is near, so its strokes spread from it, and the last row is in colour.',
     model: 'suzanne',
-    shape: 1,
+    aspect: 1,
     light: { position: [1, 1.2, 1.5] },
     view: [0.05, 0.1, 1],
     look: { strokeScale: 1.3 },
@@ -224,7 +225,7 @@ export const FIGURES: readonly Figure[] = [
           name: `model-${angle}`,
           label: `${angle < 0 ? '−' : ''}${Math.abs(angle)}°`,
           turned: angle,
-          times: 0.84,
+          zoom: 0.84,
           look: { color: '#e0a878', ink: '#4a1f14' },
         })),
       },
@@ -233,10 +234,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 11,
     title: 'Fine geometry',
-    paper: 'A hand under several lights: geometric details are always visible.',
-    ours: 'A hand of 2,314 triangles from the WebXR input profiles: knuckles, fingers and thumb stay legible from every side.',
+    inThePaper: 'A hand under several lights: geometric details are always visible.',
+    here: 'A hand of 2,314 triangles from the WebXR input profiles: knuckles, fingers and thumb stay legible from every side.',
     model: 'hand',
-    shape: 0.8,
+    aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.1, 0.05, 1],
     look: { strokeScale: 1.6, strokeRotation: degrees(90) },
@@ -249,10 +250,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 12,
     title: 'Materials as maps',
-    paper: 'The Stanford dragon with several lights and maps that represent different materials.',
-    ours: 'The same scan in 47,794 triangles: a style a row, a light a column.',
+    inThePaper: 'The Stanford dragon with several lights and maps that represent different materials.',
+    here: 'The same scan in 47,794 triangles: a style a row, a light a column.',
     model: 'dragon',
-    shape: 1.3,
+    aspect: 1.3,
     light: { position: SIDES.left.position },
     look: { strokeScale: 1.6, strokeRotation: degrees(90) },
     rows: (
@@ -276,11 +277,11 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 13,
     title: 'Maps and colour',
-    paper:
+    inThePaper:
       'A chair whose parts have maps and colours of their own, under several lights; the first column is not blended.',
-    ours: 'A shell chair made by code, in two liveries: unblended, strokes stop at every triangle of the shell; blended, they run on.',
+    here: 'A shell chair made by code, in two liveries: unblended, strokes stop at every triangle of the shell; blended, they run on.',
     model: 'chair',
-    shape: 0.8,
+    aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.75, 0.5, 1],
     look: { strokeScale: 1.2 },
@@ -304,10 +305,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 14,
     title: 'Orientation',
-    paper: 'The Stanford bunny with strokes towards the light, and tangent to its direction.',
-    ours: 'The same: on the left strokes point at the light, on the right they run around it.',
+    inThePaper: 'The Stanford bunny with strokes towards the light, and tangent to its direction.',
+    here: 'The same: on the left strokes point at the light, on the right they run around it.',
     model: 'bunny',
-    shape: 1.1,
+    aspect: 1.1,
     light: { position: [-1.2, 1.4, 1.2] },
     view: [0, 0.1, 1],
     look: { strokeScale: 1.6 },

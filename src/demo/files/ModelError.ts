@@ -4,7 +4,7 @@ export class ModelError extends Error {
 }
 
 /** What went wrong while a file was read, as a sentence; a ModelError is one already. */
-export function damaged(name: string, error: unknown): ModelError {
+export function toModelError(name: string, error: unknown): ModelError {
   if (error instanceof ModelError) return error;
   const reason =
     error instanceof Error ? error.message.replace(/^(THREE\.)?\w+:\s*/, '').replace(/[.\s]+$/, '') : String(error);

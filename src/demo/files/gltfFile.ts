@@ -33,7 +33,7 @@ const MAX_IMPLIED_VALUES = 1_000_000;
 const MAX_NODES = 100_000;
 const MAX_DEPTH = 500;
 /** More than this keeps the page's own thread busy for too long; it is drawn as one mesh instead, which does not move. */
-const MAX_LIVE = { vertices: 300_000, nodes: 5_000, channels: 20_000 };
+const MAX_SCENE = { vertices: 300_000, nodes: 5_000, channels: 20_000 };
 const READABLE =
   /^(KHR_draco_mesh_compression|EXT_meshopt_compression|KHR_meshopt_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|(KHR|EXT)_(texture|materials|lights)_\w+|KHR_node_visibility)$/;
 
@@ -99,16 +99,16 @@ export function checkBufferViews(gltf: GltfDocument, sizes: readonly number[], n
  * Whether there is something in a document that one merged mesh cannot show, motion or pictures on surfaces, and it is
  * small enough to be put together on the page's own thread.
  */
-export function isLive(gltf: GltfDocument): boolean {
+export function isDrawnAsScene(gltf: GltfDocument): boolean {
   const primitives = (gltf.meshes ?? []).flatMap((mesh) => mesh.primitives ?? []);
   const channels = sum(gltf.animations ?? [], (animation) => animation.channels?.length ?? 0);
   const moves = channels > 0 || (gltf.skins?.length ?? 0) > 0 || primitives.some(({ targets }) => targets?.length);
   const isPictured = (gltf.materials ?? []).some((material) => material.pbrMetallicRoughness?.baseColorTexture);
   const vertices = sum(primitives, ({ attributes }) => gltf.accessors?.[attributes?.POSITION ?? -1]?.count ?? 0);
   const isSmall =
-    vertices <= MAX_LIVE.vertices &&
-    (gltf.nodes?.length ?? 0) <= MAX_LIVE.nodes &&
-    channels <= MAX_LIVE.channels &&
+    vertices <= MAX_SCENE.vertices &&
+    (gltf.nodes?.length ?? 0) <= MAX_SCENE.nodes &&
+    channels <= MAX_SCENE.channels &&
     vertices > 0;
   return Boolean(moves || isPictured) && isSmall;
 }

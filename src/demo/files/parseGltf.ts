@@ -14,17 +14,17 @@ export interface GltfParts {
   /** By their numbers in the document. */
   buffers: Uint8Array[];
   /** Those to be drawn, by their numbers in the document. */
-  pictures: (Blob | undefined)[];
+  images: (Blob | undefined)[];
 }
 
 /** The scene of a model and how it can move. */
-export interface LiveScene {
+export interface ModelScene {
   root: Group;
   animations: AnimationClip[];
 }
 
 /** Puts a scene together. Whatever is not among the parts is not fetched. */
-export async function parseGltf({ name, document, buffers, pictures }: GltfParts): Promise<LiveScene> {
+export async function parseGltf({ name, document, buffers, images }: GltfParts): Promise<ModelScene> {
   const urls: string[] = [];
   const urlOf = (blob: Blob): string => {
     const url = URL.createObjectURL(blob);
@@ -48,7 +48,7 @@ export async function parseGltf({ name, document, buffers, pictures }: GltfParts
     const placed = {
       ...withBaseColors(
         document,
-        pictures.map((picture) => picture && urlOf(picture)),
+        images.map((image) => image && urlOf(image)),
       ),
       buffers: buffers.map((buffer) => ({
         byteLength: buffer.length,

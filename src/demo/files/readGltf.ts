@@ -1,7 +1,7 @@
 import type { FindFile } from './FindFile.js';
 import { baseName } from './fileName.js';
-import { checkBufferViews, type GltfDocument, isLive, readGltfDocument, splitGlb } from './gltfFile.js';
-import { collectPictures } from './gltfPictures.js';
+import { checkBufferViews, type GltfDocument, isDrawnAsScene, readGltfDocument, splitGlb } from './gltfFile.js';
+import { collectImages } from './gltfImages.js';
 import { ModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
@@ -29,11 +29,11 @@ export async function readGltf(
     buffers.map((buffer) => buffer.length),
     name,
   );
-  if (isLive(document)) {
-    return { name, document, buffers, pictures: await collectPictures(document, buffers, findFile) };
+  if (isDrawnAsScene(document)) {
+    return { name, document, buffers, images: await collectImages(document, buffers, findFile) };
   }
   const { animations: _, ...still } = document;
-  const { root } = await parseGltf({ name, document: still, buffers, pictures: [] });
+  const { root } = await parseGltf({ name, document: still, buffers, images: [] });
   return mergeScene(root);
 }
 

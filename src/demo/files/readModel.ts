@@ -7,7 +7,7 @@ import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf, withoutGz } from './fileName.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
-import { damaged, ModelError } from './ModelError.js';
+import { ModelError, toModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
@@ -98,7 +98,7 @@ async function parse(
         return fromGeometry(new STLLoader().parse(wholeBuffer(bytes)));
     }
   } catch (error) {
-    throw damaged(name, error);
+    throw toModelError(name, error);
   }
 }
 

@@ -14,7 +14,7 @@ import {
   Uint16BufferAttribute,
   Vector3,
 } from 'three';
-import type { LiveScene } from '../files/parseGltf.js';
+import type { ModelScene } from '../files/parseGltf.js';
 
 /** Rings from nose to tail, points to a ring, bones along the spine. */
 const RINGS = 96;
@@ -44,7 +44,7 @@ const PROFILE: readonly (readonly [place: number, above: number, below: number, 
  * A fish that swims, made of nothing but a profile: skinned to a chain of bones, with the clips `Swim` and `Dart` and the
  * shape `Puffed up`.
  */
-export function makeFish(): LiveScene {
+export function makeFish(): ModelScene {
   const mesh = named(new SkinnedMesh(bodyGeometry(), new MeshStandardMaterial()));
   const bones = Array.from({ length: BONES }, (_, i) => {
     const bone = new Bone();

@@ -10,7 +10,7 @@ export class CompareDivider {
 
   constructor(
     private readonly element: HTMLElement,
-    private readonly plate: HTMLElement,
+    private readonly viewport: HTMLElement,
     private readonly onMove: () => void,
   ) {
     element.tabIndex = 0;
@@ -28,7 +28,7 @@ export class CompareDivider {
     });
     element.addEventListener('pointermove', (event) => {
       if (!element.hasPointerCapture(event.pointerId)) return;
-      const { left, width } = plate.getBoundingClientRect();
+      const { left, width } = viewport.getBoundingClientRect();
       this.moveTo((event.clientX - left) / width);
     });
     element.addEventListener('keydown', this.onKeyDown);
@@ -44,9 +44,9 @@ export class CompareDivider {
     this.place();
   }
 
-  /** Keeps the line at its share of a plate that changed its size. */
+  /** Keeps the line at its share of a viewport that changed its size. */
   place(): void {
-    this.element.style.transform = `translateX(${(this.share * this.plate.clientWidth).toFixed(1)}px)`;
+    this.element.style.transform = `translateX(${(this.share * this.viewport.clientWidth).toFixed(1)}px)`;
     this.element.setAttribute('aria-valuenow', (100 * this.share).toFixed(0));
   }
 

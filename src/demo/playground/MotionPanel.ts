@@ -1,14 +1,14 @@
 import type { Motion } from '../drawing/Motion.js';
 
 /** A model with more shapes than these has sliders for the first of them. */
-const MAX_MORPHS = 64;
+const MAX_MORPH_SLIDERS = 64;
 
 interface Slider {
   input: HTMLInputElement;
   output: HTMLOutputElement;
   /** The value as it is now. */
   read: () => number;
-  words: (value: number) => string;
+  format: (value: number) => string;
 }
 
 /** Play and pause, the clip, the place in it, its speed, and the shapes of a model that moves. */
@@ -45,10 +45,10 @@ export class MotionPanel {
       motion.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
       this.addClips(motion);
     }
-    for (const name of motion.morphs.slice(0, MAX_MORPHS)) {
-      const slider = this.addSlider(name, { min: 0, max: 1, step: 0.01 }, percent, () => motion.morph(name), {
-        write: (amount) => motion.hold(name, amount),
-        reset: () => motion.hold(name, undefined),
+    for (const name of motion.morphs.slice(0, MAX_MORPH_SLIDERS)) {
+      const slider = this.addSlider(name, { min: 0, max: 1, step: 0.01 }, percent, () => motion.influenceOf(name), {
+        write: (influence) => motion.setInfluence(name, influence),
+        reset: () => motion.setInfluence(name, undefined),
       });
       slider.input.title = 'Double-click to give it back to the clip';
     }
@@ -60,10 +60,10 @@ export class MotionPanel {
     const { motion, play } = this;
     if (!motion) return;
     if (play) play.textContent = motion.isPlaying ? 'Pause' : 'Play';
-    for (const { input, output, read, words } of this.sliders) {
+    for (const { input, output, read, format } of this.sliders) {
       const value = read();
       input.value = String(value);
-      const text = words(value);
+      const text = format(value);
       if (output.textContent === text) continue;
       output.textContent = text;
       input.setAttribute('aria-valuetext', text);
@@ -114,7 +114,7 @@ export class MotionPanel {
   private addSlider(
     name: string,
     range: { min: number; max: number; step: number },
-    words: (value: number) => string,
+    format: (value: number) => string,
     read: () => number,
     { write, reset }: { write: (value: number) => void; reset?: () => void },
   ): Slider {
@@ -133,7 +133,7 @@ export class MotionPanel {
       this.changed();
     });
     this.container.append(label);
-    const slider = { input, output, read, words };
+    const slider = { input, output, read, format };
     this.sliders.push(slider);
     return slider;
   }

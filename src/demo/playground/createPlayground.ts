@@ -10,17 +10,17 @@ import { createScene } from '../stage/createScene.js';
 import { LightHandle } from '../stage/LightHandle.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
+import { download } from './download.js';
 import { dropFiles } from './dropFiles.js';
-import { download } from './handOver.js';
-import { ModelDesk } from './ModelDesk.js';
+import { ExportActions } from './ExportActions.js';
+import { ModelLoader } from './ModelLoader.js';
 import { MotionPanel } from './MotionPanel.js';
-import { areOfMap, loadOwnMap, zipMap } from './OwnMap.js';
-import { Panel } from './Panel.js';
+import { areMapFiles, loadMapFiles, zipMap } from './mapFiles.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
+import { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
-import { TakeAway } from './TakeAway.js';
-import { TaskBoard } from './TaskBoard.js';
+import { TaskRunner } from './TaskRunner.js';
 
 declare global {
   interface Window {
@@ -38,51 +38,51 @@ const LINK_DELAY_MILLISECONDS = 400;
 /** Wires the page: settings to the drawing, files and models to the scene, and everything back to panel and caption. */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const { settings, camera } = readLink(location.hash);
-  const scene = createScene(page.canvas, context, page.plate);
+  const scene = createScene(page.canvas, context, page.viewport);
   const history = new SettingsHistory(settings);
   const maps = new TonalArtMapCache();
-  const tasks = new TaskBoard(status, () => scene.invalidate());
-  const models = new ModelDesk(scene, settings, history, tasks, (isNewModel) => {
+  const tasks = new TaskRunner(status, () => scene.invalidate());
+  const modelLoader = new ModelLoader(scene, settings, history, tasks, (isNewModel) => {
     if (isNewModel) motion.show(scene.model?.motion);
-    settingsChanged();
+    applySettings();
   });
   const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
-  const takeAway = new TakeAway(scene, settings, models, status, currentLink);
+  const exportActions = new ExportActions(scene, settings, modelLoader, status, currentLink);
   const lamp = new LightHandle(page.lamp, {
-    plate: page.plate,
+    viewport: page.viewport,
     camera: scene.camera,
     settings,
     lightPosition: scene.lightPosition,
     onMove: (place) => {
       Object.assign(settings, place);
-      personChanged('lamp');
+      recordChange('lamp');
     },
     onDrag: (dragging) => {
       scene.view.controls.enabled = !dragging;
       if (dragging) page.lamp.classList.add('is-known');
     },
   });
-  const contact = new ContactSheet(page.contact);
-  const divider = new CompareDivider(page.divider, page.plate, () => scene.invalidate());
+  const contactSheet = new ContactSheet(page.contactSheet);
+  const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
-    personChanged();
+    recordChange();
     void showMap();
   });
-  const panel = new Panel(
+  const panel = new SettingsPanel(
     page.panel,
     settings,
     [
-      { label: 'Show the map', group: 'Drawing', run: () => contact.open() },
+      { label: 'Show the map', group: 'Drawing', run: () => contactSheet.open() },
       { label: 'Show the whole model', group: 'View', run: scene.view.frame },
-      { label: 'Save PNG', group: 'Picture', run: takeAway.savePng },
-      { label: 'Copy a link to this drawing', group: 'Picture', run: takeAway.copyLink },
-      { label: 'Copy the code for this look', group: 'Picture', run: takeAway.copyCode },
+      { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
+      { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
+      { label: 'Copy the code for this look', group: 'Picture', run: exportActions.copyCode },
     ],
     (key) => {
-      if (key === 'model') models.changeModel();
+      if (key === 'model') modelLoader.changeModel();
       if (MAP_SETTINGS.includes(key)) void showMap();
-      personChanged(key);
+      recordChange(key);
     },
   );
 
@@ -101,27 +101,27 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param thing what was changed; see {@link SettingsHistory.changed} */
-  function personChanged(thing?: string): void {
-    history.changed(thing);
-    settingsChanged();
+  /** @param source what was changed; see {@link SettingsHistory.changed} */
+  function recordChange(source?: string): void {
+    history.changed(source);
+    applySettings();
   }
 
   function undo(): void {
     const before = history.undo();
     if (before) replaceSettings(before);
-    settingsChanged();
+    applySettings();
   }
 
   /** Puts other settings in force, with the model and the map they ask for. */
   function replaceSettings(next: Settings): void {
     const { model } = settings;
     Object.assign(settings, next);
-    if (settings.model !== model) models.changeModel();
+    if (settings.model !== model) modelLoader.changeModel();
     void showMap();
   }
 
-  function settingsChanged(): void {
+  function applySettings(): void {
     scene.apply(settings);
     const { compare, technique } = settings;
     const isCompared = compare !== 'none';
@@ -136,11 +136,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     panel.refresh();
     presets.refresh();
     page.undo.disabled = history.isEmpty;
-    rememberInAddress();
+    updateAddress();
   }
 
   /** Keeps the page's address such that a reload, or a bookmark, brings the same drawing back. */
-  function rememberInAddress(): void {
+  function updateAddress(): void {
     clearTimeout(linkTimer);
     linkTimer = setTimeout(() => window.history.replaceState(null, '', `#${currentLink()}`), LINK_DELAY_MILLISECONDS);
   }
@@ -162,7 +162,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       ? 'Drawn with half the resolution while it moves, because this machine is slow'
       : 'Time from the first command of a frame to its last pixel';
   });
-  scene.view.controls.addEventListener('change', rememberInAddress);
+  scene.view.controls.addEventListener('change', updateAddress);
 
   // ── Models and maps ──
 
@@ -176,18 +176,18 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   function useMap(map: TonalArtMap): void {
     scene.setTonalArtMap(map);
-    contact.show(map, SETTINGS.mapStyle.choices[settings.mapStyle]);
+    contactSheet.show(map, SETTINGS.mapStyle.choices[settings.mapStyle]);
   }
 
   async function showOwnMap(files: readonly ModelFile[]): Promise<void> {
     await tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
-      const map = await loadOwnMap(files, { signal, onProgress });
+      const map = await loadMapFiles(files, { signal, onProgress });
       signal.throwIfAborted();
       settings.mapStyle = 'file';
       useMap(map);
       maps.keep(map);
-      personChanged();
+      recordChange();
     });
   }
 
@@ -198,11 +198,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     status.say('The map is saved.');
   }
 
-  dropFiles({ veil: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
-    void (areOfMap(files) ? showOwnMap(files) : models.showFiles(files));
+  dropFiles({ overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
+    void (areMapFiles(files) ? showOwnMap(files) : modelLoader.showFiles(files));
   });
 
-  page.savePng.addEventListener('click', takeAway.savePng);
+  page.savePng.addEventListener('click', exportActions.savePng);
   page.saveMap.addEventListener('click', () => void saveMap());
   page.undo.addEventListener('click', undo);
 
@@ -240,11 +240,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     replaceSettings(link.settings);
     if (link.camera) scene.view.place = link.camera;
     else scene.view.frame();
-    personChanged();
+    recordChange();
   });
 
   if (camera) scene.view.place = camera;
-  settingsChanged();
-  models.showChosen();
+  applySettings();
+  modelLoader.showChosen();
   void showMap();
 }

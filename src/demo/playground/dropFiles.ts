@@ -1,14 +1,14 @@
 import type { ModelFile } from '../files/readModel.js';
 
-/** Takes files dropped anywhere on the page or picked by a button; while some are over the page, `veil` says what it takes. */
+/** Takes files dropped anywhere on the page or picked by a button; while some are over the page, `overlay` says what it takes. */
 export function dropFiles(
-  elements: { veil: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
+  elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
   onFiles: (files: ModelFile[]) => void,
 ): void {
-  const { veil, input, buttons } = elements;
+  const { overlay, input, buttons } = elements;
   const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   addEventListener('dragenter', (event) => {
-    if (carriesFiles(event)) veil.hidden = false;
+    if (carriesFiles(event)) overlay.hidden = false;
   });
   addEventListener('dragover', (event) => {
     if (!carriesFiles(event)) return;
@@ -17,10 +17,10 @@ export function dropFiles(
   });
   addEventListener('dragleave', (event) => {
     // Leaving the page has no element it leads to; going from one element to another has.
-    if (event.relatedTarget === null) veil.hidden = true;
+    if (event.relatedTarget === null) overlay.hidden = true;
   });
   addEventListener('drop', async (event) => {
-    veil.hidden = true;
+    overlay.hidden = true;
     if (!carriesFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
     onFiles(await droppedFiles(event.dataTransfer));

@@ -36,7 +36,7 @@ export async function exportPng(scene: HatchingScene, options: PictureOptions): 
         const tileHeight = Math.min(TILE, height - y);
         renderer.setSize(tileWidth, tileHeight, false);
         camera.setViewOffset(width, height, x, y, tileWidth, tileHeight);
-        scene.drawPiece({ viewWidth: width, x, width: tileWidth, height: tileHeight }, options.scale);
+        scene.drawTile({ viewWidth: width, x, width: tileWidth, height: tileHeight }, options.scale);
         // In the same task as the drawing: the canvas keeps its content no longer than that.
         context.drawImage(renderer.domElement, x, y);
       }

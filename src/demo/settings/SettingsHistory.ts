@@ -1,6 +1,6 @@
 import { SETTING_KEYS, type Settings } from './settings.js';
 
-/** Changes of one thing closer together than this are one change: a slider that is dragged, a lamp that is moved. */
+/** Changes of one source closer together than this are one change: a slider that is dragged, a lamp that is moved. */
 const PAUSE_MILLISECONDS = 900;
 const KEPT = 100;
 
@@ -8,7 +8,7 @@ const KEPT = 100;
 export class SettingsHistory {
   private readonly past: Settings[] = [];
   private now: Settings;
-  private lastThing: string | undefined;
+  private lastSource: string | undefined;
   private lastTime = -Infinity;
 
   constructor(private readonly settings: Settings) {
@@ -18,12 +18,12 @@ export class SettingsHistory {
   /**
    * The settings were changed.
    *
-   * @param thing names what moved, so that a movement in many steps counts as one change; undefined: a change by itself
+   * @param source names what moved, so that a movement in many steps counts as one change; undefined: a change by itself
    */
-  changed(thing?: string): void {
+  changed(source?: string): void {
     const time = performance.now();
-    const continues = thing !== undefined && thing === this.lastThing && time - this.lastTime < PAUSE_MILLISECONDS;
-    this.lastThing = thing;
+    const continues = source !== undefined && source === this.lastSource && time - this.lastTime < PAUSE_MILLISECONDS;
+    this.lastSource = source;
     this.lastTime = time;
     if (!continues) {
       this.past.push(this.now);
@@ -35,7 +35,7 @@ export class SettingsHistory {
   /** The settings are others for a reason that is not to be undone. */
   adopt(): void {
     this.now = { ...this.settings };
-    this.lastThing = undefined;
+    this.lastSource = undefined;
   }
 
   /**
@@ -47,7 +47,7 @@ export class SettingsHistory {
       if (before.model === 'file') before.model = this.settings.model;
       if (SETTING_KEYS.every((key) => before[key] === this.settings[key])) continue;
       this.now = before;
-      this.lastThing = undefined;
+      this.lastSource = undefined;
       return { ...before };
     }
     return undefined;

@@ -1,4 +1,4 @@
-const KEPT = 7;
+const KEPT_DURATIONS = 7;
 const POLL_MILLISECONDS = 3;
 const GIVE_UP_MILLISECONDS = 10_000;
 
@@ -52,7 +52,7 @@ export class FrameTimer {
       this.gl.deleteSync(fence);
       if (!isDone) return;
       this.durations.push(elapsed);
-      if (this.durations.length > KEPT) this.durations.shift();
+      if (this.durations.length > KEPT_DURATIONS) this.durations.shift();
       this.onMeasured();
     }, POLL_MILLISECONDS);
   }

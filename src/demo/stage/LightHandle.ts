@@ -1,13 +1,13 @@
 import { MathUtils, type PerspectiveCamera, Raycaster, Spherical, Vector2, Vector3 } from 'three';
 import { SETTINGS, type Settings } from '../settings/settings.js';
-import { drawLamp } from './drawLamp.js';
-import { edgeOfSphere, isBehind, isHidden, meetSphere } from './lightSphere.js';
+import { createLampIcon } from './createLampIcon.js';
+import { intersectSphere, isBehind, isHidden, nearestOutlinePoint } from './lightSphere.js';
 
 type LightPlace = Pick<Settings, 'lightAzimuth' | 'lightElevation' | 'lightDistance'>;
 
 const STEP = 5;
 const FINE_STEP = 1;
-/** Nearer to the edge of the plate than this and the lamp is held back, so that it can always be taken. */
+/** Nearer to the edge of the viewport than this and the lamp is held back, so that it can always be taken. */
 const MARGIN = 26;
 /** Nearer to an edge than this and the hint below the lamp would be cut; it stands elsewhere then. */
 const HINT_REACH = 76;
@@ -17,7 +17,7 @@ const MIN_REACH = 32;
 /** What the handle works on. */
 export interface LightHandleHost {
   /** The element the handle is laid over; its client size is the picture's. */
-  plate: HTMLElement;
+  viewport: HTMLElement;
   camera: PerspectiveCamera;
   settings: Settings;
   /** Where the light stands now, in world coordinates. */
@@ -49,7 +49,7 @@ export class LightHandle {
     element.setAttribute('aria-valuemin', '-180');
     element.setAttribute('aria-valuemax', '180');
     element.title = 'Drag to move the light. Past the edge and back takes it behind the model.';
-    element.append(drawLamp());
+    element.append(createLampIcon());
     element.addEventListener('pointerdown', this.onPointerDown);
     element.addEventListener('pointermove', this.onPointerMove);
     element.addEventListener('pointerup', this.onPointerEnd);
@@ -61,8 +61,8 @@ export class LightHandle {
   /** Lays the handle over the light's place in the picture; to be called with every frame. */
   update(): void {
     const { settings, lightPosition, camera } = this.host;
-    const { x, y } = this.onPlate(lightPosition);
-    const { width, height } = this.plateSize();
+    const { x, y } = this.projectToViewport(lightPosition);
+    const { width, height } = this.viewportSize();
     const left = MathUtils.clamp(x, MARGIN, width - MARGIN);
     const top = MathUtils.clamp(y, MARGIN, height - MARGIN);
     this.element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
@@ -87,7 +87,7 @@ export class LightHandle {
     this.element.focus({ preventScroll: true });
     this.element.setPointerCapture(event.pointerId);
     // The lamp is held where it was gripped and does not jump under the pointer.
-    const grip = this.onPlate(this.host.lightPosition).sub(this.pointerOnPlate(event));
+    const grip = this.projectToViewport(this.host.lightPosition).sub(this.pointerPosition(event));
     this.pointer = { id: event.pointerId, grip };
     this.beyondEdge = false;
     this.element.classList.add('is-held');
@@ -97,7 +97,7 @@ export class LightHandle {
 
   private readonly onPointerMove = (event: PointerEvent): void => {
     if (event.pointerId !== this.pointer?.id || this.second) return;
-    const place = this.pointerOnPlate(event).add(this.pointer.grip);
+    const place = this.pointerPosition(event).add(this.pointer.grip);
     if (event.shiftKey && this.host.settings.lightKind !== 'directional') this.moveAway(place);
     else this.moveOverSphere(place);
   };
@@ -175,8 +175,8 @@ export class LightHandle {
   }
 
   private moveAway(place: Vector2): void {
-    const centre = this.onPlate(new Vector3());
-    const now = Math.max(MIN_REACH, this.onPlate(this.host.lightPosition).distanceTo(centre));
+    const centre = this.projectToViewport(new Vector3());
+    const now = Math.max(MIN_REACH, this.projectToViewport(this.host.lightPosition).distanceTo(centre));
     const next = Math.max(MIN_REACH, place.distanceTo(centre));
     this.setDistance((this.host.settings.lightDistance * next) / now);
   }
@@ -184,15 +184,19 @@ export class LightHandle {
   /** Puts the light where the line of sight through `place` meets the sphere it moves on, or at the sphere's edge. */
   private moveOverSphere(place: Vector2): void {
     const { camera, lightPosition } = this.host;
-    const { width, height } = this.plateSize();
+    const { width, height } = this.viewportSize();
     this.raycaster.setFromCamera(new Vector2((place.x / width) * 2 - 1, 1 - (place.y / height) * 2), camera);
-    const hits = meetSphere(this.raycaster.ray, lightPosition.length());
+    const hits = intersectSphere(this.raycaster.ray, lightPosition.length());
     if (!hits) this.beyondEdge = true;
     else if (this.beyondEdge) {
       this.beyondEdge = false;
       this.behind = !this.behind;
     }
-    const hit = hits ? (this.behind ? hits.far : hits.near) : edgeOfSphere(this.raycaster.ray, lightPosition.length());
+    const hit = hits
+      ? this.behind
+        ? hits.far
+        : hits.near
+      : nearestOutlinePoint(this.raycaster.ray, lightPosition.length());
     const { theta, phi } = new Spherical().setFromVector3(hit);
     const { min, max } = SETTINGS.lightElevation;
     this.host.onMove({
@@ -202,20 +206,20 @@ export class LightHandle {
   }
 
   private reach(event: PointerEvent): number {
-    return Math.max(MIN_REACH, this.pointerOnPlate(event).distanceTo(this.onPlate(new Vector3())));
+    return Math.max(MIN_REACH, this.pointerPosition(event).distanceTo(this.projectToViewport(new Vector3())));
   }
 
-  private plateSize(): { width: number; height: number } {
-    return { width: this.host.plate.clientWidth, height: this.host.plate.clientHeight };
+  private viewportSize(): { width: number; height: number } {
+    return { width: this.host.viewport.clientWidth, height: this.host.viewport.clientHeight };
   }
 
-  private pointerOnPlate(event: PointerEvent): Vector2 {
-    const { left, top } = this.host.plate.getBoundingClientRect();
+  private pointerPosition(event: PointerEvent): Vector2 {
+    const { left, top } = this.host.viewport.getBoundingClientRect();
     return new Vector2(event.clientX - left, event.clientY - top);
   }
 
-  private onPlate(world: Vector3): Vector2 {
-    const { width, height } = this.plateSize();
+  private projectToViewport(world: Vector3): Vector2 {
+    const { width, height } = this.viewportSize();
     const projected = world.clone().project(this.host.camera);
     return new Vector2(((projected.x + 1) / 2) * width, ((1 - projected.y) / 2) * height);
   }

@@ -1,12 +1,12 @@
 import { Group, MathUtils, Scene, WebGLRenderer } from 'three';
 import type { TonalArtMap } from 'three-hatching';
-import type { DrawnModel } from '../drawing/DrawnModel.js';
+import type { HatchedModel } from '../drawing/HatchedModel.js';
 import type { Settings } from '../settings/settings.js';
+import { AdaptiveResolution } from './AdaptiveResolution.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
-import { FrameClock } from './FrameClock.js';
+import { FrameScheduler } from './FrameScheduler.js';
 import { FrameTimer } from './FrameTimer.js';
 import { LightRig } from './LightRig.js';
-import { MovingResolution } from './MovingResolution.js';
 import { View } from './View.js';
 
 const MAX_PIXEL_RATIO = 2;
@@ -17,7 +17,7 @@ const MAX_PIXELS = 8_000_000;
 export type HatchingScene = ReturnType<typeof createScene>;
 
 /** A strip of a view, in the renderer's pixels. */
-interface Piece {
+interface Tile {
   viewWidth: number;
   x: number;
   width: number;
@@ -27,7 +27,7 @@ interface Piece {
 /**
  * Sets up the drawing on a canvas. Nothing is drawn until `invalidate` is called, and then once.
  */
-export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, plate: HTMLElement) {
+export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, viewport: HTMLElement) {
   const renderer = new WebGLRenderer({ canvas, context });
   const scene = new Scene();
   const camera = createCamera();
@@ -35,36 +35,36 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   /** Holds the model; turned where its up is another. */
   const upright = new Group();
   scene.add(upright);
-  let model: DrawnModel | undefined;
+  let model: HatchedModel | undefined;
   /** The model before, until the new one has been drawn: programs that both use are not built again then. */
-  let retired: DrawnModel | undefined;
+  let previousModel: HatchedModel | undefined;
   let map: TonalArtMap | undefined;
   let settings: Settings | undefined;
 
   const frameListeners: (() => void)[] = [];
-  const clock = new FrameClock(() => draw());
-  const moving = new MovingResolution(() => clock.invalidate());
+  const scheduler = new FrameScheduler(() => draw());
+  const resolution = new AdaptiveResolution(() => scheduler.invalidate());
   const timer = new FrameTimer(context, () => {
-    moving.measured(timer.milliseconds!);
+    resolution.measured(timer.milliseconds!);
     for (const listener of timeListeners) listener();
   });
   const timeListeners: (() => void)[] = [];
-  const view = new View(canvas, camera, () => clock.invalidate());
+  const view = new View(canvas, camera, () => scheduler.invalidate());
   let lastFrame = 0;
   /** Share of the width that is drawn in the compared look, or undefined when there is one drawing only. */
   let divider: (() => number) | undefined;
 
   function draw(): void {
-    const { clientWidth: width, clientHeight: height } = plate;
+    const { clientWidth: width, clientHeight: height } = viewport;
     if (context.isContextLost() || width === 0 || height === 0) return;
-    moving.beforeFrame();
+    resolution.beforeFrame();
     move();
     if (renderer.getPixelRatio() !== pixelRatio()) renderer.setPixelRatio(pixelRatio());
-    timer.measure(() => drawPiece({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio()));
-    retired?.dispose();
-    retired = undefined;
+    timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio()));
+    previousModel?.dispose();
+    previousModel = undefined;
     for (const listener of frameListeners) listener();
-    if (model?.motion?.isPlaying) clock.invalidate();
+    if (model?.motion?.isPlaying) scheduler.invalidate();
   }
 
   /** Moves the model on by the time that has passed. */
@@ -80,10 +80,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
    *
    * @param pixelRatio pixels drawn per pixel of the page: strokes are as many times as wide, their edges as sharp
    */
-  function drawPiece({ viewWidth, x, width, height }: Piece, pixelRatio: number): void {
+  function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
     const share = divider?.();
     if (model && settings) model.strokeWidth = settings.strokeWidth * pixelRatio;
-    model?.wear('drawn');
+    model?.useMaterials('drawn');
     if (share === undefined) {
       renderer.render(scene, camera);
       return;
@@ -92,20 +92,20 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setScissorTest(true);
     renderer.setScissor(split, 0, width - split, height);
     if (split < width) renderer.render(scene, camera);
-    model?.wear('compared');
+    model?.useMaterials('compared');
     renderer.setScissor(0, 0, split, height);
     if (split > 0) renderer.render(scene, camera);
     renderer.setScissorTest(false);
   }
 
   function pixelRatio(): number {
-    const { clientWidth: width, clientHeight: height } = plate;
+    const { clientWidth: width, clientHeight: height } = viewport;
     const full = Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
-    return full * moving.share;
+    return full * resolution.scale;
   }
 
   function resize(): void {
-    const { clientWidth: width, clientHeight: height } = plate;
+    const { clientWidth: width, clientHeight: height } = viewport;
     if (width === 0 || height === 0) return;
     renderer.setPixelRatio(pixelRatio());
     renderer.setSize(width, height, false);
@@ -121,7 +121,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   }
 
   const sizes = new ResizeObserver(resize);
-  sizes.observe(plate);
+  sizes.observe(viewport);
   resize();
 
   return {
@@ -131,7 +131,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     view,
     lightPosition: lights.position,
     draw,
-    drawPiece,
+    drawTile,
 
     /** Draws on paper, or strokes and nothing else. */
     showPaper(shown: boolean): void {
@@ -155,45 +155,45 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     /** Whether frames are drawn in a lower resolution, because the machine is too slow for this movement. */
     get isCoarse(): boolean {
-      return moving.isCoarse;
+      return resolution.isCoarse;
     },
 
     get framesDrawn(): number {
-      return clock.frames;
+      return scheduler.frames;
     },
 
     /** Whether a frame was asked for that is not drawn yet. */
     get isWaiting(): boolean {
-      return clock.isWaiting;
+      return scheduler.isWaiting;
     },
 
     /** Asks for one frame. */
     invalidate(): void {
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
     /** Draws a model from now on, and frees the one before. `first` is the direction to the eye that shows it whole. */
-    setModel(next: DrawnModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
-      retired?.dispose();
-      retired = model;
-      retired?.root.removeFromParent();
+    setModel(next: HatchedModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
+      previousModel?.dispose();
+      previousModel = model;
+      previousModel?.root.removeFromParent();
       model = next;
       upright.add(next.root);
       timer.reset();
       if (map) next.tonalArtMap = map;
       if (settings) this.apply(settings);
       measureBounds(first);
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
-    get model(): DrawnModel | undefined {
+    get model(): HatchedModel | undefined {
       return model;
     },
 
     setTonalArtMap(next: TonalArtMap): void {
       map = next;
       if (model) model.tonalArtMap = map;
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
     get tonalArtMap(): TonalArtMap | undefined {
@@ -203,7 +203,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     /** Draws a second technique left of a divider, whose place is asked for with every frame; or no longer does. */
     compareWith(share: (() => number) | undefined): void {
       divider = share;
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
     /** Puts the settings in force. Cheap: nothing is rebuilt but, where a setting needs another program, that. */
@@ -217,7 +217,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       }
       renderer.setClearColor(settings.paper, 1);
       model?.apply(settings);
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
     /** Whether there is all it takes to draw. */
@@ -228,9 +228,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     dispose(): void {
       sizes.disconnect();
       view.dispose();
-      clock.dispose();
+      scheduler.dispose();
       timer.reset();
-      retired?.dispose();
+      previousModel?.dispose();
       model?.dispose();
       renderer.dispose();
       renderer.forceContextLoss();

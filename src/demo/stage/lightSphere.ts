@@ -1,7 +1,7 @@
 import { Plane, Ray, Sphere, Vector3 } from 'three';
 
 /** The two points where a ray meets a sphere around the origin; undefined when it misses or starts inside. */
-export function meetSphere(ray: Ray, radius: number): { near: Vector3; far: Vector3 } | undefined {
+export function intersectSphere(ray: Ray, radius: number): { near: Vector3; far: Vector3 } | undefined {
   const near = new Vector3();
   if (ray.origin.length() <= radius || !ray.intersectSphere(new Sphere(new Vector3(), radius), near)) return undefined;
   const closest = ray.closestPointToPoint(new Vector3(), new Vector3());
@@ -9,7 +9,7 @@ export function meetSphere(ray: Ray, radius: number): { near: Vector3; far: Vect
 }
 
 /** The point on the outline of a sphere around the origin, as seen from the ray's origin, that lies nearest to the ray. */
-export function edgeOfSphere(ray: Ray, radius: number): Vector3 {
+export function nearestOutlinePoint(ray: Ray, radius: number): Vector3 {
   const distance = ray.origin.length();
   if (distance <= radius) return ray.direction.clone().setLength(radius);
   // The outline is the circle in which the cone of sight touches the sphere.

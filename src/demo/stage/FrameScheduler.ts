@@ -1,5 +1,5 @@
 /** Draws when asked to, at most once per screen refresh. An idle page draws nothing. */
-export class FrameClock {
+export class FrameScheduler {
   /** Frames drawn since the start. */
   frames = 0;
   private request = 0;

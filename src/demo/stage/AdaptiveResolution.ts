@@ -2,12 +2,12 @@
 const SLOW_MILLISECONDS = 55;
 /** Frames closer together than this belong to one movement. */
 const PAUSE_MILLISECONDS = 350;
-const COARSE = 0.5;
+const REDUCED_SCALE = 0.5;
 
 /** Lowers the resolution while something moves on a machine too slow for it, and draws once more in full afterwards. */
-export class MovingResolution {
+export class AdaptiveResolution {
   /** Share of the full resolution, per side. */
-  share = 1;
+  scale = 1;
   private isSlow = false;
   private lastFrame = -Infinity;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -16,20 +16,20 @@ export class MovingResolution {
   constructor(private readonly onRest: () => void) {}
 
   get isCoarse(): boolean {
-    return this.share < 1;
+    return this.scale < 1;
   }
 
-  /** To be told before each frame; sets {@link share} for it. */
+  /** To be told before each frame; sets {@link scale} for it. */
   beforeFrame(): void {
     const now = performance.now();
     const isMoving = now - this.lastFrame < PAUSE_MILLISECONDS;
     this.lastFrame = now;
     if (!(this.isSlow && isMoving) && !this.isCoarse) return;
-    this.share = COARSE;
+    this.scale = REDUCED_SCALE;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       this.lastFrame = -Infinity;
-      this.share = 1;
+      this.scale = 1;
       this.onRest();
     }, PAUSE_MILLISECONDS);
   }

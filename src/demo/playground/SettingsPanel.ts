@@ -19,7 +19,7 @@ export interface PanelAction {
 }
 
 /** The controls, built from the table of settings: labels, values with units, reset by double-click. */
-export class Panel {
+export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
   /** How wide strokes come out when the picture is saved in the chosen size and printed. */
   private readonly printNote = note('');

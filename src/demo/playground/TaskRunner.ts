@@ -6,7 +6,7 @@ type Slot = 'model' | 'map';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
 /** Long tasks of the page: one model and one map at a time, shown in the status line, cancelled by its button. */
-export class TaskBoard {
+export class TaskRunner {
   private readonly running = new Map<
     Slot,
     { controller: AbortController; stage: string; progress: number | undefined }

@@ -48,7 +48,7 @@ function picture(): Buffer {
   return PNG.sync.write(png);
 }
 
-export interface LiveModelOptions {
+export interface ColumnOptions {
   /** Values of the clip `Bend`, in the place of its own. */
   bend?: number[];
   /** Rings of the column; many make it a large model. */
@@ -65,7 +65,7 @@ export interface LiveModelOptions {
  * A GLB file of the column: textured red and blue, skinned to two bones, with the clips `Bend` (1 s) and `Turn` (2 s), and
  * the shape `Swollen`.
  */
-export function columnGlb(options: LiveModelOptions = {}): Buffer {
+export function columnGlb(options: ColumnOptions = {}): Buffer {
   const { rings = RINGS } = options;
   const builder = new BufferBuilder();
   const positions: number[] = [];

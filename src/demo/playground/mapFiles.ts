@@ -3,12 +3,12 @@ import { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../files/readModel.js';
 
 /** Whether files can only be a tonal art map: PNG images, and perhaps the JSON that comes with them. */
-export function areOfMap(files: readonly ModelFile[]): boolean {
+export function areMapFiles(files: readonly ModelFile[]): boolean {
   return files.every(({ name }) => /\.(png|json)$/i.test(name));
 }
 
 /** Reads dropped files as a map. Throws an Error whose words are for people. */
-export async function loadOwnMap(
+export async function loadMapFiles(
   files: readonly ModelFile[],
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
 ): Promise<TonalArtMap> {

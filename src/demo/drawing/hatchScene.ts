@@ -2,19 +2,19 @@ import { type AnimationClip, Box3, Group, type InstancedMesh, MathUtils, type Ob
 import { applyHatching, type HatchingStatistics } from 'three-hatching';
 import { checkTriangleCount } from '../files/checkTriangleCount.js';
 import { measureExtent } from '../files/fitModel.js';
-import type { LiveScene } from '../files/parseGltf.js';
+import type { ModelScene } from '../files/parseGltf.js';
 import { placements } from '../files/placements.js';
-import { DrawnModel, type ModelFacts } from './DrawnModel.js';
+import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 
 /** Poses of a clip that are looked at for the room it takes, and vertices in all of them together: a skinned one costs a microsecond. */
-const POSES = 8;
+const MAX_POSES = 8;
 const MAX_POINTS = 20_000;
 
 /** A scene ready to be drawn, and what of it could not be. */
 export interface DrawnScene {
-  model: DrawnModel;
+  model: HatchedModel;
   /** Parts and clips with numbers in them that are none. */
   broken: number;
 }
@@ -25,13 +25,13 @@ export interface DrawnScene {
  *
  * @throws ModelError with one sentence for the person at the page
  */
-export async function drawScene(
-  { root, animations }: LiveScene,
+export async function hatchScene(
+  { root, animations }: ModelScene,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
 ): Promise<DrawnScene> {
-  const sound = animations.filter(isSound);
-  hideOthers(root);
-  const motion = new Motion(root, sound);
+  const usable = animations.filter(isUsable);
+  hideAllButMeshes(root);
+  const motion = new Motion(root, usable);
   const holder = new Group().add(root);
   const bounds = fitScene(holder, motion);
 
@@ -42,25 +42,25 @@ export async function drawScene(
     // Its bounds are those of the pose it was measured in.
     if ('isSkinnedMesh' in mesh || mesh.morphTargetInfluences) mesh.frustumCulled = false;
   }
-  const model = new DrawnModel(
+  const model = new HatchedModel(
     holder,
     bounds,
-    factsOf(root),
-    motion.isPossible ? motion : undefined,
+    statisticsOf(root),
+    motion.canMove ? motion : undefined,
     hatched.materials,
     () => {
       motion.dispose();
       hatched.dispose();
     },
   );
-  return { model, broken: hatched.skipped.length + animations.length - sound.length };
+  return { model, broken: hatched.skipped.length + animations.length - usable.length };
 }
 
-const isSound = ({ tracks, duration }: AnimationClip): boolean =>
+const isUsable = ({ tracks, duration }: AnimationClip): boolean =>
   duration < Infinity &&
   tracks.every(({ times, values }) => times.every(Number.isFinite) && values.every(Number.isFinite));
 
-function hideOthers(root: Object3D): void {
+function hideAllButMeshes(root: Object3D): void {
   root.traverse((object) => {
     if ('isLight' in object || 'isLine' in object || 'isPoints' in object) object.visible = false;
   });
@@ -74,7 +74,7 @@ function hideOthers(root: Object3D): void {
  */
 function fitScene(holder: Group, motion: Motion): Box3 {
   const vertices = countVertices(holder);
-  const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MAX_POINTS / vertices), 1, POSES) : 1;
+  const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MAX_POINTS / vertices), 1, MAX_POSES) : 1;
   const step = Math.ceil((vertices * poses) / MAX_POINTS);
   const points: number[] = [];
   for (let i = 0; i < poses; i++) {
@@ -120,14 +120,14 @@ function countVertices(holder: Group): number {
   return vertices;
 }
 
-/** Sums over the parts; shared and repeated ones count as often as they are drawn. */
-function factsOf(root: Object3D): ModelFacts {
-  const facts: ModelFacts = { triangles: 0, borderEdges: 0, nonManifoldEdges: 0, degenerateTriangles: 0 };
+/** Sums over all meshes. Instances and shared geometries count as often as they are drawn. */
+function statisticsOf(root: Object3D): ModelStatistics {
+  const sums: ModelStatistics = { triangles: 0, borderEdges: 0, nonManifoldEdges: 0, degenerateTriangles: 0 };
   for (const mesh of meshesOf(root)) {
     const statistics = mesh.geometry.userData.hatching as HatchingStatistics | undefined;
     if (!mesh.visible || !statistics) continue;
-    for (const key of Object.keys(facts) as (keyof ModelFacts)[])
-      facts[key] += statistics[key] * placements(mesh).length;
+    const count = placements(mesh).length;
+    for (const key of Object.keys(sums) as (keyof ModelStatistics)[]) sums[key] += statistics[key] * count;
   }
-  return facts;
+  return sums;
 }

@@ -1,5 +1,5 @@
 /** Width and height in pixels as a picture's header gives them; undefined for what is no PNG, JPEG or WebP. */
-export function pictureSize(bytes: Uint8Array): [width: number, height: number] | undefined {
+export function imageSize(bytes: Uint8Array): [width: number, height: number] | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const text = (at: number): string => String.fromCharCode(...bytes.subarray(at, at + 4));
   if (bytes.length < 30) return undefined;

@@ -1,18 +1,19 @@
 import type { Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import { codeSample } from './codeSample.js';
+import { copyText } from './copyText.js';
+import { download } from './download.js';
 import { exportPng } from './exportPng.js';
-import { copyText, download } from './handOver.js';
-import type { ModelDesk } from './ModelDesk.js';
+import type { ModelLoader } from './ModelLoader.js';
 import { page } from './page.js';
 import type { Status } from './Status.js';
 
 /** What a person can take along: the picture, a link to it, the code for its look. */
-export class TakeAway {
+export class ExportActions {
   constructor(
     private readonly scene: HatchingScene,
     private readonly settings: Settings,
-    private readonly models: ModelDesk,
+    private readonly models: ModelLoader,
     private readonly status: Status,
     private readonly currentLink: () => string,
   ) {}
@@ -25,8 +26,8 @@ export class TakeAway {
       .toLowerCase();
     try {
       const picture = await exportPng(this.scene, {
-        width: page.plate.clientWidth,
-        height: page.plate.clientHeight,
+        width: page.viewport.clientWidth,
+        height: page.viewport.clientHeight,
         scale: Number(settings.pictureSize),
         ground: settings.pictureGround,
       });

@@ -1,8 +1,8 @@
-import { drawModel } from '../drawing/drawModel.js';
+import { hatchModel } from '../drawing/hatchModel.js';
 import type { Report } from '../drawing/Report.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
 import type { ModelFile, ReadModel } from '../files/readModel.js';
-import type { MadeScene } from '../models/MadeScene.js';
+import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { setPageState } from '../page/setPageState.js';
 import type { SettingsHistory } from '../settings/SettingsHistory.js';
@@ -10,16 +10,16 @@ import { SETTINGS, type Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import { modelCaption } from './modelCaption.js';
 import { page } from './page.js';
-import type { TaskBoard } from './TaskBoard.js';
+import type { TaskRunner } from './TaskRunner.js';
 
 interface LoadedModel {
   title: string;
   view?: [number, number, number] | undefined;
-  read: ReadModel | MadeScene;
+  read: ReadModel | BuiltInScene;
 }
 
 /** Brings models onto the sheet; while one is on its way, and when it does not come, the one before stays. */
-export class ModelDesk {
+export class ModelLoader {
   /** The name of the model on the sheet. */
   title = '';
   /** Of a scene that keeps its parts: its radius as it was read. Undefined for one mesh. */
@@ -30,7 +30,7 @@ export class ModelDesk {
     private readonly scene: HatchingScene,
     private readonly settings: Settings,
     private readonly history: SettingsHistory,
-    private readonly tasks: TaskBoard,
+    private readonly tasks: TaskRunner,
     /** Called when settings were changed because of a model; `model` is true when that is a new one. */
     private readonly onChange: (isNewModel: boolean) => void,
   ) {
@@ -72,7 +72,7 @@ export class ModelDesk {
     setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
-      const { model: next, broken } = await drawModel(loaded.read, report, signal);
+      const { model: next, broken } = await hatchModel(loaded.read, report, signal);
       if (signal.aborted) {
         next.dispose();
         throw signal.reason;
@@ -84,7 +84,7 @@ export class ModelDesk {
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
       history.adopt();
-      page.facts.replaceChildren(...modelCaption(loaded.title, next.facts, broken));
+      page.modelCaption.replaceChildren(...modelCaption(loaded.title, next.statistics, broken));
       document.title = `${loaded.title}, hatched`;
       scene.setModel(next, loaded.view);
       this.onChange(true);

@@ -1,16 +1,16 @@
 import type { FindFile } from './FindFile.js';
 import { type GltfDocument, textureSource } from './gltfFile.js';
-import { pictureSize } from './pictureSize.js';
+import { imageSize } from './imageSize.js';
 import { readUri } from './readUri.js';
 
-/** A picture of 44 kilobytes can unpack to a gigabyte. */
+/** A image of 44 kilobytes can unpack to a gigabyte. */
 const MAX_PIXELS = 2 ** 26;
 
 /**
- * The pictures that give surfaces their colour, by their number in the document; undefined for those that are not there,
+ * The images that give surfaces their colour, by their number in the document; undefined for those that are not there,
  * or too large to be unpacked, or in a format that is not read.
  */
-export async function collectPictures(
+export async function collectImages(
   gltf: GltfDocument,
   buffers: readonly Uint8Array[],
   findFile: FindFile,
@@ -24,7 +24,7 @@ export async function collectPictures(
     (gltf.images ?? []).map(async ({ uri, bufferView }, i) => {
       if (!used.has(i)) return undefined;
       const bytes = uri === undefined ? viewBytes(gltf, buffers, bufferView) : await readUri(uri, findFile);
-      const size = bytes && pictureSize(bytes);
+      const size = bytes && imageSize(bytes);
       if (!size || size[0] * size[1] > MAX_PIXELS || size[0] * size[1] === 0) return undefined;
       return new Blob([bytes as Uint8Array<ArrayBuffer>]);
     }),

@@ -15,7 +15,7 @@ import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 
 /** What a model is made of. */
-export interface ModelFacts {
+export interface ModelStatistics {
   triangles: number;
   borderEdges: number;
   nonManifoldEdges: number;
@@ -36,7 +36,7 @@ interface Surface {
 }
 
 /** A material of the model, its twin for comparisons, and the surface they both draw. */
-interface Skin {
+interface MaterialPair {
   drawn: HatchingMaterial;
   compared: HatchingMaterial;
   surface: Surface;
@@ -44,12 +44,12 @@ interface Skin {
   scale: number;
 }
 
-const PAPER_COLOR = new Color('white');
+const WHITE = new Color('white');
 
-/** A model ready to be drawn, with one look or, compared, with two. */
-export class DrawnModel {
-  private readonly skins: readonly Skin[];
-  private readonly dresses: readonly { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
+/** A model ready to be drawn, with one kind or, compared, with two. */
+export class HatchedModel {
+  private readonly pairs: readonly MaterialPair[];
+  private readonly meshes: readonly { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
 
   /**
    * @param root wears hatching materials that take after the model's surfaces, their strokes scaled to one tile per world
@@ -61,28 +61,28 @@ export class DrawnModel {
   constructor(
     readonly root: Object3D,
     readonly bounds: Box3,
-    readonly facts: ModelFacts,
+    readonly statistics: ModelStatistics,
     readonly motion: Motion | undefined,
     materials: readonly HatchingMaterial[],
     private readonly free: () => void,
   ) {
-    this.skins = materials.map((drawn) => ({
+    this.pairs = materials.map((drawn) => ({
       drawn,
       compared: drawn.clone(),
       surface: surfaceOf(drawn),
       scale: drawn.strokeScale,
     }));
-    const twins = new Map<Material, Material>(this.skins.map(({ drawn, compared }) => [drawn, compared]));
-    const twinOf = (material: Material): Material => twins.get(material) ?? material;
-    this.dresses = meshesOf(root).map((mesh) => {
+    const copies = new Map<Material, Material>(this.pairs.map(({ drawn, compared }) => [drawn, compared]));
+    const copyOf = (material: Material): Material => copies.get(material) ?? material;
+    this.meshes = meshesOf(root).map((mesh) => {
       const { material } = mesh;
-      return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(twinOf) : twinOf(material) };
+      return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(copyOf) : copyOf(material) };
     });
   }
 
   /** Puts the settings in force. */
   apply(settings: Settings): void {
-    for (const { drawn, compared, surface, scale } of this.skins) {
+    for (const { drawn, compared, surface, scale } of this.pairs) {
       applyToMaterial(drawn, settings);
       applyToMaterial(compared, settings, settings.compare === 'none' ? settings.technique : settings.compare);
       for (const material of [drawn, compared]) {
@@ -93,19 +93,19 @@ export class DrawnModel {
   }
 
   set tonalArtMap(map: TonalArtMap) {
-    for (const { drawn, compared } of this.skins) drawn.tonalArtMap = compared.tonalArtMap = map;
+    for (const { drawn, compared } of this.pairs) drawn.tonalArtMap = compared.tonalArtMap = map;
   }
 
   /** @param strokeWidth in pixels of what is drawn into */
   set strokeWidth(strokeWidth: number) {
-    for (const { drawn, compared } of this.skins) {
+    for (const { drawn, compared } of this.pairs) {
       drawn.texelPixels = compared.texelPixels = strokeWidth / TEXELS_PER_STROKE;
     }
   }
 
   /** Draws on paper, or strokes and nothing else: a surface without paper still hides what is behind it. */
   showPaper(shown: boolean): void {
-    for (const { drawn, compared, surface } of this.skins) {
+    for (const { drawn, compared, surface } of this.pairs) {
       for (const material of [drawn, compared]) {
         material.paperOpacity = shown ? 1 : 0;
         // Written as it is instead of blended, so that no stroke of the far side shows between those of the near one.
@@ -117,13 +117,13 @@ export class DrawnModel {
   }
 
   /** Chooses which of the two looks the next rendering shows. */
-  wear(look: 'drawn' | 'compared'): void {
-    for (const dress of this.dresses) dress.mesh.material = dress[look];
+  useMaterials(kind: 'drawn' | 'compared'): void {
+    for (const entry of this.meshes) entry.mesh.material = entry[kind];
   }
 
   dispose(): void {
-    this.wear('drawn');
-    for (const { compared, surface } of this.skins) {
+    this.useMaterials('drawn');
+    for (const { compared, surface } of this.pairs) {
       compared.dispose();
       surface.map?.dispose();
     }
@@ -148,7 +148,7 @@ function surfaceOf(material: HatchingMaterial): Surface {
 }
 
 function showSurface(material: HatchingMaterial, surface: Surface, isShown: boolean): void {
-  material.color.multiply(isShown ? surface.color : PAPER_COLOR);
+  material.color.multiply(isShown ? surface.color : WHITE);
   // Without its picture a cut-out, a leaf say, would be a card.
   const map = isShown || surface.alphaTest > 0 ? surface.map : null;
   const vertexColors = isShown && surface.vertexColors;

@@ -1,9 +1,9 @@
-import type { LiveScene } from '../files/parseGltf.js';
+import type { ModelScene } from '../files/parseGltf.js';
 
 /** A model that was made here with parts that move, instead of read. */
-export interface MadeScene {
+export interface BuiltInScene {
   kind: 'scene';
   name: string;
   upAxis: 'y';
-  scene: LiveScene;
+  scene: ModelScene;
 }
