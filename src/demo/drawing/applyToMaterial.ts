@@ -1,6 +1,7 @@
 import { MathUtils, Vector2 } from 'three';
 import type { HatchingMaterial } from 'three-hatching';
-import { type Settings, TONE_CURVES } from '../settings/settings.js';
+import type { Settings } from '../settings/settings.js';
+import { TONE_CURVES } from '../settings/settingValues.js';
 
 const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
 const offset = new Vector2();

@@ -1,24 +1,25 @@
+import { errorMessage } from '../files/errorMessage.js';
 import { FigureDrawing, type TechniqueChoice } from './FigureDrawing.js';
 import type { FigurePainter } from './FigurePainter.js';
 import type { Figure, Panel } from './figures.js';
 
-/** What a panel needs of the page. */
+/** What a panel needs from the page. */
 export interface PanelContext {
   ink: string;
   paper: string;
-  /** Called when the panel has something to draw. */
+  /** Called when the panel has something new to draw. */
   onOutdated(): void;
   /** Called with one sentence when the panel cannot be drawn. */
   onFailure(sentence: string): void;
 }
 
-/** A canvas with its caption. Its model is loaded when it is first seen. */
+/** A canvas with its caption. Its model is loaded when the canvas first comes into view. */
 export class FigurePanel {
   readonly element: HTMLElement;
   readonly canvas = document.createElement('canvas');
-  /** In view, or nearly. */
+  /** Whether the canvas is in view, or nearly. */
   isVisible = false;
-  /** What the canvas shows is not what it should. */
+  /** Whether the canvas shows something other than it should. */
   isOutdated = true;
   private size = { width: 0, height: 0 };
   private drawing: FigureDrawing | undefined;
@@ -41,12 +42,12 @@ export class FigurePanel {
     this.element.append(this.canvas, label);
   }
 
-  /** Whether there is nothing to wait for: unseen, or drawn as it should be. */
+  /** Whether there is nothing to wait for: the panel is out of view or up to date. */
   get isSettled(): boolean {
     return !this.isVisible || !this.isOutdated;
   }
 
-  /** Whether it is time to draw. */
+  /** Whether the panel should be drawn, and can be. */
   get isReady(): boolean {
     return this.isVisible && this.isOutdated && this.drawing !== undefined;
   }
@@ -57,13 +58,13 @@ export class FigurePanel {
     if (this.isReady) this.context.onOutdated();
   }
 
-  /** Takes the size it is shown in, in pixels of the screen. */
+  /** Sets the size of the canvas, in device pixels. */
   resize(width: number, height: number): void {
     this.size = { width, height };
     this.invalidate();
   }
 
-  /** What is shown is out of date. */
+  /** Asks for the panel to be drawn again. */
   invalidate(): void {
     this.isOutdated = true;
     if (this.isReady) this.context.onOutdated();
@@ -87,9 +88,7 @@ export class FigurePanel {
       onOutdated();
     } catch (error) {
       this.isOutdated = false;
-      onFailure(
-        `Figure ${this.figure.number} cannot be drawn: ${error instanceof Error ? error.message : String(error)}`,
-      );
+      onFailure(`Figure ${this.figure.number} cannot be drawn: ${errorMessage(error)}`);
     }
   }
 }

@@ -1,12 +1,6 @@
 import { type Controller, GUI } from 'lil-gui';
-import {
-  SETTING_GROUPS,
-  SETTING_KEYS,
-  SETTINGS,
-  type Setting,
-  type SettingKey,
-  type Settings,
-} from '../settings/settings.js';
+import { SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 
 /** At 300 dots per inch. */
 const MILLIMETRES_PER_PIXEL = 25.4 / 300;
@@ -14,7 +8,7 @@ const MILLIMETRES_PER_PIXEL = 25.4 / 300;
 /** A button of the panel. */
 export interface PanelAction {
   label: string;
-  group: (typeof SETTING_GROUPS)[number];
+  group: SettingGroup;
   run: () => void;
 }
 

@@ -1,5 +1,6 @@
 import { TEXELS_PER_STROKE } from '../drawing/applyToMaterial.js';
-import { isCrisp, SECOND_LIGHT_AZIMUTH, SETTINGS, type Settings, TONE_CURVES } from '../settings/settings.js';
+import { SETTINGS, type Settings } from '../settings/settings.js';
+import { isCrisp, SECOND_LIGHT_AZIMUTH, TONE_CURVES } from '../settings/settingValues.js';
 
 /**
  * The lines that make the look of the page in a project of one's own.

@@ -1,6 +1,3 @@
-import type { TonalArtMap } from 'three-hatching';
-import { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
-import type { ModelFile } from '../files/readModel.js';
 import { setPageState } from '../page/setPageState.js';
 import { presetLook } from '../settings/presets.js';
 import { SettingsHistory } from '../settings/SettingsHistory.js';
@@ -10,12 +7,12 @@ import { createScene } from '../stage/createScene.js';
 import { LightHandle } from '../stage/LightHandle.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
-import { download } from './download.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
+import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
 import { MotionPanel } from './MotionPanel.js';
-import { areMapFiles, loadMapFiles, zipMap } from './mapFiles.js';
+import { areMapFiles } from './mapFiles.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
 import { SettingsPanel } from './SettingsPanel.js';
@@ -25,8 +22,8 @@ import { TaskRunner } from './TaskRunner.js';
 declare global {
   interface Window {
     /**
-     * For tests: how many frames the page has drawn since it was opened (an idle page draws none), and whether it is busy
-     * with no model, no map and no frame.
+     * For tests: the number of frames drawn since the page was opened, and whether no model, map or frame is being waited
+     * for. An idle page draws no frames.
      */
     __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
@@ -35,13 +32,14 @@ declare global {
 const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed'];
 const LINK_DELAY_MILLISECONDS = 400;
 
-/** Wires the page: settings to the drawing, files and models to the scene, and everything back to panel and caption. */
+/** Creates the parts of the page and connects them: controls to settings, settings to the drawing, files to the loaders. */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const { settings, camera } = readLink(location.hash);
   const scene = createScene(page.canvas, context, page.viewport);
   const history = new SettingsHistory(settings);
-  const maps = new TonalArtMapCache();
   const tasks = new TaskRunner(status, () => scene.invalidate());
+  const contactSheet = new ContactSheet(page.contactSheet);
+  const mapLoader = new MapLoader(scene, settings, tasks, contactSheet, () => recordChange());
   const modelLoader = new ModelLoader(scene, settings, history, tasks, (isNewModel) => {
     if (isNewModel) motion.show(scene.model?.motion);
     applySettings();
@@ -62,12 +60,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       if (dragging) page.lamp.classList.add('is-known');
     },
   });
-  const contactSheet = new ContactSheet(page.contactSheet);
   const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
     recordChange();
-    void showMap();
+    void mapLoader.showChosen();
   });
   const panel = new SettingsPanel(
     page.panel,
@@ -81,7 +78,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     ],
     (key) => {
       if (key === 'model') modelLoader.changeModel();
-      if (MAP_SETTINGS.includes(key)) void showMap();
+      if (MAP_SETTINGS.includes(key)) void mapLoader.showChosen();
       recordChange(key);
     },
   );
@@ -97,11 +94,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     },
   });
 
-  // ── The drawing ──
+  // ── Settings ──
 
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param source what was changed; see {@link SettingsHistory.changed} */
+  /** Applies settings that the user has changed, and keeps the earlier ones for Undo. @param source see {@link SettingsHistory.changed} */
   function recordChange(source?: string): void {
     history.changed(source);
     applySettings();
@@ -113,12 +110,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     applySettings();
   }
 
-  /** Puts other settings in force, with the model and the map they ask for. */
+  /** Replaces all settings and loads the model and the map they ask for. */
   function replaceSettings(next: Settings): void {
     const { model } = settings;
     Object.assign(settings, next);
     if (settings.model !== model) modelLoader.changeModel();
-    void showMap();
+    void mapLoader.showChosen();
   }
 
   function applySettings(): void {
@@ -139,7 +136,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     updateAddress();
   }
 
-  /** Keeps the page's address such that a reload, or a bookmark, brings the same drawing back. */
+  /** Keeps the page's address up to date, so that a reload or a bookmark restores the drawing. */
   function updateAddress(): void {
     clearTimeout(linkTimer);
     linkTimer = setTimeout(() => window.history.replaceState(null, '', `#${currentLink()}`), LINK_DELAY_MILLISECONDS);
@@ -148,6 +145,17 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   function currentLink(): string {
     return writeLink(settings, scene.view.isFramed ? undefined : scene.view.place);
   }
+
+  scene.view.controls.addEventListener('change', updateAddress);
+  addEventListener('hashchange', () => {
+    const link = readLink(location.hash);
+    replaceSettings(link.settings);
+    if (link.camera) scene.view.place = link.camera;
+    else scene.view.frame();
+    recordChange();
+  });
+
+  // ── Frames ──
 
   scene.onFrame(() => {
     lamp.update();
@@ -162,52 +170,26 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       ? 'Drawn with half the resolution while it moves, because this machine is slow'
       : 'Time from the first command of a frame to its last pixel';
   });
-  scene.view.controls.addEventListener('change', updateAddress);
-
-  // ── Models and maps ──
-
-  async function showMap(): Promise<void> {
-    await tasks.run('map', async (report, signal) => {
-      const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
-      const map = await maps.get(settings, { signal, onProgress }, scene.tonalArtMap);
-      if (!signal.aborted) useMap(map);
-    });
-  }
-
-  function useMap(map: TonalArtMap): void {
-    scene.setTonalArtMap(map);
-    contactSheet.show(map, SETTINGS.mapStyle.choices[settings.mapStyle]);
-  }
-
-  async function showOwnMap(files: readonly ModelFile[]): Promise<void> {
-    await tasks.run('map', async (report, signal) => {
-      const onProgress = (progress: number): void => report('reading your images', progress);
-      const map = await loadMapFiles(files, { signal, onProgress });
-      signal.throwIfAborted();
-      settings.mapStyle = 'file';
-      useMap(map);
-      maps.keep(map);
-      recordChange();
-    });
-  }
-
-  async function saveMap(): Promise<void> {
-    const map = scene.tonalArtMap;
-    if (!map) return;
-    download(await zipMap(map), `${settings.mapStyle === 'file' ? 'map' : settings.mapStyle}.zip`);
-    status.say('The map is saved.');
-  }
-
-  dropFiles({ overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
-    void (areMapFiles(files) ? showOwnMap(files) : modelLoader.showFiles(files));
+  page.canvas.addEventListener('webglcontextlost', () => {
+    setPageState('lost');
+    status.fail('The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.');
+  });
+  page.canvas.addEventListener('webglcontextrestored', () => {
+    setPageState('loading');
+    status.say('The drawing is back.');
+    scene.invalidate();
   });
 
+  // ── Files and buttons ──
+
+  dropFiles({ overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
+    void (areMapFiles(files) ? mapLoader.showFiles(files) : modelLoader.showFiles(files));
+  });
   page.savePng.addEventListener('click', exportActions.savePng);
-  page.saveMap.addEventListener('click', () => void saveMap());
+  page.saveMap.addEventListener('click', exportActions.saveMap);
   page.undo.addEventListener('click', undo);
 
-  // ── The card ──
-
+  /** Opens or closes the card of settings, which narrow screens show on request only. */
   function openCard(open: boolean): void {
     page.card.classList.toggle('is-open', open);
     page.toggleCard.setAttribute('aria-expanded', String(open));
@@ -223,28 +205,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     }
   });
 
-  // ── The graphics context ──
-
-  page.canvas.addEventListener('webglcontextlost', () => {
-    setPageState('lost');
-    status.fail('The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.');
-  });
-  page.canvas.addEventListener('webglcontextrestored', () => {
-    setPageState('loading');
-    status.say('The drawing is back.');
-    scene.invalidate();
-  });
-
-  addEventListener('hashchange', () => {
-    const link = readLink(location.hash);
-    replaceSettings(link.settings);
-    if (link.camera) scene.view.place = link.camera;
-    else scene.view.frame();
-    recordChange();
-  });
-
   if (camera) scene.view.place = camera;
   applySettings();
   modelLoader.showChosen();
-  void showMap();
+  void mapLoader.showChosen();
 }

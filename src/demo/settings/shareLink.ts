@@ -1,5 +1,6 @@
+import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
-import { acceptSetting, defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
+import { defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 
 const DECIMALS = 1000;
 

@@ -1,5 +1,6 @@
 import { DirectionalLight, type Light, MathUtils, PointLight, type Scene, SpotLight, Vector3 } from 'three';
-import { SECOND_LIGHT_AZIMUTH, type Settings } from '../settings/settings.js';
+import type { Settings } from '../settings/settings.js';
+import { SECOND_LIGHT_AZIMUTH } from '../settings/settingValues.js';
 
 /** Where the handle of a light without a distance is shown, in radii of the model. */
 const SUN_DISTANCE = 1.45;
