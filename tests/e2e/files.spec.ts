@@ -37,7 +37,7 @@ test('models of every format are drawn when dropped', async ({ page }) => {
   for (const [name, statistics, files] of cases) {
     await drop(page, files);
     await expect(page.locator('#model-name')).toHaveText(name);
-    // Nothing but this: a closed surface has no borders.
+    // Only triangles are counted, because a closed surface has no borders.
     await expect(page.locator('#model-statistics')).toHaveText(statistics);
   }
   const after = await readDrawing(page);
@@ -50,7 +50,7 @@ test('a mirrored part of a model is not turned inside out', async ({ page }) => 
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
   await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
   const picture = await readDrawing(page);
-  // Lit from above; the inside of a shape would be light below.
+  // Lit from above. Turned inside out, the octahedron would be lighter below.
   const top = { ...WHOLE, bottom: 0.5 };
   const left = meanInk(picture, { ...top, right: 0.5 });
   const mirrored = meanInk(picture, { ...top, left: 0.5 });
@@ -60,7 +60,7 @@ test('a mirrored part of a model is not turned inside out', async ({ page }) => 
   expect(below).toBeGreaterThan(1.5 * mirrored);
 });
 
-test('a picked file is drawn too, with the colours it brings', async ({ page }) => {
+test('a picked file is drawn, with its colours', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   await page
     .locator('#file-input')
@@ -72,7 +72,7 @@ test('a picked file is drawn too, with the colours it brings', async ({ page }) 
   expect(red).toBeGreaterThan(1000);
 });
 
-test('a file that cannot be read gives one clear sentence and leaves the drawing as it was', async ({ page }) => {
+test('a file that cannot be read gives one clear sentence and leaves the drawing unchanged', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
   const glb = octahedronGlb();
@@ -123,7 +123,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });
 
-test('joining the triangles of a large model can be called off', async ({ page }) => {
+test('joining the triangles of a large model can be cancelled', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
   await page.evaluate(() => {

@@ -2,15 +2,15 @@ import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } fro
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import type { PlainMesh } from '../files/PlainMesh.js';
 
-/** A mesh ready to be drawn. */
+/** A mesh baked for hatching. */
 export interface BakedMesh {
   geometry: BufferGeometry;
   statistics: HatchingStatistics;
-  /** An open surface shows its inside. */
+  /** Open surfaces are drawn from both sides. */
   side: Side;
 }
 
-/** Bakes a mesh for hatching, in the library's worker; normals it does not have are made there, edges kept. */
+/** Bakes a mesh for hatching, in the library's worker. Missing normals are computed there, with creases kept. */
 export async function bakeMesh(
   mesh: PlainMesh,
   options: { signal?: AbortSignal; onProgress?: (progress: number) => void } = {},

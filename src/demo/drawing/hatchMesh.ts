@@ -4,7 +4,7 @@ import type { PlainMesh } from '../files/PlainMesh.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
 
-/** Makes a drawing of one mesh. */
+/** Makes a hatched model of one mesh. */
 export async function hatchMesh(
   mesh: PlainMesh,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },

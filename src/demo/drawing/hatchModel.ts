@@ -6,7 +6,7 @@ import type { HatchedModel } from './HatchedModel.js';
 import { hatchMesh } from './hatchMesh.js';
 import type { Report } from './Report.js';
 
-/** Makes a drawing of what was read, telling how it gets on. `broken`: how much of it was left out. */
+/** Makes a hatched model of what was read. `broken` counts the triangles, or meshes and clips, that were left out. */
 export async function hatchModel(
   read: ReadModel | BuiltInScene,
   report: Report,

@@ -8,38 +8,35 @@ import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 
-/** Poses of a clip that are looked at for the room it takes, and vertices in all of them together: a skinned one costs a microsecond. */
+/**
+ * The bounds of a clip are measured at so many poses and vertices at most. A skinned vertex costs about a microsecond.
+ */
 const MAX_POSES = 8;
 const MAX_POINTS = 20_000;
 
-/** A scene ready to be drawn, and what of it could not be. */
-export interface DrawnScene {
-  model: HatchedModel;
-  /** Parts and clips with numbers in them that are none. */
-  broken: number;
-}
-
 /**
- * Makes a drawing of a scene that keeps its parts: surfaces with their pictures, skins, shapes and clips. What is no surface
- * is not drawn, and lights are the page's own.
+ * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines and points are hidden, and
+ * so are lights, because the page has its own.
  *
- * @throws ModelError with one sentence for the person at the page
+ * @returns the model, and the number of meshes and clips that were left out, because of values that are not numbers,
+ *   say
+ * @throws ModelError with one sentence for the user
  */
 export async function hatchScene(
   { root, animations }: ModelScene,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
-): Promise<DrawnScene> {
+): Promise<{ model: HatchedModel; broken: number }> {
   const usable = animations.filter(isUsable);
   hideAllButMeshes(root);
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
   const bounds = fitScene(holder, motion);
 
-  // One tile per unit of the fitted world; the settings say how many there are to be.
+  // One tile per world unit. The settings scale it.
   const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, ...options });
   for (const { mesh } of hatched.skipped) mesh.visible = false;
   for (const mesh of meshesOf(root)) {
-    // Its bounds are those of the pose it was measured in.
+    // Its bounding sphere is that of the rest pose.
     if ('isSkinnedMesh' in mesh || mesh.morphTargetInfluences) mesh.frustumCulled = false;
   }
   const model = new HatchedModel(
@@ -67,10 +64,10 @@ function hideAllButMeshes(root: Object3D): void {
 }
 
 /**
- * Moves and scales what `holder` holds, so that it is centred and its farthest vertex, in all poses of the clip that were
- * looked at, lies at distance 1.
+ * Moves and scales `holder` so that its content is centred and its farthest vertex lies at distance 1, in all sampled
+ * poses of the clip.
  *
- * @returns the bounds of all these poses
+ * @returns the bounds of these poses
  */
 function fitScene(holder: Group, motion: Motion): Box3 {
   const vertices = countVertices(holder);
@@ -90,7 +87,7 @@ function fitScene(holder: Group, motion: Motion): Box3 {
   return new Box3().setFromArray(points).applyMatrix4(holder.matrixWorld);
 }
 
-/** Where every so many vertices of all parts are, as they stand now. */
+/** Adds the world position of every `step`th vertex of all meshes, in the current pose. */
 function addPoints(holder: Group, step: number, points: number[]): void {
   const point = new Vector3();
   for (const mesh of meshesOf(holder)) {
@@ -98,7 +95,7 @@ function addPoints(holder: Group, step: number, points: number[]): void {
     for (const matrix of placements(mesh)) {
       for (let i = 0; i < count; i += step) {
         mesh.getVertexPosition(i, point).applyMatrix4(matrix);
-        // A broken vertex belongs to a part that is left out.
+        // A mesh with such a vertex is left out later.
         if (Number.isFinite(point.x + point.y + point.z)) points.push(point.x, point.y, point.z);
       }
     }

@@ -5,11 +5,11 @@ import { fitCamera } from '../stage/framing.js';
 import { figureModel } from './figureModels.js';
 import type { Figure, Look, Panel } from './figures.js';
 
-/** `paper` draws each panel by its own technique, `anchored` draws anchored strokes where the paper would blend. */
+/** `asInPaper` draws each panel with its own technique, `anchored` replaces `adjacency` by anchored strokes. */
 export type TechniqueChoice = 'asInPaper' | 'anchored';
 
 const USUAL_REFLECTION = 0.35;
-/** Anchored strokes are black throughout, and look coarser at the same scale. */
+/** Factor on the stroke scale, because anchored strokes look coarser at the same scale. */
 const ANCHORED_SCALE = 1.7;
 const AXES = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) } as const;
 
@@ -38,7 +38,7 @@ export class FigureDrawing {
     panel: Panel,
   ) {
     const { kind = 'sun', position, reflected = USUAL_REFLECTION } = panel.light ?? figure.light;
-    // Without decay: turning the light turns the strokes, not the exposure.
+    // Without decay, turning the light turns the strokes and does not change the exposure.
     this.light = kind === 'lamp' ? new PointLight('white', Math.PI, 0, 0) : new DirectionalLight('white', Math.PI);
     this.lightPosition.fromArray(position);
     this.reflected.intensity = Math.PI * reflected;
@@ -46,7 +46,7 @@ export class FigureDrawing {
     this.scene.add(this.light, this.reflected);
   }
 
-  /** Waits for the model and the maps, and puts them together. @throws ModelError if the model cannot be had */
+  /** Loads the model and the maps of a panel. @throws ModelError if the model cannot be loaded */
   static async make(figure: Figure, panel: Panel, ink: string, paper: string): Promise<FigureDrawing> {
     const drawing = new FigureDrawing(figure, panel);
     const model = await figureModel(panel.model ?? figure.model);
@@ -69,14 +69,14 @@ export class FigureDrawing {
     return drawing;
   }
 
-  /** Turns the light by so many degrees from where the figure has it. */
+  /** Turns the light by an angle in degrees from its position in the figure. */
   turnLight(degrees: number): void {
     const axis = AXES[this.figure.turnAxis ?? 'y'];
     this.light.position.copy(this.lightPosition).applyAxisAngle(axis, MathUtils.degToRad(degrees));
     this.reflected.position.copy(this.light.position).negate();
   }
 
-  /** Draws by another technique from now on. */
+  /** Sets the technique of the materials. */
   setTechnique(choice: TechniqueChoice): void {
     for (const { material, technique, strokeScale } of this.materials) {
       const isReplaced = choice === 'anchored' && technique === 'adjacency' && !this.figure.fixedTechnique;

@@ -8,15 +8,17 @@ import { figuresPage } from './figuresPage.js';
 
 declare global {
   interface Window {
-    /** For tests: how many frames the page has drawn since it was opened, and whether all panels in view are as they should be. */
+    /**
+     * For tests: the number of frames drawn since the page was opened, and whether all panels in view are up to date.
+     */
     __figures?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
 }
 
-/** Panels are drawn in a frame until this time is over, and the rest in the next. */
+/** After this time, the remaining panels are left to the next frame. */
 const FRAME_MILLISECONDS = 12;
 
-/** Lays the figures out, whether they can be drawn or not, and returns their panels. */
+/** Adds the figures to the page, whether they can be drawn or not, and returns their panels. */
 export function layOutFigures(say: (sentence: string) => void, onOutdated: () => void): FigurePanel[] {
   const style = getComputedStyle(document.documentElement);
   const context = {
@@ -74,7 +76,7 @@ function paragraph(text: string, className = ''): HTMLElement {
   return element;
 }
 
-/** Draws the panels in view, again when the light turns, and nothing otherwise. */
+/** Draws the panels that are in view, whenever they are out of date. */
 export function createFiguresPage(context: WebGL2RenderingContext, say: (sentence: string) => void): void {
   const { turn, turnValue, technique } = figuresPage;
   const scheduler = new FrameScheduler(draw);
@@ -98,7 +100,7 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   function draw(): void {
     const start = performance.now();
     const ready = panels.filter(({ isReady }) => isReady);
-    // Those that wait longest come first, so that a light that keeps turning reaches them all.
+    // Those that were drawn longest ago come first, so that all get their turn while the light keeps turning.
     for (const panel of ready.sort((a, b) => paintedAt.get(a)! - paintedAt.get(b)!)) {
       if (performance.now() - start > FRAME_MILLISECONDS) {
         scheduler.invalidate();
@@ -118,7 +120,7 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   );
   const sizes = new ResizeObserver((entries) => {
     for (const { target, devicePixelContentBoxSize, contentRect } of entries) {
-      // Exactly as many pixels as the screen gives it, or it would be blurred; not every browser tells.
+      // Exactly as many pixels as on the screen, so that the canvas is not blurred. Not every browser reports that.
       const { inlineSize, blockSize } = devicePixelContentBoxSize?.[0] ?? {
         inlineSize: Math.round(contentRect.width * devicePixelRatio),
         blockSize: Math.round(contentRect.height * devicePixelRatio),

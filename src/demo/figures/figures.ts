@@ -1,4 +1,7 @@
-/** The paper's figures that are drawn again, as plain data: the page, the pictures in the documentation and their tests read this table. */
+/**
+ * The figures of the paper by Suarez et al. that are drawn again, as plain data. The page, the documentation and the
+ * tests read this table.
+ */
 import type { HatchingMaterialOptions, StrokeStyleName } from 'three-hatching';
 import type { FigureModelName } from './figureModels.js';
 
@@ -25,39 +28,39 @@ export interface Look
 type Triple = readonly [x: number, y: number, z: number];
 
 export interface PanelLight {
-  /** Where it stands; the middle of the model is the origin. */
+  /** Its position. The centre of the model is the origin. */
   position: Triple;
-  /** A sun by default: its light comes from the position, everywhere in the same direction. */
+  /** A directional light (`sun`, the default) or a point light (`lamp`). */
   kind?: 'sun' | 'lamp';
   /** Light that the surroundings reflect, as a share of the light itself. */
   reflected?: number;
 }
 
-/** What the panels of a figure share. Each may say something else. */
+/** What the panels of a figure share. Each panel may override it. */
 interface PanelDefaults {
   model: FigureModelName;
   light: PanelLight;
   look?: Look;
   /** Direction from the model to the eye. */
   view?: Triple;
-  /** How many times as large the picture is as one that the model just fills. */
+  /** How many times larger the picture is than one that the model just fills. */
   zoom?: number;
 }
 
 /** One picture of a figure. */
 export interface Panel extends Partial<PanelDefaults> {
-  /** Unique within the figure; a word or two in the manner of a file's name. */
+  /** Unique within the figure, in the style of a file name. */
   name: string;
-  /** What stands below it. */
+  /** The text below it. */
   label: string;
-  /** Where parts of the model are drawn in their own way. */
+  /** The looks of parts that differ from the rest of the model. */
   parts?: Record<string, Look>;
-  /** Degrees by which the model is turned about its upright axis. */
+  /** Rotation of the model about its up axis, in degrees. */
   turned?: number;
 }
 
 export interface Row {
-  /** What the panels of the row have in common. */
+  /** The text above the row. */
   label?: string;
   panels: readonly Panel[];
 }
@@ -65,18 +68,18 @@ export interface Row {
 export interface Figure extends PanelDefaults {
   number: number;
   title: string;
-  /** One sentence on what the paper shows. */
+  /** One sentence on what the figure shows in the paper by Suarez et al. */
   inThePaper: string;
   /** One sentence on what is shown here. */
   here: string;
   rows: readonly Row[];
-  /** Rows stand beside each other on a wide page. */
+  /** Rows are side by side on a wide page. */
   beside?: true;
-  /** Width to height of each panel. */
+  /** Width divided by height of each panel. */
   aspect: number;
-  /** The axis the light turns about: upright, or the line of sight where the light would end up behind something flat. */
+  /** The axis the light is turned about: up (`y`, the default), or the line of sight (`z`) for flat models. */
   turnAxis?: 'y' | 'z';
-  /** Nothing here is left of the paper's technique with another one. */
+  /** Anchored strokes are not offered, because the figure explains the paper's own technique. */
   fixedTechnique?: true;
 }
 
@@ -91,7 +94,7 @@ const SIDES = {
 
 const flat = { light: { position: [1.5, 1, 1.2], reflected: 0 }, view: [0, 0, 1], turnAxis: 'z' } as const;
 
-/** What c takes from its neighbour, which is drawn as it is. */
+/** Shows the blend factors of c. Its neighbour is drawn without blending. */
 const contributions = { centre: { debugView: 'blendFactors' }, others: { technique: 'triangle' } } as const;
 
 const liveries = {

@@ -1,6 +1,8 @@
 import { ModelError } from './ModelError.js';
 
-/** At 252 bytes per triangle, the baked attributes of larger models come near the limit of what a browser can allocate. */
+/**
+ * At 252 bytes per triangle, the baked attributes of larger models come near the limit of what a browser can allocate.
+ */
 const MAX_TRIANGLES = 2_000_000;
 
 /** @throws ModelError if there are no triangles to draw, or too many */

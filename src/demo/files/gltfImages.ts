@@ -3,12 +3,12 @@ import { type GltfDocument, textureSource } from './gltfFile.js';
 import { imageSize } from './imageSize.js';
 import { readUri } from './readUri.js';
 
-/** A image of 44 kilobytes can unpack to a gigabyte. */
+/** An image file of 44 kilobytes can decode to a gigabyte. */
 const MAX_PIXELS = 2 ** 26;
 
 /**
- * The images that give surfaces their colour, by their number in the document; undefined for those that are not there,
- * or too large to be unpacked, or in a format that is not read.
+ * Collects the images that base colour textures use, by their index in the document. An image is undefined if it is not
+ * used, missing, too large to be decoded, or in an unknown format.
  */
 export async function collectImages(
   gltf: GltfDocument,

@@ -53,7 +53,7 @@ function isDeformed(mesh: Mesh): boolean {
   return 'isSkinnedMesh' in mesh || (mesh.morphTargetInfluences?.some((influence) => influence !== 0) ?? false);
 }
 
-/** Normals of a posed mesh would have to be posed too; computing them anew from the surface is as good. */
+/** The normals of a skinned or morphed mesh are not deformed here. They are computed from the surface later. */
 function hasUsableNormals(mesh: Mesh): boolean {
   return mesh.geometry.getAttribute('normal') !== undefined && !isDeformed(mesh);
 }
@@ -113,7 +113,7 @@ function drawnCorners(geometry: BufferGeometry): { start: number; count: number 
   return { start, count: count - (count % 3) };
 }
 
-/** A mirroring matrix turns the triangles inside out, so their winding is turned back. */
+/** Copies the indices. A mirroring matrix turns triangles inside out, so their winding is reversed. */
 function writeIndices(
   geometry: BufferGeometry,
   mirrored: boolean,
@@ -128,7 +128,8 @@ function writeIndices(
   for (let corner = start; corner < start + count; corner += 3) {
     for (const k of order) {
       const vertex = geometry.index ? geometry.index.getX(corner + k) : corner + k;
-      // An index out of range must not reach into the next mesh; the largest number is out of range in the whole, too.
+      // An index out of range must not refer to a vertex of the next mesh. This one is out of range in the merged mesh
+      // too.
       indices[to++] = vertex < vertexCount ? firstVertex + vertex : 0xffffffff;
     }
   }

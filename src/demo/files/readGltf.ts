@@ -9,9 +9,9 @@ import { type GltfParts, parseGltf } from './parseGltf.js';
 import { readUri } from './readUri.js';
 
 /**
- * Reads GLB, or glTF with its files, also when compressed with Draco or meshopt. Nothing is fetched from elsewhere.
+ * Reads GLB, or glTF with its files, also if compressed with Draco or meshopt. Nothing else is fetched.
  *
- * @returns one mesh; or, where that could not show what is in the file, its parts, checked
+ * @returns one merged mesh; or, if that could not show what is in the file, its checked parts
  */
 export async function readGltf(
   bytes: Uint8Array,
@@ -47,7 +47,7 @@ async function collectBuffers(
     (gltf.buffers ?? []).map(async ({ uri, byteLength = 0, extensions }, i) => {
       if (uri === undefined) {
         if (i === 0 && binary) return binary;
-        // A compressed buffer's fallback has no bytes of its own.
+        // The fallback of a compressed buffer has no bytes of its own.
         if (extensions) return new Uint8Array(0);
         throw new ModelError(`${name} is cut short: its binary part is missing.`);
       }

@@ -15,29 +15,29 @@ import { readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
 import { MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
 
-/** Together, uncompressed. Larger models are read whole into memory several times over. */
+/** Of all files together. A model is held in memory several times while it is read. */
 const MAX_BYTES = 512 * 1024 * 1024;
 
-/** A file as it is dropped, picked, or made from a built-in model. */
+/** A file that was dropped or picked, or that holds a built-in model. */
 export interface ModelFile {
   name: string;
   content: Blob;
 }
 
-/** A model as it was read: one mesh, or the checked parts of a file that one mesh cannot show. */
+/** A model that was read: one mesh, or the checked parts of a file that one mesh cannot show. */
 export type ReadModel = ReadMesh | ReadParts;
 
 interface Read {
-  /** The name of the file the model was opened by. */
+  /** The name of the main file. */
   name: string;
-  /** The axis that points up by the custom of the format. */
+  /** The up axis that is usual for the format. */
   upAxis: 'y' | 'z';
 }
 
 export interface ReadMesh extends Read {
   kind: 'mesh';
   mesh: PlainMesh;
-  /** Triangles left out because a corner was missing or not a number. */
+  /** Number of triangles left out because a corner was missing or not a number. */
   broken: number;
 }
 
@@ -47,11 +47,12 @@ export interface ReadParts extends Read {
 }
 
 /**
- * Reads a model from one or several files: unpacks, tells the format by content, checks what the header promises, parses,
- * merges, takes out broken triangles and fits the rest to a unit sphere; or leaves a glTF file in its parts.
+ * Reads a model from one or several files: unpacks, detects the format, checks the header, parses, merges, removes
+ * broken triangles and fits the rest into a unit sphere. A glTF file that is drawn as a scene is only checked and left
+ * in its parts.
  *
- * @param onStage called with a word for what is going on
- * @throws ModelError with one sentence for the person at the page
+ * @param onStage called with a few words on what is being done
+ * @throws ModelError with one sentence for the user
  */
 export async function readModel(files: readonly ModelFile[], onStage: (stage: string) => void): Promise<ReadModel> {
   const size = files.reduce((sum, file) => sum + file.content.size, 0);
@@ -106,7 +107,7 @@ function fromGeometry(geometry: BufferGeometry): PlainMesh {
   return mergeScene(new Mesh(geometry));
 }
 
-/** A buffer that begins and ends with the bytes: three's loaders take whole buffers only. */
+/** A buffer that holds exactly these bytes, because three's loaders take whole buffers only. */
 function wholeBuffer(bytes: Uint8Array): ArrayBuffer {
   const isWhole = bytes.byteOffset === 0 && bytes.byteLength === bytes.buffer.byteLength;
   return (isWhole ? bytes.buffer : bytes.slice().buffer) as ArrayBuffer;

@@ -1,6 +1,6 @@
 import type { ModelScene } from '../files/parseGltf.js';
 
-/** A model that was made here with parts that move, instead of read. */
+/** A built-in model that is made by code as a scene, instead of read from a file. */
 export interface BuiltInScene {
   kind: 'scene';
   name: string;

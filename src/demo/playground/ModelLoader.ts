@@ -18,11 +18,11 @@ interface LoadedModel {
   read: ReadModel | BuiltInScene;
 }
 
-/** Brings models onto the sheet; while one is on its way, and when it does not come, the one before stays. */
+/** Loads models and shows them. While one is loading, and if it fails, the previous one stays. */
 export class ModelLoader {
-  /** The name of the model on the sheet. */
+  /** The name of the model that is shown. */
   title = '';
-  /** Of a scene that keeps its parts: its radius as it was read. Undefined for one mesh. */
+  /** The radius of a model that is drawn as a scene, before it was fitted. Undefined for one mesh. */
   sceneRadius: number | undefined;
   private drawn: Settings['model'];
 
@@ -31,19 +31,19 @@ export class ModelLoader {
     private readonly settings: Settings,
     private readonly history: SettingsHistory,
     private readonly tasks: TaskRunner,
-    /** Called when settings were changed because of a model; `model` is true when that is a new one. */
+    /** Called when loading has changed the settings. `isNewModel` is false if it failed and they were put back. */
     private readonly onChange: (isNewModel: boolean) => void,
   ) {
     this.drawn = settings.model;
   }
 
-  /** Shows the model that the settings ask for. */
+  /** Shows the built-in model that the settings ask for. */
   showChosen(): void {
     const { settings } = this;
     if (settings.model !== 'file') void this.showBuiltIn(settings.model);
   }
 
-  /** As {@link showChosen}, after another one was chosen: it stands as it was made to. */
+  /** As {@link showChosen}, after another model was chosen. Resets the up axis. */
   changeModel(): void {
     if (this.settings.model !== 'file') this.settings.upAxis = SETTINGS.upAxis.default;
     this.showChosen();
@@ -91,7 +91,7 @@ export class ModelLoader {
       page.lamp.hidden = false;
     });
     if (end === 'failed') {
-      // The old drawing stays, and the panel says so.
+      // The previous model stays, and the panel must show its name again.
       settings.model = this.drawn;
       history.adopt();
       this.onChange(false);

@@ -1,25 +1,25 @@
 import type { Motion } from '../drawing/Motion.js';
 
-/** A model with more shapes than these has sliders for the first of them. */
+/** Only the first morph targets of a model get sliders. */
 const MAX_MORPH_SLIDERS = 64;
 
 interface Slider {
   input: HTMLInputElement;
   output: HTMLOutputElement;
-  /** The value as it is now. */
+  /** Returns the current value. */
   read: () => number;
   format: (value: number) => string;
 }
 
-/** Play and pause, the clip, the place in it, its speed, and the shapes of a model that moves. */
+/** The controls of an animated model: play and pause, clip, time, speed, and morph targets. */
 export class MotionPanel {
   private motion: Motion | undefined;
   private play: HTMLButtonElement | undefined;
   private sliders: Slider[] = [];
 
   /**
-   * @param drawing where the space bar plays and pauses
-   * @param onChange called when the drawing must be drawn again
+   * @param drawing the element on which the space bar plays and pauses
+   * @param onChange called when a frame must be drawn
    */
   constructor(
     private readonly container: HTMLElement,
@@ -33,7 +33,7 @@ export class MotionPanel {
     });
   }
 
-  /** Offers what a model can do; it plays from the start unless the person wants things to keep still. */
+  /** Shows the controls for a model, or none. Its clip starts playing unless the user prefers reduced motion. */
   show(motion: Motion | undefined): void {
     this.motion = motion;
     this.play = undefined;
@@ -55,7 +55,7 @@ export class MotionPanel {
     this.update();
   }
 
-  /** Brings the controls to where the model is; to be called after each frame. */
+  /** Updates the controls to the state of the model. To be called after each frame. */
   update(): void {
     const { motion, play } = this;
     if (!motion) return;

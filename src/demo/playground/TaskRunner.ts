@@ -6,7 +6,10 @@ import type { Status } from './Status.js';
 type Slot = 'model' | 'map';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
-/** Runs the page's long tasks, at most one for the model and one for the map. The status line shows them and can cancel them. */
+/**
+ * Runs the page's long tasks, at most one for the model and one for the map. The status line shows them and can cancel
+ * them.
+ */
 export class TaskRunner {
   private readonly running = new Map<
     Slot,

@@ -22,8 +22,8 @@ import { TaskRunner } from './TaskRunner.js';
 declare global {
   interface Window {
     /**
-     * For tests: the number of frames drawn since the page was opened, and whether no model, map or frame is being waited
-     * for. An idle page draws no frames.
+     * For tests: the number of frames drawn since the page was opened, and whether no model, map or frame is being
+     * waited for. An idle page draws no frames.
      */
     __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
@@ -32,7 +32,9 @@ declare global {
 const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed'];
 const LINK_DELAY_MILLISECONDS = 400;
 
-/** Creates the parts of the page and connects them: controls to settings, settings to the drawing, files to the loaders. */
+/**
+ * Creates the parts of the page and connects them: controls to settings, settings to the drawing, files to the loaders.
+ */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const { settings, camera } = readLink(location.hash);
   const scene = createScene(page.canvas, context, page.viewport);
@@ -98,7 +100,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
 
-  /** Applies settings that the user has changed, and keeps the earlier ones for Undo. @param source see {@link SettingsHistory.changed} */
+  /**
+   * Applies settings that the user has changed, and keeps the earlier ones for Undo.
+   *
+   * @param source see {@link SettingsHistory.changed}
+   */
   function recordChange(source?: string): void {
     history.changed(source);
     applySettings();

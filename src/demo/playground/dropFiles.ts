@@ -1,6 +1,9 @@
 import type { ModelFile } from '../files/readModel.js';
 
-/** Takes files dropped anywhere on the page or picked by a button; while some are over the page, `overlay` says what it takes. */
+/**
+ * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged
+ * over the page.
+ */
 export function dropFiles(
   elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
   onFiles: (files: ModelFile[]) => void,
@@ -16,7 +19,7 @@ export function dropFiles(
     event.dataTransfer!.dropEffect = 'copy';
   });
   addEventListener('dragleave', (event) => {
-    // Leaving the page has no element it leads to; going from one element to another has.
+    // There is a related target unless the pointer leaves the page.
     if (event.relatedTarget === null) overlay.hidden = true;
   });
   addEventListener('drop', async (event) => {
@@ -27,16 +30,16 @@ export function dropFiles(
   });
   input.addEventListener('change', () => {
     const files = [...(input.files ?? [])].map((file) => ({ name: file.name, content: file }));
-    // The same file picked again must be a change again.
+    // Otherwise picking the same file again would not be a change.
     input.value = '';
     if (files.length > 0) onFiles(files);
   });
   for (const button of buttons) button.addEventListener('click', () => input.click());
 }
 
-/** The files of a drop, also those in dropped folders. */
+/** The files of a drop, including those in folders. */
 async function droppedFiles(transfer: DataTransfer): Promise<ModelFile[]> {
-  // Both must be read before anything is awaited: the transfer is emptied after the event.
+  // Both are read before the first await, because the transfer is emptied after the event.
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
   const files = [...transfer.files];
   if (!entries.some((entry) => entry?.isDirectory)) return files.map((file) => ({ name: file.name, content: file }));
@@ -51,7 +54,7 @@ async function filesOf(entry: FileSystemEntry): Promise<ModelFile[]> {
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const found: ModelFile[] = [];
   for (;;) {
-    // A reader gives its entries in portions, the last of them empty.
+    // A reader returns its entries in batches. The last one is empty.
     const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
     if (batch.length === 0) return found;
     for (const child of batch) found.push(...(await filesOf(child)));

@@ -1,8 +1,8 @@
 import type { ModelStatistics } from '../drawing/HatchedModel.js';
 
 /**
- * The name of a model and what it is made of, for the caption. New elements rather than new text in the old ones: nothing
- * on the page then counts as having moved.
+ * The caption of a model: its name and statistics. They are new elements, because new text in the old ones would count
+ * as a layout shift.
  */
 export function modelCaption(name: string, statistics: ModelStatistics, broken: number): (HTMLElement | string)[] {
   const nameElement = Object.assign(document.createElement('em'), { id: 'model-name', textContent: name });
@@ -13,7 +13,7 @@ export function modelCaption(name: string, statistics: ModelStatistics, broken: 
   return [nameElement, ' ', factsElement];
 }
 
-/** One quiet line on what a model is made of; what there is none of is not mentioned. */
+/** The statistics in words. Counts of zero are left out. */
 function describeModel(statistics: ModelStatistics, broken: number): string {
   const parts = [
     count(statistics.triangles, 'triangle'),

@@ -10,13 +10,13 @@ export interface NumberSetting extends SettingBase<number> {
   min: number;
   max: number;
   step: number;
-  /** What the least and the greatest value mean, in a word or two each, where the number alone does not say it. */
+  /** What the least and the greatest value mean, in a word or two each, if the number alone does not say it. */
   ends?: readonly [least: string, greatest: string];
 }
 
 export interface ChoiceSetting extends SettingBase<string> {
   kind: 'choice';
-  /** Value to the words shown for it. */
+  /** The label of each value. */
   choices: Readonly<Record<string, string>>;
 }
 
@@ -26,6 +26,6 @@ export interface ColorSetting extends SettingBase<string> {
 
 export type Setting = NumberSetting | ChoiceSetting | ColorSetting;
 
-/** Groups of the panel in their order; the first stands open, the others are folded. */
+/** Groups of the panel, in order. The first is open, the others are folded. */
 export const SETTING_GROUPS = ['Drawing', 'Strokes', 'Tone', 'Colours', 'Light', 'View', 'Picture'] as const;
 export type SettingGroup = (typeof SETTING_GROUPS)[number];

@@ -1,25 +1,25 @@
-/** Slower than this and a light that is dragged would stutter. */
+/** Frames slower than this make a dragged light stutter. */
 const SLOW_MILLISECONDS = 55;
 /** Frames closer together than this belong to one movement. */
 const PAUSE_MILLISECONDS = 350;
 const REDUCED_SCALE = 0.5;
 
-/** Lowers the resolution while something moves on a machine too slow for it, and draws once more in full afterwards. */
+/** Lowers the resolution while something moves and frames are slow, and restores it when the movement is over. */
 export class AdaptiveResolution {
-  /** Share of the full resolution, per side. */
+  /** Factor on the full resolution, per side. */
   scale = 1;
   private isSlow = false;
   private lastFrame = -Infinity;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param onRest called when the movement is over and the drawing should be drawn in full */
+  /** @param onRest called when the movement is over, so that a frame in full resolution can be drawn */
   constructor(private readonly onRest: () => void) {}
 
   get isCoarse(): boolean {
     return this.scale < 1;
   }
 
-  /** To be told before each frame; sets {@link scale} for it. */
+  /** To be called before each frame. Sets {@link scale} for it. */
   beforeFrame(): void {
     const now = performance.now();
     const isMoving = now - this.lastFrame < PAUSE_MILLISECONDS;
@@ -34,11 +34,11 @@ export class AdaptiveResolution {
     }, PAUSE_MILLISECONDS);
   }
 
-  /** To be told how long a frame in full resolution takes. */
+  /** To be called with the time that a frame took. */
   measured(milliseconds: number): void {
     if (this.isCoarse) return;
     this.isSlow = milliseconds > SLOW_MILLISECONDS;
-    // The frame took its time; a movement is not over because of that.
+    // A slow frame does not end a movement.
     this.lastFrame = Math.max(this.lastFrame, performance.now());
   }
 }

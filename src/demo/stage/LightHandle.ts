@@ -12,7 +12,10 @@ const FINE_STEP = 1;
 const MARGIN = 26;
 /** Nearer to an edge than this, the hint below the lamp would be cut off. It is moved then. In pixels. */
 const HINT_MARGIN = 76;
-/** Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their ratio. */
+/**
+ * Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their
+ * ratio.
+ */
 const MIN_REACH = 32;
 
 /** What the handle works on. */
@@ -30,9 +33,9 @@ export interface LightHandleHost {
 }
 
 /**
- * The handle of the light. Dragging moves it over a sphere around the model; past the sphere's outline and back takes it
- * behind the model. Shift or a second finger changes the distance of a point light or spot light. Arrow keys move it by 5°,
- * with Shift by 1°.
+ * The handle of the light. Dragging moves it over a sphere around the model; past the sphere's outline and back takes
+ * it behind the model. Shift or a second finger changes the distance of a point light or spot light. Arrow keys move it
+ * by 5°, with Shift by 1°.
  */
 export class LightHandle {
   private readonly projection: ViewportProjection;

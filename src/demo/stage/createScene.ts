@@ -10,13 +10,13 @@ import { LightRig } from './LightRig.js';
 import { View } from './View.js';
 
 const MAX_PIXEL_RATIO = 2;
-/** A desk-filling sheet on a large screen is drawn with fewer pixels than it has, rather than slowly. */
+/** On very large screens the pixel ratio is lowered to stay below this. */
 const MAX_PIXELS = 8_000_000;
 
-/** The picture: renderer, camera, lights, and one model drawn with one look or, compared, with two. */
+/** Renderer, camera, lights and one model, drawn with one technique or with two side by side. */
 export type HatchingScene = ReturnType<typeof createScene>;
 
-/** A strip of a view, in the renderer's pixels. */
+/** The part of a picture that is drawn into the canvas at once, in the renderer's pixels. */
 interface Tile {
   viewWidth: number;
   x: number;
@@ -24,19 +24,17 @@ interface Tile {
   height: number;
 }
 
-/**
- * Sets up the drawing on a canvas. Nothing is drawn until `invalidate` is called, and then once.
- */
+/** Sets up the scene on a canvas. A frame is drawn only after `invalidate` was called. */
 export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, viewport: HTMLElement) {
   const renderer = new WebGLRenderer({ canvas, context });
   const scene = new Scene();
   const camera = createCamera();
   const lights = new LightRig(scene);
-  /** Holds the model; turned where its up is another. */
+  /** Holds the model, turned so that its up axis is y. */
   const upright = new Group();
   scene.add(upright);
   let model: HatchedModel | undefined;
-  /** The model before, until the new one has been drawn: programs that both use are not built again then. */
+  /** Kept until the new model has been drawn, so that programs used by both are not compiled again. */
   let previousModel: HatchedModel | undefined;
   let map: TonalArtMap | undefined;
   let settings: Settings | undefined;
@@ -51,7 +49,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   const timeListeners: (() => void)[] = [];
   const view = new View(canvas, camera, () => scheduler.invalidate());
   let lastFrame = 0;
-  /** Share of the width that is drawn in the compared look, or undefined when there is one drawing only. */
+  /** Share of the width that shows the compared technique; undefined if nothing is compared. */
   let divider: (() => number) | undefined;
 
   function draw(): void {
@@ -67,7 +65,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (model?.motion?.isPlaying) scheduler.invalidate();
   }
 
-  /** Moves the model on by the time that has passed. */
+  /** Advances the model's animation by the time since the last frame. */
   function move(): void {
     const now = performance.now();
     model?.motion?.advance((now - lastFrame) / 1000);
@@ -75,10 +73,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   }
 
   /**
-   * Draws an upright strip of the view into the canvas as it is sized now: the strip begins `x` pixels from the left of a
-   * view that is `viewWidth` wide. The strip of an ordinary frame is the whole view.
+   * Draws one tile of a picture that is `viewWidth` wide. The tile begins `x` pixels from the left and fills the
+   * canvas. The tile of an ordinary frame is the whole picture.
    *
-   * @param pixelRatio pixels drawn per pixel of the page: strokes are as many times as wide, their edges as sharp
+   * @param pixelRatio pixels of the picture per CSS pixel; stroke widths are scaled by it
    */
   function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
     const share = divider?.();
@@ -111,7 +109,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setSize(width, height, false);
     view.resized(width / height);
     timer.reset();
-    // At once, not in the next frame: a canvas that changed its size is empty until it is drawn.
+    // At once and not in the next frame, because resizing clears the canvas.
     draw();
   }
 
@@ -133,7 +131,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     draw,
     drawTile,
 
-    /** Draws on paper, or strokes and nothing else. */
+    /** Shows or hides the paper. Without it, only strokes are drawn. */
     showPaper(shown: boolean): void {
       model?.showPaper(shown);
     },
@@ -143,17 +141,17 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       frameListeners.push(listener);
     },
 
-    /** Calls back when {@link frameMilliseconds} has changed. */
+    /** Calls back when {@link frameMilliseconds} was measured anew. */
     onFrameTime(listener: () => void): void {
       timeListeners.push(listener);
     },
 
-    /** What a frame costs, or undefined before one was measured. */
+    /** The time a frame takes, or undefined before one was measured. */
     get frameMilliseconds(): number | undefined {
       return timer.milliseconds;
     },
 
-    /** Whether frames are drawn in a lower resolution, because the machine is too slow for this movement. */
+    /** Whether frames are drawn in a lower resolution, because the machine is too slow for the movement. */
     get isCoarse(): boolean {
       return resolution.isCoarse;
     },
@@ -162,17 +160,19 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       return scheduler.frames;
     },
 
-    /** Whether a frame was asked for that is not drawn yet. */
+    /** Whether a frame was requested and is not drawn yet. */
     get isWaiting(): boolean {
       return scheduler.isWaiting;
     },
 
-    /** Asks for one frame. */
+    /** Requests one frame. */
     invalidate(): void {
       scheduler.invalidate();
     },
 
-    /** Draws a model from now on, and frees the one before. `first` is the direction to the eye that shows it whole. */
+    /**
+     * Replaces the model and disposes the previous one. `first` is the direction to the eye when the model is framed.
+     */
     setModel(next: HatchedModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
       previousModel?.dispose();
       previousModel = model;
@@ -200,13 +200,16 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       return map;
     },
 
-    /** Draws a second technique left of a divider, whose place is asked for with every frame; or no longer does. */
+    /**
+     * Shows the compared technique left of a divider. `share` returns its place in every frame; undefined ends the
+     * comparison.
+     */
     compareWith(share: (() => number) | undefined): void {
       divider = share;
       scheduler.invalidate();
     },
 
-    /** Puts the settings in force. Cheap: nothing is rebuilt but, where a setting needs another program, that. */
+    /** Applies the settings. Cheap: at most a program is compiled, where a setting needs another one. */
     apply(next: Settings): void {
       settings = next;
       lights.apply(settings);
@@ -220,7 +223,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       scheduler.invalidate();
     },
 
-    /** Whether there is all it takes to draw. */
+    /** Whether there is both a model and a map. */
     get isComplete(): boolean {
       return model !== undefined && map !== undefined;
     },

@@ -13,7 +13,8 @@ const BOX_FILLS = 0.9;
  */
 export function fitCamera(camera: PerspectiveCamera, positions: ArrayLike<number>, view: Vector3, zoom = 1): void {
   const { toEye, right, up, slopeX, slopeY } = frustumAxes(camera, view, POINTS_FILL);
-  // A point is in the picture if |x − x₀| ≤ slope · (distance − depth). For each side, find the line that lies farthest out.
+  // A point is in the picture if |x − x₀| ≤ slope · (distance − depth). For each side, only the point
+  // that is farthest out counts.
   const sides = { left: -Infinity, right: -Infinity, below: -Infinity, above: -Infinity };
   const point = new Vector3();
   for (let i = 0; i < positions.length; i += 3) {
