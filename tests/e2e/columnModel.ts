@@ -118,7 +118,7 @@ export function columnGlb(options: ColumnOptions = {}): Buffer {
     channels: [{ sampler: 0, target: { node: 1, path: 'rotation' } }],
   });
   const [c, s] = [Math.cos(0.4), Math.sin(0.4)];
-  const live: Json = {
+  const animated: Json = {
     nodes: [{ mesh: 0, skin: 0 }, {}, { children: [1] }],
     scenes: [{ nodes: [0, 2] }],
     skins: [{ joints: [2, 1], inverseBindMatrices: builder.accessor(inverses, 'MAT4') }],
@@ -134,7 +134,7 @@ export function columnGlb(options: ColumnOptions = {}): Buffer {
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ mesh: 0 }],
-    ...(!options.still && live),
+    ...(!options.still && animated),
     meshes: [{ primitives: [primitive], extras: { targetNames: ['Swollen'] } }],
     materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
     textures: [{ source: 0, sampler: 0 }],

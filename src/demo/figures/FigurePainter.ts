@@ -43,11 +43,11 @@ export class FigurePainter {
     renderer.setViewport(0, 0, width, height);
     renderer.setScissor(0, 0, width, height);
     renderer.render(drawing.scene, drawing.camera);
-    const sheet = canvas.getContext('2d', { alpha: false });
-    if (!sheet) return false;
-    sheet.imageSmoothingQuality = 'high';
+    const target = canvas.getContext('2d', { alpha: false });
+    if (!target) return false;
+    target.imageSmoothingQuality = 'high';
     // In the same task as the rendering, because the drawing buffer is not kept for longer.
-    sheet.drawImage(buffer, 0, buffer.height - height, width, height, 0, 0, canvas.width, canvas.height);
+    target.drawImage(buffer, 0, buffer.height - height, width, height, 0, 0, canvas.width, canvas.height);
     return !context.isContextLost();
   }
 }

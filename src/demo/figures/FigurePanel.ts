@@ -19,7 +19,7 @@ export class FigurePanel {
   readonly canvas = document.createElement('canvas');
   /** Whether the canvas is in view, or nearly. */
   isVisible = false;
-  /** Whether the canvas shows something other than it should. */
+  /** Whether the canvas must be drawn again. */
   isOutdated = true;
   private size = { width: 0, height: 0 };
   private drawing: FigureDrawing | undefined;

@@ -24,7 +24,8 @@ export class ModelLoader {
   title = '';
   /** The radius of a model that is drawn as a scene, before it was fitted. Undefined for one mesh. */
   sceneRadius: number | undefined;
-  private drawn: Settings['model'];
+  /** The value of the setting for the model that is shown. */
+  private shownModel: Settings['model'];
 
   constructor(
     private readonly scene: HatchingScene,
@@ -34,7 +35,7 @@ export class ModelLoader {
     /** Called when loading has changed the settings. `isNewModel` is false if it failed and they were put back. */
     private readonly onChange: (isNewModel: boolean) => void,
   ) {
-    this.drawn = settings.model;
+    this.shownModel = settings.model;
   }
 
   /** Shows the built-in model that the settings ask for. */
@@ -78,7 +79,7 @@ export class ModelLoader {
         throw signal.reason;
       }
       report('drawing', 1);
-      this.drawn = model;
+      this.shownModel = model;
       this.title = loaded.title;
       this.sceneRadius = loaded.read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
       settings.model = model;
@@ -92,7 +93,7 @@ export class ModelLoader {
     });
     if (end === 'failed') {
       // The previous model stays, and the panel must show its name again.
-      settings.model = this.drawn;
+      settings.model = this.shownModel;
       history.adopt();
       this.onChange(false);
     }

@@ -3,11 +3,14 @@ const SLOW_MILLISECONDS = 55;
 /** Frames closer together than this belong to one movement. */
 const PAUSE_MILLISECONDS = 350;
 const REDUCED_SCALE = 0.5;
+const MAX_PIXEL_RATIO = 2;
+/** On very large screens the pixel ratio is lowered to stay below this. */
+const MAX_PIXELS = 8_000_000;
 
 /** Lowers the resolution while something moves and frames are slow, and restores it when the movement is over. */
 export class AdaptiveResolution {
   /** Factor on the full resolution, per side. */
-  scale = 1;
+  private scale = 1;
   private isSlow = false;
   private lastFrame = -Infinity;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -19,7 +22,13 @@ export class AdaptiveResolution {
     return this.scale < 1;
   }
 
-  /** To be called before each frame. Sets {@link scale} for it. */
+  /** Pixels to be drawn per CSS pixel of a viewport, whose size is in CSS pixels. */
+  pixelRatio(width: number, height: number): number {
+    const full = Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
+    return full * this.scale;
+  }
+
+  /** To be called before each frame. Lowers the resolution for it if necessary. */
   beforeFrame(): void {
     const now = performance.now();
     const isMoving = now - this.lastFrame < PAUSE_MILLISECONDS;

@@ -9,10 +9,6 @@ import { FrameTimer } from './FrameTimer.js';
 import { LightRig } from './LightRig.js';
 import { View } from './View.js';
 
-const MAX_PIXEL_RATIO = 2;
-/** On very large screens the pixel ratio is lowered to stay below this. */
-const MAX_PIXELS = 8_000_000;
-
 /** Renderer, camera, lights and one model, drawn with one technique or with two side by side. */
 export type HatchingScene = ReturnType<typeof createScene>;
 
@@ -56,9 +52,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     const { clientWidth: width, clientHeight: height } = viewport;
     if (context.isContextLost() || width === 0 || height === 0) return;
     resolution.beforeFrame();
-    move();
-    if (renderer.getPixelRatio() !== pixelRatio()) renderer.setPixelRatio(pixelRatio());
-    timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio()));
+    advanceMotion();
+    const pixelRatio = resolution.pixelRatio(width, height);
+    if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
+    timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio));
     previousModel?.dispose();
     previousModel = undefined;
     for (const listener of frameListeners) listener();
@@ -66,7 +63,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   }
 
   /** Advances the model's animation by the time since the last frame. */
-  function move(): void {
+  function advanceMotion(): void {
     const now = performance.now();
     model?.motion?.advance((now - lastFrame) / 1000);
     lastFrame = now;
@@ -96,16 +93,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setScissorTest(false);
   }
 
-  function pixelRatio(): number {
-    const { clientWidth: width, clientHeight: height } = viewport;
-    const full = Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
-    return full * resolution.scale;
-  }
-
   function resize(): void {
     const { clientWidth: width, clientHeight: height } = viewport;
     if (width === 0 || height === 0) return;
-    renderer.setPixelRatio(pixelRatio());
+    renderer.setPixelRatio(resolution.pixelRatio(width, height));
     renderer.setSize(width, height, false);
     view.resized(width / height);
     timer.reset();
@@ -118,8 +109,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (model) view.setBounds(model.bounds.clone().applyMatrix4(upright.matrix), first);
   }
 
-  const sizes = new ResizeObserver(resize);
-  sizes.observe(viewport);
+  const resizeObserver = new ResizeObserver(resize);
+  resizeObserver.observe(viewport);
   resize();
 
   return {
@@ -229,7 +220,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     },
 
     dispose(): void {
-      sizes.disconnect();
+      resizeObserver.disconnect();
       view.dispose();
       scheduler.dispose();
       timer.reset();
