@@ -4,25 +4,17 @@ import { createCamera, DEFAULT_VIEW } from '../stage/createCamera.js';
 import { fitCamera } from '../stage/framing.js';
 import { figureModel } from './figureModels.js';
 import type { Figure, Look, Panel } from './figures.js';
+import { memoize } from './memoize.js';
 
 /** `asInPaper` draws each panel with its own technique, `anchored` replaces `adjacency` by anchored strokes. */
 export type TechniqueChoice = 'asInPaper' | 'anchored';
 
-const USUAL_REFLECTION = 0.35;
+const DEFAULT_REFLECTION = 0.35;
 /** Factor on the stroke scale, because anchored strokes look coarser at the same scale. */
 const ANCHORED_SCALE = 1.7;
 const AXES = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) } as const;
 
-const maps = new Map<StrokeStyleName, Promise<TonalArtMap>>();
-
-function mapOf(style: StrokeStyleName): Promise<TonalArtMap> {
-  let map = maps.get(style);
-  if (!map) {
-    map = TonalArtMap.generate({ style });
-    maps.set(style, map);
-  }
-  return map;
-}
+const mapOf = memoize((style: StrokeStyleName) => TonalArtMap.generate({ style }));
 
 /** One panel of a figure, ready to be rendered. */
 export class FigureDrawing {
@@ -37,7 +29,7 @@ export class FigureDrawing {
     private readonly figure: Figure,
     panel: Panel,
   ) {
-    const { kind = 'sun', position, reflected = USUAL_REFLECTION } = panel.light ?? figure.light;
+    const { kind = 'sun', position, reflected = DEFAULT_REFLECTION } = panel.light ?? figure.light;
     // Without decay, turning the light turns the strokes and does not change the exposure.
     this.light = kind === 'lamp' ? new PointLight('white', Math.PI, 0, 0) : new DirectionalLight('white', Math.PI);
     this.lightPosition.fromArray(position);

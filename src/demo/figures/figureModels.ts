@@ -12,6 +12,7 @@ import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { shellChair } from '../models/shellChair.js';
+import { memoize } from './memoize.js';
 
 /** A model of a figure: about of radius 1 around the origin, in parts that may have materials of their own. */
 export interface FigureModel {
@@ -39,17 +40,8 @@ const models = {
 
 export type FigureModelName = keyof typeof models;
 
-const loaded = new Map<FigureModelName, Promise<FigureModel>>();
-
 /** Loads and bakes a model, once. @throws ModelError with one sentence for the user */
-export function figureModel(name: FigureModelName): Promise<FigureModel> {
-  let model = loaded.get(name);
-  if (!model) {
-    model = models[name]();
-    loaded.set(name, model);
-  }
-  return model;
-}
+export const figureModel = memoize((name: FigureModelName): Promise<FigureModel> => models[name]());
 
 const LOADING = { signal: new AbortController().signal, onStage: () => {} };
 

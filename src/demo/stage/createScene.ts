@@ -20,7 +20,7 @@ interface Tile {
   height: number;
 }
 
-/** Sets up the scene on a canvas. A frame is drawn only after `invalidate` was called. */
+/** Sets up the scene on a canvas. A frame is drawn after `invalidate`, and when the viewport changes its size. */
 export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, viewport: HTMLElement) {
   const renderer = new WebGLRenderer({ canvas, context });
   const scene = new Scene();
