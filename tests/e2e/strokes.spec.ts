@@ -54,7 +54,7 @@ function differingColumns(a: PNG, b: PNG): number[] {
 test('a preset sets the whole style at once, and can be undone', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=sphere');
-  const presets = page.getByRole('group', { name: 'Style presets' });
+  const presets = page.getByRole('group', { name: 'Presets' });
   const undo = page.getByRole('button', { name: 'Undo' });
   await expect(presets.getByRole('button', { name: 'Pen', exact: true })).toHaveAttribute('aria-pressed', 'true');
   await expect(undo).toBeDisabled();
