@@ -1,6 +1,6 @@
 /**
- * `npm run figures`: takes the pictures of the documentation from the page of the figures and writes docs/figures/*.png
- * and docs/figures.md. `npm run figures -- 4 14` takes some of them and leaves the text alone.
+ * `npm run figures`: writes docs/figures/*.png and docs/figures.md from the figures page. `npm run figures -- 4 14`
+ * writes only the images of some figures.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -20,10 +20,10 @@ await server.listen();
 const browser = await chromium.launch(await launchOptions());
 let bytes = 0;
 try {
-  // High enough that a whole figure is in view, and so drawn.
+  // High enough for a whole figure, because only what is in view is drawn.
   const page = await browser.newPage({ viewport: { width: 960, height: 2400 } });
   await page.goto(`${server.resolvedUrls.local[0]}figures/`);
-  // Nothing but paper may show at the edge of a picture.
+  // Hides what could show at the edges of a picture.
   await page.evaluate(() => {
     document.body.style.background = 'var(--paper)';
     document.querySelector('.lamp-bar').style.visibility = 'hidden';
@@ -48,8 +48,8 @@ console.log(`${Math.round(bytes / 1000)} kB together`);
 
 if (wanted.length === 0) {
   const sections = FIGURES.map(
-    ({ number, title, paper, ours }) =>
-      `## Figure ${number}. ${title}\n\n![Figure ${number}](figures/figure-${number}.png)\n\n*In the paper:* ${paper}\n\n*Here:* ${ours}\n`,
+    ({ number, title, inThePaper, here }) =>
+      `## Figure ${number}. ${title}\n\n![Figure ${number}](figures/figure-${number}.png)\n\n*In the paper:* ${inThePaper}\n\n*Here:* ${here}\n`,
   );
   const introduction = `# The figures of the paper
 

@@ -1,13 +1,13 @@
 import { crc32, deflateSync } from 'node:zlib';
 
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
-/** Levels per channel that colours are rounded to before the commonest are chosen. */
+/** Levels per channel to which colours are rounded before the most frequent are chosen. */
 const LEVELS = 64;
 const MAX_COLOURS = 256;
 
 /**
- * A PNG with a palette of at most 256 colours: a fraction of the size of one in full colour, and the same to the eye for a
- * drawing in a few inks.
+ * Encodes a PNG with a palette of at most 256 colours. For a drawing in a few inks it looks the same as one in full
+ * colour and is much smaller.
  *
  * @param {{ width: number, height: number, data: Uint8Array }} picture RGBA, opaque
  * @returns {Buffer} the file
@@ -26,7 +26,7 @@ export function writePalettePng({ width, height, data }) {
     for (let channel = 0; channel < 3; channel++) sum[channel + 1] += data[i + channel];
     sums.set(key, sum);
   }
-  // Each colour of the palette is the mean of what was rounded to it, so that flat grounds keep theirs.
+  // Each colour of the palette is the mean of the pixels rounded to it, so that flat areas keep their colour.
   const palette = [...sums.values()]
     .sort((a, b) => b[0] - a[0])
     .slice(0, MAX_COLOURS)

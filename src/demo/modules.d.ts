@@ -1,4 +1,4 @@
-/** The Stanford bunny as nested arrays; the package has no types of its own. */
+/** The Stanford bunny as nested arrays. The package has no types of its own. */
 declare module 'bunny' {
   export const positions: [number, number, number][];
   export const cells: [number, number, number][];

@@ -12,7 +12,7 @@ import { openPlayground, ready } from './playground.js';
 
 test.use({ viewport: { width: 860, height: 560 } });
 
-/** Within the middle triangle of figure 4, which faces the viewer almost. */
+/** Within the middle triangle of figure 4, which almost faces the viewer. */
 const MIDDLE_TRIANGLE = { left: 0.44, top: 0.2, right: 0.54, bottom: 0.4 };
 
 const panelOf = (number: number, name: string) => `#figure-${number} [data-panel="${name}"]`;
@@ -22,7 +22,7 @@ async function openFigures(page: Page): Promise<void> {
   await settled(page);
 }
 
-/** Waits until every panel in view is drawn as it should be. */
+/** Waits until every panel in view is up to date. */
 async function settled(page: Page): Promise<void> {
   // Two frames, so that the page knows what is in view.
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
@@ -35,7 +35,7 @@ async function scrollTo(page: Page, selector: string): Promise<void> {
   await settled(page);
 }
 
-/** What a panel shows, as it was drawn. */
+/** The picture that a panel shows. */
 async function readPanel(page: Page, selector: string): Promise<PNG> {
   await scrollTo(page, selector);
   const address = await page.locator(selector).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
@@ -44,7 +44,7 @@ async function readPanel(page: Page, selector: string): Promise<PNG> {
 
 const isBlank = ({ data }: PNG) => new Set(new Uint32Array(new Uint8Array(data).buffer)).size === 1;
 
-test('every figure is told in words and every panel of it drawn, in one graphics context', async ({ page }) => {
+test('every figure has a caption and every panel of it is drawn, in one graphics context', async ({ page }) => {
   const addresses: string[] = [];
   page.on('request', (request) => addresses.push(request.url()));
   await page.addInitScript(() => {
@@ -59,8 +59,8 @@ test('every figure is told in words and every panel of it drawn, in one graphics
   expect(FIGURES.map(({ number }) => number)).toEqual([4, 8, 9, 10, 11, 12, 13, 14]);
   for (const figure of FIGURES) {
     const caption = page.getByRole('figure').filter({ hasText: `Figure ${figure.number}. ${figure.title}` });
-    await expect(caption).toContainText(figure.paper);
-    await expect(caption).toContainText(figure.ours);
+    await expect(caption).toContainText(figure.inThePaper);
+    await expect(caption).toContainText(figure.here);
     for (const { name } of figure.rows.flatMap(({ panels }) => panels)) {
       const picture = await readPanel(page, panelOf(figure.number, name));
       expect(isBlank(picture), `figure ${figure.number}, ${name}`).toBe(false);
@@ -72,10 +72,10 @@ test('every figure is told in words and every panel of it drawn, in one graphics
   expect(addresses.filter((address) => !address.startsWith(origin) && !/^(blob|data):/.test(address))).toEqual([]);
 });
 
-test.describe('on a fine screen, where strokes are wide enough to measure', () => {
+test.describe('on a screen of high resolution, where strokes are wide enough to measure', () => {
   test.use({ deviceScaleFactor: 2 });
 
-  test('the lamp turns the strokes of every figure, by key and by touch', async ({ page }) => {
+  test('the light turns the strokes of every figure, by key and by touch', async ({ page }) => {
     await openFigures(page);
     const selectors = FIGURES.map(({ number, rows }) => panelOf(number, rows.at(-1)!.panels.at(-1)!.name));
     const before: PNG[] = [];
@@ -103,7 +103,7 @@ test.describe('on a fine screen, where strokes are wide enough to measure', () =
   });
 });
 
-test('the technique changes where the paper would blend, and nowhere else', async ({ page }) => {
+test('the choice of technique changes the panels that blend, and no others', async ({ page }) => {
   await openFigures(page);
   const names = [panelOf(4, 'a'), panelOf(4, 'b'), panelOf(8, 'all'), panelOf(14, 'tangent')];
   const before: PNG[] = [];
@@ -130,7 +130,7 @@ test('draws nothing while nothing changes, and only what is in view when somethi
   expect(await sizeOfLast()).toBe(0);
 });
 
-test('fits a screen 360 pixels wide in dark surroundings, with the lamp large enough for a thumb', async ({ page }) => {
+test('fits a screen 360 pixels wide in dark mode, with a light slider large enough for a thumb', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 360, height: 640 });
   await openFigures(page);
@@ -152,7 +152,7 @@ test('fits a screen 360 pixels wide in dark surroundings, with the lamp large en
   expect(box.width).toBeGreaterThan(140);
 });
 
-test('the playground leads to the figures and the figures back', async ({ page }) => {
+test('the pages link to each other', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   await page.getByRole('link', { name: 'Figures' }).click();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('The figures of the paper');
@@ -162,7 +162,7 @@ test('the playground leads to the figures and the figures back', async ({ page }
   await ready(page);
 });
 
-test('a lost graphics context is said, and the figures come back', async ({ page }) => {
+test('a lost graphics context is reported, and the figures come back', async ({ page }) => {
   await openFigures(page);
   const before = await readPanel(page, panelOf(4, 'b'));
   await page.evaluate(() => {
@@ -177,7 +177,7 @@ test('a lost graphics context is said, and the figures come back', async ({ page
   expect(changedShare(before, await readPanel(page, panelOf(4, 'b')))).toBeGreaterThan(0.02);
 });
 
-test('a browser without WebGL 2 is told so, and can read the captions', async ({ page }) => {
+test('a browser without WebGL 2 gets a message, and the captions', async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
@@ -186,7 +186,7 @@ test('a browser without WebGL 2 is told so, and can read the captions', async ({
   await expect(page.getByRole('figure')).toHaveCount(FIGURES.length);
 });
 
-test('the built pages work in any folder of a host', async ({ page }) => {
+test('the built pages work in any folder of a server', async ({ page }) => {
   const folder = mkdtempSync(join(tmpdir(), 'playground-'));
   await build({ logLevel: 'error', build: { outDir: folder, emptyOutDir: true } });
   const server = await serveFolders({ '/some/folder/': folder });

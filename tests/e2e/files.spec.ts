@@ -20,7 +20,7 @@ test.use({ viewport: { width: 640, height: 480 } });
 test('models of every format are drawn when dropped', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
-  const cases: [name: string, facts: string, files: TestFile[]][] = [
+  const cases: [name: string, statistics: string, files: TestFile[]][] = [
     ['octahedron.glb', '16 triangles', [file('octahedron.glb', octahedronGlb())]],
     [
       'octahedron.gltf',
@@ -34,11 +34,11 @@ test('models of every format are drawn when dropped', async ({ page }) => {
     ['ascii.stl', '8 triangles', [file('ascii.stl', octahedronAsciiStl)]],
     ['misnamed.obj', '8 triangles', [file('misnamed.obj', octahedronPly)]],
   ];
-  for (const [name, facts, files] of cases) {
+  for (const [name, statistics, files] of cases) {
     await drop(page, files);
     await expect(page.locator('#model-name')).toHaveText(name);
-    // Nothing but this: a closed surface has no borders.
-    await expect(page.locator('#model-facts')).toHaveText(facts);
+    // Only triangles are counted, because a closed surface has no borders.
+    await expect(page.locator('#model-statistics')).toHaveText(statistics);
   }
   const after = await readDrawing(page);
   expect(changedShare(before, after)).toBeGreaterThan(0.1);
@@ -48,9 +48,9 @@ test('models of every format are drawn when dropped', async ({ page }) => {
 test('a mirrored part of a model is not turned inside out', async ({ page }) => {
   await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=0&lightElevation=60');
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
-  await expect(page.locator('#model-facts')).toHaveText('16 triangles');
+  await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
   const picture = await readDrawing(page);
-  // Lit from above; the inside of a shape would be light below.
+  // Lit from above. Turned inside out, the octahedron would be lighter below.
   const top = { ...WHOLE, bottom: 0.5 };
   const left = meanInk(picture, { ...top, right: 0.5 });
   const mirrored = meanInk(picture, { ...top, left: 0.5 });
@@ -60,7 +60,7 @@ test('a mirrored part of a model is not turned inside out', async ({ page }) => 
   expect(below).toBeGreaterThan(1.5 * mirrored);
 });
 
-test('a picked file is drawn too, with the colours it brings', async ({ page }) => {
+test('a picked file is drawn, with its colours', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   await page
     .locator('#file-input')
@@ -72,7 +72,7 @@ test('a picked file is drawn too, with the colours it brings', async ({ page }) 
   expect(red).toBeGreaterThan(1000);
 });
 
-test('a file that cannot be read gives one clear sentence and leaves the drawing as it was', async ({ page }) => {
+test('a file that cannot be read gives one clear sentence and leaves the drawing unchanged', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
   const glb = octahedronGlb();
@@ -108,7 +108,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
     [[file('points.ply', points)], /^points\.ply holds points but no triangles/],
     [
       [file('nan.obj', 'v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\nf 1 2 9\n')],
-      /^None of the triangles .* sound corners\.$/,
+      /^None of the triangles .* valid corners\.$/,
     ],
     [[file('flat.obj', 'v 1 1 1\nf 1 1 1\n')], /^The model has no size/],
     [[file('lines.obj', 'v 0 0 0\nv 1 0 0\nl 1 2\n')], /^The file holds no triangles/],
@@ -123,7 +123,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });
 
-test('joining the triangles of a large model can be called off', async ({ page }) => {
+test('joining the triangles of a large model can be cancelled', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
   await page.evaluate(() => {

@@ -9,21 +9,21 @@ test.use({ viewport: { width: 640, height: 480 } });
 const FACE: Region = { left: 0.42, top: 0.36, right: 0.58, bottom: 0.64 };
 const LEFT_HALF: Region = { left: 0.3, top: 0.2, right: 0.5, bottom: 0.8 };
 const RIGHT_HALF: Region = { left: 0.5, top: 0.2, right: 0.7, bottom: 0.8 };
-/** The technique and the light of the paper, which the reference below is written for. */
+/** The technique and the light of the paper by Suarez et al., for which the reference below holds. */
 const PAPER = 'technique=adjacency&strokeDirection=towards&lightStrength=100&reflectedLight=0&mapStyle=hatching&';
 /** Mean darkness of the darkest hatch image of the style. */
 const MAX_INK = 0.95;
-/** Degrees. The strokes of a map are drawn by a slightly unsteady hand. */
+/** In degrees. The strokes of a map vary slightly in direction. */
 const MAX_DEVIATION = 8;
 
-/** Direction to the light from where the lamp says it is; the camera looks along −z. */
+/** Direction to the light, by the label of its handle. The camera looks along −z. */
 async function towardsLight(page: Page): Promise<{ x: number; y: number; z: number }> {
   const { azimuth, elevation } = await lampPlace(page);
   const [a, e] = [azimuth, elevation].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
   return { x: Math.sin(a) * Math.cos(e), y: Math.sin(e), z: Math.cos(a) * Math.cos(e) };
 }
 
-/** What Algorithm 1 says of a face with the normal (0, 0, 1): B is the light's direction laid into the face, T = B × N. */
+/** Algorithm 1 for a face with the normal (0, 0, 1): B is the light's direction projected onto the face, T = B × N. */
 async function expectFaceAsReference(page: Page, along: 'T' | 'B'): Promise<void> {
   const light = await towardsLight(page);
   const picture = await readDrawing(page);
@@ -35,7 +35,7 @@ async function expectFaceAsReference(page: Page, along: 'T' | 'B'): Promise<void
   expect(meanInk(picture, FACE), 'mean ink against the tone 1 − N·L').toBeCloseTo(MAX_INK * (1 - light.z), 1);
 }
 
-test('strokes and tone of a face follow the lamp that the mouse drags', async ({ page }) => {
+test('strokes and tone of a face follow the light when it is dragged', async ({ page }) => {
   await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&strokeScale=5`);
   await expectFaceAsReference(page, 'B');
   const before = await lampPlace(page);
@@ -51,7 +51,7 @@ test('strokes and tone of a face follow the lamp that the mouse drags', async ({
   await expectFaceAsReference(page, 'T');
 });
 
-test('the side that faces the lamp is the lighter one, and the lamp goes behind the model past the edge', async ({
+test('the side that faces the light is lighter, and the light goes behind the model past the edge', async ({
   page,
 }) => {
   await openPlayground(page, `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-60&lightElevation=0`);
@@ -59,7 +59,7 @@ test('the side that faces the lamp is the lighter one, and the lamp goes behind 
   expect(meanInk(fromLeft, RIGHT_HALF)).toBeGreaterThan(meanInk(fromLeft, LEFT_HALF) + 0.2);
 
   const { x } = await middleOf(page, '#lamp');
-  const { x: centre } = await middleOf(page, '#plate');
+  const { x: centre } = await middleOf(page, '#viewport');
   await dragLamp(page, { x: 2 * (centre - x), y: 0 });
   const fromRight = await readDrawing(page);
   expect(meanInk(fromRight, LEFT_HALF)).toBeGreaterThan(meanInk(fromRight, RIGHT_HALF) + 0.2);
@@ -79,7 +79,7 @@ test('the side that faces the lamp is the lighter one, and the lamp goes behind 
   expect(await lampPlace(page)).toMatchObject({ azimuth: -54, elevation: 38 });
 });
 
-test('a second sun lightens its side, and crosses the strokes unless one layer is asked for', async ({ page }) => {
+test('a second sun lightens its side, and crosses the strokes unless there is one layer', async ({ page }) => {
   const view = `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=20`;
   await openPlayground(page, view);
   const alone = await readDrawing(page);
@@ -89,11 +89,11 @@ test('a second sun lightens its side, and crosses the strokes unless one layer i
   const single = await readDrawing(page);
   expect(meanInk(crossed, RIGHT_HALF)).toBeLessThan(meanInk(alone, RIGHT_HALF) - 0.05);
   expect(changedShare(crossed, single)).toBeGreaterThan(0.01);
-  // As dark with two layers as with one.
+  // Two layers are as dark as one.
   expect(meanInk(crossed, RIGHT_HALF)).toBeCloseTo(meanInk(single, RIGHT_HALF), 1);
 });
 
-test('arrow keys move the lamp by 5°, with Shift by 1°', async ({ page }) => {
+test('arrow keys move the light by 5°, with Shift by 1°', async ({ page }) => {
   await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&strokeScale=5`);
   await page.locator('#lamp').focus();
   await page.keyboard.press('ArrowRight');
@@ -109,7 +109,7 @@ test('arrow keys move the lamp by 5°, with Shift by 1°', async ({ page }) => {
 test.describe('by touch', () => {
   test.use({ hasTouch: true });
 
-  test('a finger moves the lamp, a second one its distance', async ({ page }) => {
+  test('a finger moves the light, a second one changes its distance', async ({ page }) => {
     await openPlayground(
       page,
       `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&strokeScale=5`,
@@ -129,7 +129,7 @@ test.describe('by touch', () => {
     expect(moved.elevation).toBeGreaterThan(before.place.elevation + 4);
     expect(moved.distance).toBe(before.place.distance);
 
-    const centre = await middleOf(page, '#plate');
+    const centre = await middleOf(page, '#viewport');
     await touch('touchStart', [to, { x: centre.x, y: centre.y + 100 }]);
     await touch('touchMove', [to, { x: centre.x, y: centre.y + 125 }]);
     await touch('touchMove', [to, { x: centre.x, y: centre.y + 150 }]);

@@ -6,7 +6,7 @@ import { drop, openPlayground, readDrawing, ready } from './playground.js';
 
 const PLAIN = 'model=sphere&mapSize=64&mapTones=4';
 
-/** A tile whose left part is ink, `share` of it. */
+/** A PNG image with ink on the left, over `share` of its width. */
 async function tile(name: string, share: number, size = 64) {
   const data = Uint8Array.from({ length: size * size }, (_, i) => ((i % size) / size < share ? 0 : 255));
   return {
@@ -48,7 +48,7 @@ test('the contact sheet opens by keyboard, shows every tone and level, and follo
   await expect(opener).toBeFocused();
 });
 
-test('an artist’s PNG images become the map; broken ones leave it as it is', async ({ page }) => {
+test('PNG images of the user become the map; invalid ones leave it unchanged', async ({ page }) => {
   await openPlayground(page, PLAIN);
   const before = await readDrawing(page);
   await drop(page, [await tile('dark.png', 0.8), await tile('light.png', 0.2), await tile('middle.png', 0.5)]);
@@ -65,7 +65,7 @@ test('an artist’s PNG images become the map; broken ones leave it as it is', a
   expect((await readDrawing(page)).data.equals(own.data)).toBe(true);
 });
 
-test('the map is saved as an archive of files that make it again', async ({ page }) => {
+test('the map is saved as an archive that restores it', async ({ page }) => {
   await openPlayground(page, PLAIN);
   await page.getByRole('button', { name: 'Show the map' }).click();
   const waiting = page.waitForEvent('download');
@@ -75,7 +75,7 @@ test('the map is saved as an archive of files that make it again', async ({ page
   const entries = unzipSync(new Uint8Array(await readFile(await download.path())));
   const { images, thresholds } = JSON.parse(new TextDecoder().decode(entries['map.json']));
   expect(Object.keys(entries).sort()).toEqual(['map.json', ...images.flat(), ...thresholds].sort());
-  // Its caption will name another map.
+  // Closed, because its caption is going to change.
   await page.getByRole('button', { name: 'Close' }).click();
   const before = await readDrawing(page);
   await drop(
@@ -91,10 +91,12 @@ test('the contact sheet fits a small screen and scrolls', async ({ page }) => {
   await openPlayground(page, PLAIN);
   await page.getByRole('button', { name: 'Settings' }).first().click();
   await page.getByRole('button', { name: 'Show the map' }).click();
-  const box = (await page.locator('#contact').boundingBox())!;
+  const box = (await page.locator('#contact-sheet').boundingBox())!;
   expect(box.x).toBeGreaterThanOrEqual(0);
   expect(box.x + box.width).toBeLessThanOrEqual(360);
-  const scrolls = await page.locator('#contact-scroller').evaluate((element) => getComputedStyle(element).overflowX);
+  const scrolls = await page
+    .locator('#contact-sheet-scroller')
+    .evaluate((element) => getComputedStyle(element).overflowX);
   expect(scrolls).toBe('auto');
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
 });

@@ -1,7 +1,7 @@
 import { MeshoptEncoder } from 'meshoptimizer';
-import { packGlb } from './liveModel.js';
+import { packGlb } from './columnModel.js';
 
-/** An octahedron in every format the page takes, made here so that the tests need no files. */
+/** An octahedron in every format that the page reads, made by code so that the tests need no files. */
 
 const VERTICES = [
   [1, 0, 0],
@@ -81,7 +81,7 @@ export function octahedronBin(): Buffer {
   return Buffer.concat([positions, Buffer.from(new Uint16Array(TRIANGLES.flat()).buffer)]);
 }
 
-/** Two octahedra, the second mirrored and moved aside; `uri` names the buffer's file, or none for GLB. */
+/** Two octahedra, the second mirrored and translated. `uri` is that of the buffer; GLB has none. */
 export function octahedronGltf(uri?: string, changes: object = {}): string {
   const positionBytes = 12 * VERTICES.length;
   const indexBytes = 6 * TRIANGLES.length;
@@ -104,7 +104,7 @@ export function octahedronGltf(uri?: string, changes: object = {}): string {
   });
 }
 
-/** The octahedra again, packed as meshopt does it. */
+/** The two octahedra, compressed with meshopt. */
 export async function octahedronMeshoptGlb(): Promise<Buffer> {
   await MeshoptEncoder.ready;
   const bin = octahedronBin();

@@ -2,12 +2,12 @@ import { existsSync, readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
 import { expect, test } from '../browser/test.js';
-import { columnGlb } from './liveModel.js';
+import { columnGlb } from './columnModel.js';
 import { file, type TestFile } from './modelFiles.js';
 import { changedShare, meanInk } from './pictures.js';
 import { drop, framesDrawn, openPlayground, readDrawing, ready } from './playground.js';
 
-/** Models that move and have pictures on them. */
+/** Animated and textured models. */
 
 test.use({ viewport: { width: 900, height: 600 } });
 
@@ -50,7 +50,7 @@ test('a model with a clip plays when it is dropped; paused, the page is idle', a
   await expect(play(page)).toBeVisible();
 });
 
-test('the fish of the page swims, and is in the link', async ({ page }) => {
+test('the built-in fish swims, and is in the link', async ({ page }) => {
   await page.goto('./#model=fish&lightElevation=50');
   await expect(page.locator('#model-name')).toHaveText('Fish');
   await expect(pause(page)).toBeVisible();
@@ -66,10 +66,12 @@ test('the fish of the page swims, and is in the link', async ({ page }) => {
   await expect(page.locator('#model-name')).toHaveText('Fish');
 });
 
-test.describe('where motion is to be reduced', () => {
+test.describe('with reduced motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('a model waits; time, clips and shapes change the drawing, and back', async ({ page }) => {
+  test('a model does not start by itself; time, clips and morph targets change the drawing, and back', async ({
+    page,
+  }) => {
     await openModel(page, column());
     const first = await readDrawing(page);
     await expect(play(page)).toBeVisible();
@@ -101,7 +103,7 @@ test.describe('where motion is to be reduced', () => {
     expect(changedShare(first, await readDrawing(page))).toBe(0);
   });
 
-  test('strokes, techniques and comparison go on with a pose', async ({ page }) => {
+  test('techniques and the comparison follow the pose', async ({ page }) => {
     for (const technique of ['adjacency', 'triangle']) {
       await openModel(page, column(), `technique=${technique}&compare=anchored&surfaceColors=paper`);
       const first = await readDrawing(page);
@@ -112,7 +114,7 @@ test.describe('where motion is to be reduced', () => {
     }
   });
 
-  test('a model without motion has no controls for it, and takes them away', async ({ page }) => {
+  test('the controls disappear with a model that does not move', async ({ page }) => {
     await openModel(page, column());
     await expect(page.getByRole('group', { name: 'Motion' })).toBeVisible();
     await drop(page, [file('still.glb', columnGlb({ still: true }))]);
@@ -122,7 +124,7 @@ test.describe('where motion is to be reduced', () => {
     await ready(page);
   });
 
-  test('surfaces show their pictures, or paper, and undo brings them back', async ({ page }) => {
+  test('surfaces show their textures, or paper, and undo restores them', async ({ page }) => {
     await openModel(page, column());
     const coloured = await readDrawing(page);
     expect(colouredShare(coloured, 0)).toBeGreaterThan(0.01);
@@ -139,13 +141,13 @@ test.describe('where motion is to be reduced', () => {
     await expect(page.locator('#model-name')).toHaveText('column.glb');
   });
 
-  test('what is broken in a live model is left out, or said', async ({ page }) => {
+  test('broken parts of an animated model are left out or reported', async ({ page }) => {
     const numbers = [0, 0, 0, 1, Number.NaN, 0, 0, 1, 0, 0, 0, 1];
     await openModel(page, column({ bend: numbers }));
-    await expect(page.locator('#model-facts')).toHaveText(/1 broken one left out$/);
+    await expect(page.locator('#model-statistics')).toHaveText(/1 broken one left out$/);
     expect(await page.getByRole('combobox', { name: 'Clip' }).locator('option').allTextContents()).toEqual(['Turn']);
 
-    // 30,000 × 30,000 pixels in a few bytes would fill gigabytes.
+    // An image of 30,000 × 30,000 pixels, in a few bytes, would decode to gigabytes.
     const png = Buffer.alloc(64);
     Buffer.from('\x89PNG\r\n\x1a\n', 'latin1').copy(png);
     png.write('IHDR', 12);
@@ -191,7 +193,7 @@ test.describe('where motion is to be reduced', () => {
     expect(changedShare(before, await readDrawing(page))).toBe(0);
   });
 
-  test('putting a large live model together can be called off', async ({ page }) => {
+  test('assembling a large animated model can be cancelled', async ({ page }) => {
     await openModel(page, column());
     const before = await readDrawing(page);
     await drop(page, [file('tower.glb', columnGlb({ rings: 16_000 }))]);

@@ -5,9 +5,7 @@ import { framesDrawn, middleOf, openPlayground, readDrawing, ready, savePicture 
 
 test.use({ viewport: { width: 640, height: 480 } });
 
-test('opens with the dragon, hatched, without a layout shift, and asks no other site for anything', async ({
-  page,
-}) => {
+test('opens with the dragon, hatched, without a layout shift and without requests to other sites', async ({ page }) => {
   const addresses: string[] = [];
   page.on('request', (request) => addresses.push(request.url()));
   await page.addInitScript(() => {
@@ -24,7 +22,7 @@ test('opens with the dragon, hatched, without a layout shift, and asks no other 
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page);
   await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
-  await expect(page.locator('#model-facts')).toHaveText(/^47,794 triangles/);
+  await expect(page.locator('#model-statistics')).toHaveText(/^47,794 triangles/);
   await expect(page.getByRole('slider', { name: 'Light' })).toBeVisible();
   await expect(page.getByText('drag the light')).toBeVisible();
   const picture = await readDrawing(page);
@@ -45,10 +43,10 @@ test('an idle page draws no frames', async ({ page }) => {
   expect(await framesDrawn(page)).toBeGreaterThan(before);
 });
 
-test('the camera turns by mouse and keys, and comes back to the whole model', async ({ page }) => {
+test('the camera orbits by mouse and keys, and frames the whole model again', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const first = await readDrawing(page);
-  const { x, y } = await middleOf(page, '#plate');
+  const { x, y } = await middleOf(page, '#viewport');
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 60, y + 20, { steps: 3 });
@@ -63,7 +61,7 @@ test('the camera turns by mouse and keys, and comes back to the whole model', as
   expect(changedShare(first, await readDrawing(page))).toBe(0);
 });
 
-test('the link brings every setting back after a reload, and passes over what it does not know', async ({ page }) => {
+test('the link restores every setting after a reload, and unknown ones are ignored', async ({ page }) => {
   await openPlayground(page, 'model=cube&strokeWidth=3&ink=%23203080&lightElevation=999&technique=magic&nothing=1');
   const picture = await readDrawing(page);
   await page.locator('#lamp').press('ArrowDown');
@@ -91,16 +89,16 @@ test('saves the drawing as PNG, on paper and without, at the size of the page an
   const strokes = await savePicture(page);
   expect(opaqueShare(strokes)).toBeGreaterThan(0.02);
   expect(opaqueShare(strokes)).toBeLessThan(0.6 * opaqueShare(small));
-  // No paper, whole or half: what there is, is ink.
+  // Every opaque pixel is ink. None is paper, not even partly.
   expect(lightestRed(strokes)).toBeLessThan(0x40);
 
-  // Large enough to be drawn in pieces: they must fit together.
+  // Large enough to be drawn in tiles, which must fit together.
   await openPlayground(page, 'model=cube&pictureSize=4&pictureGround=transparent');
   const large = await savePicture(page);
   expect([large.width, large.height]).toEqual([4 * shown.width, 4 * shown.height]);
   expect(opaqueShare(small)).toBeGreaterThan(0.1);
   expect(differentlyOpaqueShare(small, large)).toBeLessThan(0.01);
-  // What the page shows is not touched by saving.
+  // Saving does not change what the page shows.
   expect(changedShare(shown, await readDrawing(page))).toBe(0);
 });
 
@@ -110,14 +108,14 @@ function opaqueShare({ data }: PNG): number {
   return opaque / (data.length / 4);
 }
 
-/** The lightest red of all pixels that are not nearly clear. */
+/** The highest red value of all pixels that are not nearly transparent. */
 function lightestRed({ data }: PNG): number {
   let lightest = 0;
   for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 40) lightest = Math.max(lightest, data[i]);
   return lightest;
 }
 
-/** The share of pixels that are opaque in one picture and clear at the same place of the other, larger one. */
+/** The share of pixels that are opaque in one picture and transparent at the same place of the other, larger one. */
 function differentlyOpaqueShare(small: PNG, large: PNG): number {
   const factor = large.width / small.width;
   let different = 0;
@@ -147,16 +145,16 @@ test('fits a screen 360 pixels wide, with everything large enough for a thumb', 
   }
   await settings.click();
   await expect(page.getByLabel('Stroke scale')).toBeVisible();
-  const plate = (await page.locator('#plate').boundingBox())!;
+  const viewport = (await page.locator('#viewport').boundingBox())!;
   const card = (await page.locator('#card').boundingBox())!;
-  expect(plate.height).toBeGreaterThan(180);
-  expect(plate.y + plate.height).toBeLessThanOrEqual(card.y);
+  expect(viewport.height).toBeGreaterThan(180);
+  expect(viewport.y + viewport.height).toBeLessThanOrEqual(card.y);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
   await page.keyboard.press('Escape');
   await expect(page.getByLabel('Stroke scale')).toBeHidden();
 });
 
-test('settings have labels and units, count at once and are reset by double-click', async ({ page }) => {
+test('settings have labels and units, apply at once and are reset by double-click', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube&technique=adjacency');
   const before = await readDrawing(page);
@@ -172,7 +170,7 @@ test('settings have labels and units, count at once and are reset by double-clic
   await expect.poll(async () => changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
 });
 
-test('only settings that the techniques shown know are offered', async ({ page }) => {
+test('only settings of the techniques in use are offered', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube');
   await page.getByRole('button', { name: 'Strokes' }).click();
@@ -188,7 +186,7 @@ test('only settings that the techniques shown know are offered', async ({ page }
   await expect(shift).toBeVisible();
 });
 
-test('a lost graphics context is said and comes back with the same drawing', async ({ page }) => {
+test('a lost graphics context is reported and comes back with the same drawing', async ({ page }) => {
   await openPlayground(page, 'model=bunny');
   const before = await readDrawing(page);
   await page.evaluate(() => {
@@ -202,12 +200,12 @@ test('a lost graphics context is said and comes back with the same drawing', asy
   await page.locator('#lamp').press('ArrowLeft');
   await page.locator('#lamp').press('ArrowRight');
   await page.evaluate(() => (window as unknown as { __bringBack: () => void }).__bringBack());
-  // A program built anew may round the last digit differently.
+  // A program that is compiled again may round differently.
   expect(largestDifference(before, await readDrawing(page))).toBeLessThanOrEqual(2);
   await expect(page.locator('#status')).toHaveText('The drawing is back.');
 });
 
-test('a browser without WebGL 2 is told so', async ({ page }) => {
+test('a browser without WebGL 2 gets a message', async ({ page }) => {
   await page.addInitScript(() => {
     const getContext = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: [string]) {

@@ -1,6 +1,6 @@
 import type { PNG } from 'pngjs';
 
-/** A part of a picture in shares of its size, from the top left. */
+/** A part of a picture, in shares of its width and height, from the top left. */
 export interface Region {
   left: number;
   top: number;
@@ -14,8 +14,8 @@ const INK = [0x1c, 0x1a, 0x17].map(toLinear);
 const PAPER = [0xf7, 0xf3, 0xe8].map(toLinear);
 
 /**
- * The mean darkness of a region in linear light: 0 for bare paper, 1 for full ink. The model counts and the ground does
- * not when the region holds the model only.
+ * The mean darkness of a region in linear light: 0 for bare paper, 1 for full ink. The background counts too, if the
+ * region shows any.
  */
 export function meanInk(picture: PNG, region: Region = WHOLE): number {
   let sum = 0;
@@ -28,8 +28,8 @@ export function meanInk(picture: PNG, region: Region = WHOLE): number {
 }
 
 /**
- * The direction strokes run in, in degrees counter-clockwise from the horizontal, in [0, 180): across the strongest
- * change, by the structure tensor of the region.
+ * The direction of the strokes, in degrees counter-clockwise from the horizontal, in [0, 180). It is perpendicular to
+ * the strongest change, by the structure tensor of the region.
  */
 export function strokeDirection(picture: PNG, region: Region): number {
   const { width } = picture;
@@ -38,7 +38,7 @@ export function strokeDirection(picture: PNG, region: Region): number {
   let yy = 0;
   forEachPixel(picture, region, (offset) => {
     const dx = darkness(picture, offset + 4) - darkness(picture, offset - 4);
-    // Rows run downwards, angles are counted upwards.
+    // Rows run downwards, y runs upwards.
     const dy = darkness(picture, offset - 4 * width) - darkness(picture, offset + 4 * width);
     xx += dx * dx;
     xy += dx * dy;
@@ -48,7 +48,7 @@ export function strokeDirection(picture: PNG, region: Region): number {
   return (across + 90 + 360) % 180;
 }
 
-/** The share of pixels in a region that are neither nearly ink nor nearly paper. */
+/** The share of pixels in a region that are grey: neither nearly ink nor nearly paper. */
 export function greyShare(picture: PNG, region: Region): number {
   let grey = 0;
   let count = 0;
@@ -60,7 +60,7 @@ export function greyShare(picture: PNG, region: Region): number {
   return grey / count;
 }
 
-/** Mean distance, in pixels, between edges of strokes along rows and columns of a region. */
+/** Mean distance between edges of strokes, along rows and columns of a region, in pixels. */
 export function edgeSpacing(picture: PNG, region: Region): number {
   const { width } = picture;
   let edges = 0;
@@ -75,8 +75,8 @@ export function edgeSpacing(picture: PNG, region: Region): number {
 }
 
 /**
- * Correlation of the darkness of two pictures in a region, 1 for the same drawing, 0 for unrelated ones. The second may be
- * several times as large; it is averaged down.
+ * Correlation of the darkness of two pictures in a region: 1 for the same drawing, 0 for unrelated ones. The second may
+ * be larger by a whole factor and is averaged down.
  */
 export function likeness(picture: PNG, larger: PNG, region: Region): number {
   const factor = Math.round(larger.width / picture.width);
@@ -113,7 +113,7 @@ export function changedShare(a: PNG, b: PNG): number {
   return changed / (a.data.length / 4);
 }
 
-/** The largest difference of any channel of any pixel, of 255. */
+/** The largest difference of any channel of any pixel, in [0, 255]. */
 export function largestDifference(a: PNG, b: PNG): number {
   return a.data.reduce((largest, value, i) => Math.max(largest, Math.abs(value - b.data[i])), 0);
 }

@@ -4,16 +4,16 @@ import { PNG } from 'pngjs';
 import { expect } from '../browser/test.js';
 import type { TestFile } from './modelFiles.js';
 
-/** An idle page draws no frame for longer than the wait before it sharpens a drawing that moved. */
+/** A page that draws no frame for so long is idle. Longer than the pause before it restores the full resolution. */
 const QUIET_MILLISECONDS = 500;
 
-/** Opens the playground with settings as in its links and waits until it shows the drawing. */
+/** Opens the playground with the hash of a link and waits until it shows the drawing. */
 export async function openPlayground(page: Page, hash = ''): Promise<void> {
   await page.goto(`./#${hash}`);
   await ready(page);
 }
 
-/** Waits until nothing is loading, baking or moving any more. */
+/** Waits until the page is idle: nothing is loading, baking or moving. */
 export async function ready(page: Page): Promise<void> {
   await page.waitForFunction(() => document.documentElement.dataset.state === 'ready', null, { timeout: 60_000 });
   await page.waitForFunction(
@@ -28,7 +28,7 @@ export async function ready(page: Page): Promise<void> {
   );
 }
 
-/** Drops files on the page as a file manager would. */
+/** Drags files over the page and drops them. */
 export async function drop(page: Page, files: readonly TestFile[]): Promise<void> {
   const plain = files.map(({ name, buffer }) => ({ name, base64: buffer.toString('base64') }));
   const transfer = await page.evaluateHandle((dropped) => {
@@ -46,7 +46,7 @@ export async function drop(page: Page, files: readonly TestFile[]): Promise<void
 
 export const framesDrawn = (page: Page): Promise<number> => page.evaluate(() => window.__playground!.framesDrawn);
 
-/** A picture of the drawing alone, without lamp, divider and focus ring. */
+/** A screenshot of the drawing alone, without lamp, divider and focus ring. */
 export async function readDrawing(page: Page): Promise<PNG> {
   await ready(page);
   const overlays = page.locator('#lamp, #divider');
@@ -57,7 +57,7 @@ export async function readDrawing(page: Page): Promise<PNG> {
   await overlays.evaluateAll((elements) => {
     for (const element of elements) (element as HTMLElement).style.visibility = 'hidden';
   });
-  const picture = PNG.sync.read(await page.locator('#plate').screenshot());
+  const picture = PNG.sync.read(await page.locator('#viewport').screenshot());
   await overlays.evaluateAll((elements) => {
     for (const element of elements) (element as HTMLElement).style.visibility = '';
   });
@@ -74,7 +74,7 @@ export async function savePicture(page: Page): Promise<PNG> {
   return PNG.sync.read(await readFile(await (await download).path()));
 }
 
-/** Where the lamp says it is, once the frame that shows it there is drawn. */
+/** The position of the light, by the label of its handle, after the next frame is drawn. */
 export async function lampPlace(page: Page): Promise<{ azimuth: number; elevation: number; distance: number }> {
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
   const text = (await page.locator('#lamp').getAttribute('aria-valuetext')) ?? '';
@@ -98,7 +98,7 @@ export async function middleOf(page: Page, selector: string): Promise<Point> {
   return { x: box!.x + box!.width / 2, y: box!.y + box!.height / 2 };
 }
 
-/** Drags the lamp by mouse, by so many pixels, in steps as a hand would. */
+/** Drags the lamp with the mouse, in several steps. @param by in pixels */
 export async function dragLamp(page: Page, by: Point): Promise<void> {
   const from = await middleOf(page, '#lamp');
   await page.mouse.move(from.x, from.y);

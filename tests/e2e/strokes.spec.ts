@@ -5,7 +5,7 @@ import { openPlayground, readDrawing, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 
-/** Within the sphere, or the face of the cube that looks at the camera. */
+/** Within the sphere, or the front face of the cube. */
 const MIDDLE: Region = { left: 0.4, top: 0.34, right: 0.6, bottom: 0.66 };
 const CUBE = 'model=cube&lightAzimuth=40&lightElevation=20&lightStrength=100&reflectedLight=0';
 
@@ -16,7 +16,7 @@ test('anchored strokes are black and white', async ({ page }) => {
   await openPlayground(page, `${view}&technique=adjacency`);
   expect(greyShare(await readDrawing(page), MIDDLE)).toBeGreaterThan(0.3);
   await openPlayground(page, `${view}&technique=adjacencyCrisp&edge=0`);
-  // What is left are the edges of triangles, which multisampling smooths.
+  // The remaining grey is at the edges of triangles, which are antialiased.
   expect(greyShare(await readDrawing(page), MIDDLE)).toBeLessThan(0.03);
 });
 
@@ -24,7 +24,7 @@ for (const [left, right] of [
   ['triangle', 'anchored'],
   ['adjacencyCrisp', 'adjacency'],
 ] as const) {
-  test(`two techniques stand side by side, divided where the divider is: ${left} and ${right}`, async ({ page }) => {
+  test(`two techniques are drawn side by side, split at the divider: ${left} and ${right}`, async ({ page }) => {
     const view = 'model=bunny&lightAzimuth=-30';
     await openPlayground(page, `${view}&technique=${right}`);
     const rightAlone = await readDrawing(page);
@@ -51,32 +51,32 @@ function differingColumns(a: PNG, b: PNG): number[] {
   return [...columns];
 }
 
-test('a hand sets everything at once, and can be undone', async ({ page }) => {
+test('a preset sets the whole style at once, and can be undone', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=sphere');
-  const hands = page.getByRole('group', { name: 'Hand' });
+  const presets = page.getByRole('group', { name: 'Presets' });
   const undo = page.getByRole('button', { name: 'Undo' });
-  await expect(hands.getByRole('button', { name: 'Pen', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await expect(presets.getByRole('button', { name: 'Pen', exact: true })).toHaveAttribute('aria-pressed', 'true');
   await expect(undo).toBeDisabled();
   const pen = await readDrawing(page);
   const seen = [pen];
-  for (const hand of ['Woodcut', 'Stipple', 'Charcoal', 'Pencil']) {
-    await hands.getByRole('button', { name: hand }).click();
-    await expect(hands.getByRole('button', { name: hand })).toHaveAttribute('aria-pressed', 'true');
+  for (const name of ['Woodcut', 'Stipple', 'Charcoal', 'Pencil']) {
+    await presets.getByRole('button', { name }).click();
+    await expect(presets.getByRole('button', { name })).toHaveAttribute('aria-pressed', 'true');
     const picture = await readDrawing(page);
-    for (const other of seen) expect(changedShare(other, picture), hand).toBeGreaterThan(0.05);
+    for (const other of seen) expect(changedShare(other, picture), name).toBeGreaterThan(0.05);
     seen.push(picture);
   }
   await expect.poll(() => page.url()).toContain('mapStyle=pencil');
   const width = page.getByLabel('Stroke width');
   await width.fill('5');
   await width.press('Enter');
-  await expect(hands.locator('[aria-pressed=true]')).toHaveCount(0);
+  await expect(presets.locator('[aria-pressed=true]')).toHaveCount(0);
 
   await undo.click();
   expect(changedShare(seen[4], await readDrawing(page))).toBe(0);
   await page.keyboard.press('Control+z');
-  await expect(hands.getByRole('button', { name: 'Charcoal' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(presets.getByRole('button', { name: 'Charcoal' })).toHaveAttribute('aria-pressed', 'true');
   for (let step = 0; step < 3; step++) await undo.click();
   await expect(undo).toBeDisabled();
   expect(changedShare(pen, await readDrawing(page))).toBe(0);
@@ -88,7 +88,7 @@ test('a picture saved at twice the size has the same strokes', async ({ page }) 
   const large = await savePicture(page);
   expect(large.width).toBe(2 * shown.width);
   expect(likeness(shown, large, MIDDLE)).toBeGreaterThan(0.9);
-  // Not because every drawing is like every other.
+  // Control: drawings with different strokes are not alike.
   await openPlayground(page, `${CUBE}&camera=0,0,5,0,0,0&mapSeed=2`);
   expect(likeness(await readDrawing(page), large, MIDDLE)).toBeLessThan(0.4);
 });
@@ -105,7 +105,7 @@ test('strokes sized on the screen keep their spacing when the camera comes neare
   const far = await spacing(100, 2.8);
   expect(near / far).toBeGreaterThan(0.9);
   expect(near / far).toBeLessThan(1.1);
-  // Strokes of two sizes take turns; what is seen between them is neither coarser nor finer by much.
+  // In between, strokes of two sizes fade into each other. The spacing must not jump there.
   expect(Math.max(near, between, far) / Math.min(near, between, far)).toBeLessThan(1.6);
   expect((await spacing(0, 1.4)) / (await spacing(0, 2.8))).toBeGreaterThan(1.4);
 });

@@ -1,49 +1,49 @@
 import { type AnimationAction, type AnimationClip, AnimationMixer, type Mesh, type Object3D } from 'three';
 import { meshesOf } from './meshesOf.js';
 
-/** A frame that comes later than this, as after a page was hidden, moves no further. In seconds. */
+/** Longest step between two frames, in seconds. Longer pauses, as when the page was hidden, are cut to it. */
 const LONGEST_STEP = 0.1;
 
-/** A shape of a mesh. */
-interface Target {
+/** A morph target of one mesh. */
+interface MorphTarget {
   mesh: Mesh;
   index: number;
-  /** How much there is of it where nothing moves. */
+  /** Its influence in the file. */
   rest: number;
 }
 
-/** How a model moves: one of its clips at a time, and shapes it can be morphed to. */
+/** The animation of a model: one of its clips at a time, and its morph targets. */
 export class Motion {
   readonly clips: readonly string[];
   readonly morphs: readonly string[];
   isPlaying = false;
-  /** 1 is as the clip was made. */
+  /** Factor on the speed of the clip. */
   speed = 1;
 
   private readonly mixer: AnimationMixer;
-  private readonly targets = new Map<string, Target[]>();
-  /** Shapes that a person has taken from the clip, by how much of them there is. */
-  private readonly held = new Map<string, number>();
+  private readonly morphTargets = new Map<string, MorphTarget[]>();
+  /** Influences that the user has set. They take precedence over the clip. */
+  private readonly overrides = new Map<string, number>();
   private action: AnimationAction | undefined;
 
-  /** Shows the first clip, if there is any, at its beginning. */
+  /** Poses the model at the start of its first clip, if it has one. */
   constructor(
     root: Object3D,
     private readonly animations: readonly AnimationClip[],
   ) {
     this.mixer = new AnimationMixer(root);
     this.clips = animations.map(({ name }, i) => name || `Clip ${i + 1}`);
-    for (const mesh of meshesOf(root)) this.addTargets(mesh);
-    this.morphs = [...this.targets.keys()];
+    for (const mesh of meshesOf(root)) this.addMorphTargets(mesh);
+    this.morphs = [...this.morphTargets.keys()];
     this.clip = 0;
   }
 
-  /** Whether there is anything to move. */
-  get isPossible(): boolean {
+  /** Whether there is any clip or morph target. */
+  get canMove(): boolean {
     return this.clips.length > 0 || this.morphs.length > 0;
   }
 
-  /** The number of the clip that is shown. */
+  /** Index of the active clip, or −1. */
   get clip(): number {
     return this.action ? this.animations.indexOf(this.action.getClip()) : -1;
   }
@@ -56,12 +56,12 @@ export class Motion {
     this.pose();
   }
 
-  /** Seconds that the clip takes. */
+  /** Length of the clip, in seconds. */
   get duration(): number {
     return this.action?.getClip().duration ?? 0;
   }
 
-  /** Seconds into the clip. */
+  /** Time in the clip, in seconds. */
   get time(): number {
     return this.action?.time ?? 0;
   }
@@ -72,27 +72,27 @@ export class Motion {
     this.pose();
   }
 
-  /** Moves on, if it plays. */
+  /** Advances the clip, if it is playing. */
   advance(seconds: number): void {
     if (this.isPlaying) this.pose(Math.min(seconds, LONGEST_STEP) * this.speed);
   }
 
-  /** How much there is of a shape, usually in [0, 1]. */
-  morph(name: string): number {
-    const [target] = this.targets.get(name) ?? [];
+  /** The influence of a morph target, usually in [0, 1]. */
+  influenceOf(name: string): number {
+    const [target] = this.morphTargets.get(name) ?? [];
     return target?.mesh.morphTargetInfluences?.[target.index] ?? 0;
   }
 
-  /** Takes a shape from the clip and holds it; undefined gives it back. */
-  hold(name: string, amount: number | undefined): void {
-    if (amount === undefined) {
-      this.held.delete(name);
-      for (const { mesh, index, rest } of this.targets.get(name) ?? []) mesh.morphTargetInfluences![index] = rest;
-      // Only stopping makes the mixer write again what it thinks is there already.
+  /** Sets the influence of a morph target, also against the clip. `undefined` returns it to the clip. */
+  setInfluence(name: string, influence: number | undefined): void {
+    if (influence === undefined) {
+      this.overrides.delete(name);
+      for (const { mesh, index, rest } of this.morphTargets.get(name) ?? []) mesh.morphTargetInfluences![index] = rest;
+      // The mixer skips values that it has written before. Stopping the action makes it write them again.
       const { time } = this;
       this.action?.stop().play();
       this.time = time;
-    } else this.held.set(name, amount);
+    } else this.overrides.set(name, influence);
     this.pose();
   }
 
@@ -102,17 +102,17 @@ export class Motion {
 
   private pose(seconds = 0): void {
     this.mixer.update(seconds);
-    for (const [name, amount] of this.held) {
-      for (const { mesh, index } of this.targets.get(name)!) mesh.morphTargetInfluences![index] = amount;
+    for (const [name, influence] of this.overrides) {
+      for (const { mesh, index } of this.morphTargets.get(name)!) mesh.morphTargetInfluences![index] = influence;
     }
   }
 
-  /** Targets of one name are one shape, also on several meshes; a target without a name gets a number. */
-  private addTargets(mesh: Mesh): void {
+  /** Morph targets of the same name count as one, also on several meshes. One without a name gets a number. */
+  private addMorphTargets(mesh: Mesh): void {
     for (const [key, index] of Object.entries(mesh.morphTargetDictionary ?? {})) {
       const name = /^\d*$/.test(key) ? `Shape ${index + 1}` : key;
       const target = { mesh, index, rest: mesh.morphTargetInfluences?.[index] ?? 0 };
-      this.targets.set(name, [...(this.targets.get(name) ?? []), target]);
+      this.morphTargets.set(name, [...(this.morphTargets.get(name) ?? []), target]);
     }
   }
 }

@@ -1,2 +1,2 @@
-/** Tells how a task gets on: what it is at, and how far in [0, 1] where that is known. */
+/** Reports the progress of a task: what it is doing, and how far it is in [0, 1] if that is known. */
 export type Report = (stage: string, progress?: number) => void;

@@ -6,19 +6,19 @@ interface MapOptions {
   onProgress: (progress: number) => void;
 }
 
-/** Generates tonal art maps for settings and keeps those already made, the latest few of them, and the person's own. */
+/** Generates tonal art maps for settings. Keeps the latest few, and the user's own. */
 export class TonalArtMapCache {
   private static readonly kept = 6;
   private readonly maps = new Map<string, TonalArtMap>();
   private own: TonalArtMap | undefined;
 
-  /** Keeps a map that the person has brought, for the style `file`, instead of the one before. */
+  /** Keeps the user's own map, for the style `file`, and disposes the previous one. */
   keep(map: TonalArtMap): void {
     this.own?.dispose();
     this.own = map;
   }
 
-  /** Resolves at once for a map made before. The map in use must be passed as `inUse` so that it is not thrown away. */
+  /** Resolves at once for a map that is kept. The map in use must be passed as `inUse`, so that it is not disposed. */
   async get(settings: Settings, options: MapOptions, inUse: TonalArtMap | undefined): Promise<TonalArtMap> {
     const { mapSeed: seed, mapTones: tones } = settings;
     if (settings.mapStyle === 'file' && this.own) return this.own;

@@ -1,14 +1,15 @@
 import { MathUtils, Vector2 } from 'three';
 import type { HatchingMaterial } from 'three-hatching';
-import { type Settings, TONE_CURVES } from '../settings/settings.js';
+import type { Settings } from '../settings/settings.js';
+import { TONE_CURVES } from '../settings/settingValues.js';
 
 const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
 const offset = new Vector2();
 
-/** How wide the map draws a stroke. */
+/** Width of a stroke in the map. */
 export const TEXELS_PER_STROKE = 2;
 
-/** Carries over the settings that both drawings of a comparison share, and the technique, which they need not. */
+/** Copies settings to a material. The technique is a parameter of its own, because a comparison draws with two. */
 export function applyToMaterial(
   material: HatchingMaterial,
   settings: Settings,

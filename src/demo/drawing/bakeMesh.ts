@@ -2,15 +2,15 @@ import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } fro
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import type { PlainMesh } from '../files/PlainMesh.js';
 
-/** A mesh ready to be drawn. */
+/** A mesh baked for hatching. */
 export interface BakedMesh {
   geometry: BufferGeometry;
-  facts: HatchingStatistics;
-  /** An open surface shows its inside. */
+  statistics: HatchingStatistics;
+  /** Open surfaces are drawn from both sides. */
   side: Side;
 }
 
-/** Bakes a mesh for hatching, in the library's worker; normals it does not have are made there, edges kept. */
+/** Bakes a mesh for hatching, in the library's worker. Missing normals are computed there, with creases kept. */
 export async function bakeMesh(
   mesh: PlainMesh,
   options: { signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
@@ -21,6 +21,10 @@ export async function bakeMesh(
   if (mesh.normals) source.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   if (mesh.colors) source.setAttribute('color', new BufferAttribute(mesh.colors, 3));
   const geometry = await prepareHatchingGeometry(source, options);
-  const facts = geometry.userData.hatching as HatchingStatistics;
-  return { geometry, facts, side: facts.borderEdges > 0 || facts.nonManifoldEdges > 0 ? DoubleSide : FrontSide };
+  const statistics = geometry.userData.hatching as HatchingStatistics;
+  return {
+    geometry,
+    statistics,
+    side: statistics.borderEdges > 0 || statistics.nonManifoldEdges > 0 ? DoubleSide : FrontSide,
+  };
 }

@@ -1,44 +1,25 @@
-import {
-  DirectionalLight,
-  Group,
-  HemisphereLight,
-  MathUtils,
-  Mesh,
-  PerspectiveCamera,
-  PointLight,
-  Scene,
-  Vector3,
-} from 'three';
+import { DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PointLight, Scene, Vector3 } from 'three';
 import { HatchingMaterial, type HatchingTechnique, type StrokeStyleName, TonalArtMap } from 'three-hatching';
-import { fitCamera } from '../stage/fitCamera.js';
+import { createCamera, DEFAULT_VIEW } from '../stage/createCamera.js';
+import { fitCamera } from '../stage/framing.js';
 import { figureModel } from './figureModels.js';
 import type { Figure, Look, Panel } from './figures.js';
+import { memoize } from './memoize.js';
 
-/** `paper` draws each panel by its own technique, `anchored` draws anchored strokes where the paper would blend. */
-export type Hand = 'paper' | 'anchored';
+/** `asInPaper` draws each panel with its own technique, `anchored` replaces `adjacency` by anchored strokes. */
+export type TechniqueChoice = 'asInPaper' | 'anchored';
 
-const FIELD_OF_VIEW = 26;
-const USUAL_VIEW = [0.22, 0.18, 1] as const;
-const USUAL_REFLECTION = 0.35;
-/** Anchored strokes are black throughout, and look coarser at the same scale. */
+const DEFAULT_REFLECTION = 0.35;
+/** Factor on the stroke scale, because anchored strokes look coarser at the same scale. */
 const ANCHORED_SCALE = 1.7;
 const AXES = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) } as const;
 
-const maps = new Map<StrokeStyleName, Promise<TonalArtMap>>();
-
-function mapOf(style: StrokeStyleName): Promise<TonalArtMap> {
-  let map = maps.get(style);
-  if (!map) {
-    map = TonalArtMap.generate({ style });
-    maps.set(style, map);
-  }
-  return map;
-}
+const mapOf = memoize((style: StrokeStyleName) => TonalArtMap.generate({ style }));
 
 /** One panel of a figure, ready to be rendered. */
 export class FigureDrawing {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
+  readonly camera = createCamera();
   private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; strokeScale: number }[] = [];
   private readonly light;
   private readonly reflected = new HemisphereLight('white', 'black');
@@ -48,8 +29,8 @@ export class FigureDrawing {
     private readonly figure: Figure,
     panel: Panel,
   ) {
-    const { kind = 'sun', position, reflected = USUAL_REFLECTION } = panel.light ?? figure.light;
-    // Without decay: turning the light turns the strokes, not the exposure.
+    const { kind = 'sun', position, reflected = DEFAULT_REFLECTION } = panel.light ?? figure.light;
+    // Without decay, turning the light turns the strokes and does not change the exposure.
     this.light = kind === 'lamp' ? new PointLight('white', Math.PI, 0, 0) : new DirectionalLight('white', Math.PI);
     this.lightPosition.fromArray(position);
     this.reflected.intensity = Math.PI * reflected;
@@ -57,7 +38,7 @@ export class FigureDrawing {
     this.scene.add(this.light, this.reflected);
   }
 
-  /** Waits for the model and the maps, and puts them together. @throws ModelError if the model cannot be had */
+  /** Loads the model and the maps of a panel. @throws ModelError if the model cannot be loaded */
   static async make(figure: Figure, panel: Panel, ink: string, paper: string): Promise<FigureDrawing> {
     const drawing = new FigureDrawing(figure, panel);
     const model = await figureModel(panel.model ?? figure.model);
@@ -73,24 +54,24 @@ export class FigureDrawing {
     }
     drawing.scene.add(group);
     const { camera } = drawing;
-    camera.aspect = figure.shape;
+    camera.aspect = figure.aspect;
     camera.updateProjectionMatrix();
-    const view = new Vector3(...(panel.view ?? figure.view ?? USUAL_VIEW));
-    fitCamera(camera, model.outline, view, panel.times ?? figure.times);
+    const view = new Vector3(...(panel.view ?? figure.view ?? DEFAULT_VIEW));
+    fitCamera(camera, model.outline, view, panel.zoom ?? figure.zoom);
     return drawing;
   }
 
-  /** Turns the light by so many degrees from where the figure has it. */
+  /** Turns the light by an angle in degrees from its position in the figure. */
   turnLight(degrees: number): void {
     const axis = AXES[this.figure.turnAxis ?? 'y'];
     this.light.position.copy(this.lightPosition).applyAxisAngle(axis, MathUtils.degToRad(degrees));
     this.reflected.position.copy(this.light.position).negate();
   }
 
-  /** Draws by another technique from now on. */
-  setHand(hand: Hand): void {
+  /** Sets the technique of the materials. */
+  setTechnique(choice: TechniqueChoice): void {
     for (const { material, technique, strokeScale } of this.materials) {
-      const isReplaced = hand === 'anchored' && technique === 'adjacency' && !this.figure.paperOnly;
+      const isReplaced = choice === 'anchored' && technique === 'adjacency' && !this.figure.fixedTechnique;
       material.technique = isReplaced ? 'anchored' : technique;
       material.strokeScale = isReplaced ? ANCHORED_SCALE * strokeScale : strokeScale;
     }

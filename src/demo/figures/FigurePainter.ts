@@ -2,14 +2,14 @@ import { WebGLRenderer } from 'three';
 import type { FigureDrawing } from './FigureDrawing.js';
 
 /**
- * Pixels to a pixel of the page, whatever the screen has: panels are small, and strokes of two pixels would be coarse in
- * them. As a pen drawing made for reduction.
+ * Pixels rendered per CSS pixel, on any screen. Panels are small, so their strokes are drawn in double resolution and
+ * scaled down.
  */
 const PIXEL_RATIO = 2;
 
 /**
- * Renders panels one after the other in one graphics context, of which a browser gives only a few to a page, and copies
- * each to the canvas it is shown in.
+ * Renders all panels in one WebGL context, because browsers limit the number of contexts, and copies each to its own
+ * canvas.
  */
 export class FigurePainter {
   private readonly renderer: WebGLRenderer;
@@ -24,9 +24,10 @@ export class FigurePainter {
   }
 
   /**
-   * Draws a panel in the size of its canvas. Returns whether it did: without a graphics context it cannot.
+   * Draws a panel in the size of its canvas.
    *
-   * @param pixelRatio pixels of the canvas to a pixel of the page
+   * @param pixelRatio pixels of the canvas per CSS pixel
+   * @returns false if the graphics context is lost
    */
   paint(drawing: FigureDrawing, canvas: HTMLCanvasElement, pixelRatio: number): boolean {
     const { renderer, context } = this;
@@ -35,18 +36,18 @@ export class FigurePainter {
     const [width, height] = [canvas.width, canvas.height].map((size) =>
       Math.round((size * PIXEL_RATIO) / pixelRatio),
     ) as [number, number];
-    // It only grows, and smaller panels are drawn in its lower left corner.
+    // The buffer only grows. Smaller panels are drawn in its lower left corner.
     if (buffer.width < width || buffer.height < height) {
       renderer.setSize(Math.max(buffer.width, width), Math.max(buffer.height, height), false);
     }
     renderer.setViewport(0, 0, width, height);
     renderer.setScissor(0, 0, width, height);
     renderer.render(drawing.scene, drawing.camera);
-    const sheet = canvas.getContext('2d', { alpha: false });
-    if (!sheet) return false;
-    sheet.imageSmoothingQuality = 'high';
-    // In the same task: the drawing buffer is not kept for longer.
-    sheet.drawImage(buffer, 0, buffer.height - height, width, height, 0, 0, canvas.width, canvas.height);
+    const target = canvas.getContext('2d', { alpha: false });
+    if (!target) return false;
+    target.imageSmoothingQuality = 'high';
+    // In the same task as the rendering, because the drawing buffer is not kept for longer.
+    target.drawImage(buffer, 0, buffer.height - height, width, height, 0, 0, canvas.width, canvas.height);
     return !context.isContextLost();
   }
 }

@@ -1,33 +1,34 @@
-import { FigureDrawing, type Hand } from './FigureDrawing.js';
+import { errorMessage } from '../files/errorMessage.js';
+import { FigureDrawing, type TechniqueChoice } from './FigureDrawing.js';
 import type { FigurePainter } from './FigurePainter.js';
 import type { Figure, Panel } from './figures.js';
 
-/** What a panel needs of the page. */
-export interface PanelSurroundings {
+/** What a panel needs from the page. */
+export interface PanelContext {
   ink: string;
   paper: string;
-  /** Called when the panel has something to draw. */
-  onStale(): void;
+  /** Called when the panel has something new to draw. */
+  onOutdated(): void;
   /** Called with one sentence when the panel cannot be drawn. */
   onFailure(sentence: string): void;
 }
 
-/** A canvas with its caption. Its model is loaded when it is first seen. */
+/** A canvas with its caption. Its model is loaded when the canvas first comes into view. */
 export class FigurePanel {
   readonly element: HTMLElement;
   readonly canvas = document.createElement('canvas');
-  /** In view, or nearly. */
-  isSeen = false;
-  /** What the canvas shows is not what it should. */
-  isStale = true;
+  /** Whether the canvas is in view, or nearly. */
+  isVisible = false;
+  /** Whether the canvas must be drawn again. */
+  isOutdated = true;
   private size = { width: 0, height: 0 };
   private drawing: FigureDrawing | undefined;
-  private making: Promise<void> | undefined;
+  private loading: Promise<void> | undefined;
 
   constructor(
     private readonly figure: Figure,
     private readonly panel: Panel,
-    private readonly surroundings: PanelSurroundings,
+    private readonly context: PanelContext,
   ) {
     this.element = document.createElement('div');
     this.element.className = 'panel';
@@ -41,55 +42,53 @@ export class FigurePanel {
     this.element.append(this.canvas, label);
   }
 
-  /** Whether there is nothing to wait for: unseen, or drawn as it should be. */
+  /** Whether there is nothing to wait for: the panel is out of view or up to date. */
   get isSettled(): boolean {
-    return !this.isSeen || !this.isStale;
+    return !this.isVisible || !this.isOutdated;
   }
 
-  /** Whether it is time to draw. */
+  /** Whether the panel should be drawn, and can be. */
   get isReady(): boolean {
-    return this.isSeen && this.isStale && this.drawing !== undefined;
+    return this.isVisible && this.isOutdated && this.drawing !== undefined;
   }
 
-  see(isSeen: boolean): void {
-    this.isSeen = isSeen;
-    if (isSeen) this.making ??= this.make();
-    if (this.isReady) this.surroundings.onStale();
+  setVisible(isVisible: boolean): void {
+    this.isVisible = isVisible;
+    if (isVisible) this.loading ??= this.make();
+    if (this.isReady) this.context.onOutdated();
   }
 
-  /** Takes the size it is shown in, in pixels of the screen. */
+  /** Sets the size of the canvas, in device pixels. */
   resize(width: number, height: number): void {
     this.size = { width, height };
-    this.spoil();
+    this.invalidate();
   }
 
-  /** What is shown is out of date. */
-  spoil(): void {
-    this.isStale = true;
-    if (this.isReady) this.surroundings.onStale();
+  /** Asks for the panel to be drawn again. */
+  invalidate(): void {
+    this.isOutdated = true;
+    if (this.isReady) this.context.onOutdated();
   }
 
-  paint(painter: FigurePainter, turn: number, hand: Hand): void {
+  paint(painter: FigurePainter, turn: number, choice: TechniqueChoice): void {
     const drawing = this.drawing;
     if (!drawing) return;
     const { width, height } = this.size;
     if (width === 0 || height === 0) return;
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
-    drawing.setHand(hand);
+    drawing.setTechnique(choice);
     drawing.turnLight(turn);
-    if (painter.paint(drawing, this.canvas, devicePixelRatio)) this.isStale = false;
+    if (painter.paint(drawing, this.canvas, devicePixelRatio)) this.isOutdated = false;
   }
 
   private async make(): Promise<void> {
-    const { ink, paper, onFailure, onStale } = this.surroundings;
+    const { ink, paper, onFailure, onOutdated } = this.context;
     try {
       this.drawing = await FigureDrawing.make(this.figure, this.panel, ink, paper);
-      onStale();
+      onOutdated();
     } catch (error) {
-      this.isStale = false;
-      onFailure(
-        `Figure ${this.figure.number} cannot be drawn: ${error instanceof Error ? error.message : String(error)}`,
-      );
+      this.isOutdated = false;
+      onFailure(`Figure ${this.figure.number} cannot be drawn: ${errorMessage(error)}`);
     }
   }
 }

@@ -1,5 +1,6 @@
-import { FrameClock } from '../stage/FrameClock.js';
-import type { Hand } from './FigureDrawing.js';
+import { setPageState } from '../page/setPageState.js';
+import { FrameScheduler } from '../stage/FrameScheduler.js';
+import type { TechniqueChoice } from './FigureDrawing.js';
 import { FigurePainter } from './FigurePainter.js';
 import { FigurePanel } from './FigurePanel.js';
 import { FIGURES, type Figure } from './figures.js';
@@ -7,27 +8,29 @@ import { figuresPage } from './figuresPage.js';
 
 declare global {
   interface Window {
-    /** For tests: how many frames the page has drawn since it was opened, and whether all panels in view are as they should be. */
+    /**
+     * For tests: the number of frames drawn since the page was opened, and whether all panels in view are up to date.
+     */
     __figures?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
 }
 
-/** Panels are drawn in a frame until this time is over, and the rest in the next. */
+/** After this time, the remaining panels are left to the next frame. */
 const FRAME_MILLISECONDS = 12;
 
-/** Lays the figures out, whether they can be drawn or not, and returns their panels. */
-export function layOutFigures(say: (sentence: string) => void, onStale: () => void): FigurePanel[] {
+/** Adds the figures to the page, whether they can be drawn or not, and returns their panels. */
+export function layOutFigures(say: (sentence: string) => void, onOutdated: () => void): FigurePanel[] {
   const style = getComputedStyle(document.documentElement);
-  const surroundings = {
+  const context = {
     ink: style.getPropertyValue('--ink').trim(),
     paper: style.getPropertyValue('--paper').trim(),
-    onStale,
+    onOutdated,
     onFailure: say,
   };
   return FIGURES.flatMap((figure) => {
     const rows = figure.rows.map(({ label, panels }) => ({
       label,
-      panels: panels.map((panel) => new FigurePanel(figure, panel, surroundings)),
+      panels: panels.map((panel) => new FigurePanel(figure, panel, context)),
     }));
     figuresPage.figures.append(figureElement(figure, rows));
     return rows.flatMap(({ panels }) => panels);
@@ -45,7 +48,7 @@ function figureElement(figure: Figure, rows: { label?: string | undefined; panel
     row.dataset.columns = String(panels.length);
     if (label) row.append(paragraph(label, 'row-label'));
     for (const { element: panel, canvas } of panels) {
-      canvas.style.aspectRatio = String(figure.shape);
+      canvas.style.aspectRatio = String(figure.aspect);
       row.append(panel);
     }
     plates.append(row);
@@ -53,12 +56,12 @@ function figureElement(figure: Figure, rows: { label?: string | undefined; panel
   const caption = document.createElement('figcaption');
   const heading = document.createElement('h2');
   heading.textContent = `Figure ${figure.number}. ${figure.title}`;
-  caption.append(heading, told('In the paper', figure.paper), told('Here', figure.ours));
+  caption.append(heading, captionLine('In the paper', figure.inThePaper), captionLine('Here', figure.here));
   element.append(plates, caption);
   return element;
 }
 
-function told(where: string, sentence: string): HTMLElement {
+function captionLine(where: string, sentence: string): HTMLElement {
   const element = paragraph(` ${sentence}`);
   const name = document.createElement('em');
   name.textContent = `${where}:`;
@@ -73,23 +76,23 @@ function paragraph(text: string, className = ''): HTMLElement {
   return element;
 }
 
-/** Draws the panels in view, again when the light turns, and nothing otherwise. */
+/** Draws the panels that are in view, whenever they are out of date. */
 export function createFiguresPage(context: WebGL2RenderingContext, say: (sentence: string) => void): void {
-  const { turn, turnValue, hand } = figuresPage;
-  const clock = new FrameClock(draw);
-  const panels = layOutFigures(say, () => clock.invalidate());
+  const { turn, turnValue, technique } = figuresPage;
+  const scheduler = new FrameScheduler(draw);
+  const panels = layOutFigures(say, () => scheduler.invalidate());
   const painter = new FigurePainter(context, getComputedStyle(document.documentElement).getPropertyValue('--paper'));
   const paintedAt = new Map(panels.map((panel) => [panel, 0]));
   let turned = 0;
-  let chosenHand: Hand = 'paper';
+  let choice: TechniqueChoice = 'asInPaper';
 
   Object.defineProperty(window, '__figures', {
     value: {
       get framesDrawn() {
-        return clock.frames;
+        return scheduler.frames;
       },
       get isIdle() {
-        return !clock.isWaiting && panels.every(({ isSettled }) => isSettled);
+        return !scheduler.isWaiting && panels.every(({ isSettled }) => isSettled);
       },
     },
   });
@@ -97,13 +100,13 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   function draw(): void {
     const start = performance.now();
     const ready = panels.filter(({ isReady }) => isReady);
-    // Those that wait longest come first, so that a light that keeps turning reaches them all.
+    // Those that were drawn longest ago come first, so that all get their turn while the light keeps turning.
     for (const panel of ready.sort((a, b) => paintedAt.get(a)! - paintedAt.get(b)!)) {
       if (performance.now() - start > FRAME_MILLISECONDS) {
-        clock.invalidate();
+        scheduler.invalidate();
         return;
       }
-      panel.paint(painter, turned, chosenHand);
+      panel.paint(painter, turned, choice);
       paintedAt.set(panel, performance.now());
     }
   }
@@ -111,13 +114,13 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   const byCanvas = new Map<Element, FigurePanel>(panels.map((panel) => [panel.canvas, panel]));
   const views = new IntersectionObserver(
     (entries) => {
-      for (const { target, isIntersecting } of entries) byCanvas.get(target)!.see(isIntersecting);
+      for (const { target, isIntersecting } of entries) byCanvas.get(target)!.setVisible(isIntersecting);
     },
     { rootMargin: '25%' },
   );
   const sizes = new ResizeObserver((entries) => {
     for (const { target, devicePixelContentBoxSize, contentRect } of entries) {
-      // Exactly as many pixels as the screen gives it, or it would be blurred; not every browser tells.
+      // Exactly as many pixels as on the screen, so that the canvas is not blurred. Not every browser reports that.
       const { inlineSize, blockSize } = devicePixelContentBoxSize?.[0] ?? {
         inlineSize: Math.round(contentRect.width * devicePixelRatio),
         blockSize: Math.round(contentRect.height * devicePixelRatio),
@@ -131,32 +134,32 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
     sizes.observe(canvas, { box });
   }
 
-  function spoilAll(): void {
-    for (const panel of panels) panel.spoil();
+  function invalidateAll(): void {
+    for (const panel of panels) panel.invalidate();
   }
 
   turn.addEventListener('input', () => {
     turned = turn.valueAsNumber;
     turn.ariaValueText = `${turned < 0 ? '−' : ''}${Math.abs(turned)}°`;
     turnValue.textContent = turn.ariaValueText;
-    spoilAll();
+    invalidateAll();
   });
-  hand.addEventListener('change', (event) => {
-    chosenHand = (event.target as HTMLInputElement).value as Hand;
-    spoilAll();
+  technique.addEventListener('change', (event) => {
+    choice = (event.target as HTMLInputElement).value as TechniqueChoice;
+    invalidateAll();
   });
 
   const buffer = context.canvas as HTMLCanvasElement;
   buffer.addEventListener('webglcontextlost', () => {
-    document.documentElement.dataset.state = 'lost';
+    setPageState('lost');
     say(
       'The graphics card has let go of the figures. They stay as they are until it comes back; if not, reload the page.',
     );
   });
   buffer.addEventListener('webglcontextrestored', () => {
-    document.documentElement.dataset.state = 'ready';
+    setPageState('ready');
     say('');
-    spoilAll();
+    invalidateAll();
   });
-  document.documentElement.dataset.state = 'ready';
+  setPageState('ready');
 }

@@ -8,22 +8,23 @@ import { mergeScene } from '../files/mergeScene.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import handUrl from '../models/assets/hand.glb?url';
+import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';
-import type { MadeScene } from '../models/MadeScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { shellChair } from '../models/shellChair.js';
+import { memoize } from './memoize.js';
 
-/** A model as figures draw it: about of radius 1 around the origin, in parts that may look different. */
+/** A model of a figure: about of radius 1 around the origin, in parts that may have materials of their own. */
 export interface FigureModel {
   parts: Record<string, BufferGeometry>;
   side: Side;
-  /** What is to be in the picture: xyz of points. */
+  /** The points that must be in the picture, as xyz. */
   outline: ArrayLike<number>;
 }
 
 type Neighbour = Exclude<keyof typeof FOUR_TRIANGLES, 'c'>;
 
-/** The models of the figures. Those that belong to the playground too are the same. */
+/** The models of the figures. Some are those of the playground. */
 const models = {
   dragon: builtIn('dragon3'),
   bunny: builtIn('bunny'),
@@ -39,22 +40,13 @@ const models = {
 
 export type FigureModelName = keyof typeof models;
 
-const loaded = new Map<FigureModelName, Promise<FigureModel>>();
-
-/** Loads and bakes a model, once. @throws ModelError with one sentence for the person at the page */
-export function figureModel(name: FigureModelName): Promise<FigureModel> {
-  let model = loaded.get(name);
-  if (!model) {
-    model = models[name]();
-    loaded.set(name, model);
-  }
-  return model;
-}
+/** Loads and bakes a model, once. @throws ModelError with one sentence for the user */
+export const figureModel = memoize((name: FigureModelName): Promise<FigureModel> => models[name]());
 
 const LOADING = { signal: new AbortController().signal, onStage: () => {} };
 
-/** The one mesh of a model that does not move. */
-function meshIn(read: ReadModel | MadeScene): PlainMesh {
+/** The mesh of a model. @throws ModelError if it is a scene */
+function meshIn(read: ReadModel | BuiltInScene): PlainMesh {
   if (read.kind !== 'mesh') throw new ModelError(`${read.name} has parts that move; a figure takes one mesh.`);
   return read.mesh;
 }
@@ -67,14 +59,14 @@ function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
   };
 }
 
-/** A right hand, its fingers up and its back to the viewer; its skeleton is left alone. */
+/** A right hand, its fingers up and its back to the viewer, in its rest pose. */
 async function hand(): Promise<FigureModel> {
   const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
   const { scene } = await new GLTFLoader().loadAsync(handUrl);
   const mesh = mergeScene(scene);
   fitModel(mesh);
   const { positions, normals } = mesh;
-  // It comes with its fingers down and its back towards x.
+  // In the file, its fingers point down and its back faces x.
   for (const triples of [positions, normals]) {
     for (let i = 0; triples && i < triples.length; i += 3) {
       const [x, y, z] = triples.subarray(i, i + 3) as unknown as [number, number, number];
@@ -108,11 +100,11 @@ async function triangles(...neighbours: Neighbour[]): Promise<FigureModel> {
   source.setIndex([...FOUR_TRIANGLES.c, ...neighbours.flatMap((name) => FOUR_TRIANGLES[name])]);
   const baked = await prepareHatchingGeometry(source, { layout: 'corner' });
   const parts = { centre: range(baked, 0, 3), others: range(baked, 3, 3 * neighbours.length) };
-  // In the same place, whether all of them are there or not.
+  // The outline of all four, so that the triangles stay in the same place.
   return { parts, side: DoubleSide, outline: FOUR_TRIANGLES_POSITIONS };
 }
 
-/** Some corners of a geometry, sharing its attributes. */
+/** A range of a geometry's corners, as a geometry that shares its attributes. */
 function range(geometry: BufferGeometry, start: number, count: number): BufferGeometry {
   const part = new BufferGeometry();
   for (const [name, attribute] of Object.entries(geometry.attributes)) part.setAttribute(name, attribute);

@@ -1,4 +1,7 @@
-/** The paper's figures that are drawn again, as plain data: the page, the pictures in the documentation and their tests read this table. */
+/**
+ * The figures of the paper by Suarez et al. that are drawn again, as plain data. The page, the documentation and the
+ * tests read this table.
+ */
 import type { HatchingMaterialOptions, StrokeStyleName } from 'three-hatching';
 import type { FigureModelName } from './figureModels.js';
 
@@ -25,39 +28,39 @@ export interface Look
 type Triple = readonly [x: number, y: number, z: number];
 
 export interface PanelLight {
-  /** Where it stands; the middle of the model is the origin. */
+  /** Its position. The centre of the model is the origin. */
   position: Triple;
-  /** A sun by default: its light comes from the position, everywhere in the same direction. */
+  /** A directional light (`sun`, the default) or a point light (`lamp`). */
   kind?: 'sun' | 'lamp';
-  /** What the surroundings reflect, as a share of the light. */
+  /** Light that the surroundings reflect, as a share of the light itself. */
   reflected?: number;
 }
 
-/** What the panels of a figure share. Each may say something else. */
+/** What the panels of a figure share. Each panel may override it. */
 interface PanelDefaults {
   model: FigureModelName;
   light: PanelLight;
   look?: Look;
   /** Direction from the model to the eye. */
   view?: Triple;
-  /** How many times as large the picture is as one that the model just fills. */
-  times?: number;
+  /** How many times larger the picture is than one that the model just fills. */
+  zoom?: number;
 }
 
 /** One picture of a figure. */
 export interface Panel extends Partial<PanelDefaults> {
-  /** Unique within the figure; a word or two in the manner of a file's name. */
+  /** Unique within the figure, in the style of a file name. */
   name: string;
-  /** What stands below it. */
+  /** The text below it. */
   label: string;
-  /** Where parts of the model are drawn in their own way. */
+  /** The looks of parts that differ from the rest of the model. */
   parts?: Record<string, Look>;
-  /** Degrees by which the model is turned about its upright axis. */
+  /** Rotation of the model about its up axis, in degrees. */
   turned?: number;
 }
 
 export interface Row {
-  /** What the panels of the row have in common. */
+  /** The text above the row. */
   label?: string;
   panels: readonly Panel[];
 }
@@ -65,19 +68,19 @@ export interface Row {
 export interface Figure extends PanelDefaults {
   number: number;
   title: string;
-  /** One sentence on what the paper shows. */
-  paper: string;
+  /** One sentence on what the figure shows in the paper by Suarez et al. */
+  inThePaper: string;
   /** One sentence on what is shown here. */
-  ours: string;
+  here: string;
   rows: readonly Row[];
-  /** Rows stand beside each other on a wide page. */
+  /** Rows are side by side on a wide page. */
   beside?: true;
-  /** Width to height of each panel. */
-  shape: number;
-  /** The axis the light turns about: upright, or the line of sight where the light would end up behind something flat. */
+  /** Width divided by height of each panel. */
+  aspect: number;
+  /** The axis the light is turned about: up (`y`, the default), or the line of sight (`z`) for flat models. */
   turnAxis?: 'y' | 'z';
-  /** Nothing here is left of the paper's technique with another one. */
-  paperOnly?: true;
+  /** Anchored strokes are not offered, because the figure explains the paper's own technique. */
+  fixedTechnique?: true;
 }
 
 const degrees = (angle: number) => (angle * Math.PI) / 180;
@@ -91,7 +94,7 @@ const SIDES = {
 
 const flat = { light: { position: [1.5, 1, 1.2], reflected: 0 }, view: [0, 0, 1], turnAxis: 'z' } as const;
 
-/** What c takes from its neighbour, which is drawn as it is. */
+/** Shows the blend factors of c. Its neighbour is drawn without blending. */
 const contributions = { centre: { debugView: 'blendFactors' }, others: { technique: 'triangle' } } as const;
 
 const liveries = {
@@ -108,11 +111,11 @@ export const FIGURES: readonly Figure[] = [
     ...flat,
     number: 4,
     title: 'Four triangles',
-    paper:
+    inThePaper:
       'Four adjacent triangles with different normals break the strokes at their edges (a); blended, they fade over (b).',
-    ours: 'The same: without blending every edge shows; with it strokes run out into grey before the edge.',
+    here: 'The same: without blending every edge shows; with it strokes run out into grey before the edge.',
     model: 'fourTriangles',
-    shape: 1.1,
+    aspect: 1.1,
     look: { strokeScale: 1.2 },
     rows: [
       {
@@ -127,11 +130,12 @@ export const FIGURES: readonly Figure[] = [
     ...flat,
     number: 8,
     title: 'Contributions',
-    paper: 'What each neighbour contributes to the triangle in the middle, what that does to the strokes, and the sum.',
-    ours: 'The same, a neighbour a row: its contribution in colour, the two triangles blended, and at the right none, one and all.',
+    inThePaper:
+      'What each neighbour contributes to the triangle in the middle, what that does to the strokes, and the sum.',
+    here: 'The same, a neighbour a row: its contribution in colour, the two triangles blended, and at the right none, one and all.',
     model: 'fourTriangles',
-    shape: 1.1,
-    paperOnly: true,
+    aspect: 1.1,
+    fixedTechnique: true,
     look: { strokeScale: 1.2 },
     rows: [
       {
@@ -160,10 +164,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 9,
     title: 'Lighting techniques',
-    paper: 'The number of the texture is determined per fragment, with different lighting techniques.',
-    ours: 'Tone as grey and the strokes that it asks for, for four techniques: bands are hard with toon, soft with the rest.',
+    inThePaper: 'The number of the texture is determined per fragment, with different lighting techniques.',
+    here: 'Tone as grey and the strokes that it asks for, for four techniques: bands are hard with toon, soft with the rest.',
     model: 'teapot',
-    shape: 1.45,
+    aspect: 1.45,
     beside: true,
     light: { position: [-1.6, 1.3, 1.3], reflected: 0 },
     view: [0.1, 0.3, 1],
@@ -185,11 +189,11 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 10,
     title: 'All effects on a head',
-    paper:
+    inThePaper:
       'A face under every effect: strokes turned about the normal, scaled, lit from several places, and the model turned.',
-    ours: 'Suzanne stands in for the face; the lamp of the third row is near, so its strokes spread from it, and the last row is in colour.',
+    here: 'Suzanne stands in for the face; the lamp of the third row is near, so its strokes spread from it, and the last row is in colour.',
     model: 'suzanne',
-    shape: 1,
+    aspect: 1,
     light: { position: [1, 1.2, 1.5] },
     view: [0.05, 0.1, 1],
     look: { strokeScale: 1.3 },
@@ -224,7 +228,7 @@ export const FIGURES: readonly Figure[] = [
           name: `model-${angle}`,
           label: `${angle < 0 ? '−' : ''}${Math.abs(angle)}°`,
           turned: angle,
-          times: 0.84,
+          zoom: 0.84,
           look: { color: '#e0a878', ink: '#4a1f14' },
         })),
       },
@@ -233,10 +237,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 11,
     title: 'Fine geometry',
-    paper: 'A hand under several lights: geometric details are always visible.',
-    ours: 'A hand of 2,314 triangles from the WebXR input profiles: knuckles, fingers and thumb stay legible from every side.',
+    inThePaper: 'A hand under several lights: geometric details are always visible.',
+    here: 'A hand of 2,314 triangles from the WebXR input profiles: knuckles, fingers and thumb stay legible from every side.',
     model: 'hand',
-    shape: 0.8,
+    aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.1, 0.05, 1],
     look: { strokeScale: 1.6, strokeRotation: degrees(90) },
@@ -249,10 +253,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 12,
     title: 'Materials as maps',
-    paper: 'The Stanford dragon with several lights and maps that represent different materials.',
-    ours: 'The same scan in 47,794 triangles: a style a row, a light a column.',
+    inThePaper: 'The Stanford dragon with several lights and maps that represent different materials.',
+    here: 'The same scan in 47,794 triangles: a style a row, a light a column.',
     model: 'dragon',
-    shape: 1.3,
+    aspect: 1.3,
     light: { position: SIDES.left.position },
     look: { strokeScale: 1.6, strokeRotation: degrees(90) },
     rows: (
@@ -276,11 +280,11 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 13,
     title: 'Maps and colour',
-    paper:
+    inThePaper:
       'A chair whose parts have maps and colours of their own, under several lights; the first column is not blended.',
-    ours: 'A shell chair made by code, in two liveries: unblended, strokes stop at every triangle of the shell; blended, they run on.',
+    here: 'A shell chair made by code, in two liveries: unblended, strokes stop at every triangle of the shell; blended, they run on.',
     model: 'chair',
-    shape: 0.8,
+    aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.75, 0.5, 1],
     look: { strokeScale: 1.2 },
@@ -304,10 +308,10 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 14,
     title: 'Orientation',
-    paper: 'The Stanford bunny with strokes towards the light, and tangent to its direction.',
-    ours: 'The same: on the left strokes point at the light, on the right they run around it.',
+    inThePaper: 'The Stanford bunny with strokes towards the light, and tangent to its direction.',
+    here: 'The same: on the left strokes point at the light, on the right they run around it.',
     model: 'bunny',
-    shape: 1.1,
+    aspect: 1.1,
     light: { position: [-1.2, 1.4, 1.2] },
     view: [0, 0.1, 1],
     look: { strokeScale: 1.6 },

@@ -1,3 +1,4 @@
+import { setPageState } from '../page/setPageState.js';
 import { createFiguresPage, layOutFigures } from './createFiguresPage.js';
 import { figuresPage } from './figuresPage.js';
 
@@ -13,6 +14,6 @@ const context = document.createElement('canvas').getContext('webgl2', {
 if (context) createFiguresPage(context, say);
 else {
   layOutFigures(say, () => {});
-  document.documentElement.dataset.state = 'failed';
+  setPageState('failed');
   say('The figures need WebGL 2, which this browser does not offer or has switched off.');
 }

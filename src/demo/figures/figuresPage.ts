@@ -5,6 +5,6 @@ export const figuresPage = {
   figures: findElement('figures'),
   turn: findElement('turn') as HTMLInputElement,
   turnValue: findElement('turn-value'),
-  hand: findElement('hand'),
+  technique: findElement('technique'),
   status: findElement('status'),
 };

@@ -1,2 +1,2 @@
-/** Bytes of a file of the drop by the name another file uses for it, or undefined. */
+/** Returns the bytes of a dropped file, by the URI that another file refers to it with, or undefined. */
 export type FindFile = (uri: string) => Promise<Uint8Array | undefined>;

@@ -20,8 +20,10 @@ const BYTES: Record<string, number> = {
 };
 
 /**
- * Reads the header of a PLY file and stops what three's loader would read as something else: points without faces,
- * triangle strips, and binary files shorter than their header says.
+ * Reads the header of a PLY file and rejects what three's loader would misread: points without faces, triangle strips,
+ * and binary files that are shorter than their header says.
+ *
+ * @throws ModelError
  */
 export function checkPly(bytes: Uint8Array, name: string): void {
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, 65536));

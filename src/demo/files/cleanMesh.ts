@@ -1,26 +1,18 @@
 import { ModelError } from './ModelError.js';
 import { type PlainMesh, triangleCount } from './PlainMesh.js';
 
-/** More than this and the baked attributes (216 bytes per triangle) come near what a browser gives one buffer. */
-export const MAX_TRIANGLES = 2_000_000;
-
 /**
- * Takes out what three's loaders let through: triangles with a vertex that is missing, infinite or not a number, and
- * the vertices no triangle uses (they would spoil the fit).
+ * Removes what three's loaders let through: triangles with a vertex that is missing, infinite or not a number, and
+ * vertices that no triangle uses, which would spoil the fit.
  *
  * @returns the mesh, and how many triangles were left out
- * @throws ModelError when nothing is left, or when there is too much
+ * @throws ModelError when nothing is left
  */
 export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } {
   const { positions, indices } = mesh;
   const vertexCount = positions.length / 3;
   const total = triangleCount(mesh);
-  if (total > MAX_TRIANGLES) {
-    throw new ModelError(
-      `The model has ${total.toLocaleString('en')} triangles; this page draws up to ${MAX_TRIANGLES.toLocaleString('en')}.`,
-    );
-  }
-  const isSound = (vertex: number): boolean =>
+  const isValid = (vertex: number): boolean =>
     vertex < vertexCount &&
     Number.isFinite(positions[3 * vertex]) &&
     Number.isFinite(positions[3 * vertex + 1]) &&
@@ -32,22 +24,16 @@ export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } 
     const a = indices ? indices[corner] : corner;
     const b = indices ? indices[corner + 1] : corner + 1;
     const c = indices ? indices[corner + 2] : corner + 2;
-    if (!(isSound(a) && isSound(b) && isSound(c))) continue;
+    if (!(isValid(a) && isValid(b) && isValid(c))) continue;
     kept[length++] = a;
     kept[length++] = b;
     kept[length++] = c;
   }
-  if (length === 0) {
-    throw new ModelError(
-      total === 0
-        ? 'The file holds no triangles; only surfaces can be hatched, not points or lines.'
-        : 'None of the triangles in the file has three sound corners.',
-    );
-  }
+  if (length === 0) throw new ModelError('None of the triangles in the file has three valid corners.');
   return { mesh: compact(mesh, kept.subarray(0, length)), broken: total - length / 3 };
 }
 
-/** Keeps the vertices in use, in their order, and renumbers. */
+/** Removes the vertices that are not in use and renumbers the others. */
 function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
   const vertexCount = mesh.positions.length / 3;
   const renumbered = new Uint32Array(vertexCount);

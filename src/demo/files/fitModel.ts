@@ -1,7 +1,7 @@
 import { ModelError } from './ModelError.js';
 import type { PlainMesh } from './PlainMesh.js';
 
-/** Where a mesh lies: the middle of its bounding box, and how far from there its farthest vertex is. */
+/** The centre of the bounding box of some points, and the distance from there to the farthest point. */
 export interface Extent {
   centre: [number, number, number];
   radius: number;
@@ -9,10 +9,10 @@ export interface Extent {
 
 /**
  * Moves and scales a mesh, in place, so that its bounding box is centred at the origin and its farthest vertex lies at
- * distance 1. Stroke scales then mean the same on every model, and far-off coordinates keep their precision.
- * Broken triangles must have been taken out before.
+ * distance 1. Stroke scales then mean the same on every model, and coordinates far from the origin do not lose
+ * precision. Broken triangles must have been removed before.
  *
- * @throws ModelError when all vertices lie at one point.
+ * @throws ModelError if all vertices lie at one point
  */
 export function fitModel({ positions }: PlainMesh): void {
   const {
@@ -27,9 +27,9 @@ export function fitModel({ positions }: PlainMesh): void {
 }
 
 /**
- * Measures where points lie, three numbers each.
+ * Measures the extent of points, given as xyz.
  *
- * @throws ModelError when all lie at one place.
+ * @throws ModelError if all points lie at one place
  */
 export function measureExtent(positions: Float32Array): Extent {
   const low = [Infinity, Infinity, Infinity];

@@ -1,6 +1,6 @@
 import { ModelError } from './ModelError.js';
 
-/** The parts of a glTF document this page reads or checks. */
+/** The parts of a glTF document that are read or checked here. */
 export interface GltfDocument {
   asset?: { version?: string };
   extensionsRequired?: string[];
@@ -28,12 +28,12 @@ interface GltfMaterial {
 
 const GLB_JSON = 0x4e4f534a;
 const GLB_BINARY = 0x004e4942;
-/** Accessors without a buffer view are zeros a few bytes of text can ask a gigabyte of. */
+/** An accessor without a buffer view is filled with zeros: a few bytes of text could ask for gigabytes. */
 const MAX_IMPLIED_VALUES = 1_000_000;
 const MAX_NODES = 100_000;
 const MAX_DEPTH = 500;
-/** More than this keeps the page's own thread busy for too long; it is drawn as one mesh instead, which does not move. */
-const MAX_LIVE = { vertices: 300_000, nodes: 5_000, channels: 20_000 };
+/** Larger scenes would block the main thread for too long. They are merged to one mesh, which does not move. */
+const MAX_SCENE = { vertices: 300_000, nodes: 5_000, channels: 20_000 };
 const READABLE =
   /^(KHR_draco_mesh_compression|EXT_meshopt_compression|KHR_meshopt_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|(KHR|EXT)_(texture|materials|lights)_\w+|KHR_node_visibility)$/;
 
@@ -63,7 +63,7 @@ export function splitGlb(bytes: Uint8Array, name: string): { text: string; binar
   return { text, binary };
 }
 
-/** Parses the text of a glTF document and refuses what cannot be read, in words. */
+/** Parses the text of a glTF document. @throws ModelError if it cannot be read */
 export function readGltfDocument(text: string, name: string): GltfDocument {
   let gltf: GltfDocument;
   try {
@@ -84,7 +84,7 @@ export function readGltfDocument(text: string, name: string): GltfDocument {
   return gltf;
 }
 
-/** Checks that every buffer holds what its views ask of it. */
+/** Checks that every buffer view lies within its buffer. @throws ModelError */
 export function checkBufferViews(gltf: GltfDocument, sizes: readonly number[], name: string): void {
   for (const view of gltf.bufferViews ?? []) {
     if (view.extensions || gltf.buffers?.[view.buffer ?? -1]?.extensions) continue;
@@ -96,32 +96,33 @@ export function checkBufferViews(gltf: GltfDocument, sizes: readonly number[], n
 }
 
 /**
- * Whether there is something in a document that one merged mesh cannot show, motion or pictures on surfaces, and it is
- * small enough to be put together on the page's own thread.
+ * Whether a document is drawn as a scene: it has animation or textures, which one merged mesh cannot show, and it is
+ * small enough to be parsed on the main thread.
  */
-export function isLive(gltf: GltfDocument): boolean {
+export function isDrawnAsScene(gltf: GltfDocument): boolean {
   const primitives = (gltf.meshes ?? []).flatMap((mesh) => mesh.primitives ?? []);
   const channels = sum(gltf.animations ?? [], (animation) => animation.channels?.length ?? 0);
   const moves = channels > 0 || (gltf.skins?.length ?? 0) > 0 || primitives.some(({ targets }) => targets?.length);
   const isPictured = (gltf.materials ?? []).some((material) => material.pbrMetallicRoughness?.baseColorTexture);
   const vertices = sum(primitives, ({ attributes }) => gltf.accessors?.[attributes?.POSITION ?? -1]?.count ?? 0);
   const isSmall =
-    vertices <= MAX_LIVE.vertices &&
-    (gltf.nodes?.length ?? 0) <= MAX_LIVE.nodes &&
-    channels <= MAX_LIVE.channels &&
+    vertices <= MAX_SCENE.vertices &&
+    (gltf.nodes?.length ?? 0) <= MAX_SCENE.nodes &&
+    channels <= MAX_SCENE.channels &&
     vertices > 0;
   return Boolean(moves || isPictured) && isSmall;
 }
 
-/** The number of the picture that a texture shows. */
+/** The index of a texture's image. */
 export function textureSource(gltf: GltfDocument, texture: number | undefined): number | undefined {
   const { source, extensions } = gltf.textures?.[texture ?? -1] ?? {};
   return source ?? extensions?.EXT_texture_webp?.source;
 }
 
 /**
- * Leaves nothing of the materials but their colours and sides, and of the pictures those that colour surfaces: they are at
- * `urls` by their number, undefined where they are to be left out too.
+ * Reduces the materials of a document to their base colours, alpha and sides.
+ *
+ * @param urls of the images, by index; images without one are left out
  */
 export function withBaseColors(gltf: GltfDocument, urls: readonly (string | undefined)[]): GltfDocument {
   const isThere = (texture: number | undefined): boolean => urls[textureSource(gltf, texture) ?? -1] !== undefined;

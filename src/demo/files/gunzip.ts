@@ -1,11 +1,11 @@
 import { ModelError } from './ModelError.js';
 
-/** What one file may hold after unpacking; keeps a small archive from filling the memory. */
+/** Largest size after unpacking, so that a small archive cannot fill the memory. */
 const MAX_BYTES = 1024 * 1024 * 1024;
 
 /**
- * Unpacks gzip when the bytes begin with its magic, else gives them back as they are. Servers differ in whether they
- * declare a `.gz` file as content encoding, so the browser may have unpacked it already.
+ * Unpacks bytes that begin with the gzip magic number, and returns others as they are. Some servers declare a `.gz`
+ * file as content encoding, and the browser has unpacked it already.
  */
 export async function gunzip(bytes: Uint8Array, name: string): Promise<Uint8Array> {
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;

@@ -3,19 +3,19 @@ import type { ModelWorkerMessage } from './model.worker.js';
 import type { ModelFile, ReadModel } from './readModel.js';
 
 export interface LoadOptions {
-  /** Aborting ends the worker at once and rejects with the signal's reason. */
+  /** Aborting terminates the worker at once and rejects with the signal's reason. */
   signal: AbortSignal;
-  /** Called with a word for what is going on. */
+  /** Called with a few words on what is being done. */
   onStage: (stage: string) => void;
-  /** Seconds after which reading is given up. */
+  /** Seconds after which reading is aborted. */
   deadlineSeconds?: number;
 }
 
 /**
- * Reads a model in a worker of its own, which is ended when the caller gives up or the deadline passes: some files keep
- * a parser busy for minutes, and the page must not feel it. Where there are no workers it reads on the main thread.
+ * Reads a model in a worker of its own, which is terminated if the caller aborts or the deadline passes: some files
+ * keep a parser busy for minutes. Without workers it reads on the main thread.
  *
- * @throws ModelError with one sentence for the person at the page
+ * @throws ModelError with one sentence for the user
  */
 export async function loadModelFiles(files: readonly ModelFile[], options: LoadOptions): Promise<ReadModel> {
   const { signal, onStage, deadlineSeconds = 60 } = options;

@@ -1,11 +1,13 @@
-import { type BufferGeometry, type Color, InstancedMesh, Matrix3, Matrix4, Mesh, type Object3D, Vector3 } from 'three';
-import { MAX_TRIANGLES } from './cleanMesh.js';
-import { ModelError } from './ModelError.js';
+import { type BufferGeometry, type Color, Matrix3, type Matrix4, Mesh, type Object3D, Vector3 } from 'three';
+import { checkTriangleCount } from './checkTriangleCount.js';
 import type { PlainMesh } from './PlainMesh.js';
+import { placements } from './placements.js';
 
 /**
  * Every mesh below `root`, in its place and in the pose it was saved in, as one mesh: one bake, one draw call. The
- * colours of materials and vertices become vertex colours; pictures on surfaces are left out.
+ * colours of materials and vertices become vertex colours; textures are left out.
+ *
+ * @throws ModelError if there are no triangles, or too many
  */
 export function mergeScene(root: Object3D): PlainMesh {
   root.updateMatrixWorld(true);
@@ -15,12 +17,8 @@ export function mergeScene(root: Object3D): PlainMesh {
   for (const { mesh } of placed) {
     vertexCount += mesh.geometry.getAttribute('position').count;
     cornerCount += drawnCorners(mesh.geometry).count;
-    if (cornerCount > 3 * MAX_TRIANGLES) {
-      throw new ModelError(
-        `The model has more than ${MAX_TRIANGLES.toLocaleString('en')} triangles, which this page cannot draw.`,
-      );
-    }
   }
+  checkTriangleCount(cornerCount / 3);
   const positions = new Float32Array(3 * vertexCount);
   const normals = placed.every(({ mesh }) => hasUsableNormals(mesh)) ? new Float32Array(3 * vertexCount) : null;
   const colors = placed.some(({ mesh }) => isColored(mesh)) ? new Float32Array(3 * vertexCount) : null;
@@ -46,15 +44,7 @@ function placedMeshes(root: Object3D): PlacedMesh[] {
   const placed: PlacedMesh[] = [];
   root.traverseVisible((object) => {
     if (!(object instanceof Mesh) || !object.geometry.getAttribute('position')) return;
-    if (!(object instanceof InstancedMesh)) {
-      placed.push({ mesh: object, matrix: object.matrixWorld });
-      return;
-    }
-    for (let i = 0; i < object.count; i++) {
-      const matrix = new Matrix4();
-      object.getMatrixAt(i, matrix);
-      placed.push({ mesh: object, matrix: matrix.premultiply(object.matrixWorld) });
-    }
+    for (const matrix of placements(object)) placed.push({ mesh: object, matrix });
   });
   return placed;
 }
@@ -63,7 +53,7 @@ function isDeformed(mesh: Mesh): boolean {
   return 'isSkinnedMesh' in mesh || (mesh.morphTargetInfluences?.some((influence) => influence !== 0) ?? false);
 }
 
-/** Normals of a posed mesh would have to be posed too; computing them anew from the surface is as good. */
+/** The normals of a skinned or morphed mesh are not deformed here. They are computed from the surface later. */
 function hasUsableNormals(mesh: Mesh): boolean {
   return mesh.geometry.getAttribute('normal') !== undefined && !isDeformed(mesh);
 }
@@ -123,7 +113,7 @@ function drawnCorners(geometry: BufferGeometry): { start: number; count: number 
   return { start, count: count - (count % 3) };
 }
 
-/** A mirroring matrix turns the triangles inside out, so their winding is turned back. */
+/** Copies the indices. A mirroring matrix turns triangles inside out, so their winding is reversed. */
 function writeIndices(
   geometry: BufferGeometry,
   mirrored: boolean,
@@ -138,7 +128,8 @@ function writeIndices(
   for (let corner = start; corner < start + count; corner += 3) {
     for (const k of order) {
       const vertex = geometry.index ? geometry.index.getX(corner + k) : corner + k;
-      // An index out of range must not reach into the next mesh; the largest number is out of range in the whole, too.
+      // An index out of range must not refer to a vertex of the next mesh. This one is out of range in the merged mesh
+      // too.
       indices[to++] = vertex < vertexCount ? firstVertex + vertex : 0xffffffff;
     }
   }

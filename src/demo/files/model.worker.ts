@@ -1,8 +1,9 @@
+import { errorMessage } from './errorMessage.js';
 import { ModelError } from './ModelError.js';
 import { meshBuffers } from './PlainMesh.js';
 import { type ModelFile, type ReadModel, readModel } from './readModel.js';
 
-/** What the worker says: where it is, what it read, or why it cannot. */
+/** Messages of the worker: its progress, its result, or its error. */
 export type ModelWorkerMessage =
   | { kind: 'stage'; stage: string }
   | { kind: 'done'; model: ReadModel }
@@ -10,7 +11,7 @@ export type ModelWorkerMessage =
 
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
-/** The buffers to hand over; several views may share one. */
+/** The buffers to transfer. Several views may share one. */
 function buffersOf(model: ReadModel): ArrayBuffer[] {
   if (model.kind === 'mesh') return meshBuffers(model.mesh);
   return [...new Set(model.parts.buffers.map(({ buffer }) => buffer as ArrayBuffer))];
@@ -21,7 +22,6 @@ addEventListener('message', async ({ data }: MessageEvent<ModelFile[]>) => {
     const model = await readModel(data, (stage) => post({ kind: 'stage', stage }));
     post({ kind: 'done', model }, buffersOf(model));
   } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    post({ kind: 'failed', message, isModelError: error instanceof ModelError });
+    post({ kind: 'failed', message: errorMessage(error), isModelError: error instanceof ModelError });
   }
 });

@@ -6,25 +6,25 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { type GltfDocument, withBaseColors } from './gltfFile.js';
 import { ModelError } from './ModelError.js';
 
-/** A glTF file taken apart and checked, as it can be posted between threads. */
+/** The checked parts of a glTF file, in a form that a worker can post. */
 export interface GltfParts {
   /** The name of the file. */
   name: string;
   document: GltfDocument;
-  /** By their numbers in the document. */
+  /** By their index in the document. */
   buffers: Uint8Array[];
-  /** Those to be drawn, by their numbers in the document. */
-  pictures: (Blob | undefined)[];
+  /** The images to be used, by their index in the document. */
+  images: (Blob | undefined)[];
 }
 
-/** The scene of a model and how it can move. */
-export interface LiveScene {
+/** The scene of a model, and its clips. */
+export interface ModelScene {
   root: Group;
   animations: AnimationClip[];
 }
 
-/** Puts a scene together. Whatever is not among the parts is not fetched. */
-export async function parseGltf({ name, document, buffers, pictures }: GltfParts): Promise<LiveScene> {
+/** Parses a scene from its parts. Nothing else is fetched. */
+export async function parseGltf({ name, document, buffers, images }: GltfParts): Promise<ModelScene> {
   const urls: string[] = [];
   const urlOf = (blob: Blob): string => {
     const url = URL.createObjectURL(blob);
@@ -48,7 +48,7 @@ export async function parseGltf({ name, document, buffers, pictures }: GltfParts
     const placed = {
       ...withBaseColors(
         document,
-        pictures.map((picture) => picture && urlOf(picture)),
+        images.map((image) => image && urlOf(image)),
       ),
       buffers: buffers.map((buffer) => ({
         byteLength: buffer.length,

@@ -1,15 +1,17 @@
 import type { FindFile } from './FindFile.js';
-import { checkBufferViews, type GltfDocument, isLive, readGltfDocument, splitGlb } from './gltfFile.js';
-import { collectPictures } from './gltfPictures.js';
+import { baseName } from './fileName.js';
+import { checkBufferViews, type GltfDocument, isDrawnAsScene, readGltfDocument, splitGlb } from './gltfFile.js';
+import { collectImages } from './gltfImages.js';
 import { ModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 import { type GltfParts, parseGltf } from './parseGltf.js';
+import { readUri } from './readUri.js';
 
 /**
- * Reads GLB, or glTF with its files, also when compressed with Draco or meshopt. Nothing is fetched from elsewhere.
+ * Reads GLB, or glTF with its files, also if compressed with Draco or meshopt. Nothing else is fetched.
  *
- * @returns one mesh; or, where that could not show what is in the file, its parts, checked
+ * @returns one merged mesh; or, if that could not show what is in the file, its checked parts
  */
 export async function readGltf(
   bytes: Uint8Array,
@@ -27,11 +29,11 @@ export async function readGltf(
     buffers.map((buffer) => buffer.length),
     name,
   );
-  if (isLive(document)) {
-    return { name, document, buffers, pictures: await collectPictures(document, buffers, findFile) };
+  if (isDrawnAsScene(document)) {
+    return { name, document, buffers, images: await collectImages(document, buffers, findFile) };
   }
   const { animations: _, ...still } = document;
-  const { root } = await parseGltf({ name, document: still, buffers, pictures: [] });
+  const { root } = await parseGltf({ name, document: still, buffers, images: [] });
   return mergeScene(root);
 }
 
@@ -45,13 +47,11 @@ async function collectBuffers(
     (gltf.buffers ?? []).map(async ({ uri, byteLength = 0, extensions }, i) => {
       if (uri === undefined) {
         if (i === 0 && binary) return binary;
-        // A compressed buffer's fallback has no bytes of its own.
+        // The fallback of a compressed buffer has no bytes of its own.
         if (extensions) return new Uint8Array(0);
         throw new ModelError(`${name} is cut short: its binary part is missing.`);
       }
-      const found = uri.startsWith('data:')
-        ? new Uint8Array(await (await fetch(uri)).arrayBuffer())
-        : await findFile(uri);
+      const found = await readUri(uri, findFile);
       if (!found) throw new ModelError(`${name} needs ${baseName(uri)}; drop both files together.`);
       if (found.length < byteLength) {
         throw new ModelError(
@@ -61,8 +61,4 @@ async function collectBuffers(
       return found;
     }),
   );
-}
-
-function baseName(uri: string): string {
-  return uri.split(/[\\/]/).pop() ?? uri;
 }

@@ -4,39 +4,40 @@ import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { checkPly } from './checkPly.js';
 import { cleanMesh } from './cleanMesh.js';
 import type { FindFile } from './FindFile.js';
+import { baseName, extensionOf, withoutGz } from './fileName.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
-import { damaged, ModelError } from './ModelError.js';
+import { ModelError, toModelError } from './ModelError.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
 import { readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
-import { extensionOf, MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
+import { MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
 
-/** Together, uncompressed. Larger models are read whole into memory several times over. */
+/** Of all files together. A model is held in memory several times while it is read. */
 const MAX_BYTES = 512 * 1024 * 1024;
 
-/** A file as it is dropped, picked, or made from a built-in model. */
+/** A file that was dropped or picked, or that holds a built-in model. */
 export interface ModelFile {
   name: string;
   content: Blob;
 }
 
-/** A model as it was read: one mesh, or the checked parts of a file that one mesh cannot show. */
+/** A model that was read: one mesh, or the checked parts of a file that one mesh cannot show. */
 export type ReadModel = ReadMesh | ReadParts;
 
 interface Read {
-  /** The name of the file the model was opened by. */
+  /** The name of the main file. */
   name: string;
-  /** The axis that points up by the custom of the format. */
+  /** The up axis that is usual for the format. */
   upAxis: 'y' | 'z';
 }
 
 export interface ReadMesh extends Read {
   kind: 'mesh';
   mesh: PlainMesh;
-  /** Triangles left out because a corner was missing or not a number. */
+  /** Number of triangles left out because a corner was missing or not a number. */
   broken: number;
 }
 
@@ -46,11 +47,12 @@ export interface ReadParts extends Read {
 }
 
 /**
- * Reads a model from one or several files: unpacks, tells the format by content, checks what the header promises, parses,
- * merges, takes out broken triangles and fits the rest to a unit sphere; or leaves a glTF file in its parts.
+ * Reads a model from one or several files: unpacks, detects the format, checks the header, parses, merges, removes
+ * broken triangles and fits the rest into a unit sphere. A glTF file that is drawn as a scene is only checked and left
+ * in its parts.
  *
- * @param onStage called with a word for what is going on
- * @throws ModelError with one sentence for the person at the page
+ * @param onStage called with a few words on what is being done
+ * @throws ModelError with one sentence for the user
  */
 export async function readModel(files: readonly ModelFile[], onStage: (stage: string) => void): Promise<ReadModel> {
   const size = files.reduce((sum, file) => sum + file.content.size, 0);
@@ -62,14 +64,14 @@ export async function readModel(files: readonly ModelFile[], onStage: (stage: st
   const main = chooseMain(files);
   onStage(`reading ${main.name}`);
   const bytes = await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name);
-  const format = sniffFormat(plainName(main.name), bytes);
+  const format = sniffFormat(withoutGz(main.name), bytes);
   const findFile: FindFile = async (uri) => {
-    const wanted = safeDecode(uri).split(/[\\/]/).pop()?.toLowerCase();
-    const file = files.find(({ name }) => name.split(/[\\/]/).pop()?.toLowerCase() === wanted);
+    const wanted = baseName(safeDecode(uri)).toLowerCase();
+    const file = files.find(({ name }) => baseName(name).toLowerCase() === wanted);
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
   const parsed = await parse(format, bytes, main.name, findFile);
-  const read: Read = { name: plainName(main.name), upAxis: format === 'stl' ? 'z' : 'y' };
+  const read: Read = { name: withoutGz(main.name), upAxis: format === 'stl' ? 'z' : 'y' };
   if ('document' in parsed) return { kind: 'parts', ...read, parts: parsed };
   onStage('looking over the triangles');
   const { mesh, broken } = cleanMesh(parsed);
@@ -97,7 +99,7 @@ async function parse(
         return fromGeometry(new STLLoader().parse(wholeBuffer(bytes)));
     }
   } catch (error) {
-    throw damaged(name, error);
+    throw toModelError(name, error);
   }
 }
 
@@ -105,14 +107,10 @@ function fromGeometry(geometry: BufferGeometry): PlainMesh {
   return mergeScene(new Mesh(geometry));
 }
 
-/** A buffer that begins and ends with the bytes: three's loaders take whole buffers only. */
+/** A buffer that holds exactly these bytes, because three's loaders take whole buffers only. */
 function wholeBuffer(bytes: Uint8Array): ArrayBuffer {
   const isWhole = bytes.byteOffset === 0 && bytes.byteLength === bytes.buffer.byteLength;
   return (isWhole ? bytes.buffer : bytes.slice().buffer) as ArrayBuffer;
-}
-
-function plainName(name: string): string {
-  return name.replace(/\.gz$/i, '');
 }
 
 function safeDecode(uri: string): string {
@@ -125,7 +123,7 @@ function safeDecode(uri: string): string {
 
 function chooseMain(files: readonly ModelFile[]): ModelFile {
   const rank = (file: ModelFile): number => {
-    const at = (MODEL_EXTENSIONS as readonly string[]).indexOf(extensionOf(plainName(file.name)) ?? '');
+    const at = (MODEL_EXTENSIONS as readonly string[]).indexOf(extensionOf(withoutGz(file.name)) ?? '');
     return at === -1 ? MODEL_EXTENSIONS.length : at;
   };
   const [main] = [...files].sort((a, b) => rank(a) - rank(b));

@@ -4,7 +4,7 @@ import type { FindFile } from './FindFile.js';
 import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 
-/** Reads an OBJ file; the colours of its MTL file are used when that was dropped along with it. */
+/** Reads an OBJ file, with the colours of its MTL file if that was dropped together with it. */
 export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<PlainMesh> {
   const decoder = new TextDecoder();
   const text = decoder.decode(bytes);
@@ -12,7 +12,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Pl
   const library = /^\s*mtllib\s+(.+?)\s*$/m.exec(text)?.[1];
   const materials = library ? await findFile(library) : undefined;
   if (materials) {
-    // Pictures are not drawn, and a worker could not load them.
+    // Textures are not drawn, and a worker could not load them.
     const plain = decoder.decode(materials).replace(/^\s*(map_|bump|disp|decal|refl|norm)\S*.*$/gim, '');
     loader.setMaterials(new MTLLoader().parse(plain, ''));
   }

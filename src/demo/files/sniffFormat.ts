@@ -1,15 +1,16 @@
+import { extensionOf } from './fileName.js';
 import { ModelError } from './ModelError.js';
 
 export type ModelFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
 
-/** Files that a model is opened by, best first; everything else in a drop is a companion. */
+/** Formats of main files, in order of preference. Other files of a drop only belong to a main file. */
 export const MODEL_EXTENSIONS: readonly ModelFormat[] = ['glb', 'gltf', 'obj', 'ply', 'stl'];
 
 const BINARY_STL_HEADER = 84;
 const BINARY_STL_TRIANGLE = 50;
 
 /**
- * Tells what a file is by its content first and by its name only where the content leaves it open.
+ * Detects the format of a file from its content, and from its name only if the content is ambiguous.
  *
  * @param name the file's name, without a `.gz`
  * @throws ModelError saying what the file is instead
@@ -31,18 +32,13 @@ export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat {
   throw new ModelError(`${name} is not a model this page can read; it takes GLB, glTF, OBJ, PLY and STL.`);
 }
 
-/** The lower-case extension, without the dot. */
-export function extensionOf(name: string): string | undefined {
-  return /\.([a-z0-9]+)$/i.exec(name)?.[1]?.toLowerCase();
-}
-
 function isBinaryStl(bytes: Uint8Array): boolean {
   if (bytes.length < BINARY_STL_HEADER) return false;
   const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
   return count > 0 && BINARY_STL_HEADER + count * BINARY_STL_TRIANGLE <= bytes.length;
 }
 
-/** Beginnings of files that are dropped by mistake. */
+/** First bytes of files that are often dropped by mistake. */
 const OTHER_KINDS: readonly [kind: string, beginning: readonly number[]][] = [
   ['a picture', [0x89, 0x50, 0x4e, 0x47]],
   ['a picture', [0xff, 0xd8, 0xff]],

@@ -1,4 +1,4 @@
-/** Corners of the paper's figure 4, xyz each. */
+/** Corners of the triangles of figures 4 and 8, as xyz. */
 // biome-ignore format: one vertex per line
 export const FOUR_TRIANGLES_POSITIONS = [
   -0.5, -0.29,  0.35,
@@ -10,8 +10,8 @@ export const FOUR_TRIANGLES_POSITIONS = [
 ];
 
 /**
- * The paper's figures 4 and 8: a triangle c in the middle and one across each of its edges, every one with another
- * normal. Drawn in this order, c comes first.
+ * Figures 4 and 8 of the paper by Suarez et al.: a triangle c in the middle and its three neighbours, all with
+ * different normals.
  *
  *        3-------2-------4
  *         \  γ  / \  β  /

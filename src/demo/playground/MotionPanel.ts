@@ -1,25 +1,25 @@
 import type { Motion } from '../drawing/Motion.js';
 
-/** A model with more shapes than these has sliders for the first of them. */
-const MAX_MORPHS = 64;
+/** Only the first morph targets of a model get sliders. */
+const MAX_MORPH_SLIDERS = 64;
 
 interface Slider {
   input: HTMLInputElement;
   output: HTMLOutputElement;
-  /** The value as it is now. */
+  /** Returns the current value. */
   read: () => number;
-  words: (value: number) => string;
+  format: (value: number) => string;
 }
 
-/** Play and pause, the clip, the place in it, its speed, and the shapes of a model that moves. */
+/** The controls of an animated model: play and pause, clip, time, speed, and morph targets. */
 export class MotionPanel {
   private motion: Motion | undefined;
   private play: HTMLButtonElement | undefined;
   private sliders: Slider[] = [];
 
   /**
-   * @param drawing where the space bar plays and pauses
-   * @param onChange called when the drawing must be drawn again
+   * @param drawing the element on which the space bar plays and pauses
+   * @param onChange called when a frame must be drawn
    */
   constructor(
     private readonly container: HTMLElement,
@@ -33,7 +33,7 @@ export class MotionPanel {
     });
   }
 
-  /** Offers what a model can do; it plays from the start unless the person wants things to keep still. */
+  /** Shows the controls for a model, or none. Its clip starts playing unless the user prefers reduced motion. */
   show(motion: Motion | undefined): void {
     this.motion = motion;
     this.play = undefined;
@@ -45,25 +45,25 @@ export class MotionPanel {
       motion.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
       this.addClips(motion);
     }
-    for (const name of motion.morphs.slice(0, MAX_MORPHS)) {
-      const slider = this.addSlider(name, { min: 0, max: 1, step: 0.01 }, percent, () => motion.morph(name), {
-        write: (amount) => motion.hold(name, amount),
-        reset: () => motion.hold(name, undefined),
+    for (const name of motion.morphs.slice(0, MAX_MORPH_SLIDERS)) {
+      const slider = this.addSlider(name, { min: 0, max: 1, step: 0.01 }, percent, () => motion.influenceOf(name), {
+        write: (influence) => motion.setInfluence(name, influence),
+        reset: () => motion.setInfluence(name, undefined),
       });
       slider.input.title = 'Double-click to give it back to the clip';
     }
     this.update();
   }
 
-  /** Brings the controls to where the model is; to be called after each frame. */
+  /** Updates the controls to the state of the model. To be called after each frame. */
   update(): void {
     const { motion, play } = this;
     if (!motion) return;
     if (play) play.textContent = motion.isPlaying ? 'Pause' : 'Play';
-    for (const { input, output, read, words } of this.sliders) {
+    for (const { input, output, read, format } of this.sliders) {
       const value = read();
       input.value = String(value);
-      const text = words(value);
+      const text = format(value);
       if (output.textContent === text) continue;
       output.textContent = text;
       input.setAttribute('aria-valuetext', text);
@@ -114,7 +114,7 @@ export class MotionPanel {
   private addSlider(
     name: string,
     range: { min: number; max: number; step: number },
-    words: (value: number) => string,
+    format: (value: number) => string,
     read: () => number,
     { write, reset }: { write: (value: number) => void; reset?: () => void },
   ): Slider {
@@ -133,7 +133,7 @@ export class MotionPanel {
       this.changed();
     });
     this.container.append(label);
-    const slider = { input, output, read, words };
+    const slider = { input, output, read, format };
     this.sliders.push(slider);
     return slider;
   }

@@ -1,7 +1,7 @@
 import { PRESETS, type PresetName, presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
 
-/** A row of buttons, one for each hand; the one the drawing is in is pressed. */
+/** A row of buttons, one per preset. The one that the settings match is pressed. */
 export class PresetBar {
   private readonly buttons: readonly (readonly [PresetName, HTMLButtonElement])[];
 

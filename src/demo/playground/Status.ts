@@ -1,4 +1,4 @@
-/** The line that says in words what is going on, with a thin line for how far it is and a way to call it off. */
+/** The status line, with a progress bar and a button that cancels the task. */
 export class Status {
   private cancelTask: (() => void) | undefined;
   private clearTimer: ReturnType<typeof setTimeout> | undefined;
@@ -14,7 +14,7 @@ export class Status {
     elements.cancel.addEventListener('click', () => this.cancelTask?.());
   }
 
-  /** A task is at `stage`; `progress` is in [0, 1], or undefined while it is unknown. */
+  /** Shows the stage of a task. `progress` is in [0, 1], or undefined if it is unknown. */
   working(stage: string, progress: number | undefined, cancel: () => void): void {
     this.cancelTask = cancel;
     this.write(`${stage.charAt(0).toUpperCase()}${stage.slice(1)}…`, false);
@@ -24,20 +24,20 @@ export class Status {
     progressLine.style.transform = `scaleX(${progress ?? 0.04})`;
   }
 
-  /** Nothing is going on any more. What has been said of how it ended stays. */
+  /** No task is running any more. A message on how the last one ended stays. */
   idle(): void {
     const wasWorking = this.cancelTask !== undefined;
     this.finish();
     if (wasWorking) this.write('', false);
   }
 
-  /** Something failed: the sentence stays until the next thing happens. */
+  /** Shows an error, until the next message. */
   fail(sentence: string): void {
     this.finish();
     this.write(sentence, true);
   }
 
-  /** Something was done; said for a moment. */
+  /** Shows a message for a few seconds. */
   say(sentence: string): void {
     this.finish();
     this.write(sentence, false);
@@ -54,7 +54,7 @@ export class Status {
     clearTimeout(this.clearTimer);
     const { message } = this.elements;
     message.classList.toggle('is-error', isError);
-    // Told again word for word on every step of a progress, a screen reader would never stop.
+    // Written only when it changes, because screen readers would read it again.
     if (message.textContent !== text) message.textContent = text;
   }
 }

@@ -1,11 +1,12 @@
 import { TEXELS_PER_STROKE } from '../drawing/applyToMaterial.js';
-import { isCrisp, SECOND_LIGHT_AZIMUTH, SETTINGS, type Settings, TONE_CURVES } from '../settings/settings.js';
+import { SETTINGS, type Settings } from '../settings/settings.js';
+import { isCrisp, SECOND_LIGHT_AZIMUTH, TONE_CURVES } from '../settings/settingValues.js';
 
 /**
- * The lines that make the look of the page in a project of one's own.
+ * Code that gives the look of the page to a model in the user's own project.
  *
- * @param sceneRadius where it is the look of a loaded scene instead of one geometry's: the radius of that scene, which keeps
- *   its own colours
+ * @param sceneRadius the radius of the scene, if the code is for a loaded scene, which keeps its own colours; undefined
+ *   if it is for one geometry
  */
 export function codeSample(settings: Settings, sceneRadius: number | undefined): string {
   const isScene = sceneRadius !== undefined;
@@ -99,7 +100,7 @@ ${use}
 ${lights.join('')}`;
 }
 
-/** As one would write it. */
+/** A value as source code. */
 function inSource(value: unknown): string {
   return JSON.stringify(value).replaceAll('"', "'").replaceAll(',', ', ');
 }

@@ -1,6 +1,4 @@
-import type { TonalArtMap } from 'three-hatching';
-import { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
-import type { ModelFile } from '../files/readModel.js';
+import { setPageState } from '../page/setPageState.js';
 import { presetLook } from '../settings/presets.js';
 import { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
@@ -10,22 +8,22 @@ import { LightHandle } from '../stage/LightHandle.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
-import { download } from './handOver.js';
-import { ModelDesk } from './ModelDesk.js';
+import { ExportActions } from './ExportActions.js';
+import { MapLoader } from './MapLoader.js';
+import { ModelLoader } from './ModelLoader.js';
 import { MotionPanel } from './MotionPanel.js';
-import { areOfMap, loadOwnMap, zipMap } from './OwnMap.js';
-import { Panel } from './Panel.js';
+import { areMapFiles } from './mapFiles.js';
 import { PresetBar } from './PresetBar.js';
-import { page, setPageState } from './page.js';
+import { page } from './page.js';
+import { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
-import { TakeAway } from './TakeAway.js';
-import { TaskBoard } from './TaskBoard.js';
+import { TaskRunner } from './TaskRunner.js';
 
 declare global {
   interface Window {
     /**
-     * For tests: how many frames the page has drawn since it was opened (an idle page draws none), and whether it is busy
-     * with no model, no map and no frame.
+     * For tests: the number of frames drawn since the page was opened, and whether no model, map or frame is being
+     * waited for. An idle page draws no frames.
      */
     __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
@@ -34,54 +32,56 @@ declare global {
 const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed'];
 const LINK_DELAY_MILLISECONDS = 400;
 
-/** Wires the page: settings to the drawing, files and models to the scene, and everything back to panel and caption. */
+/**
+ * Creates the parts of the page and connects them: controls to settings, settings to the drawing, files to the loaders.
+ */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const { settings, camera } = readLink(location.hash);
-  const scene = createScene(page.canvas, context, page.plate);
+  const scene = createScene(page.canvas, context, page.viewport);
   const history = new SettingsHistory(settings);
-  const maps = new TonalArtMapCache();
-  const tasks = new TaskBoard(status, () => scene.invalidate());
-  const models = new ModelDesk(scene, settings, history, tasks, (isNewModel) => {
+  const tasks = new TaskRunner(status, () => scene.invalidate());
+  const contactSheet = new ContactSheet(page.contactSheet);
+  const mapLoader = new MapLoader(scene, settings, tasks, contactSheet, () => recordChange());
+  const modelLoader = new ModelLoader(scene, settings, history, tasks, (isNewModel) => {
     if (isNewModel) motion.show(scene.model?.motion);
-    settingsChanged();
+    applySettings();
   });
   const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
-  const takeAway = new TakeAway(scene, settings, models, status, currentLink);
+  const exportActions = new ExportActions(scene, settings, modelLoader, status, currentLink);
   const lamp = new LightHandle(page.lamp, {
-    plate: page.plate,
+    viewport: page.viewport,
     camera: scene.camera,
     settings,
     lightPosition: scene.lightPosition,
     onMove: (place) => {
       Object.assign(settings, place);
-      personChanged('lamp');
+      recordChange('lamp');
     },
     onDrag: (dragging) => {
       scene.view.controls.enabled = !dragging;
       if (dragging) page.lamp.classList.add('is-known');
     },
   });
-  const contact = new ContactSheet(page.contact);
-  const divider = new CompareDivider(page.divider, page.plate, () => scene.invalidate());
+  const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
-    personChanged();
-    void showMap();
+    recordChange();
+    void mapLoader.showChosen();
   });
-  const panel = new Panel(
+  const panel = new SettingsPanel(
     page.panel,
     settings,
     [
-      { label: 'Show the map', group: 'Drawing', run: () => contact.open() },
+      { label: 'Show the map', group: 'Drawing', run: () => contactSheet.open() },
       { label: 'Show the whole model', group: 'View', run: scene.view.frame },
-      { label: 'Save PNG', group: 'Picture', run: takeAway.savePng },
-      { label: 'Copy a link to this drawing', group: 'Picture', run: takeAway.copyLink },
-      { label: 'Copy the code for this look', group: 'Picture', run: takeAway.copyCode },
+      { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
+      { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
+      { label: 'Copy the code for this look', group: 'Picture', run: exportActions.copyCode },
     ],
     (key) => {
-      if (key === 'model') models.changeModel();
-      if (MAP_SETTINGS.includes(key)) void showMap();
-      personChanged(key);
+      if (key === 'model') modelLoader.changeModel();
+      if (MAP_SETTINGS.includes(key)) void mapLoader.showChosen();
+      recordChange(key);
     },
   );
 
@@ -96,31 +96,35 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     },
   });
 
-  // ── The drawing ──
+  // ── Settings ──
 
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param thing what was changed; see {@link SettingsHistory.changed} */
-  function personChanged(thing?: string): void {
-    history.changed(thing);
-    settingsChanged();
+  /**
+   * Applies settings that the user has changed, and keeps the earlier ones for Undo.
+   *
+   * @param source see {@link SettingsHistory.changed}
+   */
+  function recordChange(source?: string): void {
+    history.changed(source);
+    applySettings();
   }
 
   function undo(): void {
     const before = history.undo();
     if (before) replaceSettings(before);
-    settingsChanged();
+    applySettings();
   }
 
-  /** Puts other settings in force, with the model and the map they ask for. */
+  /** Replaces all settings and loads the model and the map they ask for. */
   function replaceSettings(next: Settings): void {
     const { model } = settings;
     Object.assign(settings, next);
-    if (settings.model !== model) models.changeModel();
-    void showMap();
+    if (settings.model !== model) modelLoader.changeModel();
+    void mapLoader.showChosen();
   }
 
-  function settingsChanged(): void {
+  function applySettings(): void {
     scene.apply(settings);
     const { compare, technique } = settings;
     const isCompared = compare !== 'none';
@@ -135,11 +139,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     panel.refresh();
     presets.refresh();
     page.undo.disabled = history.isEmpty;
-    rememberInAddress();
+    updateAddress();
   }
 
-  /** Keeps the page's address such that a reload, or a bookmark, brings the same drawing back. */
-  function rememberInAddress(): void {
+  /** Keeps the page's address up to date, so that a reload or a bookmark restores the drawing. */
+  function updateAddress(): void {
     clearTimeout(linkTimer);
     linkTimer = setTimeout(() => window.history.replaceState(null, '', `#${currentLink()}`), LINK_DELAY_MILLISECONDS);
   }
@@ -147,6 +151,17 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   function currentLink(): string {
     return writeLink(settings, scene.view.isFramed ? undefined : scene.view.place);
   }
+
+  scene.view.controls.addEventListener('change', updateAddress);
+  addEventListener('hashchange', () => {
+    const link = readLink(location.hash);
+    replaceSettings(link.settings);
+    if (link.camera) scene.view.place = link.camera;
+    else scene.view.frame();
+    recordChange();
+  });
+
+  // ── Frames ──
 
   scene.onFrame(() => {
     lamp.update();
@@ -161,52 +176,26 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       ? 'Drawn with half the resolution while it moves, because this machine is slow'
       : 'Time from the first command of a frame to its last pixel';
   });
-  scene.view.controls.addEventListener('change', rememberInAddress);
-
-  // ── Models and maps ──
-
-  async function showMap(): Promise<void> {
-    await tasks.run('map', async (report, signal) => {
-      const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
-      const map = await maps.get(settings, { signal, onProgress }, scene.tonalArtMap);
-      if (!signal.aborted) useMap(map);
-    });
-  }
-
-  function useMap(map: TonalArtMap): void {
-    scene.setTonalArtMap(map);
-    contact.show(map, SETTINGS.mapStyle.choices[settings.mapStyle]);
-  }
-
-  async function showOwnMap(files: readonly ModelFile[]): Promise<void> {
-    await tasks.run('map', async (report, signal) => {
-      const onProgress = (progress: number): void => report('reading your images', progress);
-      const map = await loadOwnMap(files, { signal, onProgress });
-      signal.throwIfAborted();
-      settings.mapStyle = 'file';
-      useMap(map);
-      maps.keep(map);
-      personChanged();
-    });
-  }
-
-  async function saveMap(): Promise<void> {
-    const map = scene.tonalArtMap;
-    if (!map) return;
-    download(await zipMap(map), `${settings.mapStyle === 'file' ? 'map' : settings.mapStyle}.zip`);
-    status.say('The map is saved.');
-  }
-
-  dropFiles({ veil: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
-    void (areOfMap(files) ? showOwnMap(files) : models.showFiles(files));
+  page.canvas.addEventListener('webglcontextlost', () => {
+    setPageState('lost');
+    status.fail('The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.');
+  });
+  page.canvas.addEventListener('webglcontextrestored', () => {
+    setPageState('loading');
+    status.say('The drawing is back.');
+    scene.invalidate();
   });
 
-  page.savePng.addEventListener('click', takeAway.savePng);
-  page.saveMap.addEventListener('click', () => void saveMap());
+  // ── Files and buttons ──
+
+  dropFiles({ overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
+    void (areMapFiles(files) ? mapLoader.showFiles(files) : modelLoader.showFiles(files));
+  });
+  page.savePng.addEventListener('click', exportActions.savePng);
+  page.saveMap.addEventListener('click', exportActions.saveMap);
   page.undo.addEventListener('click', undo);
 
-  // ── The card ──
-
+  /** Opens or closes the card of settings, which narrow screens show on request only. */
   function openCard(open: boolean): void {
     page.card.classList.toggle('is-open', open);
     page.toggleCard.setAttribute('aria-expanded', String(open));
@@ -222,28 +211,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     }
   });
 
-  // ── The graphics context ──
-
-  page.canvas.addEventListener('webglcontextlost', () => {
-    setPageState('lost');
-    status.fail('The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.');
-  });
-  page.canvas.addEventListener('webglcontextrestored', () => {
-    setPageState('loading');
-    status.say('The drawing is back.');
-    scene.invalidate();
-  });
-
-  addEventListener('hashchange', () => {
-    const link = readLink(location.hash);
-    replaceSettings(link.settings);
-    if (link.camera) scene.view.place = link.camera;
-    else scene.view.frame();
-    personChanged();
-  });
-
   if (camera) scene.view.place = camera;
-  settingsChanged();
-  models.showChosen();
-  void showMap();
+  applySettings();
+  modelLoader.showChosen();
+  void mapLoader.showChosen();
 }

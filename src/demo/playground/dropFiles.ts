@@ -1,14 +1,17 @@
 import type { ModelFile } from '../files/readModel.js';
 
-/** Takes files dropped anywhere on the page or picked by a button; while some are over the page, `veil` says what it takes. */
+/**
+ * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged
+ * over the page.
+ */
 export function dropFiles(
-  elements: { veil: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
+  elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
   onFiles: (files: ModelFile[]) => void,
 ): void {
-  const { veil, input, buttons } = elements;
+  const { overlay, input, buttons } = elements;
   const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   addEventListener('dragenter', (event) => {
-    if (carriesFiles(event)) veil.hidden = false;
+    if (carriesFiles(event)) overlay.hidden = false;
   });
   addEventListener('dragover', (event) => {
     if (!carriesFiles(event)) return;
@@ -16,27 +19,27 @@ export function dropFiles(
     event.dataTransfer!.dropEffect = 'copy';
   });
   addEventListener('dragleave', (event) => {
-    // Leaving the page has no element it leads to; going from one element to another has.
-    if (event.relatedTarget === null) veil.hidden = true;
+    // There is a related target unless the pointer leaves the page.
+    if (event.relatedTarget === null) overlay.hidden = true;
   });
   addEventListener('drop', async (event) => {
-    veil.hidden = true;
+    overlay.hidden = true;
     if (!carriesFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
     onFiles(await droppedFiles(event.dataTransfer));
   });
   input.addEventListener('change', () => {
     const files = [...(input.files ?? [])].map((file) => ({ name: file.name, content: file }));
-    // The same file picked again must be a change again.
+    // Otherwise picking the same file again would not be a change.
     input.value = '';
     if (files.length > 0) onFiles(files);
   });
   for (const button of buttons) button.addEventListener('click', () => input.click());
 }
 
-/** The files of a drop, also those in dropped folders. */
+/** The files of a drop, including those in folders. */
 async function droppedFiles(transfer: DataTransfer): Promise<ModelFile[]> {
-  // Both must be read before anything is awaited: the transfer is emptied after the event.
+  // Both are read before the first await, because the transfer is emptied after the event.
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
   const files = [...transfer.files];
   if (!entries.some((entry) => entry?.isDirectory)) return files.map((file) => ({ name: file.name, content: file }));
@@ -51,7 +54,7 @@ async function filesOf(entry: FileSystemEntry): Promise<ModelFile[]> {
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const found: ModelFile[] = [];
   for (;;) {
-    // A reader gives its entries in portions, the last of them empty.
+    // A reader returns its entries in batches. The last one is empty.
     const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
     if (batch.length === 0) return found;
     for (const child of batch) found.push(...(await filesOf(child)));

@@ -1,7 +1,7 @@
 import type { Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 
-/** Pictures larger than this are drawn in pieces, because a graphics card need not give a larger surface. */
+/** Larger pictures are drawn in tiles of this size, because graphics cards limit the size of a canvas. */
 const TILE = 2048;
 
 export interface PictureOptions {
@@ -13,7 +13,7 @@ export interface PictureOptions {
   ground: Settings['pictureGround'];
 }
 
-/** Draws the view once more at the size of the picture, piece by piece, and packs it as PNG. */
+/** Draws the view at the size of the picture, tile by tile, and encodes it as PNG. */
 export async function exportPng(scene: HatchingScene, options: PictureOptions): Promise<Blob> {
   const { renderer, camera } = scene;
   const width = Math.round(options.width * options.scale);
@@ -36,13 +36,13 @@ export async function exportPng(scene: HatchingScene, options: PictureOptions): 
         const tileHeight = Math.min(TILE, height - y);
         renderer.setSize(tileWidth, tileHeight, false);
         camera.setViewOffset(width, height, x, y, tileWidth, tileHeight);
-        scene.drawPiece({ viewWidth: width, x, width: tileWidth, height: tileHeight }, options.scale);
-        // In the same task as the drawing: the canvas keeps its content no longer than that.
+        scene.drawTile({ viewWidth: width, x, width: tileWidth, height: tileHeight }, options.scale);
+        // In the same task as the rendering, because the canvas does not keep its content for longer.
         context.drawImage(renderer.domElement, x, y);
       }
     }
   } finally {
-    // Sized back before the next frame, so that the page never shows a piece of the picture.
+    // Restored before the next frame, so that the page never shows a tile.
     camera.clearViewOffset();
     scene.showPaper(true);
     renderer.setClearAlpha(clearAlpha);

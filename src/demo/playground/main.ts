@@ -1,5 +1,6 @@
+import { setPageState } from '../page/setPageState.js';
 import { createPlayground } from './createPlayground.js';
-import { page, setPageState } from './page.js';
+import { page } from './page.js';
 import { Status } from './Status.js';
 
 const status = new Status(page.status);

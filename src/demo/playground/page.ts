@@ -3,11 +3,11 @@ import { findElement } from '../page/findElement.js';
 /** The elements of index.html that the script works on. */
 export const page = {
   sheet: findElement('sheet'),
-  plate: findElement('plate'),
+  viewport: findElement('viewport'),
   canvas: findElement('drawing') as HTMLCanvasElement,
   divider: findElement('divider'),
   lamp: findElement('lamp'),
-  facts: findElement('facts'),
+  modelCaption: findElement('model-caption'),
   frameTime: findElement('frame-time'),
   card: findElement('card'),
   presets: findElement('presets'),
@@ -17,11 +17,11 @@ export const page = {
   openFiles: findElement('open-files'),
   savePng: findElement('save-png'),
   undo: findElement('undo') as HTMLButtonElement,
-  contact: {
-    sheet: findElement('contact'),
-    scroller: findElement('contact-scroller'),
-    caption: findElement('contact-caption'),
-    close: findElement('close-contact') as HTMLButtonElement,
+  contactSheet: {
+    sheet: findElement('contact-sheet'),
+    scroller: findElement('contact-sheet-scroller'),
+    caption: findElement('contact-sheet-caption'),
+    close: findElement('close-contact-sheet') as HTMLButtonElement,
   },
   saveMap: findElement('save-map'),
   openMap: findElement('open-map'),
@@ -34,8 +34,3 @@ export const page = {
     cancel: findElement('cancel') as HTMLButtonElement,
   },
 };
-
-/** How far the page is: `loading`, `ready` to be used, `lost` without a graphics context, or `failed` for good. */
-export function setPageState(state: 'loading' | 'ready' | 'lost' | 'failed'): void {
-  document.documentElement.dataset.state = state;
-}

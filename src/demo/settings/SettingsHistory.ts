@@ -1,14 +1,16 @@
 import { SETTING_KEYS, type Settings } from './settings.js';
 
-/** Changes of one thing closer together than this are one change: a slider that is dragged, a lamp that is moved. */
+/**
+ * Changes from one source that follow each other faster than this are one step: dragging a slider or the light, say.
+ */
 const PAUSE_MILLISECONDS = 900;
 const KEPT = 100;
 
-/** Remembers how settings were before each change. */
+/** Keeps the earlier settings, for Undo. */
 export class SettingsHistory {
   private readonly past: Settings[] = [];
   private now: Settings;
-  private lastThing: string | undefined;
+  private lastSource: string | undefined;
   private lastTime = -Infinity;
 
   constructor(private readonly settings: Settings) {
@@ -16,14 +18,15 @@ export class SettingsHistory {
   }
 
   /**
-   * The settings were changed.
+   * To be called after the user has changed the settings.
    *
-   * @param thing names what moved, so that a movement in many steps counts as one change; undefined: a change by itself
+   * @param source what was changed. Quick changes from the same source count as one step. Without it, the change is a
+   *   step of its own.
    */
-  changed(thing?: string): void {
+  changed(source?: string): void {
     const time = performance.now();
-    const continues = thing !== undefined && thing === this.lastThing && time - this.lastTime < PAUSE_MILLISECONDS;
-    this.lastThing = thing;
+    const continues = source !== undefined && source === this.lastSource && time - this.lastTime < PAUSE_MILLISECONDS;
+    this.lastSource = source;
     this.lastTime = time;
     if (!continues) {
       this.past.push(this.now);
@@ -32,22 +35,22 @@ export class SettingsHistory {
     this.now = { ...this.settings };
   }
 
-  /** The settings are others for a reason that is not to be undone. */
+  /** To be called after the settings have changed for a reason that Undo does not undo. */
   adopt(): void {
     this.now = { ...this.settings };
-    this.lastThing = undefined;
+    this.lastSource = undefined;
   }
 
   /**
-   * The settings as they were before the last change, or undefined when there is none. A person's own file cannot be
-   * brought back.
+   * The settings before the last change, or undefined if there is none. If the model was a user's own file, the current
+   * model is kept, because the file cannot be loaded again.
    */
   undo(): Settings | undefined {
     for (let before = this.past.pop(); before; before = this.past.pop()) {
       if (before.model === 'file') before.model = this.settings.model;
       if (SETTING_KEYS.every((key) => before[key] === this.settings[key])) continue;
       this.now = before;
-      this.lastThing = undefined;
+      this.lastSource = undefined;
       return { ...before };
     }
     return undefined;

@@ -1,6 +1,6 @@
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 
-/** What makes a hand: everything but the model, the light, the view and where the picture goes. */
+/** The settings that a preset sets: all but the model, the light, the view and the export. */
 const LOOK_KEYS = [
   'technique',
   'mapStyle',
@@ -35,7 +35,7 @@ type Look = Pick<Settings, (typeof LOOK_KEYS)[number]>;
 
 export interface Preset {
   label: string;
-  /** Where it differs from the defaults. */
+  /** Its differences from the defaults. */
   look: Partial<Look>;
 }
 
@@ -87,13 +87,13 @@ export const PRESETS = {
 
 export type PresetName = keyof typeof PRESETS;
 
-/** The look a preset gives: every setting of it, so that nothing of the look before stays. */
+/** All settings of a preset, also those at their default, so that nothing of the previous look remains. */
 export function presetLook(name: PresetName): Look {
   const defaults = Object.fromEntries(LOOK_KEYS.map((key) => [key, SETTINGS[key].default])) as Look;
   return { ...defaults, ...PRESETS[name].look };
 }
 
-/** The preset that settings are of, or undefined when something was changed since. */
+/** The preset that the settings match, or undefined. */
 export function presetOf(settings: Settings): PresetName | undefined {
   return (Object.keys(PRESETS) as PresetName[]).find((name) => {
     const look = presetLook(name);

@@ -1,37 +1,6 @@
-/** Everything a person can set, as plain data in one place: the panel, the link and the drawing all read this table. */
+/** Everything the user can set, as one table of plain data. The panel, the link and the drawing read it. */
 import type { BuiltInModel } from '../models/models.js';
-
-interface SettingBase<Value> {
-  label: string;
-  default: Value;
-  group: SettingGroup;
-}
-
-export interface NumberSetting extends SettingBase<number> {
-  kind: 'number';
-  unit: string;
-  min: number;
-  max: number;
-  step: number;
-  /** What the least and the greatest value mean, in a word or two each, where the number alone does not say it. */
-  ends?: readonly [least: string, greatest: string];
-}
-
-export interface ChoiceSetting extends SettingBase<string> {
-  kind: 'choice';
-  /** Value to the words shown for it. */
-  choices: Readonly<Record<string, string>>;
-}
-
-export interface ColorSetting extends SettingBase<string> {
-  kind: 'color';
-}
-
-export type Setting = NumberSetting | ChoiceSetting | ColorSetting;
-
-/** Groups of the panel in their order; the first stands open, the others are folded. */
-export const SETTING_GROUPS = ['Drawing', 'Strokes', 'Tone', 'Colours', 'Light', 'View', 'Picture'] as const;
-export type SettingGroup = (typeof SETTING_GROUPS)[number];
+import type { NumberSetting, Setting } from './Setting.js';
 
 const TECHNIQUES = {
   anchored: 'Anchored',
@@ -376,40 +345,4 @@ export const SETTING_KEYS = Object.keys(SETTINGS) as SettingKey[];
 /** A fresh object with every setting at its default. */
 export function defaultSettings(): Settings {
   return Object.fromEntries(SETTING_KEYS.map((key) => [key, SETTINGS[key].default])) as Settings;
-}
-
-/** The value nearest to `value` that a setting allows, or undefined when there is none. */
-export function acceptSetting(key: SettingKey, value: string | number): string | number | undefined {
-  const setting: Setting = SETTINGS[key];
-  switch (setting.kind) {
-    case 'number': {
-      const number = Number(value);
-      if (value === '' || !Number.isFinite(number)) return undefined;
-      return Math.min(setting.max, Math.max(setting.min, number));
-    }
-    case 'choice':
-      return Object.hasOwn(setting.choices, value) ? String(value) : undefined;
-    case 'color':
-      return /^#[0-9a-f]{6}$/i.test(String(value)) ? String(value).toLowerCase() : undefined;
-  }
-}
-
-/** Where the second sun stands, in degrees around from the light. */
-export const SECOND_LIGHT_AZIMUTH = { left: -90, right: 90, opposite: 180 } as const;
-
-/** Light to printed tone, as the material takes it. */
-export const TONE_CURVES = {
-  linear: 'linear',
-  perceptual: 'perceptual',
-  contrast: [
-    [0, 0],
-    [0.25, 0.1],
-    [0.75, 0.9],
-    [1, 1],
-  ],
-} as const satisfies Record<Settings['toneCurve'], unknown>;
-
-/** Whether a technique draws strokes of a width, black or white, instead of blending their grey. */
-export function isCrisp(technique: Settings['technique']): boolean {
-  return technique === 'anchored' || technique === 'adjacencyCrisp';
 }

@@ -1,13 +1,14 @@
+import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
-import { acceptSetting, defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
+import { defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 
 const DECIMALS = 1000;
 
-/** Settings and camera as the part of an address after `#`; what is at its default is left out. */
+/** Settings and camera as the hash of a URL. Defaults are left out. */
 export function writeLink(settings: Settings, camera: CameraView | undefined): string {
   const parameters = new URLSearchParams();
   for (const key of SETTING_KEYS) {
-    // A dropped file cannot be found again by a link.
+    // A link cannot refer to a dropped file.
     if (settings[key] === SETTINGS[key].default || settings[key] === 'file') continue;
     parameters.set(key, String(settings[key]));
   }
@@ -18,7 +19,7 @@ export function writeLink(settings: Settings, camera: CameraView | undefined): s
   return parameters.toString();
 }
 
-/** Reads what {@link writeLink} wrote. Unknown names and values out of place are passed over. */
+/** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. */
 export function readLink(hash: string): { settings: Settings; camera: CameraView | undefined } {
   const parameters = new URLSearchParams(hash.replace(/^#/, ''));
   const settings = defaultSettings();

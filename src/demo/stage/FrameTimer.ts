@@ -1,35 +1,35 @@
-const KEPT = 7;
+const KEPT_DURATIONS = 7;
 const POLL_MILLISECONDS = 3;
 const GIVE_UP_MILLISECONDS = 10_000;
 
 /**
- * Measures how long frames take, from the first command to the last pixel, by a fence behind the commands. Unlike the
- * distance between frames that says something also when frames are drawn one at a time. Good to a few milliseconds.
+ * Measures how long frames take, from the first command to the last pixel, with a fence after the commands. Unlike the
+ * time between frames, this also works when frames are drawn one at a time. Accurate to a few milliseconds.
  */
 export class FrameTimer {
   private durations: number[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param onMeasured called when the time of a frame has become known */
+  /** @param onMeasured called when the time of a frame is known */
   constructor(
     private readonly gl: WebGL2RenderingContext,
     private readonly onMeasured: () => void,
   ) {}
 
-  /** The middle one of the latest frame times in milliseconds, or undefined before there is any. */
+  /** The median of the latest frame times in milliseconds, or undefined before the first. */
   get milliseconds(): number | undefined {
     const sorted = [...this.durations].sort((a, b) => a - b);
     return sorted[Math.floor(sorted.length / 2)];
   }
 
-  /** Forgets what was measured, because what is drawn has changed. */
+  /** Discards all measurements. To be called when something else is drawn. */
   reset(): void {
     this.durations = [];
     clearTimeout(this.timer);
     this.timer = undefined;
   }
 
-  /** Draws, and measures it unless the frame before is still under way. */
+  /** Draws a frame and measures it, unless the previous frame is still being measured. */
   measure(draw: () => void): void {
     const start = performance.now();
     draw();
@@ -52,7 +52,7 @@ export class FrameTimer {
       this.gl.deleteSync(fence);
       if (!isDone) return;
       this.durations.push(elapsed);
-      if (this.durations.length > KEPT) this.durations.shift();
+      if (this.durations.length > KEPT_DURATIONS) this.durations.shift();
       this.onMeasured();
     }, POLL_MILLISECONDS);
   }

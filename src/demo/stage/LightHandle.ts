@@ -1,41 +1,46 @@
-import { MathUtils, type PerspectiveCamera, Raycaster, Spherical, Vector2, Vector3 } from 'three';
+import { MathUtils, type PerspectiveCamera, Spherical, type Vector2, Vector3 } from 'three';
 import { SETTINGS, type Settings } from '../settings/settings.js';
-import { drawLamp } from './drawLamp.js';
-import { edgeOfSphere, isBehind, isHidden, meetSphere } from './lightSphere.js';
+import { createLampIcon } from './createLampIcon.js';
+import { intersectSphere, isBehind, isHidden, nearestOutlinePoint } from './lightSphere.js';
+import { ViewportProjection } from './ViewportProjection.js';
 
 type LightPlace = Pick<Settings, 'lightAzimuth' | 'lightElevation' | 'lightDistance'>;
 
 const STEP = 5;
 const FINE_STEP = 1;
-/** Nearer to the edge of the plate than this and the lamp is held back, so that it can always be taken. */
+/** The lamp stays at least this far from the edges of the viewport, in pixels, so that it can always be grabbed. */
 const MARGIN = 26;
-/** Nearer to an edge than this and the hint below the lamp would be cut; it stands elsewhere then. */
-const HINT_REACH = 76;
-/** Closer to the model's centre than this and the share of the distance by which a drag moves a lamp would explode. */
+/** Nearer to an edge than this, the hint below the lamp would be cut off. It is moved then. In pixels. */
+const HINT_MARGIN = 76;
+/**
+ * Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their
+ * ratio.
+ */
 const MIN_REACH = 32;
 
 /** What the handle works on. */
 export interface LightHandleHost {
-  /** The element the handle is laid over; its client size is the picture's. */
-  plate: HTMLElement;
+  /** The element the handle lies over. Its client size is the size of the picture. */
+  viewport: HTMLElement;
   camera: PerspectiveCamera;
   settings: Settings;
-  /** Where the light stands now, in world coordinates. */
+  /** The position of the light, in world coordinates. The model's centre is the origin. */
   lightPosition: Vector3;
   /** Moves the light. */
   onMove(place: Partial<LightPlace>): void;
-  /** A drag begins or ends: the camera must hold still meanwhile. */
+  /** A drag begins or ends. The camera must not move meanwhile. */
   onDrag(dragging: boolean): void;
 }
 
 /**
- * The lamp one can take in the hand: drag it over a sphere around the model; past the sphere's edge and back takes it
- * behind. Shift, or a second finger, changes the distance of a lamp or spot. Arrow keys move it by 5°, with Shift by 1°.
+ * The handle of the light. Dragging moves it over a sphere around the model; past the sphere's outline and back takes
+ * it behind the model. Shift or a second finger changes the distance of a point light or spot light. Arrow keys move it
+ * by 5°, with Shift by 1°.
  */
 export class LightHandle {
-  private readonly raycaster = new Raycaster();
+  private readonly projection: ViewportProjection;
   private behind = false;
-  private beyondEdge = false;
+  private beyondOutline = false;
   private pointer: { id: number; grip: Vector2 } | undefined;
   private second: { id: number; start: number; distance: number } | undefined;
 
@@ -43,13 +48,14 @@ export class LightHandle {
     private readonly element: HTMLElement,
     private readonly host: LightHandleHost,
   ) {
+    this.projection = new ViewportProjection(host.viewport, host.camera);
     element.tabIndex = 0;
     element.setAttribute('role', 'slider');
     element.setAttribute('aria-label', 'Light');
     element.setAttribute('aria-valuemin', '-180');
     element.setAttribute('aria-valuemax', '180');
     element.title = 'Drag to move the light. Past the edge and back takes it behind the model.';
-    element.append(drawLamp());
+    element.append(createLampIcon());
     element.addEventListener('pointerdown', this.onPointerDown);
     element.addEventListener('pointermove', this.onPointerMove);
     element.addEventListener('pointerup', this.onPointerEnd);
@@ -58,27 +64,27 @@ export class LightHandle {
     element.addEventListener('dblclick', this.onDoubleClick);
   }
 
-  /** Lays the handle over the light's place in the picture; to be called with every frame. */
+  /** Moves the handle to where the light is seen. To be called with every frame. */
   update(): void {
     const { settings, lightPosition, camera } = this.host;
-    const { x, y } = this.onPlate(lightPosition);
-    const { width, height } = this.plateSize();
+    const { x, y } = this.projection.project(lightPosition);
+    const { width, height } = this.projection.size;
     const left = MathUtils.clamp(x, MARGIN, width - MARGIN);
     const top = MathUtils.clamp(y, MARGIN, height - MARGIN);
     this.element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
-    this.element.classList.toggle('is-at-left', left < HINT_REACH);
-    this.element.classList.toggle('is-at-right', left > width - HINT_REACH);
-    this.element.classList.toggle('is-at-bottom', top > height - HINT_REACH);
+    this.element.classList.toggle('is-at-left', left < HINT_MARGIN);
+    this.element.classList.toggle('is-at-right', left > width - HINT_MARGIN);
+    this.element.classList.toggle('is-at-bottom', top > height - HINT_MARGIN);
     if (!this.pointer) this.behind = isBehind(lightPosition, camera.position);
     this.element.classList.toggle('is-behind', isHidden(lightPosition, camera.position));
     this.element.setAttribute('aria-valuenow', settings.lightAzimuth.toFixed(0));
-    const facts = [
+    const texts = [
       `${settings.lightAzimuth.toFixed(1)}° around`,
       `${settings.lightElevation.toFixed(1)}° high`,
       this.behind ? 'behind the model' : 'in front of the model',
     ];
-    if (settings.lightKind !== 'directional') facts.push(`${settings.lightDistance.toFixed(2)} radii away`);
-    this.element.setAttribute('aria-valuetext', facts.join(', '));
+    if (settings.lightKind !== 'directional') texts.push(`${settings.lightDistance.toFixed(2)} radii away`);
+    this.element.setAttribute('aria-valuetext', texts.join(', '));
   }
 
   private readonly onPointerDown = (event: PointerEvent): void => {
@@ -86,10 +92,10 @@ export class LightHandle {
     event.preventDefault();
     this.element.focus({ preventScroll: true });
     this.element.setPointerCapture(event.pointerId);
-    // The lamp is held where it was gripped and does not jump under the pointer.
-    const grip = this.onPlate(this.host.lightPosition).sub(this.pointerOnPlate(event));
+    // The lamp keeps its offset from the pointer, so that it does not jump.
+    const grip = this.projection.project(this.host.lightPosition).sub(this.projection.pointer(event));
     this.pointer = { id: event.pointerId, grip };
-    this.beyondEdge = false;
+    this.beyondOutline = false;
     this.element.classList.add('is-held');
     addEventListener('pointerdown', this.onSecondPointer, { capture: true });
     this.host.onDrag(true);
@@ -97,7 +103,7 @@ export class LightHandle {
 
   private readonly onPointerMove = (event: PointerEvent): void => {
     if (event.pointerId !== this.pointer?.id || this.second) return;
-    const place = this.pointerOnPlate(event).add(this.pointer.grip);
+    const place = this.projection.pointer(event).add(this.pointer.grip);
     if (event.shiftKey && this.host.settings.lightKind !== 'directional') this.moveAway(place);
     else this.moveOverSphere(place);
   };
@@ -114,7 +120,7 @@ export class LightHandle {
     this.host.onDrag(false);
   };
 
-  /** A second finger sets the distance of the lamp by how far it moves from or towards the model's centre. */
+  /** A second finger changes the distance of the light as it moves away from the model's centre or towards it. */
   private readonly onSecondPointer = (event: PointerEvent): void => {
     if (event.pointerId === this.pointer?.id || this.second || this.host.settings.lightKind === 'directional') return;
     event.stopPropagation();
@@ -174,25 +180,25 @@ export class LightHandle {
     this.host.onMove({ lightDistance: MathUtils.clamp(distance, min, max) });
   }
 
+  /** Scales the distance of the light by how far it is dragged from the model's centre. */
   private moveAway(place: Vector2): void {
-    const centre = this.onPlate(new Vector3());
-    const now = Math.max(MIN_REACH, this.onPlate(this.host.lightPosition).distanceTo(centre));
+    const centre = this.projection.project(new Vector3());
+    const now = Math.max(MIN_REACH, this.projection.project(this.host.lightPosition).distanceTo(centre));
     const next = Math.max(MIN_REACH, place.distanceTo(centre));
     this.setDistance((this.host.settings.lightDistance * next) / now);
   }
 
-  /** Puts the light where the line of sight through `place` meets the sphere it moves on, or at the sphere's edge. */
+  /** Moves the light to where the line of sight through `place` meets its sphere, or else to the sphere's outline. */
   private moveOverSphere(place: Vector2): void {
-    const { camera, lightPosition } = this.host;
-    const { width, height } = this.plateSize();
-    this.raycaster.setFromCamera(new Vector2((place.x / width) * 2 - 1, 1 - (place.y / height) * 2), camera);
-    const hits = meetSphere(this.raycaster.ray, lightPosition.length());
-    if (!hits) this.beyondEdge = true;
-    else if (this.beyondEdge) {
-      this.beyondEdge = false;
+    const ray = this.projection.ray(place);
+    const radius = this.host.lightPosition.length();
+    const hits = intersectSphere(ray, radius);
+    if (!hits) this.beyondOutline = true;
+    else if (this.beyondOutline) {
+      this.beyondOutline = false;
       this.behind = !this.behind;
     }
-    const hit = hits ? (this.behind ? hits.far : hits.near) : edgeOfSphere(this.raycaster.ray, lightPosition.length());
+    const hit = hits ? (this.behind ? hits.far : hits.near) : nearestOutlinePoint(ray, radius);
     const { theta, phi } = new Spherical().setFromVector3(hit);
     const { min, max } = SETTINGS.lightElevation;
     this.host.onMove({
@@ -201,22 +207,8 @@ export class LightHandle {
     });
   }
 
+  /** How far a pointer is from the model's centre, in pixels. */
   private reach(event: PointerEvent): number {
-    return Math.max(MIN_REACH, this.pointerOnPlate(event).distanceTo(this.onPlate(new Vector3())));
-  }
-
-  private plateSize(): { width: number; height: number } {
-    return { width: this.host.plate.clientWidth, height: this.host.plate.clientHeight };
-  }
-
-  private pointerOnPlate(event: PointerEvent): Vector2 {
-    const { left, top } = this.host.plate.getBoundingClientRect();
-    return new Vector2(event.clientX - left, event.clientY - top);
-  }
-
-  private onPlate(world: Vector3): Vector2 {
-    const { width, height } = this.plateSize();
-    const projected = world.clone().project(this.host.camera);
-    return new Vector2(((projected.x + 1) / 2) * width, ((1 - projected.y) / 2) * height);
+    return Math.max(MIN_REACH, this.projection.pointer(event).distanceTo(this.projection.project(new Vector3())));
   }
 }

@@ -1,12 +1,13 @@
 import { DirectionalLight, type Light, MathUtils, PointLight, type Scene, SpotLight, Vector3 } from 'three';
-import { SECOND_LIGHT_AZIMUTH, type Settings } from '../settings/settings.js';
+import type { Settings } from '../settings/settings.js';
+import { SECOND_LIGHT_AZIMUTH } from '../settings/settingValues.js';
 
-/** Where the handle of a light without a distance is shown, in radii of the model. */
+/** Distance at which the handle of a directional light is shown, in radii of the model. */
 const SUN_DISTANCE = 1.45;
 
-/** The lights of the scene: one of three kinds at one place, and a second sun that goes round with it. */
+/** The lights of the scene: the main light, of one of three kinds, and a second sun at a fixed angle from it. */
 export class LightRig {
-  /** Where the light stands, in world coordinates; the model's centre is the origin. */
+  /** The position of the main light, in world coordinates. The model's centre is the origin. */
   readonly position = new Vector3();
   private readonly lights: Record<Settings['lightKind'], Light>;
   private readonly second = new DirectionalLight();
@@ -14,14 +15,14 @@ export class LightRig {
   constructor(scene: Scene) {
     const point = new PointLight();
     const spot = new SpotLight();
-    // Strength is then the same at every distance: moving the lamp turns the strokes, not the exposure.
+    // Without decay, moving the light turns the strokes and does not change the exposure.
     point.decay = 0;
     spot.decay = 0;
     this.lights = { directional: new DirectionalLight(), point, spot };
     scene.add(this.second, ...Object.values(this.lights));
   }
 
-  /** Puts the settings in force. */
+  /** Applies the settings. */
   apply(settings: Settings): void {
     const azimuth = MathUtils.degToRad(settings.lightAzimuth);
     const elevation = MathUtils.degToRad(settings.lightElevation);
@@ -30,7 +31,7 @@ export class LightRig {
     for (const [kind, light] of Object.entries(this.lights)) {
       light.visible = kind === settings.lightKind;
       light.position.copy(this.position);
-      // With an intensity of π a white surface facing the light is as light as paper.
+      // At an intensity of π, a white surface that faces the light gets tone 0: bare paper.
       light.intensity = (Math.PI * settings.lightStrength) / 100;
     }
     const spot = this.lights.spot as SpotLight;

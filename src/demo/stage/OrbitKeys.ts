@@ -5,7 +5,9 @@ const TURN = MathUtils.degToRad(5);
 const FINE_TURN = MathUtils.degToRad(1);
 const ZOOM = 1.1;
 
-/** The camera by keyboard: arrows turn (with Shift finely), plus and minus zoom, WASD shift the view, Home shows it whole. */
+/**
+ * Moves the camera by keyboard: arrows orbit (with Shift finely), plus and minus zoom, WASD pan, Home frames the model.
+ */
 export class OrbitKeys {
   constructor(
     private readonly element: HTMLElement,

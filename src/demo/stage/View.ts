@@ -1,23 +1,21 @@
 import { Box3, type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraView } from '../settings/CameraView.js';
-import { framingDistance } from './framingDistance.js';
+import { DEFAULT_VIEW } from './createCamera.js';
+import { framingDistance } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 
-/** The direction most models are looked at from at first: a little from the side and from above. */
-const USUAL_VIEW = [0.22, 0.18, 1] as const;
-
-/** Where the camera stands: led by hand or keys, or so that the whole model is in the picture. */
+/** Controls the camera: orbited by the user, or placed so that the whole model is in the picture. */
 export class View {
   readonly controls: OrbitControls;
   private readonly keys: OrbitKeys;
-  /** Whether the view is the one that shows the whole model; it follows changes of the sheet's size then. */
+  /** Whether the camera is where {@link frame} put it. If so, it is placed again when the viewport changes its size. */
   private framed = true;
   private isFraming = false;
-  private readonly first = new Vector3(...USUAL_VIEW);
+  private readonly first = new Vector3(...DEFAULT_VIEW);
   private readonly bounds = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
 
-  /** @param onChange called when the picture must be drawn again */
+  /** @param onChange called when a frame must be drawn */
   constructor(
     canvas: HTMLCanvasElement,
     private readonly camera: PerspectiveCamera,
@@ -38,7 +36,7 @@ export class View {
     return this.framed;
   }
 
-  /** Shows the whole model. */
+  /** Places the camera so that the whole model is in the picture. */
   readonly frame = (): void => {
     this.isFraming = true;
     this.controls.target.set(0, 0, 0);
@@ -50,9 +48,9 @@ export class View {
   };
 
   /**
-   * The model is another one, or another way up.
+   * Sets the bounds of a new model, or of one that was turned.
    *
-   * @param first the direction to the eye that shows it whole; undefined: as before
+   * @param first direction to the eye when the model is framed; undefined keeps the current one
    */
   setBounds(bounds: Box3, first?: readonly [number, number, number]): void {
     this.bounds.copy(bounds);
@@ -60,7 +58,7 @@ export class View {
     if (this.framed) this.frame();
   }
 
-  /** The sheet has another shape. */
+  /** To be called when the viewport has changed its size. */
   resized(aspect: number): void {
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
@@ -82,7 +80,4 @@ export class View {
     this.keys.dispose();
     this.controls.dispose();
   }
-
-  /** The direction to the eye for models that ask for none. */
-  static readonly usual = USUAL_VIEW;
 }

@@ -1,89 +1,84 @@
-import { Group, MathUtils, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { Group, MathUtils, Scene, WebGLRenderer } from 'three';
 import type { TonalArtMap } from 'three-hatching';
-import type { DrawnModel } from '../drawing/DrawnModel.js';
+import type { HatchedModel } from '../drawing/HatchedModel.js';
 import type { Settings } from '../settings/settings.js';
-import { FrameClock } from './FrameClock.js';
+import { AdaptiveResolution } from './AdaptiveResolution.js';
+import { createCamera, DEFAULT_VIEW } from './createCamera.js';
+import { FrameScheduler } from './FrameScheduler.js';
 import { FrameTimer } from './FrameTimer.js';
 import { LightRig } from './LightRig.js';
-import { MovingResolution } from './MovingResolution.js';
 import { View } from './View.js';
 
-const FIELD_OF_VIEW = 26;
-const MAX_PIXEL_RATIO = 2;
-/** A desk-filling sheet on a large screen is drawn with fewer pixels than it has, rather than slowly. */
-const MAX_PIXELS = 8_000_000;
-
-/** The picture: renderer, camera, lights, and one model drawn with one look or, compared, with two. */
+/** Renderer, camera, lights and one model, drawn with one technique or with two side by side. */
 export type HatchingScene = ReturnType<typeof createScene>;
 
-/** A strip of a view, in the renderer's pixels. */
-interface Piece {
+/** The part of a picture that is drawn into the canvas at once, in the renderer's pixels. */
+interface Tile {
   viewWidth: number;
   x: number;
   width: number;
   height: number;
 }
 
-/**
- * Sets up the drawing on a canvas. Nothing is drawn until `invalidate` is called, and then once.
- */
-export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, plate: HTMLElement) {
+/** Sets up the scene on a canvas. A frame is drawn after `invalidate`, and when the viewport changes its size. */
+export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, viewport: HTMLElement) {
   const renderer = new WebGLRenderer({ canvas, context });
   const scene = new Scene();
-  const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 100);
+  const camera = createCamera();
   const lights = new LightRig(scene);
-  /** Holds the model; turned where its up is another. */
+  /** Holds the model, turned so that its up axis is y. */
   const upright = new Group();
   scene.add(upright);
-  let model: DrawnModel | undefined;
-  /** The model before, until the new one has been drawn: programs that both use are not built again then. */
-  let retired: DrawnModel | undefined;
+  let model: HatchedModel | undefined;
+  /** Kept until the new model has been drawn, so that programs used by both are not compiled again. */
+  let previousModel: HatchedModel | undefined;
   let map: TonalArtMap | undefined;
   let settings: Settings | undefined;
 
   const frameListeners: (() => void)[] = [];
-  const clock = new FrameClock(() => draw());
-  const moving = new MovingResolution(() => clock.invalidate());
+  const scheduler = new FrameScheduler(() => draw());
+  const resolution = new AdaptiveResolution(() => scheduler.invalidate());
   const timer = new FrameTimer(context, () => {
-    moving.measured(timer.milliseconds!);
+    resolution.measured(timer.milliseconds!);
     for (const listener of timeListeners) listener();
   });
   const timeListeners: (() => void)[] = [];
-  const view = new View(canvas, camera, () => clock.invalidate());
+  const view = new View(canvas, camera, () => scheduler.invalidate());
   let lastFrame = 0;
-  /** Share of the width that is drawn in the compared look, or undefined when there is one drawing only. */
+  /** Share of the width that shows the compared technique; undefined if nothing is compared. */
   let divider: (() => number) | undefined;
 
   function draw(): void {
-    const { clientWidth: width, clientHeight: height } = plate;
+    const { clientWidth: width, clientHeight: height } = viewport;
     if (context.isContextLost() || width === 0 || height === 0) return;
-    moving.beforeFrame();
-    move();
-    if (renderer.getPixelRatio() !== pixelRatio()) renderer.setPixelRatio(pixelRatio());
-    timer.measure(() => drawPiece({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio()));
-    retired?.dispose();
-    retired = undefined;
+    resolution.beforeFrame();
+    advanceMotion();
+    const pixelRatio = resolution.pixelRatio(width, height);
+    if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
+    timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio));
+    previousModel?.dispose();
+    previousModel = undefined;
     for (const listener of frameListeners) listener();
-    if (model?.motion?.isPlaying) clock.invalidate();
+    if (model?.motion?.isPlaying) scheduler.invalidate();
   }
 
-  /** Moves the model on by the time that has passed. */
-  function move(): void {
+  /** Advances the model's animation by the time since the last frame. */
+  function advanceMotion(): void {
     const now = performance.now();
     model?.motion?.advance((now - lastFrame) / 1000);
     lastFrame = now;
   }
 
   /**
-   * Draws an upright strip of the view into the canvas as it is sized now: the strip begins `x` pixels from the left of a
-   * view that is `viewWidth` wide. The strip of an ordinary frame is the whole view.
+   * Draws one tile of a picture that is `viewWidth` wide. The tile begins `x` pixels from the left and fills the
+   * canvas. The tile of an ordinary frame is the whole picture.
    *
-   * @param pixelRatio pixels drawn per pixel of the page: strokes are as many times as wide, their edges as sharp
+   * @param pixelRatio pixels of the picture per CSS pixel; stroke widths are scaled by it
    */
-  function drawPiece({ viewWidth, x, width, height }: Piece, pixelRatio: number): void {
+  function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
     const share = divider?.();
     if (model && settings) model.strokeWidth = settings.strokeWidth * pixelRatio;
-    model?.wear('drawn');
+    model?.useMaterials('drawn');
     if (share === undefined) {
       renderer.render(scene, camera);
       return;
@@ -92,26 +87,20 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setScissorTest(true);
     renderer.setScissor(split, 0, width - split, height);
     if (split < width) renderer.render(scene, camera);
-    model?.wear('compared');
+    model?.useMaterials('compared');
     renderer.setScissor(0, 0, split, height);
     if (split > 0) renderer.render(scene, camera);
     renderer.setScissorTest(false);
   }
 
-  function pixelRatio(): number {
-    const { clientWidth: width, clientHeight: height } = plate;
-    const full = Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
-    return full * moving.share;
-  }
-
   function resize(): void {
-    const { clientWidth: width, clientHeight: height } = plate;
+    const { clientWidth: width, clientHeight: height } = viewport;
     if (width === 0 || height === 0) return;
-    renderer.setPixelRatio(pixelRatio());
+    renderer.setPixelRatio(resolution.pixelRatio(width, height));
     renderer.setSize(width, height, false);
     view.resized(width / height);
     timer.reset();
-    // At once, not in the next frame: a canvas that changed its size is empty until it is drawn.
+    // At once and not in the next frame, because resizing clears the canvas.
     draw();
   }
 
@@ -120,8 +109,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (model) view.setBounds(model.bounds.clone().applyMatrix4(upright.matrix), first);
   }
 
-  const sizes = new ResizeObserver(resize);
-  sizes.observe(plate);
+  const resizeObserver = new ResizeObserver(resize);
+  resizeObserver.observe(viewport);
   resize();
 
   return {
@@ -131,9 +120,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     view,
     lightPosition: lights.position,
     draw,
-    drawPiece,
+    drawTile,
 
-    /** Draws on paper, or strokes and nothing else. */
+    /** Shows or hides the paper. Without it, only strokes are drawn. */
     showPaper(shown: boolean): void {
       model?.showPaper(shown);
     },
@@ -143,70 +132,75 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       frameListeners.push(listener);
     },
 
-    /** Calls back when {@link frameMilliseconds} has changed. */
+    /** Calls back when {@link frameMilliseconds} was measured anew. */
     onFrameTime(listener: () => void): void {
       timeListeners.push(listener);
     },
 
-    /** What a frame costs, or undefined before one was measured. */
+    /** The time a frame takes, or undefined before one was measured. */
     get frameMilliseconds(): number | undefined {
       return timer.milliseconds;
     },
 
-    /** Whether frames are drawn in a lower resolution, because the machine is too slow for this movement. */
+    /** Whether frames are drawn in a lower resolution, because the machine is too slow for the movement. */
     get isCoarse(): boolean {
-      return moving.isCoarse;
+      return resolution.isCoarse;
     },
 
     get framesDrawn(): number {
-      return clock.frames;
+      return scheduler.frames;
     },
 
-    /** Whether a frame was asked for that is not drawn yet. */
+    /** Whether a frame was requested and is not drawn yet. */
     get isWaiting(): boolean {
-      return clock.isWaiting;
+      return scheduler.isWaiting;
     },
 
-    /** Asks for one frame. */
+    /** Requests one frame. */
     invalidate(): void {
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
-    /** Draws a model from now on, and frees the one before. `first` is the direction to the eye that shows it whole. */
-    setModel(next: DrawnModel, first: readonly [number, number, number] = View.usual): void {
-      retired?.dispose();
-      retired = model;
-      retired?.root.removeFromParent();
+    /**
+     * Replaces the model and disposes the previous one. `first` is the direction to the eye when the model is framed.
+     */
+    setModel(next: HatchedModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
+      previousModel?.dispose();
+      previousModel = model;
+      previousModel?.root.removeFromParent();
       model = next;
       upright.add(next.root);
       timer.reset();
       if (map) next.tonalArtMap = map;
       if (settings) this.apply(settings);
       measureBounds(first);
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
-    get model(): DrawnModel | undefined {
+    get model(): HatchedModel | undefined {
       return model;
     },
 
     setTonalArtMap(next: TonalArtMap): void {
       map = next;
       if (model) model.tonalArtMap = map;
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
     get tonalArtMap(): TonalArtMap | undefined {
       return map;
     },
 
-    /** Draws a second technique left of a divider, whose place is asked for with every frame; or no longer does. */
+    /**
+     * Shows the compared technique left of a divider. `share` returns its place in every frame; undefined ends the
+     * comparison.
+     */
     compareWith(share: (() => number) | undefined): void {
       divider = share;
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
-    /** Puts the settings in force. Cheap: nothing is rebuilt but, where a setting needs another program, that. */
+    /** Applies the settings. Cheap: at most a program is compiled, where a setting needs another one. */
     apply(next: Settings): void {
       settings = next;
       lights.apply(settings);
@@ -217,20 +211,20 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       }
       renderer.setClearColor(settings.paper, 1);
       model?.apply(settings);
-      clock.invalidate();
+      scheduler.invalidate();
     },
 
-    /** Whether there is all it takes to draw. */
+    /** Whether there is both a model and a map. */
     get isComplete(): boolean {
       return model !== undefined && map !== undefined;
     },
 
     dispose(): void {
-      sizes.disconnect();
+      resizeObserver.disconnect();
       view.dispose();
-      clock.dispose();
+      scheduler.dispose();
       timer.reset();
-      retired?.dispose();
+      previousModel?.dispose();
       model?.dispose();
       renderer.dispose();
       renderer.forceContextLoss();

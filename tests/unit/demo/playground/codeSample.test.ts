@@ -8,7 +8,7 @@ import { LightRig } from '../../../../src/demo/stage/LightRig.js';
 import { applyHatching } from '../../../../src/material/applyHatching.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 
-/** Runs a sample as a person would who pastes it where there is a scene, and returns the scene. */
+/** Runs a sample in a project that has a scene, and returns the scene. */
 async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {
   const names = [...sample.matchAll(/^import \{ (.*) \} from '(.*)';$/gm)];
   const loader = loaded ? ['three/addons/loaders/GLTFLoader.js'] : [];
@@ -71,7 +71,7 @@ describe('codeSample', () => {
     applyToMaterial(expected, settings);
     const { material } = scene.children.find((child) => child instanceof THREE.Mesh) as THREE.Mesh;
     const made = material as HatchingMaterial;
-    // Without a second light a second layer is nothing.
+    // The sample leaves out the second layer if there is no second light.
     if (settings.secondLight === 'none') expected.secondLayer = false;
     expect(made.defines).toEqual(expected.defines);
     for (const key of ['strokeScale', 'strokeRotation', 'reflectedLight', 'creaseAngle', 'edgePixels'] as const) {

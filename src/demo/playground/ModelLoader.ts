@@ -1,48 +1,50 @@
-import { drawModel } from '../drawing/drawModel.js';
+import { hatchModel } from '../drawing/hatchModel.js';
 import type { Report } from '../drawing/Report.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
 import type { ModelFile, ReadModel } from '../files/readModel.js';
-import type { MadeScene } from '../models/MadeScene.js';
+import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
+import { setPageState } from '../page/setPageState.js';
 import type { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import { modelCaption } from './modelCaption.js';
-import { page, setPageState } from './page.js';
-import type { TaskBoard } from './TaskBoard.js';
+import { page } from './page.js';
+import type { TaskRunner } from './TaskRunner.js';
 
 interface LoadedModel {
   title: string;
   view?: [number, number, number] | undefined;
-  read: ReadModel | MadeScene;
+  read: ReadModel | BuiltInScene;
 }
 
-/** Brings models onto the sheet; while one is on its way, and when it does not come, the one before stays. */
-export class ModelDesk {
-  /** The name of the model on the sheet. */
+/** Loads models and shows them. While one is loading, and if it fails, the previous one stays. */
+export class ModelLoader {
+  /** The name of the model that is shown. */
   title = '';
-  /** Of a scene that keeps its parts: its radius as it was read. Undefined for one mesh. */
+  /** The radius of a model that is drawn as a scene, before it was fitted. Undefined for one mesh. */
   sceneRadius: number | undefined;
-  private drawn: Settings['model'];
+  /** The value of the setting for the model that is shown. */
+  private shownModel: Settings['model'];
 
   constructor(
     private readonly scene: HatchingScene,
     private readonly settings: Settings,
     private readonly history: SettingsHistory,
-    private readonly tasks: TaskBoard,
-    /** Called when settings were changed because of a model; `model` is true when that is a new one. */
+    private readonly tasks: TaskRunner,
+    /** Called when loading has changed the settings. `isNewModel` is false if it failed and they were put back. */
     private readonly onChange: (isNewModel: boolean) => void,
   ) {
-    this.drawn = settings.model;
+    this.shownModel = settings.model;
   }
 
-  /** Shows the model that the settings ask for. */
+  /** Shows the built-in model that the settings ask for. */
   showChosen(): void {
     const { settings } = this;
     if (settings.model !== 'file') void this.showBuiltIn(settings.model);
   }
 
-  /** As {@link showChosen}, after another one was chosen: it stands as it was made to. */
+  /** As {@link showChosen}, after another model was chosen. Resets the up axis. */
   changeModel(): void {
     if (this.settings.model !== 'file') this.settings.upAxis = SETTINGS.upAxis.default;
     this.showChosen();
@@ -71,27 +73,27 @@ export class ModelDesk {
     setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
-      const { model: next, broken } = await drawModel(loaded.read, report, signal);
+      const { model: next, broken } = await hatchModel(loaded.read, report, signal);
       if (signal.aborted) {
         next.dispose();
         throw signal.reason;
       }
       report('drawing', 1);
-      this.drawn = model;
+      this.shownModel = model;
       this.title = loaded.title;
       this.sceneRadius = loaded.read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
       history.adopt();
-      page.facts.replaceChildren(...modelCaption(loaded.title, next.facts, broken));
+      page.modelCaption.replaceChildren(...modelCaption(loaded.title, next.statistics, broken));
       document.title = `${loaded.title}, hatched`;
       scene.setModel(next, loaded.view);
       this.onChange(true);
       page.lamp.hidden = false;
     });
     if (end === 'failed') {
-      // The old drawing stays, and the panel says so.
-      settings.model = this.drawn;
+      // The previous model stays, and the panel must show its name again.
+      settings.model = this.shownModel;
       history.adopt();
       this.onChange(false);
     }

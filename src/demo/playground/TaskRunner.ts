@@ -1,12 +1,16 @@
 import type { Report } from '../drawing/Report.js';
+import { errorMessage } from '../files/errorMessage.js';
 import { ModelError } from '../files/ModelError.js';
 import type { Status } from './Status.js';
 
 type Slot = 'model' | 'map';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
-/** Long tasks of the page: one model and one map at a time, shown in the status line, cancelled by its button. */
-export class TaskBoard {
+/**
+ * Runs the page's long tasks, at most one for the model and one for the map. The status line shows them and can cancel
+ * them.
+ */
+export class TaskRunner {
   private readonly running = new Map<
     Slot,
     { controller: AbortController; stage: string; progress: number | undefined }
@@ -22,9 +26,9 @@ export class TaskBoard {
   }
 
   /**
-   * Runs a task; one that is still running in the same slot is given up. Failures are told in the status line.
+   * Runs a task. One that is still running in the same slot is aborted. Failures are shown in the status line.
    *
-   * @returns how it ended; `replaced` when a later task took its slot
+   * @returns how it ended: `replaced` if a later task took its slot, `failed` also if the user cancelled it
    */
   async run(slot: Slot, task: (report: Report, signal: AbortSignal) => Promise<void>): Promise<TaskEnd> {
     this.running.get(slot)?.controller.abort();
@@ -67,5 +71,5 @@ export class TaskBoard {
 
 function sentenceFor(error: unknown): string {
   if (error instanceof ModelError) return error.message;
-  return `That did not work: ${error instanceof Error ? error.message : String(error)}`;
+  return `That did not work: ${errorMessage(error)}`;
 }

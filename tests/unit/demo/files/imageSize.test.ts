@@ -1,6 +1,6 @@
 import { PNG } from 'pngjs';
 import { describe, expect, test } from 'vitest';
-import { pictureSize } from '../../../../src/demo/files/pictureSize.js';
+import { imageSize } from '../../../../src/demo/files/imageSize.js';
 
 const bytes = (...parts: (string | number[])[]): Uint8Array => {
   const content = parts.flatMap((part) => (typeof part === 'string' ? [...Buffer.from(part, 'latin1')] : part));
@@ -9,7 +9,7 @@ const bytes = (...parts: (string | number[])[]): Uint8Array => {
 
 describe('the size of a picture', () => {
   test('PNG', () => {
-    expect(pictureSize(PNG.sync.write(new PNG({ width: 300, height: 7 })))).toEqual([300, 7]);
+    expect(imageSize(PNG.sync.write(new PNG({ width: 300, height: 7 })))).toEqual([300, 7]);
   });
 
   test('JPEG: past segments, tables and fill, baseline and progressive', () => {
@@ -17,28 +17,28 @@ describe('the size of a picture', () => {
     const huffman = [0xff, 0xc4, 0, 3, 9];
     const frame = (kind: number) => [0xff, kind, 0, 11, 8, 0x01, 0x02, 0x03, 0x04, 1, 0, 0, 0];
     for (const kind of [0xc0, 0xc2]) {
-      expect(pictureSize(bytes([0xff, 0xd8], app, huffman, frame(kind)))).toEqual([0x0304, 0x0102]);
+      expect(imageSize(bytes([0xff, 0xd8], app, huffman, frame(kind)))).toEqual([0x0304, 0x0102]);
     }
-    expect(pictureSize(bytes([0xff, 0xd8], app, [0, 1, 2, 3]))).toBeUndefined();
+    expect(imageSize(bytes([0xff, 0xd8], app, [0, 1, 2, 3]))).toBeUndefined();
   });
 
   test('WebP: lossy, lossless, extended', () => {
     const riff = (kind: string) => `RIFF\0\0\0\0WEBP${kind}`;
-    expect(pictureSize(bytes(riff('VP8 '), new Array(10).fill(1), [0x20, 0x43, 0x10, 0x82]))).toEqual([0x320, 0x210]);
+    expect(imageSize(bytes(riff('VP8 '), new Array(10).fill(1), [0x20, 0x43, 0x10, 0x82]))).toEqual([0x320, 0x210]);
     // 14 bits each, one less than the size, after the signature byte.
     const lossless = (0x11 - 1) | ((0x222 - 1) << 14);
     expect(
-      pictureSize(bytes(riff('VP8L'), [0, 0, 0, 0, 0x2f], [...new Uint8Array(Uint32Array.of(lossless).buffer)])),
+      imageSize(bytes(riff('VP8L'), [0, 0, 0, 0, 0x2f], [...new Uint8Array(Uint32Array.of(lossless).buffer)])),
     ).toEqual([0x11, 0x222]);
-    expect(pictureSize(bytes(riff('VP8X'), new Array(8).fill(0), [0xff, 0x03, 0, 0x0f, 0x27, 0x01]))).toEqual([
+    expect(imageSize(bytes(riff('VP8X'), new Array(8).fill(0), [0xff, 0x03, 0, 0x0f, 0x27, 0x01]))).toEqual([
       1024, 0x12710,
     ]);
   });
 
   test('nothing else, and nothing cut short', () => {
-    expect(pictureSize(bytes('GIF89a'))).toBeUndefined();
-    expect(pictureSize(bytes(`RIFF\0\0\0\0WEBPICCP`))).toBeUndefined();
-    expect(pictureSize(Uint8Array.of(0xff, 0xd8, 0xff))).toBeUndefined();
-    expect(pictureSize(new Uint8Array(0))).toBeUndefined();
+    expect(imageSize(bytes('GIF89a'))).toBeUndefined();
+    expect(imageSize(bytes(`RIFF\0\0\0\0WEBPICCP`))).toBeUndefined();
+    expect(imageSize(Uint8Array.of(0xff, 0xd8, 0xff))).toBeUndefined();
+    expect(imageSize(new Uint8Array(0))).toBeUndefined();
   });
 });

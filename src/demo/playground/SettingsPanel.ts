@@ -1,12 +1,6 @@
 import { type Controller, GUI } from 'lil-gui';
-import {
-  SETTING_GROUPS,
-  SETTING_KEYS,
-  SETTINGS,
-  type Setting,
-  type SettingKey,
-  type Settings,
-} from '../settings/settings.js';
+import { SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 
 /** At 300 dots per inch. */
 const MILLIMETRES_PER_PIXEL = 25.4 / 300;
@@ -14,14 +8,14 @@ const MILLIMETRES_PER_PIXEL = 25.4 / 300;
 /** A button of the panel. */
 export interface PanelAction {
   label: string;
-  group: (typeof SETTING_GROUPS)[number];
+  group: SettingGroup;
   run: () => void;
 }
 
-/** The controls, built from the table of settings: labels, values with units, reset by double-click. */
-export class Panel {
+/** The controls, built from the table of settings. Each has a label and a unit, and is reset by double-click. */
+export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
-  /** How wide strokes come out when the picture is saved in the chosen size and printed. */
+  /** The width of a stroke in print, if the picture is saved in the chosen size. */
   private readonly printNote = note('');
 
   constructor(
@@ -30,11 +24,11 @@ export class Panel {
     actions: readonly PanelAction[],
     onChange: (key: SettingKey) => void,
   ) {
-    // Our own style sheet styles it; a style element in the page would be against its content policy.
+    // Styled by our own style sheet, because the Content Security Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
     const folders = SETTING_GROUPS.map((group, i) => {
       const folder = i === 0 ? gui : gui.addFolder(group).close();
-      // Without lil-gui's own style sheet its opening animation would never end.
+      // Without lil-gui's own style sheet, its opening animation would never end.
       folder.openAnimated = (open) => folder.open(open);
       return [group, folder] as const;
     });
@@ -48,13 +42,13 @@ export class Panel {
       this.controllers.set(key, controller);
     }
     for (const { label, group, run } of actions) folderOf.get(group)!.add({ run }, 'run').name(label);
-    // The first group's settings come before the folders in the page as well.
+    // Moves the folders behind the settings of the first group.
     const children = gui.$children;
     children.append(...[...children.children].filter((child) => child.classList.contains('lil-gui')));
     this.refresh();
   }
 
-  /** Shows the settings as they are now, after something else has changed them. */
+  /** Updates the controls after the settings were changed elsewhere. Hides those that have no effect. */
   refresh(): void {
     for (const controller of this.controllers.values()) controller.updateDisplay();
     const { settings } = this;
@@ -69,7 +63,7 @@ export class Panel {
     this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
     this.show('edge', isCrisp);
     for (const key of ['offsetU', 'offsetV', 'levelRule'] as const) this.show(key, isPaper);
-    // Sized on the screen alone, strokes do not ask what size they would have on the object.
+    // Strokes that are sized on the screen alone have no scale on the object.
     this.controllers
       .get('strokeScale')!
       .enable(
@@ -133,7 +127,7 @@ export class Panel {
   }
 }
 
-/** A quiet line below a control; several texts are spread over its width. */
+/** A line of small text below a control. Several texts are spread over its width. */
 function note(...texts: string[]): HTMLElement {
   const element = document.createElement('span');
   element.className = 'note';

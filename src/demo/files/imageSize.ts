@@ -1,5 +1,5 @@
-/** Width and height in pixels as a picture's header gives them; undefined for what is no PNG, JPEG or WebP. */
-export function pictureSize(bytes: Uint8Array): [width: number, height: number] | undefined {
+/** Width and height in pixels, read from the header of a PNG, JPEG or WebP image. Undefined for anything else. */
+export function imageSize(bytes: Uint8Array): [width: number, height: number] | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const text = (at: number): string => String.fromCharCode(...bytes.subarray(at, at + 4));
   if (bytes.length < 30) return undefined;
@@ -18,7 +18,7 @@ function webpSize(view: DataView, kind: string): [number, number] | undefined {
   return [(bits & 0x3fff) + 1, ((bits >>> 14) & 0x3fff) + 1];
 }
 
-/** Goes from marker to marker up to the one that starts a frame. */
+/** Skips from marker to marker up to the start of a frame. */
 function jpegSize(view: DataView): [number, number] | undefined {
   for (let at = 2; at + 9 < view.byteLength; ) {
     const marker = view.getUint16(at);

@@ -14,15 +14,15 @@ import { applyToMaterial, TEXELS_PER_STROKE } from './applyToMaterial.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 
-/** What a model is made of. */
-export interface ModelFacts {
+/** What the bake found in a model. */
+export interface ModelStatistics {
   triangles: number;
   borderEdges: number;
   nonManifoldEdges: number;
   degenerateTriangles: number;
 }
 
-/** What a file says of a surface. */
+/** The properties of a material that come from the model, not from the settings. */
 interface Surface {
   color: Color;
   map: Texture | null;
@@ -35,54 +35,54 @@ interface Surface {
   premultipliedAlpha: boolean;
 }
 
-/** A material of the model, its twin for comparisons, and the surface they both draw. */
-interface Skin {
+/** A material of the model, its copy for the compared technique, and the surface of both. */
+interface MaterialPair {
   drawn: HatchingMaterial;
   compared: HatchingMaterial;
   surface: Surface;
-  /** World units per unit of object space: the world is fitted to the model, which has a radius of 1. */
+  /** The stroke scale that gives one tile per world unit. */
   scale: number;
 }
 
-const PAPER_COLOR = new Color('white');
+const WHITE = new Color('white');
 
-/** A model ready to be drawn, with one look or, compared, with two. */
-export class DrawnModel {
-  private readonly skins: readonly Skin[];
-  private readonly dresses: readonly { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
+/** A model with hatching materials: one set that is drawn, and a copy of it for the compared technique. */
+export class HatchedModel {
+  private readonly pairs: readonly MaterialPair[];
+  private readonly meshes: readonly { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
 
   /**
-   * @param root wears hatching materials that take after the model's surfaces, their strokes scaled to one tile per world
-   *   unit; centred, with a radius of 1
-   * @param bounds of the root, in all its poses
-   * @param motion how it can move
-   * @param free called when the model is not drawn any more
+   * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
+   *   of the source, and strokes of one tile per world unit.
+   * @param bounds of the root, in all poses
+   * @param motion its clips and morph targets, if it has any
+   * @param free called when the model is disposed
    */
   constructor(
     readonly root: Object3D,
     readonly bounds: Box3,
-    readonly facts: ModelFacts,
+    readonly statistics: ModelStatistics,
     readonly motion: Motion | undefined,
     materials: readonly HatchingMaterial[],
     private readonly free: () => void,
   ) {
-    this.skins = materials.map((drawn) => ({
+    this.pairs = materials.map((drawn) => ({
       drawn,
       compared: drawn.clone(),
       surface: surfaceOf(drawn),
       scale: drawn.strokeScale,
     }));
-    const twins = new Map<Material, Material>(this.skins.map(({ drawn, compared }) => [drawn, compared]));
-    const twinOf = (material: Material): Material => twins.get(material) ?? material;
-    this.dresses = meshesOf(root).map((mesh) => {
+    const copies = new Map<Material, Material>(this.pairs.map(({ drawn, compared }) => [drawn, compared]));
+    const copyOf = (material: Material): Material => copies.get(material) ?? material;
+    this.meshes = meshesOf(root).map((mesh) => {
       const { material } = mesh;
-      return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(twinOf) : twinOf(material) };
+      return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(copyOf) : copyOf(material) };
     });
   }
 
-  /** Puts the settings in force. */
+  /** Applies the settings. */
   apply(settings: Settings): void {
-    for (const { drawn, compared, surface, scale } of this.skins) {
+    for (const { drawn, compared, surface, scale } of this.pairs) {
       applyToMaterial(drawn, settings);
       applyToMaterial(compared, settings, settings.compare === 'none' ? settings.technique : settings.compare);
       for (const material of [drawn, compared]) {
@@ -93,22 +93,22 @@ export class DrawnModel {
   }
 
   set tonalArtMap(map: TonalArtMap) {
-    for (const { drawn, compared } of this.skins) drawn.tonalArtMap = compared.tonalArtMap = map;
+    for (const { drawn, compared } of this.pairs) drawn.tonalArtMap = compared.tonalArtMap = map;
   }
 
-  /** @param strokeWidth in pixels of what is drawn into */
+  /** @param strokeWidth in pixels of the render target */
   set strokeWidth(strokeWidth: number) {
-    for (const { drawn, compared } of this.skins) {
+    for (const { drawn, compared } of this.pairs) {
       drawn.texelPixels = compared.texelPixels = strokeWidth / TEXELS_PER_STROKE;
     }
   }
 
-  /** Draws on paper, or strokes and nothing else: a surface without paper still hides what is behind it. */
+  /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
   showPaper(shown: boolean): void {
-    for (const { drawn, compared, surface } of this.skins) {
+    for (const { drawn, compared, surface } of this.pairs) {
       for (const material of [drawn, compared]) {
         material.paperOpacity = shown ? 1 : 0;
-        // Written as it is instead of blended, so that no stroke of the far side shows between those of the near one.
+        // Without blending, a near surface overwrites the strokes of those behind it, also between its own strokes.
         material.blending = shown ? surface.blending : NoBlending;
         material.premultipliedAlpha = shown ? surface.premultipliedAlpha : true;
         material.needsUpdate = true;
@@ -116,14 +116,14 @@ export class DrawnModel {
     }
   }
 
-  /** Chooses which of the two looks the next rendering shows. */
-  wear(look: 'drawn' | 'compared'): void {
-    for (const dress of this.dresses) dress.mesh.material = dress[look];
+  /** Selects the materials for the next rendering. */
+  useMaterials(kind: 'drawn' | 'compared'): void {
+    for (const entry of this.meshes) entry.mesh.material = entry[kind];
   }
 
   dispose(): void {
-    this.wear('drawn');
-    for (const { compared, surface } of this.skins) {
+    this.useMaterials('drawn');
+    for (const { compared, surface } of this.pairs) {
       compared.dispose();
       surface.map?.dispose();
     }
@@ -148,8 +148,8 @@ function surfaceOf(material: HatchingMaterial): Surface {
 }
 
 function showSurface(material: HatchingMaterial, surface: Surface, isShown: boolean): void {
-  material.color.multiply(isShown ? surface.color : PAPER_COLOR);
-  // Without its picture a cut-out, a leaf say, would be a card.
+  material.color.multiply(isShown ? surface.color : WHITE);
+  // The map of a cut-out (a leaf, say) is kept, because it holds the alpha that cuts it out.
   const map = isShown || surface.alphaTest > 0 ? surface.map : null;
   const vertexColors = isShown && surface.vertexColors;
   if (map !== material.map || vertexColors !== material.vertexColors) material.needsUpdate = true;

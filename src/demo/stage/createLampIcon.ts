@@ -1,5 +1,5 @@
-/** A disc with eight rays, in the page's ink and its one accent colour. */
-export function drawLamp(): SVGSVGElement {
+/** The icon of the light handle: a disc with eight rays, styled by the style sheet. */
+export function createLampIcon(): SVGSVGElement {
   const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
   svg.setAttribute('viewBox', '-24 -24 48 48');
   svg.setAttribute('aria-hidden', 'true');

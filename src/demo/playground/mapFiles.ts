@@ -2,13 +2,13 @@ import { zipSync } from 'three/addons/libs/fflate.module.js';
 import { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../files/readModel.js';
 
-/** Whether files can only be a tonal art map: PNG images, and perhaps the JSON that comes with them. */
-export function areOfMap(files: readonly ModelFile[]): boolean {
+/** Whether files can only be a tonal art map: PNG images, perhaps with the JSON file of a saved map. */
+export function areMapFiles(files: readonly ModelFile[]): boolean {
   return files.every(({ name }) => /\.(png|json)$/i.test(name));
 }
 
-/** Reads dropped files as a map. Throws an Error whose words are for people. */
-export async function loadOwnMap(
+/** Reads dropped files as a map. @throws Error with a message for the user */
+export async function loadMapFiles(
   files: readonly ModelFile[],
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
 ): Promise<TonalArtMap> {
@@ -23,7 +23,7 @@ export async function loadOwnMap(
   }
 }
 
-/** All files of a map in one archive. PNG images are packed already, so they are stored as they are. */
+/** All files of a map in one archive. PNG images are compressed already, so they are stored as they are. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
   const entries = await Promise.all(
     (await map.save()).map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const),

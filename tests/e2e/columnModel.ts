@@ -1,6 +1,6 @@
 import { PNG } from 'pngjs';
 
-/** A square column that can bend and swell, made here so that the tests need no files. */
+/** A square column that can bend and swell, made by code so that the tests need no files. */
 
 const RINGS = 9;
 const CORNERS = [
@@ -12,7 +12,7 @@ const CORNERS = [
 
 type Json = Record<string, unknown>;
 
-/** Collects what a glTF document refers to in one buffer. */
+/** Collects the data of a glTF document in one buffer. */
 class BufferBuilder {
   readonly accessors: Json[] = [];
   readonly bufferViews: Json[] = [];
@@ -41,31 +41,31 @@ class BufferBuilder {
   }
 }
 
-/** Left half red, right half blue. */
+/** A PNG image: left half red, right half blue. */
 function picture(): Buffer {
   const png = new PNG({ width: 2, height: 1 });
   png.data.set([255, 0, 0, 255, 0, 0, 255, 255]);
   return PNG.sync.write(png);
 }
 
-export interface LiveModelOptions {
-  /** Values of the clip `Bend`, in the place of its own. */
+export interface ColumnOptions {
+  /** Replaces the values of the clip `Bend`. */
   bend?: number[];
-  /** Rings of the column; many make it a large model. */
+  /** Number of rings of the column. Many make it a large model. */
   rings?: number;
-  /** Parts of the document, in the place of its own. */
+  /** Returns properties that replace those of the document. */
   changes?: (document: Json) => Json;
-  /** The picture on its surface, in the place of its own. */
+  /** Replaces the image of its texture. */
   picture?: Buffer;
-  /** Leaves out skin and clips. */
+  /** Leaves out the skin, the clips and the morph target. */
   still?: boolean;
 }
 
 /**
- * A GLB file of the column: textured red and blue, skinned to two bones, with the clips `Bend` (1 s) and `Turn` (2 s), and
- * the shape `Swollen`.
+ * A GLB file of the column: textured red and blue, skinned to two bones, with the clips `Bend` (1 s) and `Turn` (2 s),
+ * and the morph target `Swollen`.
  */
-export function columnGlb(options: LiveModelOptions = {}): Buffer {
+export function columnGlb(options: ColumnOptions = {}): Buffer {
   const { rings = RINGS } = options;
   const builder = new BufferBuilder();
   const positions: number[] = [];
@@ -118,7 +118,7 @@ export function columnGlb(options: LiveModelOptions = {}): Buffer {
     channels: [{ sampler: 0, target: { node: 1, path: 'rotation' } }],
   });
   const [c, s] = [Math.cos(0.4), Math.sin(0.4)];
-  const live: Json = {
+  const animated: Json = {
     nodes: [{ mesh: 0, skin: 0 }, {}, { children: [1] }],
     scenes: [{ nodes: [0, 2] }],
     skins: [{ joints: [2, 1], inverseBindMatrices: builder.accessor(inverses, 'MAT4') }],
@@ -134,7 +134,7 @@ export function columnGlb(options: LiveModelOptions = {}): Buffer {
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ mesh: 0 }],
-    ...(!options.still && live),
+    ...(!options.still && animated),
     meshes: [{ primitives: [primitive], extras: { targetNames: ['Swollen'] } }],
     materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
     textures: [{ source: 0, sampler: 0 }],

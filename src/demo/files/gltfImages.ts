@@ -1,15 +1,16 @@
 import type { FindFile } from './FindFile.js';
 import { type GltfDocument, textureSource } from './gltfFile.js';
-import { pictureSize } from './pictureSize.js';
+import { imageSize } from './imageSize.js';
+import { readUri } from './readUri.js';
 
-/** A picture of 44 kilobytes can unpack to a gigabyte. */
+/** An image file of 44 kilobytes can decode to a gigabyte. */
 const MAX_PIXELS = 2 ** 26;
 
 /**
- * The pictures that give surfaces their colour, by their number in the document; undefined for those that are not there,
- * or too large to be unpacked, or in a format that is not read.
+ * Collects the images that base colour textures use, by their index in the document. An image is undefined if it is not
+ * used, missing, too large to be decoded, or in an unknown format.
  */
-export async function collectPictures(
+export async function collectImages(
   gltf: GltfDocument,
   buffers: readonly Uint8Array[],
   findFile: FindFile,
@@ -22,13 +23,8 @@ export async function collectPictures(
   return Promise.all(
     (gltf.images ?? []).map(async ({ uri, bufferView }, i) => {
       if (!used.has(i)) return undefined;
-      const bytes =
-        uri === undefined
-          ? viewBytes(gltf, buffers, bufferView)
-          : uri.startsWith('data:')
-            ? new Uint8Array(await (await fetch(uri)).arrayBuffer())
-            : await findFile(uri);
-      const size = bytes && pictureSize(bytes);
+      const bytes = uri === undefined ? viewBytes(gltf, buffers, bufferView) : await readUri(uri, findFile);
+      const size = bytes && imageSize(bytes);
       if (!size || size[0] * size[1] > MAX_PIXELS || size[0] * size[1] === 0) return undefined;
       return new Blob([bytes as Uint8Array<ArrayBuffer>]);
     }),

@@ -1,17 +1,17 @@
-/** Draws when asked to, at most once per screen refresh. An idle page draws nothing. */
-export class FrameClock {
-  /** Frames drawn since the start. */
+/** Renders on demand, at most once per screen refresh. An idle page renders nothing. */
+export class FrameScheduler {
+  /** Number of frames drawn so far. */
   frames = 0;
   private request = 0;
 
   constructor(private readonly draw: () => void) {}
 
-  /** Asks for one frame; asking again before it is drawn changes nothing. */
+  /** Requests one frame. Further requests before it is drawn change nothing. */
   invalidate(): void {
     this.request ||= requestAnimationFrame(this.onFrame);
   }
 
-  /** Whether a frame was asked for that is not drawn yet. */
+  /** Whether a frame was requested and is not drawn yet. */
   get isWaiting(): boolean {
     return this.request !== 0;
   }

@@ -1,40 +1,51 @@
+import { errorMessage } from '../files/errorMessage.js';
 import type { Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import { codeSample } from './codeSample.js';
+import { copyText } from './copyText.js';
+import { download } from './download.js';
 import { exportPng } from './exportPng.js';
-import { copyText, download } from './handOver.js';
-import type { ModelDesk } from './ModelDesk.js';
+import type { ModelLoader } from './ModelLoader.js';
+import { zipMap } from './mapFiles.js';
 import { page } from './page.js';
 import type { Status } from './Status.js';
 
-/** What a person can take along: the picture, a link to it, the code for its look. */
-export class TakeAway {
+/** The actions that export a drawing: as a picture, as a link, as code; and the map it is drawn with. */
+export class ExportActions {
   constructor(
     private readonly scene: HatchingScene,
     private readonly settings: Settings,
-    private readonly models: ModelDesk,
+    private readonly modelLoader: ModelLoader,
     private readonly status: Status,
     private readonly currentLink: () => string,
   ) {}
 
   readonly savePng = async (): Promise<void> => {
     const { settings, status } = this;
-    const name = this.models.title
+    const name = this.modelLoader.title
       .replace(/\.\w+$/, '')
       .replace(/\W+/g, '-')
       .toLowerCase();
     try {
       const picture = await exportPng(this.scene, {
-        width: page.plate.clientWidth,
-        height: page.plate.clientHeight,
+        width: page.viewport.clientWidth,
+        height: page.viewport.clientHeight,
         scale: Number(settings.pictureSize),
         ground: settings.pictureGround,
       });
       download(picture, `${name || 'drawing'}.png`);
       status.say('The picture is saved.');
     } catch (error) {
-      status.fail(error instanceof Error ? error.message : String(error));
+      status.fail(errorMessage(error));
     }
+  };
+
+  readonly saveMap = async (): Promise<void> => {
+    const map = this.scene.tonalArtMap;
+    if (!map) return;
+    const { mapStyle } = this.settings;
+    download(await zipMap(map), `${mapStyle === 'file' ? 'map' : mapStyle}.zip`);
+    this.status.say('The map is saved.');
   };
 
   readonly copyLink = async (): Promise<void> => {
@@ -47,8 +58,8 @@ export class TakeAway {
   };
 
   readonly copyCode = async (): Promise<void> => {
-    // What the page makes itself cannot be loaded elsewhere.
-    const radius = this.settings.model === 'file' ? this.models.sceneRadius : undefined;
+    // Only a user's own model is a file that the sample can load. Built-in scenes are made by the page.
+    const radius = this.settings.model === 'file' ? this.modelLoader.sceneRadius : undefined;
     if (await copyText(codeSample(this.settings, radius))) this.status.say('The code is on the clipboard.');
     else this.status.fail('The browser does not let this page use the clipboard.');
   };

@@ -1,0 +1,31 @@
+import { toModelError } from '../files/ModelError.js';
+import { triangleCount } from '../files/PlainMesh.js';
+import type { ReadModel } from '../files/readModel.js';
+import type { BuiltInScene } from '../models/BuiltInScene.js';
+import type { HatchedModel } from './HatchedModel.js';
+import { hatchMesh } from './hatchMesh.js';
+import type { Report } from './Report.js';
+
+/** Makes a hatched model of what was read. `broken` counts the triangles, or meshes and clips, that were left out. */
+export async function hatchModel(
+  read: ReadModel | BuiltInScene,
+  report: Report,
+  signal: AbortSignal,
+): Promise<{ model: HatchedModel; broken: number }> {
+  if (read.kind === 'mesh') {
+    const count = triangleCount(read.mesh).toLocaleString('en');
+    const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
+    return { model: await hatchMesh(read.mesh, { signal, onProgress }), broken: read.broken };
+  }
+  report('putting the parts together');
+  try {
+    const { hatchScene } = await import('./hatchScene.js');
+    const scene =
+      read.kind === 'scene' ? read.scene : await (await import('../files/parseGltf.js')).parseGltf(read.parts);
+    signal.throwIfAborted();
+    return await hatchScene(scene, { signal, onProgress: (progress) => report('joining triangles', progress) });
+  } catch (error) {
+    signal.throwIfAborted();
+    throw toModelError(read.name, error);
+  }
+}

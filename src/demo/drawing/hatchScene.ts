@@ -1,0 +1,130 @@
+import { type AnimationClip, Box3, Group, type InstancedMesh, MathUtils, type Object3D, Vector3 } from 'three';
+import { applyHatching, type HatchingStatistics } from 'three-hatching';
+import { checkTriangleCount } from '../files/checkTriangleCount.js';
+import { measureExtent } from '../files/fitModel.js';
+import type { ModelScene } from '../files/parseGltf.js';
+import { placements } from '../files/placements.js';
+import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
+import { Motion } from './Motion.js';
+import { meshesOf } from './meshesOf.js';
+
+/**
+ * The bounds of a clip are measured at so many poses and vertices at most. A skinned vertex costs about a microsecond.
+ */
+const MAX_POSES = 8;
+const MAX_POINTS = 20_000;
+
+/**
+ * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines and points are hidden, and
+ * so are lights, because the page has its own.
+ *
+ * @returns the model, and the number of meshes and clips that were left out, because of values that are not numbers,
+ *   say
+ * @throws ModelError with one sentence for the user
+ */
+export async function hatchScene(
+  { root, animations }: ModelScene,
+  options: { signal: AbortSignal; onProgress: (progress: number) => void },
+): Promise<{ model: HatchedModel; broken: number }> {
+  const usable = animations.filter(isUsable);
+  hideAllButMeshes(root);
+  const motion = new Motion(root, usable);
+  const holder = new Group().add(root);
+  const bounds = fitScene(holder, motion);
+
+  // One tile per world unit. The settings scale it.
+  const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, ...options });
+  for (const { mesh } of hatched.skipped) mesh.visible = false;
+  for (const mesh of meshesOf(root)) {
+    // Its bounding sphere is that of the rest pose.
+    if ('isSkinnedMesh' in mesh || mesh.morphTargetInfluences) mesh.frustumCulled = false;
+  }
+  const model = new HatchedModel(
+    holder,
+    bounds,
+    statisticsOf(root),
+    motion.canMove ? motion : undefined,
+    hatched.materials,
+    () => {
+      motion.dispose();
+      hatched.dispose();
+    },
+  );
+  return { model, broken: hatched.skipped.length + animations.length - usable.length };
+}
+
+const isUsable = ({ tracks, duration }: AnimationClip): boolean =>
+  duration < Infinity &&
+  tracks.every(({ times, values }) => times.every(Number.isFinite) && values.every(Number.isFinite));
+
+function hideAllButMeshes(root: Object3D): void {
+  root.traverse((object) => {
+    if ('isLight' in object || 'isLine' in object || 'isPoints' in object) object.visible = false;
+  });
+}
+
+/**
+ * Moves and scales `holder` so that its content is centred and its farthest vertex lies at distance 1, in all sampled
+ * poses of the clip.
+ *
+ * @returns the bounds of these poses
+ */
+function fitScene(holder: Group, motion: Motion): Box3 {
+  const vertices = countVertices(holder);
+  const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MAX_POINTS / vertices), 1, MAX_POSES) : 1;
+  const step = Math.ceil((vertices * poses) / MAX_POINTS);
+  const points: number[] = [];
+  for (let i = 0; i < poses; i++) {
+    motion.time = (i / poses) * motion.duration;
+    holder.updateMatrixWorld(true);
+    addPoints(holder, step, points);
+  }
+  motion.time = 0;
+  const { centre, radius } = measureExtent(Float32Array.from(points));
+  holder.scale.setScalar(1 / radius);
+  holder.position.set(...centre).divideScalar(-radius);
+  holder.updateMatrixWorld(true);
+  return new Box3().setFromArray(points).applyMatrix4(holder.matrixWorld);
+}
+
+/** Adds the world position of every `step`th vertex of all meshes, in the current pose. */
+function addPoints(holder: Group, step: number, points: number[]): void {
+  const point = new Vector3();
+  for (const mesh of meshesOf(holder)) {
+    const count = mesh.geometry.getAttribute('position')?.count ?? 0;
+    for (const matrix of placements(mesh)) {
+      for (let i = 0; i < count; i += step) {
+        mesh.getVertexPosition(i, point).applyMatrix4(matrix);
+        // A mesh with such a vertex is left out later.
+        if (Number.isFinite(point.x + point.y + point.z)) points.push(point.x, point.y, point.z);
+      }
+    }
+  }
+}
+
+/** @throws ModelError if there is nothing to draw, or too much */
+function countVertices(holder: Group): number {
+  let vertices = 0;
+  let triangles = 0;
+  for (const mesh of meshesOf(holder)) {
+    const { geometry } = mesh;
+    const count = geometry.getAttribute('position')?.count ?? 0;
+    const times = 'isInstancedMesh' in mesh ? (mesh as InstancedMesh).count : 1;
+    vertices += count * times;
+    triangles += ((geometry.index?.count ?? count) / 3) * times;
+  }
+  checkTriangleCount(vertices > 0 ? triangles : 0);
+  return vertices;
+}
+
+/** Sums over all meshes. Instances and shared geometries count as often as they are drawn. */
+function statisticsOf(root: Object3D): ModelStatistics {
+  const sums: ModelStatistics = { triangles: 0, borderEdges: 0, nonManifoldEdges: 0, degenerateTriangles: 0 };
+  for (const mesh of meshesOf(root)) {
+    const statistics = mesh.geometry.userData.hatching as HatchingStatistics | undefined;
+    if (!mesh.visible || !statistics) continue;
+    const count = placements(mesh).length;
+    for (const key of Object.keys(sums) as (keyof ModelStatistics)[]) sums[key] += statistics[key] * count;
+  }
+  return sums;
+}
