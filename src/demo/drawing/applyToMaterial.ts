@@ -17,8 +17,7 @@ export function applyToMaterial(
 ): void {
   material.technique = technique === 'adjacencyCrisp' ? 'adjacency' : technique;
   material.crisp = technique === 'adjacencyCrisp';
-  material.toneNormal =
-    settings.toneNormal === 'auto' ? (technique === 'anchored' ? 'smooth' : 'face') : settings.toneNormal;
+  material.toneNormal = settings.toneNormal;
   material.strokeScale = settings.strokeScale;
   material.strokeRotation = rotations[settings.strokeDirection](settings.strokeAngle);
   material.strokeOffset.copy(offset.set(settings.offsetU, settings.offsetV));
