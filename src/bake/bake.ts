@@ -1,4 +1,4 @@
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
 import type { VertexWords } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';

@@ -1,4 +1,4 @@
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
 import { packHatchNormals } from './hatchNormal.js';
 import { packNormals } from './packNormals.js';

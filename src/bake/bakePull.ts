@@ -1,5 +1,5 @@
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 import type { BakeRequest } from './bake.js';
 import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
 import { expandPerCorner } from './expandPerCorner.js';

@@ -3,14 +3,14 @@ import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
 import { type Bounds, measureBounds } from '../mesh/measureBounds.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { validateTriangleMesh } from '../mesh/validateTriangleMesh.js';
-import { absorbSpecks } from '../normals/absorbSpecks.js';
+import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { computeSmoothNormals } from '../normals/computeSmoothNormals.js';
 import { cutCreases } from '../normals/cutCreases.js';
+import { cutSharpEdges } from '../normals/cutSharpEdges.js';
 import { fanDirections } from '../normals/fanDirections.js';
-import { findFormCreases } from '../normals/findFormCreases.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 
 /** What every layout is baked from. Plain data: it travels to the worker. */
 export interface SurfaceRequest {
@@ -75,14 +75,18 @@ function* bakeHatchNormals(
   radius: number,
 ): Generator<number, FanNormals, void> {
   const { canonicalCorners, areaNormals } = adjacency;
-  const twins = yield* asPhase(findFormCreases(adjacency), 0, 0.15);
+  const twins = yield* asPhase(cutSharpEdges(adjacency), 0, 0.15);
   const fans = yield* asPhase(buildFans({ twins, canonicalCorners }), 0.15, 0.22);
   const smoothed = yield* asPhase(
     smoothFanNormals({ mesh, twins, canonicalCorners, areaNormals, fans }, radius),
     0.22,
     0.9,
   );
-  yield* asPhase(absorbSpecks({ twins, canonicalCorners, areaNormals }, fans, Math.PI * (radius / 2) ** 2), 0.9, 0.96);
+  yield* asPhase(
+    absorbSmallPatches({ twins, canonicalCorners, areaNormals }, fans, Math.PI * (radius / 2) ** 2),
+    0.9,
+    0.96,
+  );
   return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.96, 1) };
 }
 

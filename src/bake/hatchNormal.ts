@@ -1,4 +1,5 @@
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FanNormals } from './bakeSurface.js';
 import { packNormals } from './packNormals.js';
 
@@ -20,7 +21,7 @@ export function* packHatchNormals(
   const count = normals.length / 3;
   const packed = new Int16Array(hatchNormal.itemSize * count);
   yield* asPhase(
-    inChunks(count, (start, end) => quantizeRange(normals, packed, start, end)),
+    forEachChunk(count, (start, end) => quantizeRange(normals, packed, start, end)),
     0.5,
     1,
   );

@@ -1,4 +1,4 @@
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 import type { Surface } from './bakeSurface.js';
 import { expandPerCorner, type VertexWords, type Words } from './expandPerCorner.js';
 import { packHatchNormals } from './hatchNormal.js';

@@ -1,4 +1,4 @@
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FanNormals } from './bakeSurface.js';
 import { NO_CORNER } from './splitVertices.js';
 
@@ -12,7 +12,7 @@ export function* packNormals(
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const corners = cornerOfVertex ?? fans.ofCorner;
   const packed = new Float32Array(3 * corners.length);
-  yield* inChunks(corners.length, (start, end) =>
+  yield* forEachChunk(corners.length, (start, end) =>
     packRange(normals, fans.ofCorner, cornerOfVertex, packed, start, end),
   );
   return packed;

@@ -1,5 +1,6 @@
 import { vertexAcross } from '../adjacency/vertexAcross.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { pullTextureSize, TRIANGLE_WORDS, VERTEX_WORDS } from './pullLayout.js';
 
 /** The textures of the `pull` layout, padded to whole rows (`pullTextureSize`). */
@@ -24,12 +25,14 @@ export function* packPull(
   };
   const isUsed = new Uint8Array(vertexCount);
   yield* asPhase(
-    inChunks(triangleCount, (start, end) => packTriangles(indices, twins, isUsed, packed.triangleVertices, start, end)),
+    forEachChunk(triangleCount, (start, end) =>
+      packTriangles(indices, twins, isUsed, packed.triangleVertices, start, end),
+    ),
     0,
     0.7,
   );
   yield* asPhase(
-    inChunks(vertexCount, (start, end) => packPositions(positions, packed.vertexPositions, start, end)),
+    forEachChunk(vertexCount, (start, end) => packPositions(positions, packed.vertexPositions, start, end)),
     0.7,
     1,
   );

@@ -3,7 +3,8 @@ import { triangleOf } from '../mesh/corners.js';
 import { hashWords } from '../mesh/hashWords.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import type { Fans } from '../normals/buildFans.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 
 /** The corner of a vertex that no triangle uses. */
 export const NO_CORNER = 0xffffffff;
@@ -34,13 +35,13 @@ export function* splitVertices(
   const indices = mesh.indices.slice();
   const firstCorners = new Uint32Array(vertexCount).fill(NO_CORNER);
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => findFirst(indices, areaNormals, firstCorners, start, end)),
+    forEachChunk(cornerCount, (start, end) => findFirst(indices, areaNormals, firstCorners, start, end)),
     0,
     0.3,
   );
   let strayCount = 0;
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => {
+    forEachChunk(cornerCount, (start, end) => {
       strayCount += countStrays(indices, areaNormals, ofCorner, firstCorners, start, end);
     }),
     0.3,
@@ -50,7 +51,7 @@ export function* splitVertices(
   while (size < 2 * strayCount) size *= 2;
   const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(strayCount), count: 0 };
   yield* asPhase(
-    inChunks(cornerCount, (start, end) =>
+    forEachChunk(cornerCount, (start, end) =>
       splitRange(mesh, indices, areaNormals, ofCorner, firstCorners, copies, start, end),
     ),
     0.6,

@@ -1,5 +1,5 @@
 import { blurToroidal } from '../strokes/blurToroidal.js';
-import { orderOf } from '../strokes/orderOf.js';
+import { sortedIndices } from '../strokes/sortedIndices.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';
 
@@ -24,7 +24,7 @@ export function* deriveThresholds({ size, images }: HatchImages): Generator<numb
   const levels: ThresholdLevel[] = [];
   for (let level = 0; level < images[0].length; level++) {
     const side = size >> level;
-    const order = orderOf(smoothed(meanPaper(images, level), side));
+    const order = sortedIndices(smoothed(meanPaper(images, level), side));
     const thresholds = new Float32Array(order.length);
     for (let rank = 0; rank < order.length; rank++) thresholds[order[rank]] = (rank + 0.5) / order.length;
     levels.push(encodeThresholds(side, thresholds));

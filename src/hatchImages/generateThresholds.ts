@@ -1,8 +1,8 @@
 import { blurToroidal } from '../strokes/blurToroidal.js';
 import { drawThresholdField } from '../strokes/drawThresholdField.js';
-import { paperTooth } from '../strokes/paperTooth.js';
+import { equalize } from '../strokes/equalize.js';
+import { paperGrain } from '../strokes/paperGrain.js';
 import { placeStrokes } from '../strokes/placeStrokes.js';
-import { ranked } from '../strokes/ranked.js';
 import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
@@ -92,19 +92,19 @@ function* drawLevel(
     for (let i = 0; i < half.length; i++) half[i] = Math.min(half[i], across[i]);
     yield progress;
   }
-  const tooth = paperTooth(request, level);
-  if (tooth) {
+  const grain = paperGrain(request, level);
+  if (grain) {
     const roughness = request.style.grain!.roughness;
     // Thresholds stay positive: only their order matters.
-    for (let i = 0; i < half.length; i++) half[i] += (roughness * tooth.depths[i]) / 255;
+    for (let i = 0; i < half.length; i++) half[i] += (roughness * grain.depths[i]) / 255;
   }
-  const uneven = withHalfTurn(ranked(half));
+  const uneven = withHalfTurn(equalize(half));
   yield progress;
   // Where strokes happen to lie closer the tile would be darker at every tone, and with every tile the eye sees it again.
   const local = blurToroidal(uneven, size, NEIGHBOURHOOD);
   yield progress;
   for (let i = 0; i < half.length; i++) half[i] = uneven[i] + 1 - local[i];
-  const thresholds = withHalfTurn(ranked(half));
+  const thresholds = withHalfTurn(equalize(half));
   yield progress;
   return encodeThresholds(size, thresholds);
 }

@@ -1,4 +1,4 @@
-import { ranked } from '../strokes/ranked.js';
+import { equalize } from '../strokes/equalize.js';
 import { meanInk } from './checkHatchImages.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 import { deriveThresholds } from './deriveThresholds.js';
@@ -23,7 +23,7 @@ export function* makeLevels({ size, images }: HatchImages): Generator<number, Ha
   for (let tone = 1; tone < means.length; tone++) means[tone] = Math.max(means[tone], means[tone - 1]);
   let [{ thresholds }] = yield* deriveThresholds({ size, images: result });
   for (let side = size; side > COARSEST_SIZE; side /= 2) {
-    thresholds = ranked(halved(widened(thresholds, side), side));
+    thresholds = equalize(halved(widened(thresholds, side), side));
     const slopes = slopesOf(thresholds, side / 2);
     for (const [tone, row] of result.entries()) row.push(cut(thresholds, slopes, means[tone]));
     yield 1;

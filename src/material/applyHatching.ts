@@ -6,9 +6,9 @@ import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
 import { type Dress, HatchedScene, type SkippedMesh } from './HatchedScene.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialOptions.js';
-import { placements, worldScale } from './placements.js';
+import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
 import { surfaceMeshes } from './surfaceMeshes.js';
-import { isHatching, Wardrobe } from './Wardrobe.js';
+import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
 export interface ApplyHatchingOptions extends PrepareHatchingGeometryOptions {
@@ -71,11 +71,11 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const wardrobe = new Wardrobe(options.material ?? {});
+    const wardrobe = new MaterialReplacer(options.material ?? {});
     const fittings = meshes
       .filter(({ material }) => ![material].flat().every(isHatching))
       .map((mesh): Fitting => {
-        const material = wardrobe.materialFor(mesh, worldScale(placements(mesh)));
+        const material = wardrobe.materialFor(mesh, worldScale(worldMatrices(mesh)));
         return { mesh, geometry: mesh.geometry, old: mesh.material, material };
       });
     made.push(...wardrobe.materials);
@@ -166,7 +166,7 @@ function radiusOf(dresses: readonly Dress[]): number {
   for (const { mesh, geometry } of dresses) {
     if (isBatched(mesh) && mesh.boundingSphere === null) mesh.computeBoundingSphere();
     const sphere = isBatched(mesh) ? mesh.boundingSphere! : geometry.boundingSphere!;
-    for (const matrix of placements(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
+    for (const matrix of worldMatrices(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
   }
   return whole.radius > 0 && Number.isFinite(whole.radius) ? whole.radius : 1;
 }

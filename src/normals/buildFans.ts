@@ -1,6 +1,7 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { NO_TWIN, nextCorner } from '../mesh/corners.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { disjointSets, join, rootOf } from './disjointSets.js';
 
 /**
@@ -23,14 +24,14 @@ export function* buildFans(adjacency: Adjacency): Generator<number, Fans, void> 
   const cornerCount = adjacency.twins.length;
   const parents = disjointSets(cornerCount);
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => joinRange(adjacency, parents, start, end)),
+    forEachChunk(cornerCount, (start, end) => joinRange(adjacency, parents, start, end)),
     0,
     0.7,
   );
   const ofCorner = new Uint32Array(cornerCount);
   let count = 0;
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => {
+    forEachChunk(cornerCount, (start, end) => {
       count = numberRange(parents, ofCorner, count, start, end);
     }),
     0.7,

@@ -1,4 +1,5 @@
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
 import { fanDirections } from './fanDirections.js';
 
@@ -9,7 +10,7 @@ export function* computeSmoothNormals(
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const sums = new Float64Array(3 * fans.count);
   yield* asPhase(
-    inChunks(fans.ofCorner.length, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, start, end)),
+    forEachChunk(fans.ofCorner.length, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, start, end)),
     0,
     0.6,
   );

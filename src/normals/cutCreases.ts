@@ -1,6 +1,6 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 
@@ -14,7 +14,7 @@ const COSINE_TOLERANCE = 1e-6;
  */
 export function* cutCreases(adjacency: Adjacency, creaseAngle: number): Generator<number, void, void> {
   const creaseCosine = Math.cos(creaseAngle) + COSINE_TOLERANCE;
-  yield* inChunks(adjacency.twins.length, (start, end) => cutRange(adjacency, creaseCosine, start, end));
+  yield* forEachChunk(adjacency.twins.length, (start, end) => cutRange(adjacency, creaseCosine, start, end));
 }
 
 function cutRange(

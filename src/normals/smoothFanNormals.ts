@@ -1,6 +1,7 @@
 import { NO_TWIN, nextCorner, previousCorner } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
 import { heatSeries, longestHeatTime } from './heatSeries.js';
 
@@ -57,13 +58,15 @@ export function* smoothFanNormals(
   const sums = new Float64Array(3 * fans.count);
   const masses = new Float64Array(fans.count);
   yield* asPhase(
-    inChunks(areaNormals.length / 3, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, masses, start, end)),
+    forEachChunk(areaNormals.length / 3, (start, end) =>
+      sumRange(areaNormals, fans.ofCorner, sums, masses, start, end),
+    ),
     0,
     0.05,
   );
   const normals = new Float32Array(3 * fans.count);
   yield* asPhase(
-    inChunks(fans.count, (start, end) => meanRange(sums, masses, normals, start, end)),
+    forEachChunk(fans.count, (start, end) => meanRange(sums, masses, normals, start, end)),
     0.05,
     0.1,
   );
@@ -114,13 +117,13 @@ function* assemble(surface: FanSurface, masses: Float64Array): Generator<number,
   const cornerCount = fans.ofCorner.length;
   const cotangents = new Float32Array(cornerCount);
   yield* asPhase(
-    inChunks(cornerCount / 3, (start, end) => cotangentRange(surface, cotangents, start, end)),
+    forEachChunk(cornerCount / 3, (start, end) => cotangentRange(surface, cotangents, start, end)),
     0,
     0.3,
   );
   const starts = new Uint32Array(fans.count + 1);
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => countRange(surface, starts, start, end)),
+    forEachChunk(cornerCount, (start, end) => countRange(surface, starts, start, end)),
     0.3,
     0.5,
   );
@@ -137,7 +140,7 @@ function* assemble(surface: FanSurface, masses: Float64Array): Generator<number,
     degrees: new Float64Array(fans.count),
   };
   yield* asPhase(
-    inChunks(areaNormals.length, (start, end) => scatterRange(surface, cotangents, heat, start, end)),
+    forEachChunk(areaNormals.length, (start, end) => scatterRange(surface, cotangents, heat, start, end)),
     0.5,
     1,
   );
@@ -253,7 +256,7 @@ function* flow(
   for (let k = 1; k < coefficients.length; k++) {
     const scale = k === 1 ? 1 : 2;
     yield* asPhase(
-      inChunks(heat.masses.length, (start, end) =>
+      forEachChunk(heat.masses.length, (start, end) =>
         stepRange(heat, rate, scale, coefficients[k], current, previous, result, start, end),
       ),
       (k - 1) * share,

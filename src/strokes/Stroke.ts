@@ -27,7 +27,7 @@ export interface Stroke {
   width: number;
   /** Each end narrows over this many texels, but over a quarter of the length at most; 0 leaves it blunt. */
   taper: number;
-  /** How far it fills the tooth of a paper that has grain: from 0, only its peaks, to 1, all of it. */
+  /** How far it fills the grain of a paper that has grain: from 0, only its peaks, to 1, all of it. */
   pressure: number;
   /** The first tone that shows the stroke; every darker one does too. */
   tone: number;

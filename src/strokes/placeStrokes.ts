@@ -1,9 +1,9 @@
-import { CrowdingField, MERGING_WIDTHS } from './CrowdingField.js';
-import { EndField } from './EndField.js';
-import { type PaperTooth, paperTooth } from './paperTooth.js';
+import { type PaperGrain, paperGrain } from './paperGrain.js';
 import { type Random, random } from './random.js';
 import { rasterizeStroke } from './rasterizeStroke.js';
 import type { Stroke } from './Stroke.js';
+import { MERGING_WIDTHS, StrokeDensityField } from './StrokeDensityField.js';
+import { StrokeEndField } from './StrokeEndField.js';
 import type { StrokeStyle } from './strokeStyles.js';
 
 /** What to draw. */
@@ -48,11 +48,11 @@ interface Sheet {
   /** 255·ink, summed over the image. */
   darkness: number;
   /** What its strokes are drawn on, where that has grain. */
-  tooth: PaperTooth | undefined;
+  grain: PaperGrain | undefined;
   /** For each layer of the style. */
-  crowding: CrowdingField[];
+  crowding: StrokeDensityField[];
   /** Nearness of stroke ends, likewise; empty for short strokes. */
-  ends: EndField[];
+  ends: StrokeEndField[];
   /** Ink drawn so far in each layer, overlaps counted again: what keeps the layers in step. */
   drawn: number[];
   /** Part of the last stroke that fell on paper: what remained of it after overlaps. */
@@ -73,7 +73,7 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
   const copies = pairs ? 2 : 1;
   const next = random(request.seed);
   const sheets = Array.from({ length: levels }, (_, level) =>
-    createSheet(size >> level, style, paperTooth(request, level)),
+    createSheet(size >> level, style, paperGrain(request, level)),
   );
   const strokes: Stroke[] = [];
   let work = 0;
@@ -110,16 +110,16 @@ function levelProgress(level: number, part: number): number {
   return before + (4 * before - before) * Math.min(1, part);
 }
 
-function createSheet(size: number, style: StrokeStyle, tooth: PaperTooth | undefined): Sheet {
+function createSheet(size: number, style: StrokeStyle, grain: PaperGrain | undefined): Sheet {
   const { layers } = style;
   const short = style.length[1] < SHORT;
   return {
     size,
     image: new Uint8Array(size * size).fill(255),
     darkness: 0,
-    tooth,
-    crowding: layers.map(({ slope }) => new CrowdingField(size, short, slope)),
-    ends: short ? [] : layers.map(() => new EndField(size)),
+    grain,
+    crowding: layers.map(({ slope }) => new StrokeDensityField(size, short, slope)),
+    ends: short ? [] : layers.map(() => new StrokeEndField(size)),
     drawn: layers.map(() => 0),
     gain: 1,
   };
@@ -199,7 +199,7 @@ const halfTurn = (stroke: Stroke): Stroke => ({ ...stroke, u: 1 - stroke.u, v: 1
 
 /**
  * How much a stroke and its own half turn, which is parallel to it, crowd each other on all the levels that show them:
- * each term is that of `CrowdingField`. The own level counts no more than others, or the middle of the tile stays empty.
+ * each term is that of `StrokeDensityField`. The own level counts no more than others, or the middle of the tile stays empty.
  */
 function mutualCrowding(stroke: Stroke, slope: number, sheets: readonly Sheet[]): number {
   const apart = (place: number): number => 2 * place - Math.round(2 * place);
@@ -222,7 +222,7 @@ function mutualCrowding(stroke: Stroke, slope: number, sheets: readonly Sheet[])
 function draw(sheet: Sheet, stroke: Stroke): number {
   const { layer } = stroke;
   const area = sheet.size * sheet.size;
-  const gain = rasterizeStroke(sheet.image, sheet.size, stroke, sheet.tooth);
+  const gain = rasterizeStroke(sheet.image, sheet.size, stroke, sheet.grain);
   sheet.darkness += gain;
   const own = nominalArea(stroke.width, stroke.length, sheet.size);
   sheet.gain = Math.min(1, gain / (255 * own));

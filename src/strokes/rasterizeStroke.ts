@@ -1,4 +1,4 @@
-import type { PaperTooth } from './paperTooth.js';
+import type { PaperGrain } from './paperGrain.js';
 import { type Stroke, strokeOffset } from './Stroke.js';
 
 /** Width of the drawn line, in texels, at the very tip of a tapered stroke. Thinner, and it would break into grey dots. */
@@ -13,10 +13,10 @@ const TIP_WIDTH = 1;
  *
  * @param image size² bytes in rows of growing v, 255 = paper, 0 = ink; changed in place
  * @param size texels per side, a power of two
- * @param tooth of a paper with grain: the stroke then has a soft edge, and ink stays on what stands out of the paper
+ * @param grain of a paper with grain: the stroke then has a soft edge, and ink stays on what stands out of the paper
  * @returns by how much the sum of the bytes fell
  */
-export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke, tooth?: PaperTooth): number {
+export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke, grain?: PaperGrain): number {
   const mask = size - 1;
   // "Forward" is the axis the stroke runs along, "sideways" the other one.
   const forwardStride = stroke.across ? size : 1;
@@ -42,7 +42,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
     const rest = fromEnd < taper ? 1 - fromEnd / taper : 0;
     const radius = halfWidth - (halfWidth - tip) * rest * rest;
     // No wider than the line, or its middle would be grey.
-    const edge = tooth ? Math.min(tooth.edge, 2 * radius) : 1;
+    const edge = grain ? Math.min(grain.edge, 2 * radius) : 1;
     const reach = (radius + 0.5 * edge) / cosine;
     const lastRow = Math.floor(middle + reach - 0.5);
     const columnStart = (column & mask) * forwardStride;
@@ -52,7 +52,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
       let ink = (radius + 0.5 * edge - distance) / edge;
       if (ink <= 0) continue;
       const texel = columnStart + (row & mask) * sidewaysStride;
-      if (tooth) ink = inkOnTooth(Math.min(1, ink), stroke.pressure, tooth, texel);
+      if (grain) ink = inkOnGrain(Math.min(1, ink), stroke.pressure, grain, texel);
       const byte = ink >= 1 ? 0 : Math.round(255 * (1 - ink));
       const before = image[texel];
       if (byte < before) {
@@ -65,7 +65,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
 }
 
 /** What of a stroke's coverage ∈ (0, 1] stays on the paper: the more it presses, the deeper it reaches. */
-function inkOnTooth(coverage: number, pressure: number, { depths, contrast }: PaperTooth, texel: number): number {
+function inkOnGrain(coverage: number, pressure: number, { depths, contrast }: PaperGrain, texel: number): number {
   const fill = (pressure * coverage - depths[texel] / 255) * contrast + 0.5;
   return coverage * Math.max(0, Math.min(1, fill));
 }

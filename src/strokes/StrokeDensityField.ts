@@ -17,7 +17,7 @@ const AHEAD = 3;
  *
  * Lines are long and nearly parallel to an axis, so for them a few columns are enough.
  */
-export class CrowdingField {
+export class StrokeDensityField {
   private readonly columns: number;
   private readonly values: Float32Array;
   /** Distance over distance along the columns, squared. */

@@ -7,7 +7,7 @@ import type { HatchImages } from './HatchImages.js';
  *
  * @param images changed in place
  */
-export function nestLevels({ size, images }: HatchImages): void {
+export function enforceLevelNesting({ size, images }: HatchImages): void {
   for (const [tone, row] of images.entries()) {
     for (let level = row.length - 1; level > 0; level--) {
       for (const texel of findLostInk(row[level], row[level - 1], size >> level)) {

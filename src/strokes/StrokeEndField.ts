@@ -9,7 +9,7 @@ const REACH_FORWARD = 0.15;
  * Crowding along a stroke hardly feels small holes, and holes appear where many strokes end side by side. They also
  * recur with every tile, and the eye finds them at once. Ends that keep apart leave no holes.
  */
-export class EndField {
+export class StrokeEndField {
   private readonly columns: number;
   private readonly values: Float32Array;
 

@@ -1,10 +1,10 @@
 import { blurToroidal } from './blurToroidal.js';
-import { orderOf } from './orderOf.js';
 import { random } from './random.js';
+import { sortedIndices } from './sortedIndices.js';
 import type { StrokeStyle } from './strokeStyles.js';
 
 /** The rough paper under one level: pencil and charcoal stay on what stands out of it. */
-export interface PaperTooth {
+export interface PaperGrain {
   /**
    * size² bytes in rows of growing v, evenly distributed: from 0, what every stroke touches, to 255, what only the
    * strongest reaches. The same after a half turn.
@@ -16,7 +16,7 @@ export interface PaperTooth {
   contrast: number;
 }
 
-interface ToothRequest {
+interface GrainRequest {
   style: StrokeStyle;
   seed: number;
   /** Texels per side of the finest level. */
@@ -24,7 +24,7 @@ interface ToothRequest {
 }
 
 /** The paper of a level, or undefined where the style knows no grain. Grains are as wide in texels on every level. */
-export function paperTooth({ style, seed, size: finest }: ToothRequest, level: number): PaperTooth | undefined {
+export function paperGrain({ style, seed, size: finest }: GrainRequest, level: number): PaperGrain | undefined {
   if (!style.grain) return undefined;
   const { edge, contrast, radius } = style.grain;
   const size = finest >> level;
@@ -32,7 +32,7 @@ export function paperTooth({ style, seed, size: finest }: ToothRequest, level: n
   const noise = new Float32Array(size * size);
   const last = noise.length - 1;
   for (let i = 0; i < noise.length / 2; i++) noise[i] = noise[last - i] = next();
-  const order = orderOf(blurToroidal(noise, size, radius).subarray(0, noise.length / 2));
+  const order = sortedIndices(blurToroidal(noise, size, radius).subarray(0, noise.length / 2));
   const depths = new Uint8Array(noise.length);
   for (let rank = 0; rank < order.length; rank++) {
     const depth = Math.floor((256 * rank) / order.length);

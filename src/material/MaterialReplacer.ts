@@ -15,7 +15,7 @@ export const isHatching = (material: Material): material is HatchingMaterial => 
  * The hatching materials of a scene: one for every material it had and every scale of the meshes that wear it; and one more
  * for meshes that deform, whose program is another.
  */
-export class Wardrobe {
+export class MaterialReplacer {
   readonly materials: HatchingMaterial[] = [];
   /** By source, scale and whether the mesh deforms. */
   private readonly made = new Map<string, HatchingMaterial>();

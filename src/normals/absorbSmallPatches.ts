@@ -1,6 +1,7 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
 import { disjointSets, join, rootOf } from './disjointSets.js';
 
@@ -14,7 +15,7 @@ const NO_FAN = 0xffffffff;
  * triangles of scans and of decimated meshes, and all degenerate triangles. They are too small for a stroke of their own.
  * A form that is small all over keeps its edges. The numbers of the fans left over stay unused.
  */
-export function* absorbSpecks(
+export function* absorbSmallPatches(
   adjacency: Adjacency,
   { ofCorner, count }: Fans,
   smallestArea: number,
@@ -23,14 +24,14 @@ export function* absorbSpecks(
   const cornerCount = ofCorner.length;
   const patches = disjointSets(cornerCount / 3);
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => joinRange(adjacency, patches, start, end)),
+    forEachChunk(cornerCount, (start, end) => joinRange(adjacency, patches, start, end)),
     0,
     0.4,
   );
   const patchAreas = new Float64Array(cornerCount / 3);
   const fanAreas = new Float64Array(count);
   yield* asPhase(
-    inChunks(cornerCount / 3, (start, end) =>
+    forEachChunk(cornerCount / 3, (start, end) =>
       addAreas(areaNormals, ofCorner, patches, patchAreas, fanAreas, start, end),
     ),
     0.4,
@@ -42,12 +43,14 @@ export function* absorbSpecks(
     vertexCount = Math.max(vertexCount, canonicalCorners[corner] + 1);
   const hosts = new Uint32Array(vertexCount).fill(NO_FAN);
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => findHosts(canonicalCorners, ofCorner, fanAreas, isSpeck, hosts, start, end)),
+    forEachChunk(cornerCount, (start, end) =>
+      findHosts(canonicalCorners, ofCorner, fanAreas, isSpeck, hosts, start, end),
+    ),
     0.6,
     0.8,
   );
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => moveRange(canonicalCorners, ofCorner, isSpeck, hosts, start, end)),
+    forEachChunk(cornerCount, (start, end) => moveRange(canonicalCorners, ofCorner, isSpeck, hosts, start, end)),
     0.8,
     1,
   );

@@ -1,7 +1,8 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
-import { writeUnit } from './writeUnit.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
+import { writeNormalized } from './writeNormalized.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 
@@ -24,7 +25,7 @@ const PASSES = 4;
  * (bilateral filtering of normals: Zheng, Fu, Au and Tai, 2011). So noise goes, and the faces of a cube know nothing of
  * each other.
  */
-export function* findFormCreases(adjacency: Adjacency): Generator<number, Int32Array<ArrayBuffer>, void> {
+export function* cutSharpEdges(adjacency: Adjacency): Generator<number, Int32Array<ArrayBuffer>, void> {
   const { areaNormals } = adjacency;
   const count = areaNormals.length / 3;
   const twins = adjacency.twins.slice();
@@ -33,20 +34,20 @@ export function* findFormCreases(adjacency: Adjacency): Generator<number, Int32A
   let filtered = new Float32Array(3 * count);
   const share = 1 / (PASSES + 2);
   yield* asPhase(
-    inChunks(count, (start, end) => splitRange(areaNormals, areas, normals, start, end)),
+    forEachChunk(count, (start, end) => splitRange(areaNormals, areas, normals, start, end)),
     0,
     share,
   );
   for (let pass = 1; pass <= PASSES; pass++) {
     yield* asPhase(
-      inChunks(count, (start, end) => filterRange(adjacency, areas, normals, filtered, start, end)),
+      forEachChunk(count, (start, end) => filterRange(adjacency, areas, normals, filtered, start, end)),
       pass * share,
       (pass + 1) * share,
     );
     [normals, filtered] = [filtered, normals];
   }
   yield* asPhase(
-    inChunks(3 * count, (start, end) => cutRange(adjacency.twins, normals, twins, start, end)),
+    forEachChunk(3 * count, (start, end) => cutRange(adjacency.twins, normals, twins, start, end)),
     1 - share,
     1,
   );
@@ -66,7 +67,7 @@ function splitRange(
     const y = areaNormals[3 * triangle + 1];
     const z = areaNormals[3 * triangle + 2];
     areas[triangle] = Math.sqrt(x * x + y * y + z * z);
-    writeUnit(areaNormals, 3 * triangle, normals, 3 * triangle);
+    writeNormalized(areaNormals, 3 * triangle, normals, 3 * triangle);
   }
 }
 
