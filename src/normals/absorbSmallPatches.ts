@@ -1,5 +1,7 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
-import { NO_TWIN, triangleOf } from '../mesh/corners.js';
+import { consistentTwin } from '../adjacency/consistentTwin.js';
+import { doubleArea } from '../mesh/computeAreaNormals.js';
+import { triangleOf } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
@@ -10,10 +12,11 @@ type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNor
 const NO_FAN = 0xffffffff;
 
 /**
- * Moves the corners of specks, in place, to the largest fan at their vertex that is not of a speck, if there is one. A
- * speck is a patch of triangles, bounded by edges without twins, of less than `smallestArea`: the folds, spikes and doubled
- * triangles of scans and of decimated meshes, and all degenerate triangles. They are too small for a stroke of their own.
- * A form that is small all over keeps its edges. The numbers of the fans left over stay unused.
+ * Moves the corners of small patches, in place, to the largest fan at their vertex that belongs to no small patch, if there
+ * is one. A patch is a set of triangles bounded by edges without twins; it is small if its area is below `smallestArea`, in
+ * square object units. Small patches are the folds, spikes and doubled triangles of scans and decimated meshes, and all
+ * degenerate triangles: too small for a stroke. An object that is small as a whole keeps its edges. The numbers of emptied
+ * fans stay unused.
  */
 export function* absorbSmallPatches(
   adjacency: Adjacency,
@@ -37,29 +40,29 @@ export function* absorbSmallPatches(
     0.4,
     0.6,
   );
-  const isSpeck = (corner: number) => !(patchAreas[rootOf(patches, triangleOf(corner))] >= smallestArea);
+  const isSmall = (corner: number) => !(patchAreas[rootOf(patches, triangleOf(corner))] >= smallestArea);
   let vertexCount = 0;
   for (let corner = 0; corner < cornerCount; corner++)
     vertexCount = Math.max(vertexCount, canonicalCorners[corner] + 1);
-  const hosts = new Uint32Array(vertexCount).fill(NO_FAN);
+  const largestFans = new Uint32Array(vertexCount).fill(NO_FAN);
   yield* asPhase(
     forEachChunk(cornerCount, (start, end) =>
-      findHosts(canonicalCorners, ofCorner, fanAreas, isSpeck, hosts, start, end),
+      findLargestFans(canonicalCorners, ofCorner, fanAreas, isSmall, largestFans, start, end),
     ),
     0.6,
     0.8,
   );
   yield* asPhase(
-    forEachChunk(cornerCount, (start, end) => moveRange(canonicalCorners, ofCorner, isSpeck, hosts, start, end)),
+    forEachChunk(cornerCount, (start, end) => moveRange(canonicalCorners, ofCorner, isSmall, largestFans, start, end)),
     0.8,
     1,
   );
 }
 
-function joinRange({ twins, canonicalCorners }: Adjacency, patches: Uint32Array, start: number, end: number): void {
+function joinRange(adjacency: Adjacency, patches: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = twins[corner];
-    if (twin === NO_TWIN || twin < corner || canonicalCorners[corner] === canonicalCorners[twin]) continue;
+    const twin = consistentTwin(adjacency, corner);
+    if (twin < corner) continue;
     join(patches, triangleOf(corner), triangleOf(twin));
   }
 }
@@ -75,44 +78,41 @@ function addAreas(
   end: number,
 ): void {
   for (let triangle = start; triangle < end; triangle++) {
-    const x = areaNormals[3 * triangle];
-    const y = areaNormals[3 * triangle + 1];
-    const z = areaNormals[3 * triangle + 2];
-    const area = 0.5 * Math.sqrt(x * x + y * y + z * z);
+    const area = 0.5 * doubleArea(areaNormals, triangle);
     patchAreas[rootOf(patches, triangle)] += area;
     for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) fanAreas[ofCorner[corner]] += area;
   }
 }
 
-/** Keeps, for each canonical vertex, the largest fan that is not of a speck. */
-function findHosts(
+/** Finds for each canonical vertex the largest fan that belongs to no small patch, or NO_FAN. */
+function findLargestFans(
   canonicalCorners: Uint32Array,
   ofCorner: Uint32Array,
   fanAreas: Float64Array,
-  isSpeck: (corner: number) => boolean,
-  hosts: Uint32Array,
+  isSmall: (corner: number) => boolean,
+  largestFans: Uint32Array,
   start: number,
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
     const vertex = canonicalCorners[corner];
     const fan = ofCorner[corner];
-    const host = hosts[vertex];
-    if (host === fan || isSpeck(corner)) continue;
-    if (host === NO_FAN || fanAreas[fan] > fanAreas[host]) hosts[vertex] = fan;
+    const largest = largestFans[vertex];
+    if (largest === fan || isSmall(corner)) continue;
+    if (largest === NO_FAN || fanAreas[fan] > fanAreas[largest]) largestFans[vertex] = fan;
   }
 }
 
 function moveRange(
   canonicalCorners: Uint32Array,
   ofCorner: Uint32Array,
-  isSpeck: (corner: number) => boolean,
-  hosts: Uint32Array,
+  isSmall: (corner: number) => boolean,
+  largestFans: Uint32Array,
   start: number,
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const host = hosts[canonicalCorners[corner]];
-    if (host !== NO_FAN && host !== ofCorner[corner] && isSpeck(corner)) ofCorner[corner] = host;
+    const largest = largestFans[canonicalCorners[corner]];
+    if (largest !== NO_FAN && largest !== ofCorner[corner] && isSmall(corner)) ofCorner[corner] = largest;
   }
 }

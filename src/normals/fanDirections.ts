@@ -3,8 +3,8 @@ import type { Fans } from './buildFans.js';
 import { writeNormalized } from './writeNormalized.js';
 
 /**
- * The direction of each fan's vector, as a unit vector. Where the vector is zero, the normal of the fan's first triangle;
- * where that is degenerate, any unit vector.
+ * Normalises the vector of each fan. A zero vector becomes the normal of the fan's first triangle or, if that is
+ * degenerate, +z.
  */
 export function* fanDirections(
   vectors: Float32Array | Float64Array,

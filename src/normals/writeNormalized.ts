@@ -1,4 +1,4 @@
-/** Writes the direction of the vector at `from`; false, and nothing, if it has none. */
+/** Writes the vector at `from`, normalised. If it is zero, writes nothing and returns false. */
 export function writeNormalized(
   source: Float32Array | Float64Array,
   from: number,
