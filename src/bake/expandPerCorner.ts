@@ -1,6 +1,6 @@
 import { forEachChunk } from '../slices/forEachChunk.js';
 
-/** Vertex data seen as plain words, so that one function copies every type bit by bit. */
+/** Vertex data as plain words, so that one function copies every type bit by bit. */
 export type Words = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 
 /** An attribute whose values are copied from vertices to corners unchanged. */

@@ -4,15 +4,15 @@ import type { FanNormals } from './bakeSurface.js';
 import { packNormals } from './packNormals.js';
 
 /**
- * The attribute of either layout that strokes are laid by: the unit normal at the scale of a stroke, in object space, as
- * normalised 16-bit integers x, y, z, and a fourth one of 0, so that entries are aligned to eight bytes.
+ * The attribute that gives strokes their frame, in every layout: the unit normal at the scale of a stroke, in object space.
+ * x, y, z are normalised 16-bit integers; a fourth one, 0, aligns entries to eight bytes.
  */
 export const hatchNormal = { name: 'hatchNormal', itemSize: 4 } as const;
 
-/** What a normalised 16-bit integer stores as one. */
+/** The normalised 16-bit integer that stands for 1. */
 const ONE = 0x7fff;
 
-/** The attribute for some vertices, or for each corner; see `packNormals`. */
+/** The attribute per vertex or per corner; see `packNormals`. */
 export function* packHatchNormals(
   hatchNormals: FanNormals,
   cornerOfVertex: Uint32Array | null,

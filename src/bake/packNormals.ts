@@ -3,8 +3,8 @@ import type { FanNormals } from './bakeSurface.js';
 import { NO_CORNER } from './splitVertices.js';
 
 /**
- * The normals as an attribute of three floats: for each entry of `cornerOfVertex` that of the corner's fan, +z where that
- * is NO_CORNER; or for each corner, if null.
+ * The normals as an attribute of three floats. With `cornerOfVertex`, one normal per vertex: that of its corner's fan, or +z
+ * for NO_CORNER. With null, one normal per corner.
  */
 export function* packNormals(
   { fans, normals }: FanNormals,

@@ -39,7 +39,7 @@ export function* packPull(
   return packed;
 }
 
-/** Words of a texture of so many entries. A texel has four. */
+/** Words of a texture that holds `entries` entries. A texel has four words. */
 function paddedWords(entries: number, wordsPerEntry: number): number {
   const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4);
   return 4 * width * height;

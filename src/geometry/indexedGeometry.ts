@@ -1,6 +1,7 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
+import { appendVertices } from '../bake/appendVertices.js';
 import type { BakeIndexedResult } from '../bake/bakeIndexed.js';
-import type { VertexWords, Words } from '../bake/expandPerCorner.js';
+import type { VertexWords } from '../bake/expandPerCorner.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
 import { finishGeometry } from './preparedGeometry.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
@@ -21,18 +22,4 @@ export function applyIndexed(
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
   if (result.normals) geometry.setAttribute('normal', new BufferAttribute(result.normals, 3));
   finishGeometry(geometry, 'indexed', result);
-}
-
-/** The words with those of some vertices repeated at their end. */
-function appendVertices({ words, wordsPerVertex }: VertexWords, vertices: Uint32Array): Words {
-  if (vertices.length === 0) return words;
-  const appended = new (words.constructor as new (length: number) => Words)(
-    words.length + vertices.length * wordsPerVertex,
-  );
-  appended.set(words);
-  for (const [i, vertex] of vertices.entries()) {
-    const from = vertex * wordsPerVertex;
-    for (let j = 0; j < wordsPerVertex; j++) appended[words.length + i * wordsPerVertex + j] = words[from + j];
-  }
-  return appended;
 }

@@ -2,8 +2,8 @@ import { findLostInk, HALF_INK } from './findLostInk.js';
 import type { HatchImages } from './HatchImages.js';
 
 /**
- * Gives finer levels the ink of coarser ones that they lack (`findLostInk`): one texel at each such place becomes half ink,
- * in its tone and in every darker one. Nothing becomes lighter, so tones stay nested.
+ * Repairs the nesting of levels where ink of a coarser level is missing from the finer one (`findLostInk`): one texel there
+ * becomes half ink, in this tone and in every darker one. Nothing becomes lighter, so tones stay nested.
  *
  * @param images changed in place
  */

@@ -10,8 +10,8 @@ import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOption
  * Draws the hatch images of a tonal art map: every tone at every level.
  *
  * The mean ink of image k is maxInk·k/(tones−1) on every level, to within half a stroke; maxInk belongs to the style.
- * Means count ink linearly (0 = paper, 1 = ink), so they are what a renderer that mixes paper and ink in linear light
- * shows from afar.
+ * Means count ink linearly (0 = paper, 1 = ink). So they are what a renderer that mixes paper and ink in linear light shows
+ * from a distance.
  *
  * @throws RangeError if an option is out of its range, at the first step
  * @returns the images; yields progress in [0, 1]
@@ -25,12 +25,12 @@ export function* generateHatchImages(options: HatchImageOptions = {}): Generator
     images.push(drawTone(strokes, tone, request, grains, images.at(-1)));
     yield 1;
   }
-  // Lines nest because they are drawn so; where grain breaks them up, it takes one more step.
+  // Lines nest because finer levels repeat them. Grain breaks lines up, so nesting then needs another step.
   if (request.style.grain) enforceLevelNesting({ size: request.size, images });
   return { size: request.size, images };
 }
 
-/** All levels of one tone: those of the tone before and the strokes that are new in it. */
+/** Draws all levels of one tone: the images of the tone before plus its new strokes. */
 function drawTone(
   strokes: Stroke[],
   tone: number,

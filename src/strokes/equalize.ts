@@ -1,6 +1,9 @@
 import { sortedIndices } from './sortedIndices.js';
 
-/** Numbers in the same order as those of `field`, which are not negative, evenly distributed over (0, 1). */
+/**
+ * Histogram equalization: replaces the numbers of `field`, which must not be negative, by others in the same order that are
+ * evenly distributed over (0, 1).
+ */
 export function equalize(field: Float32Array): Float32Array {
   const order = sortedIndices(field);
   const ranks = new Float32Array(field.length);

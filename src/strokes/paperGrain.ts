@@ -1,18 +1,18 @@
 import { blurToroidal } from './blurToroidal.js';
 import { random } from './random.js';
+import type { StrokeStyle } from './StrokeStyle.js';
 import { sortedIndices } from './sortedIndices.js';
-import type { StrokeStyle } from './strokeStyles.js';
 
-/** The rough paper under one level: pencil and charcoal stay on what stands out of it. */
+/** The grain of the paper under one level: pencil and charcoal mark its peaks first. */
 export interface PaperGrain {
   /**
-   * size² bytes in rows of growing v, evenly distributed: from 0, what every stroke touches, to 255, what only the
-   * strongest reaches. The same after a half turn.
+   * size² bytes in rows of growing v, evenly distributed: from 0, a peak that every stroke marks, to 255, a valley that only
+   * the strongest pressure reaches. Unchanged by a half turn.
    */
   depths: Uint8Array;
   /** Texels over which a stroke fades at its edge. */
   edge: number;
-  /** How sharply depth decides between ink and paper. */
+  /** How sharply depth separates ink from paper. See `Grain`. */
   contrast: number;
 }
 
@@ -23,7 +23,7 @@ interface GrainRequest {
   size: number;
 }
 
-/** The paper of a level, or undefined where the style knows no grain. Grains are as wide in texels on every level. */
+/** The paper grain of a level; undefined for a style without grain. Grains are equally wide in texels on every level. */
 export function paperGrain({ style, seed, size: finest }: GrainRequest, level: number): PaperGrain | undefined {
   if (!style.grain) return undefined;
   const { edge, contrast, radius } = style.grain;

@@ -1,19 +1,19 @@
 import type { PaperGrain } from './paperGrain.js';
 import { type Stroke, strokeOffset } from './Stroke.js';
 
-/** Width of the drawn line, in texels, at the very tip of a tapered stroke. Thinner, and it would break into grey dots. */
+/** Width in texels at the very tip of a tapered stroke. A thinner tip would break into grey dots. */
 const TIP_WIDTH = 1;
 
 /**
- * Draws one stroke into a square toroidal image: what leaves at one side comes back at the other.
+ * Draws one stroke into a square toroidal image: a stroke that leaves at one side comes back at the other.
  *
- * The darkness of a texel is the part of it that the line covers, taken from the distance between its centre and the
- * centre line (exact for a line along an axis). Overlapping strokes keep the darker of the two, so the order of
- * drawing does not matter and an image can only become darker.
+ * The darkness of a texel is the part of it that the line covers, estimated from the distance between the texel's centre and
+ * the centre line (exact for a line along an axis). Where strokes overlap, the darker value stays. So the order of drawing
+ * does not matter, and an image can only become darker.
  *
  * @param image size² bytes in rows of growing v, 255 = paper, 0 = ink; changed in place
  * @param size texels per side, a power of two
- * @param grain of a paper with grain: the stroke then has a soft edge, and ink stays on what stands out of the paper
+ * @param grain of the paper: the stroke then has a soft edge, and ink stays on the peaks
  * @returns by how much the sum of the bytes fell
  */
 export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke, grain?: PaperGrain): number {
@@ -26,7 +26,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
   const halfLength = 0.5 * stroke.length * size;
   const halfWidth = 0.5 * stroke.width;
   const tip = Math.min(halfWidth, 0.5 * TIP_WIDTH);
-  // At least half of the stroke has its full width, or coarse levels would be drawn with a finer pen.
+  // At least half of the stroke keeps its full width; otherwise strokes would look thinner on coarse levels.
   const taper = Math.min(stroke.taper, 0.5 * halfLength);
   const cosine = 1 / Math.sqrt(1 + stroke.slope * stroke.slope);
 
@@ -64,7 +64,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
   return darkened;
 }
 
-/** What of a stroke's coverage ∈ (0, 1] stays on the paper: the more it presses, the deeper it reaches. */
+/** The part of a stroke's coverage ∈ (0, 1] that stays on the grain: the higher the pressure, the deeper it reaches. */
 function inkOnGrain(coverage: number, pressure: number, { depths, contrast }: PaperGrain, texel: number): number {
   const fill = (pressure * coverage - depths[texel] / 255) * contrast + 0.5;
   return coverage * Math.max(0, Math.min(1, fill));
