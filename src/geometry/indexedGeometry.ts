@@ -6,10 +6,10 @@ import { hatchNormal } from '../bake/hatchNormal.js';
 import { finishGeometry } from './preparedGeometry.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 
-/** A kept attribute with its values as they were when the bake began. */
+/** A kept attribute with a copy of its values from before the bake. */
 export interface CopiedAttribute extends KeptAttribute, VertexWords {}
 
-/** Fills the geometry with the index, all attributes, copies for the vertices added, the bounds and the statistics. */
+/** Fills the geometry with the index, all attributes (including those of added vertices), the bounds and the statistics. */
 export function applyIndexed(
   geometry: BufferGeometry,
   attributes: readonly CopiedAttribute[],

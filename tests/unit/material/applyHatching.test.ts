@@ -174,8 +174,8 @@ describe('what it makes of a scene', () => {
     const mesh = new Mesh(new BoxGeometry(), [red, blue, red, blue, red, blue]);
     const groups = structuredClone(mesh.geometry.groups);
     const { materials } = await applyHatching(mesh, { tonalArtMap });
-    const worn = mesh.material as unknown as HatchingMaterial[];
-    expect(worn.map(({ color }) => color.getHexString())).toEqual([
+    const replaced = mesh.material as unknown as HatchingMaterial[];
+    expect(replaced.map(({ color }) => color.getHexString())).toEqual([
       'ff0000',
       '0000ff',
       'ff0000',
@@ -183,7 +183,7 @@ describe('what it makes of a scene', () => {
       'ff0000',
       '0000ff',
     ]);
-    expect(new Set(worn)).toEqual(new Set(materials));
+    expect(new Set(replaced)).toEqual(new Set(materials));
     expect(materials).toHaveLength(2);
     expect(mesh.geometry.groups).toEqual(groups);
   });
