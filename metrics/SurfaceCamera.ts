@@ -19,23 +19,23 @@ import type { HatchingMaterial } from 'three-hatching';
 import type { LocatedImage } from './measures/reprojectedFlips.js';
 import type { SurfaceImage } from './measures/SurfaceImage.js';
 
-/** The usual view: a little from above, with the model filling the picture. */
+/** Camera position of the standard view: a little from above, with the model filling the picture. */
 const EYE = new Vector3(0.3, 0.4, 3.9);
-/** Direction to the light, in the space of the model too. */
+/** Direction to the light, in world space and in object space. */
 export const TO_LIGHT = new Vector3(1, 1.2, 1).normalize();
 const UP = new Vector3(0, 1, 0);
-/** Too weak to change a tone, a light still gives strokes their direction. */
+/** Light intensity too weak to change the tone; the light still gives strokes their direction. */
 const DIRECTION_ALONE = 1e-6;
 
 /** Takes pictures of one model, without antialiasing, as numbers in linear light. */
 export class SurfaceCamera {
-  readonly #scene = new Scene();
-  readonly #camera = new PerspectiveCamera(30, 1, 0.01, 20);
-  readonly #sun = new DirectionalLight();
-  readonly #fill = new AmbientLight();
-  readonly #mesh: Mesh<BufferGeometry, HatchingMaterial>;
-  readonly #colours: WebGLRenderTarget;
-  readonly #places: WebGLRenderTarget;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(30, 1, 0.01, 20);
+  private readonly sun = new DirectionalLight();
+  private readonly fill = new AmbientLight();
+  private readonly mesh: Mesh<BufferGeometry, HatchingMaterial>;
+  private readonly colours: WebGLRenderTarget;
+  private readonly places: WebGLRenderTarget;
 
   constructor(
     readonly renderer: WebGLRenderer,
@@ -43,96 +43,96 @@ export class SurfaceCamera {
     geometry: BufferGeometry,
     material: HatchingMaterial,
   ) {
-    this.#colours = new WebGLRenderTarget(size, size);
-    this.#places = new WebGLRenderTarget(size, size, {
+    this.colours = new WebGLRenderTarget(size, size);
+    this.places = new WebGLRenderTarget(size, size, {
       type: FloatType,
       minFilter: NearestFilter,
       magFilter: NearestFilter,
     });
-    this.#mesh = new Mesh(geometry, material);
-    this.#scene.add(this.#mesh, this.#sun, this.#fill);
+    this.mesh = new Mesh(geometry, material);
+    this.scene.add(this.mesh, this.sun, this.fill);
     renderer.setClearColor(0x000000, 0);
     this.lit().view();
   }
 
-  /** Under one light, as the paper lights it. */
+  /** Under one directional light, as in Suarez et al. */
   lit(): this {
-    this.#sun.intensity = Math.PI;
-    this.#fill.intensity = 0;
-    return this.#lightFrom(0);
+    this.sun.intensity = Math.PI;
+    this.fill.intensity = 0;
+    return this.lightFrom(0);
   }
 
-  /** The same tone everywhere, with strokes as a light would lay them that is turned by some degrees about the vertical. */
+  /** The same tone everywhere. Strokes follow a light that is turned by `lightDegrees` about the vertical. */
   evenlyToned(tone: number, lightDegrees = 0): this {
-    this.#sun.intensity = DIRECTION_ALONE;
-    this.#fill.intensity = Math.PI * (1 - tone);
-    return this.#lightFrom(lightDegrees);
+    this.sun.intensity = DIRECTION_ALONE;
+    this.fill.intensity = Math.PI * (1 - tone);
+    return this.lightFrom(lightDegrees);
   }
 
-  /** The usual view, enlarged about its middle. */
+  /** The standard view, enlarged about its middle. */
   view(zoom = 1): this {
-    return this.#stand(EYE, new Vector3(), zoom);
+    return this.placeCamera(EYE, new Vector3(), zoom);
   }
 
-  /** On the way from the usual place of the camera to a point of the model, `times` nearer to it. */
+  /** The standard view moved towards a point of the model, to 1 / `times` of the distance. */
   dolly(target: Vector3, times: number): this {
-    return this.#stand(new Vector3().lerpVectors(target, EYE, 1 / times), target, 1);
+    return this.placeCamera(new Vector3().lerpVectors(target, EYE, 1 / times), target, 1);
   }
 
   shoot(): SurfaceImage {
-    return this.#shoot(this.#mesh);
+    return this.draw(this.mesh);
   }
 
-  /** Nothing but edges, as lines between two corners each, shaded with what those corners say. */
+  /** Draws only edges: lines between pairs of corners, shaded with the attributes of these corners. */
   shootEdges(corners: Uint32Array): SurfaceImage {
     const geometry = new BufferGeometry();
-    Object.assign(geometry.attributes, this.#mesh.geometry.attributes);
+    Object.assign(geometry.attributes, this.mesh.geometry.attributes);
     geometry.setIndex(new BufferAttribute(corners, 1));
-    const lines = new LineSegments(geometry, this.#mesh.material);
-    this.#scene.add(lines);
-    const image = this.#shoot(lines);
-    this.#scene.remove(lines);
+    const lines = new LineSegments(geometry, this.mesh.material);
+    this.scene.add(lines);
+    const image = this.draw(lines);
+    this.scene.remove(lines);
     return image;
   }
 
-  /** With the place on the model of every pixel. */
+  /** Also records the point of the model that every pixel shows. */
   shootLocated(): LocatedImage {
     const image = this.shoot();
     const places = new Float32Array(4 * this.size * this.size);
-    this.#scene.overrideMaterial = placeMaterial;
-    this.#render(this.#places);
-    this.#scene.overrideMaterial = null;
-    this.renderer.readRenderTargetPixels(this.#places, 0, 0, this.size, this.size, places);
-    const objectToClip = this.#camera.projectionMatrix.clone().multiply(this.#camera.matrixWorldInverse).toArray();
+    this.scene.overrideMaterial = placeMaterial;
+    this.render(this.places);
+    this.scene.overrideMaterial = null;
+    this.renderer.readRenderTargetPixels(this.places, 0, 0, this.size, this.size, places);
+    const objectToClip = this.camera.projectionMatrix.clone().multiply(this.camera.matrixWorldInverse).toArray();
     return { ...image, places, objectToClip };
   }
 
   dispose(): void {
-    this.#colours.dispose();
-    this.#places.dispose();
+    this.colours.dispose();
+    this.places.dispose();
   }
 
-  #lightFrom(degrees: number): this {
-    this.#sun.position.copy(TO_LIGHT).applyAxisAngle(UP, (degrees * Math.PI) / 180);
+  private lightFrom(degrees: number): this {
+    this.sun.position.copy(TO_LIGHT).applyAxisAngle(UP, (degrees * Math.PI) / 180);
     return this;
   }
 
-  #stand(eye: Vector3, target: Vector3, zoom: number): this {
-    this.#camera.position.copy(eye);
-    this.#camera.zoom = zoom;
-    this.#camera.lookAt(target);
-    this.#camera.updateProjectionMatrix();
-    this.#camera.updateMatrixWorld();
+  private placeCamera(eye: Vector3, target: Vector3, zoom: number): this {
+    this.camera.position.copy(eye);
+    this.camera.zoom = zoom;
+    this.camera.lookAt(target);
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
     return this;
   }
 
-  #shoot(shown: Object3D): SurfaceImage {
-    this.#mesh.visible = shown === this.#mesh;
-    this.#render(this.#colours);
-    this.#mesh.visible = true;
+  private draw(shown: Object3D): SurfaceImage {
+    this.mesh.visible = shown === this.mesh;
+    this.render(this.colours);
+    this.mesh.visible = true;
     const pixels = this.size * this.size;
     const rgba = new Uint8Array(4 * pixels);
-    this.renderer.readRenderTargetPixels(this.#colours, 0, 0, this.size, this.size, rgba);
+    this.renderer.readRenderTargetPixels(this.colours, 0, 0, this.size, this.size, rgba);
     return {
       width: this.size,
       height: this.size,
@@ -141,14 +141,14 @@ export class SurfaceCamera {
     };
   }
 
-  #render(target: WebGLRenderTarget): void {
+  private render(target: WebGLRenderTarget): void {
     this.renderer.setRenderTarget(target);
-    this.renderer.render(this.#scene, this.#camera);
+    this.renderer.render(this.scene, this.camera);
     this.renderer.setRenderTarget(null);
   }
 }
 
-/** Writes xyz on the object, and the cosine between normal and line of sight. */
+/** Writes the position in object space, and the cosine between normal and line of sight. */
 const placeMaterial = new ShaderMaterial({
   vertexShader: `
     varying vec3 vPlace, vNormal, vToEye;

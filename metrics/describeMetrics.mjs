@@ -16,14 +16,14 @@ const figure = (value) =>
 export function describeMetrics({ renderer, models }) {
   return `# Measured strokes
 
-Written by \`npm run metrics\`; drawn by ${renderer}. Every technique is measured on the same geometry, in the same run, without antialiasing
-(\`edgePixels: 0\`). ${Object.keys(models).length} models, each scaled to a bounding radius of 1 lit from one side or toned evenly.
+Written by \`npm run metrics\`; drawn by ${renderer}. Every technique is measured on the same geometry, in the same run,
+without antialiasing (\`edgePixels: 0\`). ${Object.keys(models).length} models, each scaled to a bounding radius of 1, lit from one side or evenly toned.
 
 ![Coherence of the strokes by number of triangles, and flips by turn of the light](metrics.svg)
 
-## What \`anchored\` must keep to
+## Requirements of \`anchored\`
 
-The worst figure over all models, and the model it was met on; beside it the worst of the other techniques.
+The worst value over all models, and the model it occurs on; next to it the worst values of the other techniques.
 
 ${table(
   ['', 'required', ...techniques],
@@ -40,18 +40,19 @@ ${table(
 ## Every model
 
 - **grey**: share of surface pixels with a luminance between 0.2 and 0.8, in linear light.
-- **jump**: mean and 95th percentile of the difference in luminance at the same points of an edge, shaded as part of the one and of the other
-  triangle. Edges that fold by more than 40° are left out.
-- **kink**: median and 95th percentile of the angle by which strokes turn at an edge, its triangles laid flat, from the frames alone; \`adjacency\`
-  blends what the frames draw, so that both show.
-- **tone**: largest distance of mean ink from the tone asked for, over tones 0.1, 0.25, 0.4, 0.6 and 0.8. Hatch images end at an ink of
-  0.95, thresholds at 1.
-- **flips**: share of pixels that turn between ink and paper as the light turns by 0.1°, 0.5°, 1° and 2°, over what it would be for two unrelated
-  pictures. The stroke scale is chosen so that strokes of all techniques lie equally far apart. On a sphere about its own origin the paper's
-  coordinates hardly change with the light (nor from place to place), so it is left out of the requirement.
-- **popping**: flips between frames of a camera that comes 8 times nearer in 45 frames with \`screenConstancy: 1\`, each point looked up where the next
-  frame shows it; the largest over the median. After it the median itself.
-- **spacing ±**: half the range of the distance between strokes on that way, in pixels, over its middle.
+- **jump**: mean and 95th percentile of the difference in luminance at the same points of an edge, shaded as part of one triangle
+  and of the other. Edges that fold by more than 40° are left out.
+- **kink**: median and 95th percentile of the angle in degrees by which strokes turn at an edge, with its triangles unfolded into a
+  plane. Computed from the frames alone; \`adjacency\` blends what the frames draw, so both show.
+- **tone**: largest distance of mean ink from the requested tone, over tones 0.1, 0.25, 0.4, 0.6 and 0.8. Hatch images end at an
+  ink of 0.95, thresholds at 1.
+- **flips**: share of pixels that change between ink and paper as the light turns by 0.1°, 0.5°, 1° and 2°, divided by the share for
+  two unrelated pictures. The stroke scale is chosen so that all techniques have the same stroke spacing. On a sphere about its own
+  origin the coordinates of Suarez et al. hardly change with the light (nor from place to place), so it is left out of the
+  requirement.
+- **popping**: flips between frames of a camera that comes 8 times nearer in 45 frames with \`screenConstancy: 1\`. Each point is
+  looked up where the next frame shows it. The largest value over the median, then the median itself.
+- **spacing ±**: half the range of the distance in pixels between strokes during the same move, divided by its middle.
 - **coherence**: of the structure tensor, weighted by contrast, in the middle of a picture of 1000 pixels.
 
 ${Object.entries(models)

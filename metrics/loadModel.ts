@@ -6,7 +6,7 @@ import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 const models = {
   sphere: async () => welded(new IcosahedronGeometry(1, 12)),
   torus: async () => welded(new TorusGeometry(1, 0.42, 32, 64)),
-  /** With the hard normals it comes with: every edge is a crease. */
+  /** Keeps its face normals: every edge is a crease. */
   cube: async () => new BoxGeometry(1, 1, 1),
 
   /** The Stanford bunny, 3,674 triangles, from `bunny`. */
@@ -28,14 +28,14 @@ const models = {
     new OBJLoader().parse(text).traverse((object) => {
       if (object instanceof Mesh) found ??= object.geometry as BufferGeometry;
     });
-    if (!found) throw new Error('loadModel: the file of the hand holds no mesh.');
+    if (!found) throw new Error('loadModel: the file of the hand contains no mesh.');
     return welded(found);
   },
 };
 
 export type ModelName = keyof typeof models;
 
-/** Loads a model, centred, with a bounding radius of 1. `text` is the content of its file, for a model that lies in one. */
+/** Loads a model, centred, with a bounding radius of 1. `text` is the content of the OBJ file, for `hand`. */
 export async function loadModel(name: ModelName, text = ''): Promise<BufferGeometry> {
   const geometry = await models[name](text);
   geometry.center();
@@ -44,7 +44,7 @@ export async function loadModel(name: ModelName, text = ''): Promise<BufferGeome
   return geometry.scale(scale, scale, scale);
 }
 
-/** Joined at seams of uv and normal. */
+/** Merges vertices at seams of uv and normal. */
 function welded(geometry: BufferGeometry): BufferGeometry {
   for (const attribute of ['uv', 'normal']) geometry.deleteAttribute(attribute);
   return smooth(mergeVertices(geometry, 1e-4));
@@ -58,7 +58,7 @@ function smooth(geometry: BufferGeometry): BufferGeometry {
 async function dragon(module: Promise<{ default: string }>): Promise<BufferGeometry> {
   const blob = await (await fetch((await module).default)).blob();
   const [first] = new Uint8Array(await blob.slice(0, 1).arrayBuffer());
-  // Some servers declare the file as content encoding, and the browser has unpacked it already.
+  // Some servers send the file with a content encoding, so the browser has already unpacked it.
   const stream = first === 0x1f ? blob.stream().pipeThrough(new DecompressionStream('gzip')) : blob.stream();
   return smooth(new PLYLoader().parse(await new Response(stream).arrayBuffer()));
 }

@@ -19,7 +19,7 @@ import { type StrokeKink, strokeKink } from './measures/strokeKink.js';
 import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 
-/** The first is what the others' strokes are spaced like where that matters. */
+/** Where stroke spacing matters, the others are scaled to the spacing of the first. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['anchored', { technique: 'anchored' }],
   ['adjacency', { technique: 'adjacency' }],
@@ -27,7 +27,7 @@ const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['triangle', { technique: 'triangle' }],
 ];
 
-/** Which of the dearer measures to take. */
+/** Which of the slower measures to take. */
 export interface Plan {
   edges: boolean;
   light: boolean;
@@ -37,7 +37,7 @@ export interface Plan {
 
 export interface TechniqueMetrics {
   greyness: number;
-  /** Mean ink per tone asked for. */
+  /** Mean ink per requested tone. */
   ink: Record<string, number>;
   coherence: number;
   /** Pixels between strokes. */
@@ -48,7 +48,7 @@ export interface TechniqueMetrics {
   light?: { strokeScale: number; spacing: number; flips: { degrees: number; share: number }[] };
   /** Normalised flips from frame to frame as the camera comes nearer. */
   dolly?: { flips: number[]; popping: number };
-  /** Spacing in pixels on that way. */
+  /** Spacing in pixels as the camera comes nearer. */
   zoom?: { spacings: number[]; spread: number };
 }
 
@@ -64,22 +64,22 @@ declare global {
 }
 
 const SIZE = 400;
-/** Moving measures are taken smaller: they compare a picture with its like, and there are many. */
+/** Measures of motion use smaller pictures: they take many, and compare only like with like. */
 const MOVING_SIZE = 256;
-/** Strokes as in a picture of 1000 pixels at the default scale: of the whole model in small, or its middle cut out. */
+/** Strokes as in a picture of 1000 pixels at the default scale: the whole model reduced, or its middle at full size. */
 const WHOLE = { zoom: 1, strokeScale: 1.2 };
 const MIDDLE = { zoom: 2.5, strokeScale: 3 };
 const TONES = [0.1, 0.25, 0.4, 0.6, 0.8];
 const LIGHT_TURNS = [0.1, 0.5, 1, 2];
-/** An image of the default map of eight tones, so that no technique shows two images at once. */
+/** The tone of one image of the default map of eight tones, so that no technique blends two images. */
 const EVEN_TONE = 3 / 7;
 /** The camera comes up to eight times nearer. */
 const OCTAVES = 3;
 const DOLLY_FRAMES = 45;
 const ZOOM_STEPS = 12;
 const CREASE = (40 * Math.PI) / 180;
-/** Where the surface is seen this squarely, foreshortening hardly changes the spacing of strokes. */
-const SQUARELY = 0.8;
+/** Least cosine between normal and line of sight at which foreshortening hardly changes the stroke spacing. */
+const LEAST_FACING = 0.8;
 
 const renderer = new WebGLRenderer({ antialias: false });
 renderer.setSize(8, 8, false);
@@ -148,7 +148,7 @@ function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
   return { coherence: strokeCoherence(even), spacing: strokeSpacing(even) };
 }
 
-/** What flips per turn of the light goes with how close strokes lie; that is made equal first. */
+/** Flips per turn of the light depend on the stroke spacing, which is therefore made equal first. */
 function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedSpacing: number) {
   material.strokeScale = MIDDLE.strokeScale;
   camera.view(MIDDLE.zoom);
@@ -179,27 +179,28 @@ function measureDolly(camera: SurfaceCamera, material: HatchingMaterial) {
 function measureZoom(camera: SurfaceCamera, material: HatchingMaterial) {
   const target = sizeOnScreen(camera, material);
   const spacings = Array.from({ length: ZOOM_STEPS + 1 }, (_, step) =>
-    strokeSpacing(seenSquarely(camera.dolly(target, 2 ** ((OCTAVES * step) / ZOOM_STEPS)).shootLocated())),
+    strokeSpacing(facingCamera(camera.dolly(target, 2 ** ((OCTAVES * step) / ZOOM_STEPS)).shootLocated())),
   );
   return { spacings, spread: halfSpread(spacings) };
 }
 
-/** Returns what the camera is to come near to: a point of the model in the middle of the usual view. */
+/** Sizes strokes on the screen. Returns the point of the model to move towards: the middle of the standard view. */
 function sizeOnScreen(camera: SurfaceCamera, material: HatchingMaterial): Vector3 {
   material.strokeScale = MIDDLE.strokeScale;
   material.screenConstancy = 1;
   return middleOf(camera.evenlyToned(EVEN_TONE).view().shootLocated());
 }
 
-function seenSquarely(image: LocatedImage): SurfaceImage {
-  return { ...image, surface: image.surface.map((s, i) => (image.places[4 * i + 3] > SQUARELY ? s : 0)) };
+/** Keeps only surface that faces the camera. */
+function facingCamera(image: LocatedImage): SurfaceImage {
+  return { ...image, surface: image.surface.map((s, i) => (image.places[4 * i + 3] > LEAST_FACING ? s : 0)) };
 }
 
-/** The point of the model shown nearest to the middle of the picture and seen squarely. */
+/** The point of the model that faces the camera and is shown nearest to the middle of the picture. */
 function middleOf({ width, height, surface, places }: LocatedImage): Vector3 {
   let [best, nearest] = [-1, Number.POSITIVE_INFINITY];
   for (let i = 0; i < surface.length; i++) {
-    if (surface[i] === 0 || places[4 * i + 3] < SQUARELY) continue;
+    if (surface[i] === 0 || places[4 * i + 3] < LEAST_FACING) continue;
     const distance = Math.hypot((i % width) - width / 2, Math.floor(i / width) - height / 2);
     if (distance < nearest) [best, nearest] = [i, distance];
   }

@@ -7,12 +7,12 @@
  * @property {number} limit - what `anchored` must not exceed, or reach if `atLeast`.
  * @property {boolean} [atLeast]
  * @property {(models: Record<string, ModelMetrics>, technique: string) => { value: number, model: string } | undefined} worst
- *   - the worst figure of a technique and the model it was met on; undefined where it was not measured.
+ *   - the worst value of a technique and the model it occurs on; undefined where it was not measured.
  */
 
 const LIGHT_TURN = 0.5;
 
-/** What is required of `anchored`, and how each figure comes from what was measured. */
+/** What is required of `anchored`, and how each value follows from the measurements. */
 export const requirements = /** @type {Requirement[]} */ ([
   { name: 'Greyness: share of pixels neither ink nor paper', limit: 0.005, worst: largest((m) => m.greyness) },
   { name: 'Mean jump of luminance across shared edges', limit: 1e-3, worst: largest((m) => m.edgeJump?.mean) },
@@ -21,14 +21,14 @@ export const requirements = /** @type {Requirement[]} */ ([
     name: 'Flips under a 0.5° turn of the light, against those of `adjacency`',
     limit: 1 / 3,
     worst: (models, technique) =>
-      // On a sphere about its own origin the paper's coordinates hardly depend on the light, nor on the place either.
+      // On a sphere about its own origin the coordinates of Suarez et al. hardly depend on the light, nor on the place.
       largest((m, name) => (name === 'sphere' ? undefined : flipsAt(m) / flipsAt(models[name].techniques.adjacency)))(
         models,
         technique,
       ),
   },
   { name: 'Popping index of a camera coming 8 times nearer', limit: 2, worst: largest((m) => m.dolly?.popping) },
-  { name: 'Stroke spacing in pixels on that way, ±', limit: 0.15, worst: largest((m) => m.zoom?.spread) },
+  { name: 'Stroke spacing in pixels during that move, ±', limit: 0.15, worst: largest((m) => m.zoom?.spread) },
   {
     name: 'Coherence on the dragon of 871 k triangles, against that of 11 k',
     limit: 0.95,
@@ -47,7 +47,7 @@ export function toneError({ ink }) {
   return Math.max(...Object.entries(ink).map(([tone, mean]) => Math.abs(mean - Number(tone))));
 }
 
-/** Normalised flips under the turn of the light that is judged. @param {TechniqueMetrics} metrics */
+/** Normalised flips under the turn of the light that is required. @param {TechniqueMetrics} metrics */
 export function flipsAt({ light }, turn = LIGHT_TURN) {
   return light?.flips.find(({ degrees }) => degrees === turn)?.share;
 }

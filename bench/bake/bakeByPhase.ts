@@ -1,13 +1,13 @@
 import {
-  absorbSpecks,
+  absorbSmallPatches,
   buildFans,
   computeAreaNormals,
   cutCreases,
+  cutSharpEdges,
   DEFAULT_SMOOTHING_SHARE,
   expandPerCorner,
   type FanNormals,
   fanDirections,
-  findFormCreases,
   measureBounds,
   packCornerAttributes,
   packCorners,
@@ -37,7 +37,7 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
   const pairing = run('pair', pairEdges(mesh.positions, canonicalCorners, areaNormals));
   const adjacency = { ...pairing, canonicalCorners, areaNormals, steps: weldSteps + pairing.steps };
   run('creases', cutCreases(adjacency, Math.PI / 2));
-  const twins = run('creases', findFormCreases(adjacency));
+  const twins = run('creases', cutSharpEdges(adjacency));
   const hatchNormals = smoothNormals({ mesh, twins, canonicalCorners, areaNormals }, bounds.radius, run);
   const surface: Surface = { adjacency, bounds, hatchNormals, smoothNormals: null };
   return {
@@ -65,7 +65,7 @@ function smoothNormals(faces: FanSurface, boundingRadius: number, run: Run): Fan
   const radius = DEFAULT_SMOOTHING_SHARE * boundingRadius;
   const fans = run('normals', buildFans(faces));
   const smoothed = run('normals', smoothFanNormals({ ...faces, fans }, radius));
-  run('normals', absorbSpecks(faces, fans, Math.PI * (radius / 2) ** 2));
+  run('normals', absorbSmallPatches(faces, fans, Math.PI * (radius / 2) ** 2));
   return { fans, normals: run('normals', fanDirections(smoothed, faces.areaNormals, fans)) };
 }
 

@@ -1,4 +1,4 @@
-/** A rendered surface: what every measure reads. Rows may run up or down, as long as all images of a measurement agree. */
+/** A rendered surface, the input of every measure. Rows may run up or down, as long as all images of a measurement agree. */
 export interface SurfaceImage {
   readonly width: number;
   readonly height: number;
@@ -8,5 +8,5 @@ export interface SurfaceImage {
   readonly surface: Uint8Array;
 }
 
-/** Black or white: what a pixel is taken for where a measure counts strokes. */
+/** Whether a pixel counts as ink, for measures that count strokes. */
 export const isInk = (luminance: number): boolean => luminance < 0.5;

@@ -8,8 +8,8 @@ export interface EdgeJump {
 }
 
 /**
- * M2: how much the picture jumps where two triangles meet. `own` and `twin` show the same edges as lines, shaded with what the
- * one and what the other triangle says at the same points; where shading is continuous, the two are equal.
+ * M2: how much the shading jumps where two triangles meet. `own` and `twin` show the same edges as lines, shaded as part of one
+ * triangle and of the other. Where shading is continuous, the two are equal.
  */
 export function edgeJump(own: SurfaceImage, twin: SurfaceImage): EdgeJump {
   const jumps: number[] = [];

@@ -1,13 +1,5 @@
 import type { SurfaceImage } from './SurfaceImage.js';
+import { surfaceMean } from './surfaceMean.js';
 
-/** The mean darkness of the surface; M4 is its distance from the tone that was asked for everywhere. */
-export function meanInk({ luminance, surface }: SurfaceImage): number {
-  let ink = 0;
-  let all = 0;
-  for (let i = 0; i < luminance.length; i++) {
-    if (surface[i] === 0) continue;
-    all++;
-    ink += 1 - luminance[i];
-  }
-  return ink / all;
-}
+/** The mean darkness of the surface. M4, the tone error, is its distance from the tone that the whole surface should have. */
+export const meanInk = (image: SurfaceImage): number => surfaceMean(image, (luminance) => 1 - luminance);

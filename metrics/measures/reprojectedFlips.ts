@@ -1,7 +1,7 @@
 import { FlipCount } from './normalisedFlips.js';
 import { isInk, type SurfaceImage } from './SurfaceImage.js';
 
-/** A picture together with where on the object each pixel lies. */
+/** A picture with the point of the object that each pixel shows. */
 export interface LocatedImage extends SurfaceImage {
   /** Per pixel: xyz on the object, then the cosine between normal and line of sight. */
   readonly places: Float32Array;
@@ -9,14 +9,14 @@ export interface LocatedImage extends SurfaceImage {
   readonly objectToClip: ArrayLike<number>;
 }
 
-/** Surfaces seen more obliquely than this are left out: a pixel there is a long strip. */
+/** Surfaces with a smaller cosine to the line of sight are left out: a pixel covers a long strip there. */
 const LEAST_FACING = 0.3;
-/** How far, in pixels, what a pixel shows may lie from where it was looked for before it counts as hidden. */
+/** A point counts as hidden if the pixel where it should appear shows a point farther away than this, in pixels. */
 const SAME_PLACE_PIXELS = 4;
 
 /**
- * M6: normalised flips between two frames of a moving camera. Each point seen in the first frame is looked up where the
- * second camera shows it, between pixels; points that are hidden there are left out.
+ * M6: normalised flips between two frames of a moving camera. Each point seen in the first frame is looked up in the second by
+ * bilinear interpolation; points that are hidden there are left out.
  */
 export function reprojectedFlips(before: LocatedImage, after: LocatedImage): number {
   const { width, height, places } = before;
@@ -50,7 +50,7 @@ export function reprojectedFlips(before: LocatedImage, after: LocatedImage): num
   return count.normalised();
 }
 
-/** How much the worst frame of a steady move stands out: the largest value over the median. 1 is perfectly even. */
+/** How much the worst frame of a steady camera move stands out: the largest value over the median. 1 is perfectly even. */
 export function poppingIndex(flips: readonly number[]): number {
   const sorted = flips.toSorted((a, b) => a - b);
   const middle = sorted.length >> 1;

@@ -1,13 +1,12 @@
 import type { SurfaceImage } from './SurfaceImage.js';
 
-/** Standard deviation in pixels of the smoothing before gradients are taken, and of the neighbourhood they are compared in. */
+/** Standard deviations in pixels: of the smoothing before gradients are taken, and of the window of the structure tensor. */
 const GRADIENT_SIGMA = 1;
 const NEIGHBOURHOOD_SIGMA = 4;
 
 /**
- * How much strokes agree in direction with what lies next to them: the coherence (λ₁ − λ₂)/(λ₁ + λ₂) of the structure tensor
- * of the picture, averaged with the weight λ₁ + λ₂ of the contrast there is. 1 for straight lines, near 0 for noise and for
- * crossed lines alike.
+ * How well neighbouring strokes agree in direction: the coherence (λ₁ − λ₂)/(λ₁ + λ₂) of the structure tensor of the picture,
+ * averaged with the contrast λ₁ + λ₂ as weight. 1 for straight lines, near 0 for noise and for crossed lines.
  */
 export function strokeCoherence({ width, height, luminance, surface }: SurfaceImage): number {
   const mask = Float32Array.from(surface, (s) => (s === 0 ? 0 : 1));
@@ -25,7 +24,7 @@ export function strokeCoherence({ width, height, luminance, surface }: SurfaceIm
   for (let y = 1; y + 1 < height; y++) {
     for (let x = 1; x + 1 < width; x++) {
       const i = y * width + x;
-      // Near the outline the smoothing has reached beyond the surface; what changes there is not a stroke.
+      // Near the outline, smoothing has mixed in the background: gradients there are not strokes.
       if ([i, i - 1, i + 1, i - width, i + width].some((j) => covered[j] < 0.9999)) continue;
       const dx = (light[i + 1] - light[i - 1]) / 2;
       const dy = (light[i + width] - light[i - width]) / 2;
@@ -48,7 +47,7 @@ export function strokeCoherence({ width, height, luminance, surface }: SurfaceIm
   return difference / sum;
 }
 
-/** Gaussian smoothing, rows and then columns; beyond the picture lies nothing. */
+/** Gaussian smoothing of the rows, then of the columns. Zero outside the picture. */
 function blur(source: Float32Array, width: number, height: number, sigma: number): Float32Array {
   const radius = Math.ceil(3 * sigma);
   const kernel = Array.from({ length: 2 * radius + 1 }, (_, k) => Math.exp(-0.5 * ((k - radius) / sigma) ** 2));

@@ -7,14 +7,14 @@ export interface StrokeKink {
 }
 
 /**
- * M3: the angle by which strokes turn where they cross from one triangle into the next, both laid flat. Follows from the
- * frames alone: strokes are where a plane perpendicular to B cuts the triangle.
+ * M3: the angle by which strokes turn where they cross from one triangle into the next, with both unfolded into a plane. It
+ * follows from the frames alone: a stroke lies where a plane perpendicular to B cuts the triangle.
  *
  * @param positions - xyz of the corners of a triangle soup.
  * @param edges - as `pairedEdges` returns them.
  * @param toLight - direction to a distant light.
- * @param normals - per corner, the normals frames are made from, interpolated; without them every triangle has its own
- *   frame, as in the paper, whose blend lets both show.
+ * @param normals - per corner, the normals from which frames are interpolated. Without them every triangle has its own frame, as
+ *   in Suarez et al., whose blend then shows both.
  */
 export function strokeKink(
   positions: ArrayLike<number>,
@@ -30,13 +30,13 @@ export function strokeKink(
       const face = faceNormal(positions, a);
       const n = normals ? unit(add(vectorAt(normals, a), vectorAt(normals, b))) : face;
       const bitangent = subtract(toLight, scaled(n, dot(toLight, n)));
-      // Towards the light no stroke has a direction.
+      // Facing the light, strokes have no direction.
       if (Math.hypot(...bitangent) < 1e-4 * Math.hypot(...toLight)) return Number.NaN;
       const stroke = cross(face, bitangent);
       return Math.atan2(dot(stroke, cross(face, along)), dot(stroke, along));
     };
     const turn = Math.abs(angle(start, end) - angle(twinStart, twinEnd)) % Math.PI;
-    // Strokes have no head: a turn by more than a right angle is one by less.
+    // Strokes have no orientation: a turn by more than 90° equals one by less.
     const kink = Math.min(turn, Math.PI - turn);
     if (Number.isFinite(kink)) kinks.push((kink * 180) / Math.PI);
   }

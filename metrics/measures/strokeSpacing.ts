@@ -1,14 +1,14 @@
 import { isInk, type SurfaceImage } from './SurfaceImage.js';
 
-/** Side of the windows strokes are taken to run straight in, in pixels. */
+/** Side in pixels of the windows within which strokes are taken as straight. */
 const WINDOW = 16;
 
 /**
  * M7: the mean distance between strokes in pixels, across them.
  *
- * Straight strokes at a distance s whose normal makes an angle φ with a line of pixels are entered or left 2·|cos φ|/s
- * times per pixel of that line. Rows and columns together give 2/s whatever φ is, as the root of the sum of the squares; taken
- * in windows that lie wholly on the surface, and averaged.
+ * Take straight strokes at a distance s whose normal makes an angle φ with a line of pixels. That line crosses 2·|cos φ|/s stroke
+ * edges per pixel. For rows and columns together, the root of the sum of squares is 2/s for any φ. It is measured in windows
+ * that lie wholly on the surface, and averaged.
  */
 export function strokeSpacing({ width, height, luminance, surface }: SurfaceImage): number {
   let density = 0;
@@ -37,7 +37,7 @@ export function strokeSpacing({ width, height, luminance, surface }: SurfaceImag
   return (2 * windows) / density;
 }
 
-/** How far values stray from their middle: half of what lies between smallest and largest, over the mean of the two. */
+/** Half the range of the values, divided by the middle of the range. */
 export function halfSpread(values: readonly number[]): number {
   const [least, most] = [Math.min(...values), Math.max(...values)];
   return (most - least) / (most + least);

@@ -1,6 +1,6 @@
 const TWO_PI = 2 * Math.PI;
 
-/** Two unit vectors u and v, perpendicular to an edge and to each other, in which angles about it are measured. */
+/** Two unit vectors u and v, perpendicular to an edge and to each other: the axes for angles about the edge. */
 export class EdgeAxes {
   private readonly ux: number;
   private readonly uy: number;
@@ -54,7 +54,7 @@ export class EdgeAxes {
     const y = positions[position + 1] - positions[origin + 1];
     const z = positions[position + 2] - positions[origin + 2];
     const angle = Math.atan2(x * this.vx + y * this.vy + z * this.vz, x * this.ux + y * this.uy + z * this.uz);
-    // The remainder, because a tiny negative angle plus 2π rounds to 2π.
+    // A tiny negative angle plus 2π rounds to 2π; the remainder makes that 0.
     return angle < 0 ? (angle + TWO_PI) % TWO_PI : angle;
   }
 }

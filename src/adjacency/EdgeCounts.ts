@@ -4,8 +4,8 @@ export interface EdgeCounts {
   borderEdges: number;
   /** Edges with more than two triangles. */
   nonManifoldEdges: number;
-  /** Edges with two triangles that run along it in the same direction: their windings contradict each other. */
+  /** Edges that both their triangles run along in the same direction: the windings contradict each other. */
   inconsistentEdges: number;
-  /** Triangles without area. They have no neighbours, are nobody's neighbour, and their edges are not counted. */
+  /** Triangles without area. They have no neighbours, are no triangle's neighbour, and their edges are not counted. */
   degenerateTriangles: number;
 }

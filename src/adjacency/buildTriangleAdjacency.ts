@@ -1,7 +1,8 @@
 import { computeAreaNormals } from '../mesh/computeAreaNormals.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { weldPositions } from '../mesh/weldPositions.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { EdgeCounts } from './EdgeCounts.js';
 import { pairEdges } from './pairEdges.js';
 
@@ -11,7 +12,7 @@ export interface TriangleAdjacency extends EdgeCounts {
   twins: Int32Array<ArrayBuffer>;
   /** For each corner its canonical vertex: corners at one position have the same. */
   canonicalCorners: Uint32Array<ArrayBuffer>;
-  /** Three doubles per triangle: the normal, twice the area long; zero where degenerate. */
+  /** Three doubles per triangle, see `computeAreaNormals`. Zero where degenerate. */
   areaNormals: Float64Array<ArrayBuffer>;
   /** Visits of hash slots and half-edges: a machine-independent measure of the time taken. */
   steps: number;
@@ -20,10 +21,9 @@ export interface TriangleAdjacency extends EdgeCounts {
 /**
  * Welds the mesh by exact position and finds the twin of every edge, in O(V + T) however many triangles meet in a vertex.
  *
- * An edge of two triangles makes twins of its half-edges, also when the windings contradict each other (the shader
- * rebuilds the neighbour from the shared edge, which mends the winding). An edge of more triangles is matched by
- * `matchNonManifoldEdge`, in O(n log n) of their number. The result does not depend on the order of triangles or
- * vertices.
+ * The two half-edges of a manifold edge become twins, also when the windings contradict each other: the shader rebuilds
+ * the neighbour from the shared edge, which repairs the winding. A non-manifold edge of n triangles is matched by
+ * `matchNonManifoldEdge` in O(n log n). The result does not depend on the order of triangles or vertices.
  *
  * `mesh` must be valid (see `TriangleMesh`).
  */
@@ -32,7 +32,7 @@ export function* buildTriangleAdjacency(mesh: TriangleMesh): Generator<number, T
   const { canonical, steps: weldSteps } = yield* asPhase(weldPositions(positions), 0, 0.25);
   const canonicalCorners = new Uint32Array(indices.length);
   yield* asPhase(
-    inChunks(indices.length, (start, end) => gatherRange(canonical, indices, canonicalCorners, start, end)),
+    forEachChunk(indices.length, (start, end) => gatherRange(canonical, indices, canonicalCorners, start, end)),
     0.25,
     0.3,
   );

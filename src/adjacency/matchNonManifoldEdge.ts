@@ -2,8 +2,9 @@ import { nextCorner, previousCorner } from '../mesh/corners.js';
 import { EdgeAxes } from './EdgeAxes.js';
 
 /** A half-edge of a non-manifold edge. */
-interface Fin {
+interface HalfEdge {
   corner: number;
+  /** Whether it runs from the lexicographically smaller end to the larger one. */
   isForward: boolean;
   /** Angle of the triangle's normal about the edge, up to a constant, in [0, 2π). */
   angle: number;
@@ -11,8 +12,9 @@ interface Fin {
   opposite: number;
 }
 
-/** Two fins side by side, one forward and one backward, that may become twins. */
+/** Two half-edges next to each other in angle, one forward and one backward, that may become twins. */
 interface Candidate {
+  /** From left to right, in [0, 2π). */
   gap: number;
   left: number;
   right: number;
@@ -21,14 +23,14 @@ interface Candidate {
 const TWO_PI = 2 * Math.PI;
 
 /**
- * Makes twins among the half-edges `corners` of one undirected edge that more than two triangles share: a forward and a
- * backward one each time, closest normals first (the rule of DirectXMesh), until one kind has run out. The others keep
- * no twin. Returns the number of steps taken.
+ * Pairs the half-edges `corners` of one edge that more than two triangles share. Each pair is a forward and a backward one;
+ * those with the closest normals come first (the rule of DirectXMesh), until one kind has run out. The others get no twin.
+ * Returns the number of steps taken.
  *
- * All normals are perpendicular to the edge, so each is an angle about it, and the closest pair are always neighbours in
- * the order of angles. That makes O(n log n) of what compares all pairs otherwise. Angles and tie-breaks come from
- * positions alone: the order of triangles and vertices in the mesh does not matter. Only copies of one triangle, which
- * nothing else can tell apart, are ordered by corner.
+ * All normals are perpendicular to the edge, so each is an angle about it. The closest pair are always neighbours in the
+ * order of angles, so O(n log n) steps replace the comparison of all pairs. Angles and tie-breaks come from positions
+ * alone: the order of triangles and vertices in the mesh does not matter. Only copies of one triangle, which nothing else
+ * tells apart, are ordered by corner.
  */
 export function matchNonManifoldEdge(
   corners: readonly number[],
@@ -36,17 +38,17 @@ export function matchNonManifoldEdge(
   canonicalCorners: Uint32Array,
   twins: Int32Array,
 ): number {
-  const fins = sortedFins(corners, positions, canonicalCorners);
-  const count = fins.length;
+  const halfEdges = sortHalfEdges(corners, positions, canonicalCorners);
+  const count = halfEdges.length;
   let steps = count;
-  const before = fins.map((_, i) => (i + count - 1) % count);
-  const after = fins.map((_, i) => (i + 1) % count);
+  const before = halfEdges.map((_, i) => (i + count - 1) % count);
+  const after = halfEdges.map((_, i) => (i + 1) % count);
   const isMatched = new Uint8Array(count);
   const heap: Candidate[] = [];
 
   const consider = (left: number, right: number): void => {
-    if (left === right || fins[left].isForward === fins[right].isForward) return;
-    const gap = (fins[right].angle - fins[left].angle + TWO_PI) % TWO_PI;
+    if (left === right || halfEdges[left].isForward === halfEdges[right].isForward) return;
+    const gap = (halfEdges[right].angle - halfEdges[left].angle + TWO_PI) % TWO_PI;
     steps += push(heap, { gap, left, right });
   };
   for (let i = 0; i < count; i++) consider(i, after[i]);
@@ -57,8 +59,8 @@ export function matchNonManifoldEdge(
     if (isMatched[left] || isMatched[right]) continue;
     isMatched[left] = 1;
     isMatched[right] = 1;
-    twins[fins[left].corner] = fins[right].corner;
-    twins[fins[right].corner] = fins[left].corner;
+    twins[halfEdges[left].corner] = halfEdges[right].corner;
+    twins[halfEdges[right].corner] = halfEdges[left].corner;
     const outerLeft = before[left];
     const outerRight = after[right];
     if (isMatched[outerLeft] || isMatched[outerRight]) continue;
@@ -69,22 +71,22 @@ export function matchNonManifoldEdge(
   return steps;
 }
 
-/** The half-edges as fins, in the order of their angles. */
-function sortedFins(corners: readonly number[], positions: Float32Array, canonicalCorners: Uint32Array): Fin[] {
+/** Describes the half-edges, in the order of their angles. */
+function sortHalfEdges(corners: readonly number[], positions: Float32Array, canonicalCorners: Uint32Array): HalfEdge[] {
   const start = 3 * canonicalCorners[corners[0]];
   const end = 3 * canonicalCorners[nextCorner(corners[0])];
   const isAscending = comparePositions(positions, start, end) < 0;
   const origin = isAscending ? start : end;
   const axes = new EdgeAxes(positions, origin, isAscending ? end : start);
-  const fins: Fin[] = [];
+  const halfEdges: HalfEdge[] = [];
   for (const corner of corners) {
     const isForward = 3 * canonicalCorners[corner] === origin;
     const opposite = 3 * canonicalCorners[previousCorner(corner)];
     const angle = axes.angleOf(opposite);
-    // The normal stands a quarter turn ahead of a forward triangle and a quarter turn behind a backward one.
-    fins.push({ corner, isForward, angle: isForward ? angle : (angle + Math.PI) % TWO_PI, opposite });
+    // The normal is a quarter turn ahead of a forward triangle and a quarter turn behind a backward one.
+    halfEdges.push({ corner, isForward, angle: isForward ? angle : (angle + Math.PI) % TWO_PI, opposite });
   }
-  return fins.sort(
+  return halfEdges.sort(
     (a, b) =>
       a.angle - b.angle ||
       Number(b.isForward) - Number(a.isForward) ||

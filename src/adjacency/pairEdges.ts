@@ -1,10 +1,11 @@
 import { isDegenerate } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, nextCorner } from '../mesh/corners.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { EdgeCounts } from './EdgeCounts.js';
 import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 
-/** What `pairEdges` returns; explained at `TriangleAdjacency`. */
+/** What `pairEdges` returns. See `TriangleAdjacency`. */
 export interface Pairing extends EdgeCounts {
   twins: Int32Array<ArrayBuffer>;
   /** Visits of half-edges: a machine-independent measure of the time taken. */
@@ -25,16 +26,16 @@ interface Buckets {
 interface Chains {
   /** The slot before this one on the same edge, or END. */
   previous: Uint32Array;
-  /** 1 where a later slot links to this one: not the last of its chain. */
-  isSuperseded: Uint8Array;
+  /** 1 where a later slot links to this one, which is then not the last of its chain. */
+  hasSuccessor: Uint8Array;
 }
 
 const END = 0xffffffff;
 
 /**
- * Finds twins by counting sort: half-edges are sorted into one bucket per smaller end, and within a bucket those with
- * the same larger end are chained. A marker array that remembers, per larger end, the latest half-edge seen takes the
- * place of a search, so a bucket of any size costs one visit per entry. Half-edges of degenerate triangles take no part.
+ * Finds twins by counting sort. Half-edges are sorted into one bucket per smaller end; within a bucket, those with the same
+ * larger end are chained. An array remembers the latest half-edge seen per larger end, so nothing is searched: a bucket of
+ * any size costs one visit per entry. Half-edges of degenerate triangles are left out.
  */
 export function* pairEdges(
   positions: Float32Array,
@@ -44,11 +45,11 @@ export function* pairEdges(
   const vertexCount = positions.length / 3;
   const triangleCount = canonicalCorners.length / 3;
 
-  // histogram over the smaller end, then prefix sum: every entry is the end of its bucket
+  // A histogram over the smaller end, then its prefix sums: every entry is the end of its bucket.
   const starts = new Uint32Array(vertexCount + 1);
   let degenerateTriangles = 0;
   yield* asPhase(
-    inChunks(triangleCount, (start, end) => {
+    forEachChunk(triangleCount, (start, end) => {
       degenerateTriangles += countRange(canonicalCorners, areaNormals, starts, start, end);
     }),
     0,
@@ -62,18 +63,18 @@ export function* pairEdges(
 
   const buckets = { starts, corners: new Uint32Array(halfEdgeCount), highs: new Uint32Array(halfEdgeCount) };
   yield* asPhase(
-    inChunks(triangleCount, (start, end) =>
+    forEachChunk(triangleCount, (start, end) =>
       scatterRange(canonicalCorners, areaNormals, buckets, triangleCount - end, triangleCount - start),
     ),
     0.15,
     0.45,
   );
 
-  const chains = { previous: new Uint32Array(halfEdgeCount).fill(END), isSuperseded: new Uint8Array(halfEdgeCount) };
+  const chains = { previous: new Uint32Array(halfEdgeCount).fill(END), hasSuccessor: new Uint8Array(halfEdgeCount) };
   const latest = new Uint32Array(vertexCount);
   let low = 0;
   yield* asPhase(
-    inChunks(halfEdgeCount, (start, end) => {
+    forEachChunk(halfEdgeCount, (start, end) => {
       low = chainRange(buckets, chains, latest, low, start, end);
     }),
     0.45,
@@ -89,7 +90,7 @@ export function* pairEdges(
     steps: halfEdgeCount,
   };
   yield* asPhase(
-    inChunks(halfEdgeCount, (start, end) =>
+    forEachChunk(halfEdgeCount, (start, end) =>
       pairRange(positions, canonicalCorners, buckets, chains, pairing, start, end),
     ),
     0.7,
@@ -118,16 +119,16 @@ function countRange(
     const a = canonicalCorners[3 * triangle];
     const b = canonicalCorners[3 * triangle + 1];
     const c = canonicalCorners[3 * triangle + 2];
-    sizes[Math.min(a, b)]!++;
-    sizes[Math.min(b, c)]!++;
-    sizes[Math.min(c, a)]!++;
+    sizes[Math.min(a, b)]++;
+    sizes[Math.min(b, c)]++;
+    sizes[Math.min(c, a)]++;
   }
   return degenerateTriangles;
 }
 
 /**
- * Puts the half-edges of some triangles into their buckets, from the back of each, so that in the end the bucket ends
- * have become the bucket starts. Triangles are taken backwards, so that a bucket keeps their order.
+ * Puts the half-edges of some triangles into their buckets. Each bucket is filled from its back, so `starts` begins as the
+ * bucket ends and finishes as the bucket starts. Triangles are taken backwards, so a bucket keeps their order.
  */
 function scatterRange(
   canonicalCorners: Uint32Array,
@@ -149,12 +150,12 @@ function scatterRange(
 }
 
 /**
- * Chains some slots. `latest` holds, per larger end, the latest slot + 1; what earlier buckets have left there is
- * recognised by its number, so nothing is ever reset. `low` is the bucket of the slot before; returns that of the last.
+ * Chains some slots. `latest` holds the latest slot + 1 per larger end. Entries of earlier buckets are recognised by their
+ * numbers, so nothing is ever reset. `low` is the bucket of the slot before the range; returns that of the last slot.
  */
 function chainRange(
   { starts, highs }: Buckets,
-  { previous, isSuperseded }: Chains,
+  { previous, hasSuccessor }: Chains,
   latest: Uint32Array,
   low: number,
   start: number,
@@ -166,19 +167,19 @@ function chainRange(
     const before = latest[high] - 1;
     if (before >= starts[low]) {
       previous[slot] = before;
-      isSuperseded[before] = 1;
+      hasSuccessor[before] = 1;
     }
     latest[high] = slot + 1;
   }
   return low;
 }
 
-/** Makes twins of the chains that end in some slots, and counts. */
+/** Pairs the chains that end in some slots, and counts them. */
 function pairRange(
   positions: Float32Array,
   canonicalCorners: Uint32Array,
   { corners }: Buckets,
-  { previous, isSuperseded }: Chains,
+  { previous, hasSuccessor }: Chains,
   pairing: Pairing,
   start: number,
   end: number,
@@ -188,7 +189,7 @@ function pairRange(
   let inconsistentEdges = 0;
   let steps = end - start;
   for (let slot = start; slot < end; slot++) {
-    if (isSuperseded[slot] === 1) continue;
+    if (hasSuccessor[slot] === 1) continue;
     const second = previous[slot];
     if (second === END) {
       borderEdges++;

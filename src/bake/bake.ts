@@ -1,22 +1,22 @@
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
 import type { VertexWords } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
 import { type PackedCorners, packCorners } from './packCorners.js';
 
-/** What the bakes of the `corner` and `pull` layouts are asked to do. Plain data: it travels to the worker. */
+/** The input of the bake of the `corner` and `pull` layouts. Plain data: it is posted to the worker. */
 export interface BakeRequest extends SurfaceRequest {
   /** Attributes to copy from vertices to corners. */
   attributes: VertexWords[];
 }
 
-/** What the bake of the `corner` layout returns. Plain data: it travels back from the worker. */
+/** What the bake of the `corner` layout returns. Plain data: the worker posts it back. */
 export interface BakeResult extends PackedCorners, CornerAttributes, BakeReport {}
 
 /**
- * Bakes triangle adjacency into the `corner` layout: weld, pair the edges, cut the creases, smooth the normals, pack.
+ * Bakes triangle adjacency into the `corner` layout: welds, pairs the edges, cuts the creases, smooths the normals, packs.
  * Throws a RangeError for a mesh that cannot be baked; see `validateTriangleMesh`. Pure: the same request gives the same
- * bytes everywhere.
+ * bytes on every machine.
  */
 export function* bake(request: BakeRequest): Generator<number, BakeResult, void> {
   const { mesh, attributes } = request;

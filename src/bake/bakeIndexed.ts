@@ -1,27 +1,28 @@
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
 import { packHatchNormals } from './hatchNormal.js';
 import { packNormals } from './packNormals.js';
 import { splitVertices } from './splitVertices.js';
 
-/** What the bake of the `indexed` layout returns. Plain data: it travels back from the worker. */
+/** What the bake of the `indexed` layout returns. Plain data: the worker posts it back. */
 export interface BakeIndexedResult extends BakeReport {
-  /** The vertex of each corner, those that were added included: in 16 bits where that is enough. */
+  /** The vertex of each corner, added vertices included. 16 bits where that is enough. */
   indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
-  /** For each vertex added, the one it is a copy of. They follow the vertices of the mesh. */
+  /** For each added vertex, the one it is a copy of. Added vertices follow those of the mesh. */
   addedVertices: Uint32Array<ArrayBuffer>;
   /** Each vertex's `hatchNormal`. */
   hatchNormals: Int16Array<ArrayBuffer>;
-  /** x, y, z of each vertex's smooth normal, if asked for. */
+  /** x, y, z of each vertex's smooth normal, if requested. */
   normals: Float32Array<ArrayBuffer> | null;
 }
 
-/** Index 65535 would be the primitive restart index, so that many vertices are the most. */
+/** Most vertices for a 16-bit index: index 65535 would restart primitives. */
 const MOST_SHORT_VERTICES = 0xffff;
 
 /**
- * Bakes the `indexed` layout: the vertices as they are, a `hatchNormal` for each, and copies of those that need two. The
- * attributes do not travel; who has them copies the vertices in `addedVertices`. Throws as `bake` does, and is as pure.
+ * Bakes the `indexed` layout: the vertices as they are, a `hatchNormal` for each, and copies of the vertices that need two.
+ * Other attributes are not part of the request: the caller appends copies of the entries that `addedVertices` names. Pure,
+ * and throws as `bake` does.
  */
 export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeIndexedResult, void> {
   const surface = yield* asPhase(bakeSurface(request), 0, 0.85);

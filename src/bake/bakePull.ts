@@ -1,5 +1,6 @@
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { appendVertices } from './appendVertices.js';
 import type { BakeRequest } from './bake.js';
 import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
 import { expandPerCorner } from './expandPerCorner.js';
@@ -7,22 +8,23 @@ import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } f
 import { type PackedPull, packPull } from './packPull.js';
 import { splitVertices } from './splitVertices.js';
 
-/** What the bake of the `pull` layout returns. Plain data: it travels back from the worker. */
+/** What the bake of the `pull` layout returns. Plain data: the worker posts it back. */
 export interface BakePullResult extends PackedPull, CornerAttributes, BakeReport {
   /** x, y, z of each corner. */
   positions: Float32Array<ArrayBuffer>;
 }
 
-/** Bakes triangle adjacency into the `pull` layout (`pullLayout`). Throws as `bake` does, and is as pure. */
+/** Bakes triangle adjacency into the `pull` layout (see `pullLayout.ts`). Pure, and throws as `bake` does. */
 export function* bakePull(request: BakeRequest): Generator<number, BakePullResult, void> {
   const { mesh, attributes } = request;
   const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
   const { adjacency, smoothNormals } = surface;
   let { positions, indices }: TriangleMesh = mesh;
   if (smoothNormals) {
-    // A vertex at a crease gets several of the normals that are added; it is split, so that each vertex has one.
+    // A vertex at a crease has several smooth normals: it is split, so that each vertex has one.
     const split = yield* asPhase(splitVertices(mesh, adjacency.areaNormals, smoothNormals.fans), 0.7, 0.75);
-    positions = appendPositions(positions, split.addedVertices);
+    const words = { words: new Uint32Array(positions.buffer), wordsPerVertex: 3 };
+    positions = new Float32Array(appendVertices(words, split.addedVertices).buffer);
     indices = split.indices;
   }
   const packed = yield* asPhase(packPull(positions, indices, adjacency.twins), 0.75, 0.82);
@@ -30,16 +32,6 @@ export function* bakePull(request: BakeRequest): Generator<number, BakePullResul
   const expanded = yield* asPhase(expandPerCorner({ words, wordsPerVertex: 3 }, mesh.indices), 0.82, 0.85);
   const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 1);
   return { ...packed, ...reportOf(surface), ...ofCorners, positions: new Float32Array(expanded.buffer) };
-}
-
-/** The positions with those of some vertices repeated at their end. */
-function appendPositions(positions: Float32Array<ArrayBuffer>, vertices: Uint32Array): Float32Array<ArrayBuffer> {
-  const appended = new Float32Array(positions.length + 3 * vertices.length);
-  appended.set(positions);
-  for (const [i, vertex] of vertices.entries()) {
-    appended.set(positions.subarray(3 * vertex, 3 * vertex + 3), positions.length + 3 * i);
-  }
-  return appended;
 }
 
 /** The buffers of a result, to be transferred with it. */

@@ -3,23 +3,23 @@ import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
 import { type Bounds, measureBounds } from '../mesh/measureBounds.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { validateTriangleMesh } from '../mesh/validateTriangleMesh.js';
-import { absorbSpecks } from '../normals/absorbSpecks.js';
+import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { computeSmoothNormals } from '../normals/computeSmoothNormals.js';
 import { cutCreases } from '../normals/cutCreases.js';
+import { cutSharpEdges } from '../normals/cutSharpEdges.js';
 import { fanDirections } from '../normals/fanDirections.js';
-import { findFormCreases } from '../normals/findFormCreases.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 
-/** What every layout is baked from. Plain data: it travels to the worker. */
+/** The input of the bake for every layout. Plain data: it is posted to the worker. */
 export interface SurfaceRequest {
-  /** Opens every error message: the function that was called and the thing it was given. */
+  /** Begins every error message: the function that was called and the geometry it was given. */
   label: string;
   mesh: TriangleMesh;
-  /** Edges whose triangles' normals differ by this or more, in radians, get no neighbour. */
+  /** Triangles whose normals differ by this angle or more, in radians, are not neighbours. */
   creaseAngle: number;
-  /** Form finer than this, in object units, does not turn the hatch normals. `DEFAULT_SMOOTHING_SHARE` if undefined. */
+  /** Detail finer than this, in object units, does not turn the hatch normals. See `DEFAULT_SMOOTHING_SHARE`. */
   smoothingRadius?: number | undefined;
   /** Whether to compute smooth normals, for a mesh that has none. */
   wantsNormals: boolean;
@@ -31,23 +31,23 @@ export interface FanNormals {
   normals: Float32Array<ArrayBuffer>;
 }
 
-/** What the layouts have in common. */
+/** The part of the bake that all layouts share. */
 export interface Surface {
-  /** With the creases cut. */
+  /** After cutting the creases. */
   adjacency: TriangleAdjacency;
   bounds: Bounds;
   hatchNormals: FanNormals;
-  /** The smooth normals, if asked for. Their fans are those of the hatch normals or unions of them, but for specks. */
+  /** The smooth normals, if requested. Their fans are those of the hatch normals or unions of them, except small patches. */
   smoothNormals: FanNormals | null;
 }
 
 /**
- * The smoothing radius, as a share of the radius of the bounding sphere. Strokes are some ten to a radius long: scan
- * noise is far finer, and folds of a robe or scales of a dragon are as large or larger.
+ * The smoothing radius, as a share of the radius of the bounding sphere. A stroke is about a tenth of that radius long. Scan
+ * noise is far finer; the folds of a robe or the scales of a dragon are as large or larger.
  */
 export const DEFAULT_SMOOTHING_SHARE = 0.03;
 
-/** Validates the mesh, finds its adjacency, cuts the creases, and computes what normals there are to be. */
+/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals and the smooth ones. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
   const { mesh } = request;
   yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03);
@@ -66,8 +66,8 @@ function* bakeSmoothNormals(adjacency: TriangleAdjacency): Generator<number, Fan
 }
 
 /**
- * Normals at the scale of `radius`, split at edges of the form. Patches smaller than a disc of that width take theirs from
- * what they lie on, and add nothing to it.
+ * Normals at the scale of `radius`, split at sharp edges. Patches smaller than a disc of that diameter take the normals of
+ * the surface around them and do not influence it.
  */
 function* bakeHatchNormals(
   mesh: TriangleMesh,
@@ -75,18 +75,22 @@ function* bakeHatchNormals(
   radius: number,
 ): Generator<number, FanNormals, void> {
   const { canonicalCorners, areaNormals } = adjacency;
-  const twins = yield* asPhase(findFormCreases(adjacency), 0, 0.15);
+  const twins = yield* asPhase(cutSharpEdges(adjacency), 0, 0.15);
   const fans = yield* asPhase(buildFans({ twins, canonicalCorners }), 0.15, 0.22);
   const smoothed = yield* asPhase(
     smoothFanNormals({ mesh, twins, canonicalCorners, areaNormals, fans }, radius),
     0.22,
     0.9,
   );
-  yield* asPhase(absorbSpecks({ twins, canonicalCorners, areaNormals }, fans, Math.PI * (radius / 2) ** 2), 0.9, 0.96);
+  yield* asPhase(
+    absorbSmallPatches({ twins, canonicalCorners, areaNormals }, fans, Math.PI * (radius / 2) ** 2),
+    0.9,
+    0.96,
+  );
   return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.96, 1) };
 }
 
-/** What a bake found out about the mesh, whatever its layout. */
+/** What a bake of any layout found out about the mesh. */
 export interface BakeReport extends EdgeCounts {
   bounds: Bounds;
 }

@@ -1,11 +1,12 @@
 /**
  * The `corner` vertex layout: every triangle has three vertices of its own, and each carries the positions of all six
- * adjacency vertices V0, V1, V2, Vα, Vβ, Vγ of its triangle (paper, figure 5). Own position and the two others of the
- * triangle are stored relative to the corner, so that `position` stays what three.js expects; the shader turns them
- * back into V0, V1, V2 with the corner id, which makes all three corners compute bit-identical frames.
+ * adjacency vertices V0, V1, V2, Vα, Vβ, Vγ of its triangle (Suarez et al., figure 5).
  *
- * This table is read by the bake, the geometry, the shader assembly and the tests. Its attributes lie interleaved, in this
- * order, in one Float32Array of `CORNER_STRIDE` floats per corner; `position` and `hatchNormal` lie beside it.
+ * The triangle's own vertices are stored in the order own, next, previous, so that `position` stays what three.js expects.
+ * With the corner id the shader turns them back into V0, V1, V2, so all three corners compute bit-identical frames.
+ *
+ * The bake, the geometry, the shader assembly and the tests read this table. Its attributes lie interleaved, in this order,
+ * in one Float32Array of `CORNER_STRIDE` floats per corner. `position` and `hatchNormal` have buffers of their own.
  */
 export const cornerLayout = [
   /** xyz: position of the next corner of the triangle; w: the corner id k ∈ {0, 1, 2}. */
@@ -13,9 +14,9 @@ export const cornerLayout = [
   /** Position of the previous corner of the triangle. */
   { name: 'cornerPrevious', itemSize: 3 },
   /**
-   * Vα, Vβ, Vγ: the vertex opposite to edge 0, 1, 2 in the neighbour across that edge. Where there is no neighbour
-   * (border, degenerate, or cut by the crease angle) it is the triangle's own opposite vertex: the neighbour then folds
-   * back onto the triangle, its normal is −N_c, and the blend factor −1 everywhere, which is "no contribution".
+   * Vα, Vβ, Vγ: the vertex opposite to edge 0, 1, 2 in the neighbour across that edge. Where there is no neighbour (border,
+   * degenerate, or cut by the crease angle) it is the triangle's own opposite vertex. The neighbour then folds back onto
+   * the triangle: its normal is −N_c and its blend factor −1 everywhere, which means "no contribution".
    */
   { name: 'oppositeAlpha', itemSize: 3 },
   { name: 'oppositeBeta', itemSize: 3 },

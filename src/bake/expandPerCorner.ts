@@ -1,6 +1,6 @@
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 
-/** Vertex data seen as plain words, so that one function copies every type bit by bit. */
+/** Vertex data as plain words, so that one function copies every type bit by bit. */
 export type Words = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 
 /** An attribute whose values are copied from vertices to corners unchanged. */
@@ -13,7 +13,7 @@ export interface VertexWords {
 export function* expandPerCorner(source: VertexWords, indices: Uint32Array): Generator<number, Words, void> {
   const { words, wordsPerVertex } = source;
   const expanded = new (words.constructor as new (length: number) => Words)(indices.length * wordsPerVertex);
-  yield* inChunks(indices.length, (start, end) => expandRange(source, indices, expanded, start, end));
+  yield* forEachChunk(indices.length, (start, end) => expandRange(source, indices, expanded, start, end));
   return expanded;
 }
 

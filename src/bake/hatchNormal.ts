@@ -1,17 +1,18 @@
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FanNormals } from './bakeSurface.js';
 import { packNormals } from './packNormals.js';
 
 /**
- * The attribute of either layout that strokes are laid by: the unit normal at the scale of a stroke, in object space, as
- * normalised 16-bit integers x, y, z, and a fourth one of 0, so that entries are aligned to eight bytes.
+ * The attribute that gives strokes their frame, in every layout: the unit normal at the scale of a stroke, in object space.
+ * x, y, z are normalised 16-bit integers; a fourth one, 0, aligns entries to eight bytes.
  */
 export const hatchNormal = { name: 'hatchNormal', itemSize: 4 } as const;
 
-/** What a normalised 16-bit integer stores as one. */
+/** The normalised 16-bit integer that stands for 1. */
 const ONE = 0x7fff;
 
-/** The attribute for some vertices, or for each corner; see `packNormals`. */
+/** The attribute per vertex or per corner; see `packNormals`. */
 export function* packHatchNormals(
   hatchNormals: FanNormals,
   cornerOfVertex: Uint32Array | null,
@@ -20,7 +21,7 @@ export function* packHatchNormals(
   const count = normals.length / 3;
   const packed = new Int16Array(hatchNormal.itemSize * count);
   yield* asPhase(
-    inChunks(count, (start, end) => quantizeRange(normals, packed, start, end)),
+    forEachChunk(count, (start, end) => quantizeRange(normals, packed, start, end)),
     0.5,
     1,
   );

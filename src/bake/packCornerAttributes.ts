@@ -1,14 +1,14 @@
-import { asPhase } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
 import type { Surface } from './bakeSurface.js';
 import { expandPerCorner, type VertexWords, type Words } from './expandPerCorner.js';
 import { packHatchNormals } from './hatchNormal.js';
 import { packNormals } from './packNormals.js';
 
-/** What every corner has of its own in the layouts that give it a vertex of its own. */
+/** The attributes per corner in the layouts that give each corner a vertex of its own. */
 export interface CornerAttributes {
   /** Each corner's `hatchNormal`. */
   hatchNormals: Int16Array<ArrayBuffer>;
-  /** x, y, z of each corner's smooth normal, if asked for. */
+  /** x, y, z of each corner's smooth normal, if requested. */
   normals: Float32Array<ArrayBuffer> | null;
   /** The attributes of the request, in its order, one entry per corner. */
   attributes: Words[];

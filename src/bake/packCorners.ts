@@ -1,6 +1,6 @@
 import { vertexAcross } from '../adjacency/vertexAcross.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { CORNER_STRIDE } from './cornerLayout.js';
 
 /** The vertex buffers of the `corner` layout. */
@@ -18,7 +18,7 @@ export function* packCorners(mesh: TriangleMesh, twins: Int32Array): Generator<n
     positions: new Float32Array(3 * cornerCount),
     corners: new Float32Array(CORNER_STRIDE * cornerCount),
   };
-  yield* inChunks(cornerCount / 3, (start, end) => packRange(mesh, twins, packed, start, end));
+  yield* forEachChunk(cornerCount / 3, (start, end) => packRange(mesh, twins, packed, start, end));
   return packed;
 }
 

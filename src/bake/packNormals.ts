@@ -1,10 +1,10 @@
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FanNormals } from './bakeSurface.js';
 import { NO_CORNER } from './splitVertices.js';
 
 /**
- * The normals as an attribute of three floats: for each entry of `cornerOfVertex` that of the corner's fan, +z where that
- * is NO_CORNER; or for each corner, if null.
+ * The normals as an attribute of three floats. With `cornerOfVertex`, one normal per vertex: that of its corner's fan, or +z
+ * for NO_CORNER. With null, one normal per corner.
  */
 export function* packNormals(
   { fans, normals }: FanNormals,
@@ -12,7 +12,7 @@ export function* packNormals(
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const corners = cornerOfVertex ?? fans.ofCorner;
   const packed = new Float32Array(3 * corners.length);
-  yield* inChunks(corners.length, (start, end) =>
+  yield* forEachChunk(corners.length, (start, end) =>
     packRange(normals, fans.ofCorner, cornerOfVertex, packed, start, end),
   );
   return packed;

@@ -1,5 +1,6 @@
 import { vertexAcross } from '../adjacency/vertexAcross.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { pullTextureSize, TRIANGLE_WORDS, VERTEX_WORDS } from './pullLayout.js';
 
 /** The textures of the `pull` layout, padded to whole rows (`pullTextureSize`). */
@@ -24,19 +25,21 @@ export function* packPull(
   };
   const isUsed = new Uint8Array(vertexCount);
   yield* asPhase(
-    inChunks(triangleCount, (start, end) => packTriangles(indices, twins, isUsed, packed.triangleVertices, start, end)),
+    forEachChunk(triangleCount, (start, end) =>
+      packTriangles(indices, twins, isUsed, packed.triangleVertices, start, end),
+    ),
     0,
     0.7,
   );
   yield* asPhase(
-    inChunks(vertexCount, (start, end) => packPositions(positions, packed.vertexPositions, start, end)),
+    forEachChunk(vertexCount, (start, end) => packPositions(positions, packed.vertexPositions, start, end)),
     0.7,
     1,
   );
   return packed;
 }
 
-/** Words of a texture of so many entries. A texel has four. */
+/** Words of a texture that holds `entries` entries. A texel has four words. */
 function paddedWords(entries: number, wordsPerEntry: number): number {
   const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4);
   return 4 * width * height;

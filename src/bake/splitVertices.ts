@@ -3,26 +3,27 @@ import { triangleOf } from '../mesh/corners.js';
 import { hashWords } from '../mesh/hashWords.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import type { Fans } from '../normals/buildFans.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 
 /** The corner of a vertex that no triangle uses. */
 export const NO_CORNER = 0xffffffff;
 
 /** What `splitVertices` returns. */
 export interface VertexSplit {
-  /** The vertex of each corner. Vertices that were added follow those of the mesh. */
+  /** The vertex of each corner. Added vertices follow those of the mesh. */
   indices: Uint32Array<ArrayBuffer>;
-  /** For each vertex added, the one it is a copy of. */
+  /** For each added vertex, the one it is a copy of. */
   addedVertices: Uint32Array<ArrayBuffer>;
-  /** For each vertex, added ones included, a corner that uses it, or NO_CORNER. All that do are of the same fan. */
+  /** For each vertex, added ones included, a corner that uses it, or NO_CORNER. All corners that use it are of one fan. */
   cornerOfVertex: Uint32Array<ArrayBuffer>;
 }
 
 /**
- * Adds copies of the vertices that lie in several fans, one for each fan but the first. Degenerate triangles, which draw
- * nothing, keep their vertices and do not count.
+ * Adds copies of the vertices that lie in several fans: one for each fan but the first. Degenerate triangles draw nothing;
+ * they keep their vertices and do not count.
  *
- * Vertices in two fans are few, so the copies are found in a hash table (open addressing, load of at most one half).
+ * Few vertices lie in several fans, so the copies are kept in a hash table (open addressing, load of at most one half).
  */
 export function* splitVertices(
   mesh: TriangleMesh,
@@ -34,23 +35,23 @@ export function* splitVertices(
   const indices = mesh.indices.slice();
   const firstCorners = new Uint32Array(vertexCount).fill(NO_CORNER);
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => findFirst(indices, areaNormals, firstCorners, start, end)),
+    forEachChunk(cornerCount, (start, end) => findFirst(indices, areaNormals, firstCorners, start, end)),
     0,
     0.3,
   );
-  let strayCount = 0;
+  let conflictCount = 0;
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => {
-      strayCount += countStrays(indices, areaNormals, ofCorner, firstCorners, start, end);
+    forEachChunk(cornerCount, (start, end) => {
+      conflictCount += countConflicts(indices, areaNormals, ofCorner, firstCorners, start, end);
     }),
     0.3,
     0.6,
   );
   let size = 16;
-  while (size < 2 * strayCount) size *= 2;
-  const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(strayCount), count: 0 };
+  while (size < 2 * conflictCount) size *= 2;
+  const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(conflictCount), count: 0 };
   yield* asPhase(
-    inChunks(cornerCount, (start, end) =>
+    forEachChunk(cornerCount, (start, end) =>
       splitRange(mesh, indices, areaNormals, ofCorner, firstCorners, copies, start, end),
     ),
     0.6,
@@ -63,14 +64,14 @@ export function* splitVertices(
   return { indices, addedVertices: corners.map((corner) => mesh.indices[corner]), cornerOfVertex };
 }
 
-/** Copies of vertices: the first corner of each in `corners`, its number there + 1 in `table`, where 0 means empty. */
+/** Copies of vertices: `corners` has the first corner of each. The hash table holds indices into `corners` + 1; 0 is empty. */
 interface Copies {
   table: Uint32Array;
   corners: Uint32Array<ArrayBuffer>;
   count: number;
 }
 
-/** Notes the first corner of each vertex: one of a triangle with area, if it has any. */
+/** Finds the first corner of each vertex, preferring triangles that are not degenerate. */
 function findFirst(
   indices: Uint32Array,
   areaNormals: Float64Array,
@@ -88,8 +89,8 @@ function findFirst(
   }
 }
 
-/** Counts the corners that cannot use their vertex. */
-function countStrays(
+/** Counts the corners that need a copy of their vertex, because it belongs to another fan. */
+function countConflicts(
   indices: Uint32Array,
   areaNormals: Float64Array,
   ofCorner: Uint32Array,
@@ -122,7 +123,7 @@ function splitRange(
   }
 }
 
-/** The number of the copy of the corner's vertex for its fan: a new one, if there is none yet. */
+/** The number of the copy of the corner's vertex for its fan, made if there is none yet. */
 function copyFor(vertices: Uint32Array, ofCorner: Uint32Array, copies: Copies, corner: number): number {
   const { table, corners } = copies;
   const mask = table.length - 1;

@@ -1,6 +1,6 @@
 const WIDTH = 30;
 
-/** A line that fills from left to right; on what is no terminal, a log for example, it says nothing. */
+/** A line that fills from left to right. Prints nothing if the stream is not a terminal, for example a log. */
 export class ProgressBar {
   private shown = -1;
 
@@ -17,7 +17,7 @@ export class ProgressBar {
     );
   }
 
-  /** Takes the line away. */
+  /** Erases the line. */
   clear(): void {
     if (this.shown >= 0) this.stream.write('\r\x1b[K');
   }

@@ -8,7 +8,7 @@ import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runSliced } from '../slices/runSliced.js';
 import { ProgressBar } from './ProgressBar.js';
 import { HELP, parseArguments, styleList, UsageError } from './parseArguments.js';
-import { assertFree, writeFolder } from './writeFolder.js';
+import { assertWritable, writeFolder } from './writeFolder.js';
 
 /** Exit codes: 0 done, 1 failed, 2 called wrongly, 130 interrupted. */
 const FAILED = 1;
@@ -25,7 +25,7 @@ try {
   if (request.action === 'help') process.stdout.write(HELP);
   else if (request.action === 'list') process.stdout.write(styleList());
   else {
-    await assertFree(request.out, request.force);
+    await assertWritable(request.out, request.force);
     const files = await draw(request.map);
     await writeFolder(request.out, files, abort.signal);
     bar.clear();
@@ -35,7 +35,7 @@ try {
   }
 } catch (error) {
   bar.clear();
-  process.exitCode = tell(error);
+  process.exitCode = reportError(error);
 }
 
 async function draw(map: HatchImageOptions): Promise<MapFile[]> {
@@ -55,8 +55,8 @@ async function draw(map: HatchImageOptions): Promise<MapFile[]> {
   );
 }
 
-/** Says what went wrong and returns the exit code for it. */
-function tell(error: unknown): number {
+/** Prints what went wrong and returns the exit code. */
+function reportError(error: unknown): number {
   if (abort.signal.aborted) {
     process.stderr.write('three-hatching: interrupted; nothing was written.\n');
     return INTERRUPTED;

@@ -2,7 +2,7 @@ import { parseArgs } from 'node:util';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
 
-/** A mistake in how the command was called: told in a sentence, without a stack. */
+/** A mistake in how the command was called, reported without a stack trace. */
 export class UsageError extends Error {}
 
 /** What the command was asked to do. */
@@ -46,7 +46,7 @@ Load it with TonalArtMap.load('maps/woodcut/map.json').
  * Reads the command line.
  *
  * @param args without node and the script
- * @throws UsageError in words
+ * @throws UsageError if they make no valid request
  */
 export function parseArguments(args: readonly string[]): Request {
   const { values, positionals } = read(args);

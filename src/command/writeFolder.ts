@@ -5,15 +5,15 @@ import { basename, dirname, join, resolve } from 'node:path';
 import type { MapFile } from '../mapFiles/mapFiles.js';
 import { UsageError } from './parseArguments.js';
 
-/** Whether a name is one that a map's files have. */
-const isOfMap = (name: string): boolean => /^(map\.json|(tone-\d+|thresholds)-level-\d+\.png)$/.test(name);
+/** Whether a file name is one of a saved map. */
+const isMapFile = (name: string): boolean => /^(map\.json|(tone-\d+|thresholds)-level-\d+\.png)$/.test(name);
 
 /**
- * Says no if a map must not be written into a folder: because something is there that is no map, or a map and no `force`.
+ * Checks that a map may be written into a folder.
  *
- * @throws UsageError in words
+ * @throws UsageError if the folder holds other files, or a map while `force` is false
  */
-export async function assertFree(folder: string, force: boolean): Promise<void> {
+export async function assertWritable(folder: string, force: boolean): Promise<void> {
   if (!existsSync(folder)) return;
   let names: string[];
   try {
@@ -21,21 +21,21 @@ export async function assertFree(folder: string, force: boolean): Promise<void> 
   } catch {
     throw new UsageError(`${folder} is not a folder; choose another name after --out.`);
   }
-  const stranger = names.find((name) => !isOfMap(name));
-  if (stranger !== undefined) {
-    throw new UsageError(`${folder} holds other files (${stranger}); choose a folder of its own after --out.`);
+  const other = names.find((name) => !isMapFile(name));
+  if (other !== undefined) {
+    throw new UsageError(`${folder} holds other files (${other}); choose a folder of its own after --out.`);
   }
   if (names.length > 0 && !force) {
     throw new UsageError(`${folder} holds a map already; add --force to replace it, or choose another folder.`);
   }
 }
 
-/** Writes all files of a map or none: they are written beside the folder, which is then put in place at once. */
+/** Writes all files of a map or none: into a temporary folder, which is then renamed to `folder`. */
 export async function writeFolder(folder: string, files: readonly MapFile[], signal: AbortSignal): Promise<void> {
   const target = resolve(folder);
   const unique = randomBytes(4).toString('hex');
-  const beside = (what: string): string => join(dirname(target), `.${basename(target)}-${what}-${unique}`);
-  const [fresh, old] = [beside('new'), beside('old')];
+  const temporary = (what: string): string => join(dirname(target), `.${basename(target)}-${what}-${unique}`);
+  const [fresh, old] = [temporary('new'), temporary('old')];
   try {
     await mkdir(fresh, { recursive: true });
     for (const { name, bytes } of files) {

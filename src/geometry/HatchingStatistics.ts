@@ -1,6 +1,6 @@
 import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
 
-/** What a prepared geometry carries as `userData.hatching`. */
+/** The content of `userData.hatching` of a prepared geometry. */
 export interface HatchingStatistics extends EdgeCounts {
   /** Triangles drawn, degenerate ones included. */
   triangles: number;

@@ -3,7 +3,7 @@ import type { PackedPull } from '../bake/packPull.js';
 import { pullTextureSize } from '../bake/pullLayout.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 
-/** The textures that the corners of a geometry of the `pull` layout read (`pullLayout`). */
+/** The textures of a geometry in the `pull` layout (see `pullLayout.ts`). */
 export class PulledVertices {
   readonly triangleVertices: DataTexture;
   /** In the rest pose. */
@@ -30,13 +30,13 @@ export class PulledVertices {
   }
 }
 
-/** By the statistics, which a copy of the geometry shares. */
+/** By `userData.hatching`, an object that clones of a geometry share. */
 const pulledVertices = new WeakMap<HatchingStatistics, PulledVertices>();
 
 export const pulledVerticesOf = ({ userData }: BufferGeometry): PulledVertices | undefined =>
   pulledVertices.get(userData.hatching);
 
-/** Makes the textures those of the geometry and of its copies. They leave the graphics card when it is disposed of. */
+/** Attaches the textures to a geometry and its clones. They are freed when the geometry is disposed of. */
 export function setPulledVertices(geometry: BufferGeometry, vertices: PulledVertices): void {
   pulledVertices.set(geometry.userData.hatching, vertices);
   geometry.addEventListener('dispose', () => vertices.dispose());

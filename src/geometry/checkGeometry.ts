@@ -2,8 +2,8 @@ import type { BufferGeometry } from 'three';
 import { isInstanced } from './vertexAttributes.js';
 
 /**
- * Throws a TypeError or RangeError if `geometry` is not one whose vertex data can be read. Returns the beginning of all
- * further messages about it: the function and the geometry by its name.
+ * Throws a TypeError or RangeError if the vertex data of `geometry` cannot be read. Returns the beginning of all further error
+ * messages: the function and the name of the geometry.
  */
 export function checkGeometry(geometry: BufferGeometry): string {
   if (!geometry?.isBufferGeometry) {

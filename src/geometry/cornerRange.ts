@@ -16,8 +16,8 @@ export interface CornerRange {
 }
 
 /**
- * The draw range and the groups of a geometry, as three.js would draw them, in corners. Throws a RangeError where a
- * range would start or end inside a triangle.
+ * The draw range and the groups of a geometry in corners, as three.js would draw them. Throws a RangeError if a range starts
+ * or ends inside a triangle.
  */
 export function cornerRange(geometry: BufferGeometry, label: string): CornerRange {
   const unit = geometry.index ? 'index' : 'vertex';

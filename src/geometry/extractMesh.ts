@@ -4,8 +4,8 @@ import type { CornerRange } from './cornerRange.js';
 import type { VertexAttribute } from './vertexAttributes.js';
 
 /**
- * Copies the triangles of `range` out of a geometry: positions denormalised and de-interleaved to floats, exactly as the
- * vertex shader would see them; indices as 32 bits, counted up where there is no index.
+ * Copies the triangles of `range` out of a geometry. Positions become de-interleaved floats, exactly as the vertex shader would
+ * see them. Indices become 32-bit integers, consecutive ones if there is no index.
  */
 export function extractMesh(geometry: BufferGeometry, range: CornerRange): TriangleMesh {
   const position = geometry.attributes.position;
@@ -27,7 +27,7 @@ function copyPositions(position: VertexAttribute): Float32Array<ArrayBuffer> {
 }
 
 function copyIndices({ index }: BufferGeometry, { start, count }: CornerRange): Uint32Array<ArrayBuffer> {
-  // Negative numbers in a signed index become large ones, which are out of range too.
+  // Negative entries of a signed index become large numbers, which are out of range as well.
   if (index) return new Uint32Array(index.array.subarray(start, start + count));
   const indices = new Uint32Array(count);
   for (let corner = 0; corner < count; corner++) indices[corner] = start + corner;

@@ -14,52 +14,53 @@ import { extractWords, keptAttributes } from './vertexAttributes.js';
 /** Options of `prepareHatchingGeometry`. */
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
   /**
-   * What is stored per vertex. `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per
-   * triangle; every technique can draw it. `'pull'`: the positions lie in a texture, where a pre-pass may deform them, and
-   * every corner finds its six there: 32 bytes per triangle and 16 per vertex. The same pixels, and the layout for all that
-   * deforms. `'indexed'`: the geometry as it is, with eight more bytes per vertex, for techniques that need no adjacency when
-   * they draw. `'auto'` (the default) is `'pull'` for a geometry with a skin or with morph targets of position or normal, and
-   * `'corner'` otherwise.
+   * What is stored per vertex.
+   *
+   * - `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per triangle. For every technique.
+   * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and corners read all six from it: 32 bytes per
+   *   triangle and 16 per vertex. Draws the same pixels. For every technique, and for meshes that deform.
+   * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. Only for `anchored`, which draws without adjacency.
+   * - `'auto'` (default): `'pull'` for a geometry with a skin or with morph targets of position or normal, else `'corner'`.
    */
   layout?: 'auto' | 'corner' | 'pull' | 'indexed' | undefined;
   /**
-   * Triangles whose normals differ by this angle or more, in radians from 0 to π, do not blend across their common
-   * edge. The default is π/2, the paper's rule (section 3.3). It also bounds the smoothing of normals, which are
-   * computed for a geometry that has none.
+   * Triangles whose normals differ by this angle or more, in radians from 0 to π, do not blend across their common edge.
+   * Default π/2, the rule of Suarez et al., section 3.3. Where normals are computed because the geometry has none, they are
+   * split at these edges too.
    */
   creaseAngle?: number | undefined;
   /**
-   * The scale of `hatchNormal`, the normal that strokes are laid by, in object units: form finer than this, such as the
-   * noise of a scan, does not bend strokes. Edges of the form stay sharp at any scale. The default is 0.03 times the radius
-   * of the bounding sphere; 0 leaves the normals unsmoothed.
+   * The scale of `hatchNormal`, which gives strokes their frame, in object units. Detail finer than this, such as the noise of a
+   * scan, does not bend strokes. Sharp edges stay sharp at any scale. Default: 0.03 times the radius of the bounding sphere;
+   * 0 leaves the normals unsmoothed.
    */
   smoothingRadius?: number | undefined;
 }
 
-const PAPER_CREASE_ANGLE = Math.PI / 2;
+const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
 /**
  * Makes the geometry that `HatchingMaterial` draws. Runs in a worker. Every layout has the attribute `hatchNormal`, the
  * normal at the scale of a stroke (four normalised 16-bit integers, the last is 0).
  *
  * - Layout `'corner'`: finds the three neighbours of every triangle and stores, for each corner, the positions of the six
- *   adjacency vertices (paper, section 3.2, figure 5; `cornerLayout`). Non-indexed; positions become 32-bit floats. With
- *   normal, uv, colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
- * - Layout `'pull'`: non-indexed too; which vertices are adjacent and where they are lies in two textures that belong to
- *   the geometry and to its clones. They do not survive `toJSON`, and a `BatchedMesh` cannot draw them.
- * - Layout `'indexed'`: all vertices, with copies only of those at an edge of the form, which need a normal on either side;
- *   an index also where there was none, 16-bit where that is enough.
+ *   adjacency vertices (Suarez et al., section 3.2, figure 5; see `cornerLayout.ts`). Non-indexed; positions become 32-bit
+ *   floats. With normal, uv, colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
+ * - Layout `'pull'`: non-indexed too. The indices of the adjacency vertices and their positions lie in two textures that belong
+ *   to the geometry and to its clones. They do not survive `toJSON`, and a `BatchedMesh` cannot draw them.
+ * - Layout `'indexed'`: the vertices of the source, plus copies of those at sharp edges, which need a normal on either side.
+ *   Has an index even if the source had none, 16-bit where that is enough.
  *
- * The result is a new geometry of the triangles in the draw range. Every other attribute of the source is kept in its
- * type, also morph targets, groups, name and user data; smooth normals are added where there are none.
- * `userData.hatching` holds a `HatchingStatistics`. `geometry` itself is never touched.
+ * The result is a new geometry of the triangles in the draw range. All other attributes of the source keep their types; morph
+ * targets, groups, name and user data are kept too. Smooth normals are added if there are none. `userData.hatching` holds a
+ * `HatchingStatistics`. `geometry` itself is never changed.
  *
- * Vertices at exactly the same position count as one, so seams of uv or normal do not separate triangles. Border,
- * non-manifold and degenerate cases are baked so that they contribute nothing, and are counted.
+ * Vertices at exactly the same position count as one, so seams of uv or normal do not separate triangles. Border edges,
+ * non-manifold edges without a partner and degenerate triangles contribute nothing to their neighbours, and are counted.
  *
  * Rejects with a TypeError or RangeError that says what to repair, for: something that is not a BufferGeometry; no
  * `position`; no triangles; a count that is not a multiple of three; an index out of range; a position that is not
- * finite; an attribute shorter than `position`; an unknown option. Rejects with the signal's reason when aborted, and
+ * finite; an attribute shorter than `position`; an option out of its range. Rejects with the signal's reason when aborted, and
  * with an Error when the worker dies or is disposed of meanwhile.
  */
 export async function prepareHatchingGeometry(
@@ -67,7 +68,7 @@ export async function prepareHatchingGeometry(
   options: PrepareHatchingGeometryOptions = {},
 ): Promise<BufferGeometry> {
   options.signal?.throwIfAborted();
-  const creaseAngle = options.creaseAngle ?? PAPER_CREASE_ANGLE;
+  const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;
   checkOptions(options, creaseAngle);
   const label = checkGeometry(geometry);
   const range = cornerRange(geometry, label);

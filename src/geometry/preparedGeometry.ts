@@ -5,8 +5,8 @@ import type { HatchingStatistics } from './HatchingStatistics.js';
 import { isInstanced } from './vertexAttributes.js';
 
 /**
- * A new geometry with all that a bake does not touch: name, user data, groups, instancing. Made before the bake starts,
- * so that what the caller does to `source` meanwhile has no influence.
+ * A new geometry with everything that the bake does not change: name, user data, groups, instanced attributes. Made before the
+ * bake starts, so that later changes of `source` have no effect.
  */
 export function startGeometry(source: BufferGeometry, range: CornerRange): BufferGeometry {
   const geometry = 'isInstancedBufferGeometry' in source ? new InstancedBufferGeometry() : new BufferGeometry();
@@ -25,7 +25,7 @@ export function startGeometry(source: BufferGeometry, range: CornerRange): Buffe
   return geometry;
 }
 
-/** Sets the bounds and `userData.hatching`, when all attributes are there. */
+/** Sets the bounds and `userData.hatching`, once all attributes are set. */
 export function finishGeometry(
   geometry: BufferGeometry,
   layout: HatchingStatistics['layout'],
@@ -48,7 +48,7 @@ export function finishGeometry(
 
 function applyBounds(geometry: BufferGeometry, { bounds }: BakeReport): void {
   if (geometry.morphAttributes.position) {
-    // The bounds of three.js include the morph targets; the bake knows the rest pose only.
+    // three.js includes the morph targets in the bounds; the bake knows the rest pose only.
     geometry.computeBoundingBox();
     geometry.computeBoundingSphere();
     return;

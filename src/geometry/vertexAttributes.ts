@@ -3,7 +3,7 @@ import { cornerLayout } from '../bake/cornerLayout.js';
 import type { VertexWords, Words } from '../bake/expandPerCorner.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
 
-/** An attribute as three.js has them in a geometry. */
+/** A vertex attribute of a geometry. */
 export type VertexAttribute = BufferAttribute | InterleavedBufferAttribute;
 
 /** An attribute that the prepared geometry keeps. */
@@ -21,7 +21,7 @@ export const isInstanced = (attribute: VertexAttribute): boolean =>
   'isInstancedBufferAttribute' in attribute ||
   ('data' in attribute && 'isInstancedInterleavedBuffer' in attribute.data);
 
-/** Everything per vertex but the position and what the bake writes itself (when a prepared geometry is prepared again). */
+/** All attributes per vertex except the position and those the bake writes (present if a prepared geometry is prepared again). */
 export function keptAttributes(geometry: BufferGeometry): KeptAttribute[] {
   const kept: KeptAttribute[] = [];
   for (const [name, attribute] of Object.entries(geometry.attributes)) {
@@ -51,7 +51,7 @@ export function extractWords(attribute: VertexAttribute, count: number): VertexW
   return { words, wordsPerVertex };
 }
 
-/** The same memory, seen as words of the component size, or pairs of 32 bits for doubles. */
+/** A view of the same memory as words of the component size; doubles become pairs of 32-bit words. */
 function wordsOf(array: ArrayBufferView & { BYTES_PER_ELEMENT: number }): Words {
   const buffer = array.buffer as ArrayBuffer;
   if (array.BYTES_PER_ELEMENT === 1) return new Uint8Array(buffer, array.byteOffset, array.byteLength);
@@ -59,12 +59,12 @@ function wordsOf(array: ArrayBufferView & { BYTES_PER_ELEMENT: number }): Words 
   return new Uint32Array(buffer, array.byteOffset, array.byteLength / 4);
 }
 
-/** Makes an attribute from words: of the type, normalisation and use of `source`. */
+/** Makes an attribute from words, with the type, normalisation and GPU type of `source`. */
 export function attributeFromWords(source: VertexAttribute, words: Words): BufferAttribute {
   const { itemSize, normalized } = source;
   const ArrayType = source.array.constructor as new (buffer: ArrayBuffer) => Float32Array;
   const array = new ArrayType(words.buffer);
-  // three.js keeps half floats as Uint16 and tells them apart by the class. Given a buffer, it takes it over.
+  // three.js stores half floats in a Uint16Array and recognises them by the class, which accepts a buffer without copying.
   const attribute =
     'isFloat16BufferAttribute' in source
       ? new Float16BufferAttribute(words.buffer as unknown as ArrayLike<number>, itemSize, normalized)

@@ -1,25 +1,25 @@
 import { findLostInk } from './findLostInk.js';
 import type { HatchImages } from './HatchImages.js';
 
-/** How well hatch images keep the constraints of section 3.1 of the paper. None of it stops them from being drawn. */
+/** How well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
 export interface HatchImageReport {
-  /** `means[tone][level]`: mean ink, 0 = paper, 1 = ink. Along a row it should be constant, from row to row it should grow. */
+  /** `means[tone][level]`: mean ink, 0 = paper, 1 = ink. It should be constant over levels and grow with tone. */
   means: number[][];
-  /** `toneNesting[tone][level]`: texels lighter than in the tone before by more than 1/255. Row 0 is zero. */
+  /** `toneNesting[tone][level]`: texels that are lighter than in the tone before by more than 1/255. Row 0 is zero. */
   toneNesting: number[][];
   /**
-   * `levelNesting[tone][level]`: texels of the level with at least half ink that have none as dark near the same place
-   * of the next finer level (its 2 × 2 block and the texels around it). Column 0 is zero.
+   * `levelNesting[tone][level]`: texels with at least half ink that find no texel as dark at the same place of the next finer
+   * level (the 2 × 2 block and the texels around it). Column 0 is zero.
    */
   levelNesting: number[][];
   /** Images whose mean ink is below that of the tone before on the same level. */
   meansOutOfOrder: { tone: number; level: number }[];
-  /** No violation of either nesting and all means in order. */
+  /** Whether both kinds of nesting hold everywhere and all means are in order. */
   consistent: boolean;
 }
 
 /**
- * Checks that images can be a tonal art map at all.
+ * Checks that images have the shape of a tonal art map.
  *
  * @throws TypeError or RangeError naming what is wrong and where
  */

@@ -1,2 +1,2 @@
-/** Texels per side of the coarsest level of a map: on fewer, strokes are as long as they are wide. */
+/** Texels per side of the coarsest level of a map. On fewer texels, strokes would be as wide as long. */
 export const COARSEST_SIZE = 16;

@@ -1,9 +1,10 @@
+import { asPhase } from '../slices/asPhase.js';
 import { deriveThresholds } from './deriveThresholds.js';
 import type { ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';
 import { makeLevels } from './makeLevels.js';
 
-/** Hatch images with what may be missing of a map. */
+/** Hatch images with all levels, and the thresholds. */
 export interface CompleteHatchImages extends HatchImages {
   thresholds: ThresholdLevel[];
 }
@@ -13,20 +14,7 @@ export function* completeHatchImages({
   lacksLevels,
   ...given
 }: HatchImages & { lacksLevels: boolean }): Generator<number, CompleteHatchImages, void> {
-  const { size, images } = lacksLevels ? yield* share(makeLevels(given), 0, 0.5) : given;
-  const thresholds = yield* share(deriveThresholds({ size, images }), lacksLevels ? 0.5 : 0, 1);
+  const { size, images } = lacksLevels ? yield* asPhase(makeLevels(given), 0, 0.5) : given;
+  const thresholds = yield* asPhase(deriveThresholds({ size, images }), lacksLevels ? 0.5 : 0, 1);
   return { size, images, thresholds };
-}
-
-/** Runs a task whose progress is a part of the whole. */
-function* share<Result>(
-  task: Generator<number, Result, void>,
-  from: number,
-  to: number,
-): Generator<number, Result, void> {
-  for (;;) {
-    const step = task.next();
-    if (step.done) return step.value;
-    yield from + (to - from) * step.value;
-  }
 }

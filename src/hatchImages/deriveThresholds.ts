@@ -1,9 +1,9 @@
 import { blurToroidal } from '../strokes/blurToroidal.js';
-import { orderOf } from '../strokes/orderOf.js';
+import { equalize } from '../strokes/equalize.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';
 
-/** Ever more blurred copies of the field, by the texels over which each is blurred further, and what each counts. */
+/** Successive blurs of the field: the radius in texels of each further blur, and the weight of its result. */
 const BLURS = [
   { radius: 0, weight: 1 },
   { radius: 1, weight: 1 },
@@ -14,9 +14,9 @@ const BLURS = [
 /**
  * Derives thresholds from hatch images, level by level: the darker a texel over all tones, the earlier it becomes ink.
  *
- * Images say this in steps of tone only. A slight blur turns steps into slopes, so that strokes swell and can be magnified;
- * wider ones, which count less, order what is equal for the narrower: blank paper by its distance from strokes, solid ink
- * by its depth.
+ * Images give this in steps of tone only. A slight blur turns the steps into slopes, so that strokes swell and can be
+ * magnified. Wider blurs with less weight order what is still equal: blank paper by its distance from strokes, solid ink by
+ * its distance from the edge.
  *
  * @returns the levels, finest first; yields progress in [0, 1]
  */
@@ -24,16 +24,13 @@ export function* deriveThresholds({ size, images }: HatchImages): Generator<numb
   const levels: ThresholdLevel[] = [];
   for (let level = 0; level < images[0].length; level++) {
     const side = size >> level;
-    const order = orderOf(smoothed(meanPaper(images, level), side));
-    const thresholds = new Float32Array(order.length);
-    for (let rank = 0; rank < order.length; rank++) thresholds[order[rank]] = (rank + 0.5) / order.length;
-    levels.push(encodeThresholds(side, thresholds));
+    levels.push(encodeThresholds(side, equalize(smoothed(meanPaper(images, level), side))));
     yield 1 - 1 / 4 ** (level + 1);
   }
   return levels;
 }
 
-/** The mean over all tones of what is paper: 0 where all are ink, 1 where none is. */
+/** The mean over all tones: 0 where all are ink, 1 where all are paper. */
 function meanPaper(images: readonly (readonly Uint8Array[])[], level: number): Float32Array {
   const mean = new Float32Array(images[0][level].length);
   for (const row of images) {
@@ -43,7 +40,7 @@ function meanPaper(images: readonly (readonly Uint8Array[])[], level: number): F
   return mean;
 }
 
-/** The weighted sum of ever more blurred copies of a toroidal field. */
+/** The weighted sum of successive blurs of a toroidal field. */
 function smoothed(field: Float32Array, size: number): Float32Array {
   const sum = new Float32Array(field.length);
   let blurred = field;

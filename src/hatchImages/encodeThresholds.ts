@@ -2,13 +2,13 @@
 export interface ThresholdLevel {
   /** Texels per side. */
   size: number;
-  /** size² tones in (0, 1), in rows of growing v: from which tone on the texel is ink. Uniformly distributed. */
+  /** size² tones in (0, 1), in rows of growing v, at which texels become ink. Uniformly distributed. */
   thresholds: Float32Array;
-  /** g = Φ⁻¹ of them as bytes, 0 for −3 and 255 for 3: normally distributed. What the texture holds. */
+  /** g = Φ⁻¹(threshold) as bytes, 0 for −3 and 255 for 3: normally distributed. The content of the texture. */
   encoded: Uint8Array;
 }
 
-/** Beyond so many standard deviations lies 0.13 % of the texels; they become ink together. */
+/** Standard deviations at which g is clamped. The 0.13 % of texels beyond become ink together. */
 export const LIMIT = 3;
 
 /** Φ⁻¹(p), the quantile of the standard normal distribution, to 5e-4 (Abramowitz and Stegun 1964, 26.2.23). */
@@ -21,14 +21,14 @@ export function normalQuantile(p: number): number {
 }
 
 /**
- * Encodes thresholds for the texture. A byte is enough: edges lie between texels, where the texture unit interpolates, and
- * half floats cost a software rasterizer a third of the frame.
+ * Encodes thresholds for the texture. A byte is enough: edges lie between texels, where the texture unit interpolates. Half
+ * floats cost a software rasterizer a third of the frame time.
  */
 export function encodeThresholds(size: number, thresholds: Float32Array): ThresholdLevel {
   const encoded = new Uint8Array(thresholds.length);
   for (let i = 0; i < thresholds.length; i++) {
     const g = Math.max(-LIMIT, Math.min(LIMIT, normalQuantile(thresholds[i])));
-    // Rounded away from the middle, so that a threshold and its complement stay each other's mirror image.
+    // Rounded away from the middle, so that a threshold and its complement stay symmetric.
     encoded[i] = g < 0 ? Math.ceil(127.5 * (1 + g / LIMIT) - 0.5) : Math.floor(127.5 * (1 + g / LIMIT) + 0.5);
   }
   return { size, thresholds, encoded };

@@ -1,13 +1,13 @@
-/** Bytes up to this are ink rather than paper. */
+/** Bytes up to this have at least half ink. */
 export const HALF_INK = 127;
 
 /**
- * Finds what breaks the nesting of two levels: texels of the coarser one with at least half ink while nothing near the same
- * place of the finer one is as dark, neither in its 2 × 2 block nor in the texels around that.
+ * Finds where the nesting of two levels is broken: texels of the coarser level with at least half ink whose place on the
+ * finer level (the 2 × 2 block and the texels around it) has no texel as dark.
  *
  * @param coarse size² bytes
  * @param fine (2·size)² bytes
- * @returns for each of them the darkest texel of `fine` there, as an index
+ * @returns for each such place the index of its darkest texel in `fine`
  */
 export function findLostInk(coarse: Uint8Array, fine: Uint8Array, size: number): number[] {
   const fineSize = 2 * size;

@@ -1,17 +1,17 @@
-import { type PaperTooth, paperTooth } from '../strokes/paperTooth.js';
+import { type PaperGrain, paperGrain } from '../strokes/paperGrain.js';
 import { placeStrokes } from '../strokes/placeStrokes.js';
 import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
+import { enforceLevelNesting } from './enforceLevelNesting.js';
 import type { HatchImages } from './HatchImages.js';
 import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOptions } from './hatchImageOptions.js';
-import { nestLevels } from './nestLevels.js';
 
 /**
  * Draws the hatch images of a tonal art map: every tone at every level.
  *
  * The mean ink of image k is maxInk·k/(tones−1) on every level, to within half a stroke; maxInk belongs to the style.
- * Means count ink linearly (0 = paper, 1 = ink), so they are what a renderer that mixes paper and ink in linear light
- * shows from afar.
+ * Means count ink linearly (0 = paper, 1 = ink). So they are what a renderer that mixes paper and ink in linear light shows
+ * from a distance.
  *
  * @throws RangeError if an option is out of its range, at the first step
  * @returns the images; yields progress in [0, 1]
@@ -19,30 +19,30 @@ import { nestLevels } from './nestLevels.js';
 export function* generateHatchImages(options: HatchImageOptions = {}): Generator<number, HatchImages, void> {
   const request = resolveHatchImageOptions(options);
   const strokes = yield* placeStrokes(request);
-  const teeth = Array.from({ length: request.levels }, (_, level) => paperTooth(request, level));
+  const grains = Array.from({ length: request.levels }, (_, level) => paperGrain(request, level));
   const images: Uint8Array[][] = [];
   for (let tone = 0; tone < request.tones; tone++) {
-    images.push(drawTone(strokes, tone, request, teeth, images.at(-1)));
+    images.push(drawTone(strokes, tone, request, grains, images.at(-1)));
     yield 1;
   }
-  // Lines nest because they are drawn so; where grain breaks them up, it takes one more step.
-  if (request.style.grain) nestLevels({ size: request.size, images });
+  // Lines nest because finer levels repeat them. Grain breaks lines up, so nesting then needs another step.
+  if (request.style.grain) enforceLevelNesting({ size: request.size, images });
   return { size: request.size, images };
 }
 
-/** All levels of one tone: those of the tone before and the strokes that are new in it. */
+/** Draws all levels of one tone: the images of the tone before plus its new strokes. */
 function drawTone(
   strokes: Stroke[],
   tone: number,
   request: HatchImageRequest,
-  teeth: (PaperTooth | undefined)[],
+  grains: (PaperGrain | undefined)[],
   lighter?: Uint8Array[],
 ): Uint8Array[] {
   const added = strokes.filter((stroke) => stroke.tone === tone);
   return Array.from({ length: request.levels }, (_, level) => {
     const size = request.size >> level;
     const image = lighter ? lighter[level].slice() : new Uint8Array(size * size).fill(255);
-    for (const stroke of added) if (stroke.level >= level) rasterizeStroke(image, size, stroke, teeth[level]);
+    for (const stroke of added) if (stroke.level >= level) rasterizeStroke(image, size, stroke, grains[level]);
     return image;
   });
 }

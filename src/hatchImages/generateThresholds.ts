@@ -1,43 +1,43 @@
+import { asPhase } from '../slices/asPhase.js';
 import { blurToroidal } from '../strokes/blurToroidal.js';
 import { drawThresholdField } from '../strokes/drawThresholdField.js';
-import { paperTooth } from '../strokes/paperTooth.js';
+import { equalize } from '../strokes/equalize.js';
+import { paperGrain } from '../strokes/paperGrain.js';
 import { placeStrokes } from '../strokes/placeStrokes.js';
-import { ranked } from '../strokes/ranked.js';
 import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOptions } from './hatchImageOptions.js';
 
-/** Strokes are placed in so many steps of tone: enough for an even drawing at any tone in between. */
+/** Steps of tone in which strokes are placed: enough for an even drawing at any tone in between. */
 const STEPS = 24;
 
 /** Cells of the field per texel and side. */
 const CELLS_PER_TEXEL = 2;
 
-/** Of a field where no stroke reaches: later than any. */
+/** Value of the field where no stroke reaches: higher than any ink. */
 const UNREACHED = 1e6;
 
-/** Weights of four cells in a row, of which the inner two are the texel's. */
+/** Weights of four cells in a row; the inner two lie in the texel. */
 const TENT = [0.125, 0.375, 0.375, 0.125] as const;
 
 /** Cells visited between two reports of progress: about a millisecond's work. */
 const WORK_PER_SLICE = 300_000;
 
-/** Within so many texels thresholds have the same mean everywhere: several strokes side by side. */
+/** Radius in texels within which the mean threshold is the same everywhere: several strokes side by side. */
 const NEIGHBOURHOOD = 16;
 
-/** Progress when the strokes are placed. */
+/** Progress once the strokes are placed. */
 const PLACED = 0.8;
 
 /**
- * Draws the thresholds of a tonal art map: for each level one image of the tones from which on its texels are ink. The
- * set {threshold < tone} is a drawing of exactly that mean ink, for every tone; as tone rises, strokes appear between those
- * that are there, grow longer and swell, until thin lines of paper remain and close.
+ * Draws the thresholds of a tonal art map: for each level an image of the tones at which its texels become ink. For every
+ * tone, {threshold < tone} is a drawing of exactly that mean ink. As tone rises, strokes appear between those already there,
+ * grow longer and swell, until thin lines of paper remain and close.
  *
- * "The tone at which a texel becomes ink" is Webb et al.'s threshold scheme (2002), drawn with distance profiles instead
- * of steps so that it can be interpolated, and equalised so that coverage equals tone. Texel [i][j] equals texel
- * [size−1−i][size−1−j], so that a direction of strokes and its opposite draw the same. Strokes of a level are those of the
- * next coarser one and new ones between them.
+ * Thresholds are the scheme of Webb et al. 2002. Here they are drawn with distance profiles instead of steps, so that they can
+ * be interpolated, and equalised, so that coverage equals tone. Texel [i][j] equals texel [size−1−i][size−1−j], so a stroke
+ * direction and its opposite draw the same. Strokes of a level are those of the next coarser one and new ones between them.
  *
  * @throws RangeError if an option is out of its range, at the first step. `tones` does not matter.
  * @returns the levels, finest first; yields progress in [0, 1]
@@ -49,9 +49,7 @@ export function* generateThresholds(options: HatchImageOptions = {}): Generator<
   // Grain is added to the thresholds afterwards.
   const style = { ...request.style, maxInk, layers, proposals, grain: undefined };
   const placing = placeStrokes({ ...request, style, tones: STEPS + 1, pairs: true });
-  let step = placing.next();
-  for (; !step.done; step = placing.next()) yield PLACED * step.value;
-  const strokes = step.value;
+  const strokes = yield* asPhase(placing, 0, PLACED);
   const levels: ThresholdLevel[] = [];
   for (let level = 0; level < request.levels; level++) {
     levels.push(yield* drawLevel(strokes, level, request));
@@ -59,7 +57,7 @@ export function* generateThresholds(options: HatchImageOptions = {}): Generator<
   return levels;
 }
 
-/** One level of thresholds. Its field is drawn from one stroke of each pair and completed by symmetry. */
+/** Draws the thresholds of one level, from one stroke of each pair; symmetry gives the rest. */
 function* drawLevel(
   strokes: Stroke[],
   level: number,
@@ -87,29 +85,29 @@ function* drawLevel(
   const half = averageHalf(fields[0], size);
   yield progress;
   for (const field of fields.slice(1)) {
-    // Averaged apart, a further layer leaves no bumps on strokes of the first where it will cross them.
+    // Each layer is averaged alone: otherwise it would leave bumps where it crosses the strokes of another.
     const across = averageHalf(field, size);
     for (let i = 0; i < half.length; i++) half[i] = Math.min(half[i], across[i]);
     yield progress;
   }
-  const tooth = paperTooth(request, level);
-  if (tooth) {
+  const grain = paperGrain(request, level);
+  if (grain) {
     const roughness = request.style.grain!.roughness;
-    // Thresholds stay positive: only their order matters.
-    for (let i = 0; i < half.length; i++) half[i] += (roughness * tooth.depths[i]) / 255;
+    // The values stay positive, as `equalize` requires; only their order matters.
+    for (let i = 0; i < half.length; i++) half[i] += (roughness * grain.depths[i]) / 255;
   }
-  const uneven = withHalfTurn(ranked(half));
+  const uneven = withHalfTurn(equalize(half));
   yield progress;
-  // Where strokes happen to lie closer the tile would be darker at every tone, and with every tile the eye sees it again.
+  // Where strokes happen to lie closer, the tile would be darker at every tone, and repeated tiles would show it.
   const local = blurToroidal(uneven, size, NEIGHBOURHOOD);
   yield progress;
   for (let i = 0; i < half.length; i++) half[i] = uneven[i] + 1 - local[i];
-  const thresholds = withHalfTurn(ranked(half));
+  const thresholds = withHalfTurn(equalize(half));
   yield progress;
   return encodeThresholds(size, thresholds);
 }
 
-/** Half a field, and the same after a half turn. */
+/** The whole field of a half: the other half is the same after a half turn. */
 function withHalfTurn(half: Float32Array): Float32Array {
   const whole = new Float32Array(2 * half.length);
   whole.set(half);
@@ -118,8 +116,8 @@ function withHalfTurn(half: Float32Array): Float32Array {
 }
 
 /**
- * Means of the cells around each texel in the first half of the rows, of the lower of the field and its half turn. They
- * reach half a texel beyond the texel on every side: what is narrower than two texels would break up along a stroke.
+ * Filters the lower of the field and its half turn down to texels, for the first half of the rows. The filter reaches half a
+ * texel beyond the texel on every side: a narrower one would break strokes up along their length.
  */
 function averageHalf(field: Float32Array, size: number): Float32Array {
   const cells = size * CELLS_PER_TEXEL;

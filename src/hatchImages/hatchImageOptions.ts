@@ -1,21 +1,22 @@
-import { type StrokeStyle, type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
+import type { StrokeStyle } from '../strokes/StrokeStyle.js';
+import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 
 /** What `TonalArtMap.generate` draws. */
 export interface HatchImageOptions {
-  /** The hand. Default `'hatching'`. */
+  /** The kind of strokes. Default `'hatching'`. */
   style?: StrokeStyleName | undefined;
   /** Another whole number gives another drawing of the same kind; the same one gives the same bytes. Default 1. */
   seed?: number | undefined;
   /** Texels per side of the finest level: a power of two from 64 to 1024. Default 256. */
   size?: number | undefined;
-  /** Number of tones with blank paper, 4 to 16. Default 8. */
+  /** Number of tones including blank paper, 4 to 16. Default 8. */
   tones?: number | undefined;
   /** Number of levels. Default and maximum: all from `size` down to 16 texels. */
   levels?: number | undefined;
   /**
-   * Width of a stroke or diameter of a dot in texels, the same on every level. Its default and its range depend on the
-   * style: 1.9 of 1.2 to 2.6 for pen strokes, 2.4 of 1.65 to 2.5 for dots.
+   * Width of a stroke or diameter of a dot in texels, the same on every level. Default and range depend on the style: 1.9 in
+   * the range 1.2 to 2.6 for pen strokes, 2.4 in the range 1.65 to 2.5 for dots.
    */
   strokeWidth?: number | undefined;
 }

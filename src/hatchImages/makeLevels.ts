@@ -1,16 +1,16 @@
-import { ranked } from '../strokes/ranked.js';
+import { equalize } from '../strokes/equalize.js';
 import { meanInk } from './checkHatchImages.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 import { deriveThresholds } from './deriveThresholds.js';
 import type { HatchImages } from './HatchImages.js';
 
 /**
- * Makes the levels that images of one level lack, each with half the texels, down to 16 per side.
+ * Makes the missing levels of images that have only one, each with half the texels per side, down to 16.
  *
- * Shrunk in the ordinary way, strokes would turn grey and as thin as they are far away. Instead, the order in which texels
- * become ink (`deriveThresholds`) is widened by a texel and then halved, which keeps strokes of about two texels as wide as
- * they are; and of this order as many texels become ink as give the mean of the tone. So strokes that come early in the
- * tones stay, those that come late wait for darker ones, all are black, and they nest in tone and level.
+ * Ordinary downsampling would make strokes grey and thin. Instead, the order in which texels become ink (`deriveThresholds`)
+ * is filtered by a minimum over 3 × 3 texels and then downsampled, which keeps strokes of about two texels as wide as they
+ * are. In this order, as many texels become ink as give the tone its mean. Strokes that come early in the tones stay; later
+ * ones wait for darker tones. All are black, and they nest in tone and level.
  *
  * @param images `images[tone][0]`; left as they are
  * @returns the images with all their levels; yields progress in [0, 1]
@@ -19,20 +19,20 @@ export function* makeLevels({ size, images }: HatchImages): Generator<number, Ha
   const result = images.map(([finest]) => [finest]);
   if (size <= COARSEST_SIZE) return { size, images: result };
   const means = images.map(([finest]) => meanInk(finest));
-  // A tone no lighter than the ones before, or its levels would not nest.
+  // No tone may be lighter than the ones before, or its levels would not nest.
   for (let tone = 1; tone < means.length; tone++) means[tone] = Math.max(means[tone], means[tone - 1]);
   let [{ thresholds }] = yield* deriveThresholds({ size, images: result });
   for (let side = size; side > COARSEST_SIZE; side /= 2) {
-    thresholds = ranked(halved(widened(thresholds, side), side));
-    const slopes = slopesOf(thresholds, side / 2);
-    for (const [tone, row] of result.entries()) row.push(cut(thresholds, slopes, means[tone]));
+    thresholds = equalize(downsample(minimumFilter(thresholds, side), side));
+    const steepness = steepnessOf(thresholds, side / 2);
+    for (const [tone, row] of result.entries()) row.push(drawMean(thresholds, steepness, means[tone]));
     yield 1;
   }
   return { size, images: result };
 }
 
-/** The least of every texel and the eight around it. */
-function widened(field: Float32Array, size: number): Float32Array {
+/** The minimum of every texel and the eight around it. */
+function minimumFilter(field: Float32Array, size: number): Float32Array {
   const mask = size - 1;
   const result = new Float32Array(field.length);
   for (let row = 0; row < size; row++) {
@@ -50,7 +50,7 @@ function widened(field: Float32Array, size: number): Float32Array {
 }
 
 /** Means of 2 × 2 texels. */
-function halved(field: Float32Array, size: number): Float32Array {
+function downsample(field: Float32Array, size: number): Float32Array {
   const half = size / 2;
   const result = new Float32Array(half * half);
   for (let row = 0; row < half; row++) {
@@ -62,8 +62,8 @@ function halved(field: Float32Array, size: number): Float32Array {
   return result;
 }
 
-/** By how much the field changes from each texel to the next, in the steeper direction. */
-function slopesOf(field: Float32Array, size: number): Float32Array {
+/** How much the field changes per texel at each place, in the steeper direction. */
+function steepnessOf(field: Float32Array, size: number): Float32Array {
   const mask = size - 1;
   return field.map((_, i) => {
     const [row, column] = [Math.floor(i / size), i & mask];
@@ -75,12 +75,12 @@ function slopesOf(field: Float32Array, size: number): Float32Array {
   });
 }
 
-/** A drawing of this mean ink, its edges as soft as a texel. */
-function cut(thresholds: Float32Array, slopes: Float32Array, mean: number): Uint8Array {
+/** An image of the given mean ink, with edges one texel soft. */
+function drawMean(thresholds: Float32Array, steepness: Float32Array, mean: number): Uint8Array {
   const image = new Uint8Array(thresholds.length).fill(255);
   if (mean === 0) return image;
   for (let i = 0; i < image.length; i++) {
-    const ink = (mean - thresholds[i]) / Math.max(slopes[i], 1e-6) + 0.5;
+    const ink = (mean - thresholds[i]) / Math.max(steepness[i], 1e-6) + 0.5;
     image[i] = 255 - Math.round(255 * Math.max(0, Math.min(1, ink)));
   }
   return image;

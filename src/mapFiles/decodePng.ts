@@ -4,7 +4,7 @@ import { type Pixels, PNG_SIGNATURE } from './Pixels.js';
 const SAMPLES: Record<number, number> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
 const PALETTE = 3;
 
-/** What a PNG file says about itself. */
+/** The header of a PNG file. */
 interface Header {
   width: number;
   height: number;
@@ -14,13 +14,13 @@ interface Header {
 }
 
 /**
- * Unpacks a PNG file, of any kind but interlaced. Sixteen bits become eight; what is transparent shows white paper.
+ * Decodes a PNG file of any kind but interlaced. Sixteen bits become eight; transparent pixels are blended onto white.
  *
- * Not with an image element and a canvas: these convert colours by profiles, round what is transparent, and in some
- * browsers return noise on purpose. A map is data, and must come back as it was saved.
+ * An image element and a canvas would not do: they convert colours by profiles, round transparent pixels, and in some browsers
+ * add noise against fingerprinting. A map is data and must come back as it was saved.
  *
- * @param maxSide longest side in pixels that is unpacked at all
- * @throws Error with the end of a sentence that begins with the file's name
+ * @param maxSide longest side in pixels that is accepted
+ * @throws Error whose message continues a sentence that begins with the file's name
  */
 export async function decodePng(file: Uint8Array, maxSide: number): Promise<Pixels> {
   if (!PNG_SIGNATURE.every((byte, i) => file[i] === byte)) throw new Error('is not a PNG image; save it as PNG');
@@ -37,13 +37,13 @@ export async function decodePng(file: Uint8Array, maxSide: number): Promise<Pixe
   if (!header || parts.length === 0) throw new Error(DAMAGED);
   const { width, height, colorType } = header;
   const samples = unpackSamples(await inflate(parts), header);
-  const opaque = (grey: number, alpha: number): number => Math.round((grey * alpha) / 255 + 255 - alpha);
+  const onWhite = (grey: number, alpha: number): number => Math.round((grey * alpha) / 255 + 255 - alpha);
   const isGrey = colorType === 0 || colorType === 4;
   const data = new Uint8Array(width * height * (isGrey ? 1 : 3));
   if (isGrey) {
     const step = SAMPLES[colorType];
     for (let i = 0; i < data.length; i++) {
-      data[i] = step === 1 ? samples[i] : opaque(samples[2 * i], samples[2 * i + 1]);
+      data[i] = step === 1 ? samples[i] : onWhite(samples[2 * i], samples[2 * i + 1]);
     }
   } else {
     for (let i = 0; i < width * height; i++) {
@@ -51,10 +51,10 @@ export async function decodePng(file: Uint8Array, maxSide: number): Promise<Pixe
       for (let c = 0; c < 3; c++) {
         data[3 * i + c] =
           colorType === PALETTE
-            ? opaque(palette[3 * entry + c] ?? 0, transparency[entry] ?? 255)
+            ? onWhite(palette[3 * entry + c] ?? 0, transparency[entry] ?? 255)
             : colorType === 2
               ? samples[3 * i + c]
-              : opaque(samples[4 * i + c], samples[4 * i + 3]);
+              : onWhite(samples[4 * i + c], samples[4 * i + 3]);
       }
     }
   }
@@ -100,7 +100,7 @@ async function inflate(parts: Uint8Array<ArrayBuffer>[]): Promise<Uint8Array> {
   }
 }
 
-/** Undoes the filters of the rows and brings samples of any depth to eight bits; those of a palette stay as they are. */
+/** Undoes the row filters and converts samples of any depth to eight bits; palette indices stay as they are. */
 function unpackSamples(bytes: Uint8Array, { width, height, depth, colorType }: Header): Uint8Array {
   const samplesPerRow = width * SAMPLES[colorType];
   const stride = Math.ceil((samplesPerRow * depth) / 8);
@@ -123,7 +123,7 @@ function unpackSamples(bytes: Uint8Array, { width, height, depth, colorType }: H
   return samples;
 }
 
-/** The five filters of the PNG specification, undone in place. */
+/** Undoes one of the five filters of the PNG specification, in place. */
 function unfilter(line: Uint8Array, above: Uint8Array, pixelBytes: number, filter: number): void {
   if (filter > 4) throw new Error(DAMAGED);
   if (filter === 0) return;
@@ -133,12 +133,12 @@ function unfilter(line: Uint8Array, above: Uint8Array, pixelBytes: number, filte
     if (filter === 1) line[i] += left;
     else if (filter === 2) line[i] += up;
     else if (filter === 3) line[i] += (left + up) >> 1;
-    else line[i] += nearest(left, up, i >= pixelBytes ? above[i - pixelBytes] : 0);
+    else line[i] += paeth(left, up, i >= pixelBytes ? above[i - pixelBytes] : 0);
   }
 }
 
-/** Paeth's predictor: of left, up and corner the one nearest to left + up − corner. */
-function nearest(left: number, up: number, corner: number): number {
+/** The Paeth predictor: whichever of left, up and corner is nearest to left + up − corner. */
+function paeth(left: number, up: number, corner: number): number {
   const [toLeft, toUp, toCorner] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)];
   return toLeft <= toUp && toLeft <= toCorner ? left : toUp <= toCorner ? up : corner;
 }

@@ -1,13 +1,13 @@
 import { type Pixels, PNG_SIGNATURE } from './Pixels.js';
 
 /**
- * Packs bytes into a PNG file, one or three channels of eight bits. Nothing about colour is written, so that no reader
- * converts them: what is read is what was written.
+ * Encodes bytes as a PNG file with one or three channels of eight bits. No colour profile is written, so readers do not
+ * convert the values.
  */
 export async function encodePng({ width, height, channels, data }: Pixels): Promise<Uint8Array> {
   const stride = width * channels;
   const rows = new Uint8Array(height * (stride + 1));
-  // The byte before each row says how it is filtered; 0 is not at all.
+  // The byte before each row names its filter; 0 is none.
   for (let row = 0; row < height; row++) {
     rows.set(data.subarray(row * stride, (row + 1) * stride), row * (stride + 1) + 1);
   }

@@ -1,15 +1,15 @@
-/** What the JSON file of a saved map says. */
+/** The content of the JSON file of a saved map. */
 export interface MapDescription {
   format: typeof MAP_FORMAT;
   version: typeof MAP_VERSION;
   /** Texels per side of level 0. */
   size: number;
   /**
-   * The file of every image, the lightest tone first: one name for a tone whose levels are to be made, or a list of its
-   * levels, the finest first. All tones in the same way.
+   * The image files, lightest tone first. Per tone either one name, whose levels are then made, or the list of its levels,
+   * finest first. The same form for all tones.
    */
   images: string[] | string[][];
-  /** The files of the thresholds, the finest level first, where they were drawn. Else they are derived from the images. */
+  /** The files of the thresholds, finest level first. Without them, thresholds are derived from the images. */
   thresholds?: string[];
 }
 

@@ -5,20 +5,20 @@ import { MAP_FORMAT, MAP_VERSION, type MapDescription } from './mapFiles.js';
 import type { Pixels } from './Pixels.js';
 import { THRESHOLD_STEP } from './writeMapFiles.js';
 
-/** Longest side of an image. */
+/** Longest side of an image, in pixels. */
 const MAX_SIDE = 4096;
 
-/** Darker than this, the lightest image of a set is not the blank paper of tone 0. */
+/** Mean ink up to which an image counts as the blank paper of tone 0. */
 const BLANK = 0.002;
 
-/** Reads a file by its name. Throws the end of a sentence that begins with the name. */
+/** Reads a file by its name. Error messages continue a sentence that begins with the name. */
 export type ReadFile = (name: string) => Promise<Uint8Array>;
 
 /** What the files of a map hold. */
 export interface ReadMap extends HatchImages {
-  /** Whether there is one image per tone, whose levels are still to be made. */
+  /** Whether there is only one image per tone and the other levels must be made. */
   lacksLevels: boolean;
-  /** The thresholds of every level where they were saved. */
+  /** The thresholds of every level, if they were saved. */
   thresholds: Float32Array[] | undefined;
 }
 
@@ -29,11 +29,11 @@ export interface ReadMap extends HatchImages {
  * @throws Error naming the file that is wrong and what to do
  */
 export async function readMap(name: string, read: ReadFile, onProgress: (done: number) => void): Promise<ReadMap> {
-  const description = parseDescription(name, new TextDecoder().decode(await named(name, read(name))));
+  const description = parseDescription(name, new TextDecoder().decode(await withFileName(name, read(name))));
   const lacksLevels = typeof description.images[0] === 'string';
   const names = description.images.map((row) => (typeof row === 'string' ? [row] : row));
   const files = [...names.flat(), ...(description.thresholds ?? [])];
-  const progress = counter(files.length, onProgress);
+  const countFile = progressCounter(files.length, onProgress);
   const { size } = description;
   const open = async (file: string, level: number): Promise<Pixels> => {
     const pixels = await readImage(file, read);
@@ -44,7 +44,7 @@ export async function readMap(name: string, read: ReadFile, onProgress: (done: n
         `has ${pixels.width} × ${pixels.height} pixels, but level ${level} of size ${size} needs ${side} × ${side}`,
       );
     }
-    progress();
+    countFile();
     return pixels;
   };
   const images = await Promise.all(
@@ -56,18 +56,18 @@ export async function readMap(name: string, read: ReadFile, onProgress: (done: n
       description.thresholds.map(async (file, level) => {
         const { channels, data } = await open(file, level);
         if (channels !== 3) fail(file, 'holds no thresholds: it is grey; save the map again');
-        return gathered(data);
+        return thresholdsFromRgb(data);
       }),
     ));
   if (lacksLevels) assertLightToDark(names.flat(), images);
-  return { size, images: lacksLevels ? withPaper(images) : images, lacksLevels, thresholds };
+  return { size, images: lacksLevels ? withBlankTone(images) : images, lacksLevels, thresholds };
 }
 
 /**
- * Reads images that someone has drawn, one per tone.
+ * Reads images drawn by hand or by other software, one per tone.
  *
  * @param names in the order of tones, the lightest first
- * @param sort whether their order means nothing, and darkness decides
+ * @param sort whether to sort the images by darkness instead of keeping their order
  * @throws Error naming the file that is wrong and what to do
  */
 export async function readImages(
@@ -76,37 +76,37 @@ export async function readImages(
   sort: boolean,
   onProgress: (done: number) => void,
 ): Promise<ReadMap> {
-  const progress = counter(names.length, onProgress);
+  const countFile = progressCounter(names.length, onProgress);
   const files = await Promise.all(
     names.map(async (name) => {
       const { width, height, ...pixels } = await readImage(name, read);
       if (width !== height || (width & (width - 1)) !== 0) {
         fail(name, `has ${width} × ${height} pixels, but a tile must be square with a power of two, such as 256 × 256`);
       }
-      progress();
+      countFile();
       return { name, size: width, image: greyOf(pixels) };
     }),
   );
   if (sort) files.sort((a, b) => meanInk(a.image) - meanInk(b.image));
   const [{ name, size }] = files;
-  const stranger = files.find((file) => file.size !== size);
-  if (stranger) {
-    fail(stranger.name, `has ${stranger.size} pixels per side, but ${name} has ${size}; give every tone the same`);
+  const mismatched = files.find((file) => file.size !== size);
+  if (mismatched) {
+    fail(mismatched.name, `has ${mismatched.size} pixels per side, but ${name} has ${size}; give every tone the same`);
   }
   const images = files.map(({ image }) => [image]);
   assertLightToDark(
     files.map((file) => file.name),
     images,
   );
-  return { size, images: withPaper(images), lacksLevels: true, thresholds: undefined };
+  return { size, images: withBlankTone(images), lacksLevels: true, thresholds: undefined };
 }
 
 function fail(name: string, fault: string): never {
   throw new Error(`TonalArtMap.load: ${name} ${fault}.`);
 }
 
-/** Waits for something done with a file and puts its name before what went wrong. */
-async function named<Result>(name: string, work: Promise<Result>): Promise<Result> {
+/** Waits for work on a file. Puts the file's name before the message of an error. */
+async function withFileName<Result>(name: string, work: Promise<Result>): Promise<Result> {
   try {
     return await work;
   } catch (error) {
@@ -116,7 +116,7 @@ async function named<Result>(name: string, work: Promise<Result>): Promise<Resul
 }
 
 const readImage = async (name: string, read: ReadFile): Promise<Pixels> =>
-  named(name, decodePng(await named(name, read(name)), MAX_SIDE));
+  withFileName(name, decodePng(await withFileName(name, read(name)), MAX_SIDE));
 
 function parseDescription(name: string, text: string): MapDescription {
   let found: Partial<MapDescription>;
@@ -157,13 +157,13 @@ function parseDescription(name: string, text: string): MapDescription {
   return found as MapDescription;
 }
 
-/** Calls `onProgress` with the part that is done, each time one of `count` is. */
-function counter(count: number, onProgress: (done: number) => void): () => void {
+/** Returns a function to call after each of `count` steps; it reports the finished part to `onProgress`. */
+function progressCounter(count: number, onProgress: (done: number) => void): () => void {
   let done = 0;
   return () => onProgress(++done / count);
 }
 
-/** The luminance of each pixel, of its bytes as they are. */
+/** The luminance of each pixel, computed from the bytes without linearising them. */
 function greyOf({ channels, data }: Pick<Pixels, 'channels' | 'data'>): Uint8Array {
   if (channels === 1) return data;
   const grey = new Uint8Array(data.length / 3);
@@ -173,7 +173,8 @@ function greyOf({ channels, data }: Pick<Pixels, 'channels' | 'data'>): Uint8Arr
   return grey;
 }
 
-function gathered(bytes: Uint8Array): Float32Array {
+/** The inverse of `rgbFromThresholds`. */
+function thresholdsFromRgb(bytes: Uint8Array): Float32Array {
   const thresholds = new Float32Array(bytes.length / 3);
   for (let i = 0; i < thresholds.length; i++) {
     thresholds[i] = ((bytes[3 * i] << 16) | (bytes[3 * i + 1] << 8) | bytes[3 * i + 2]) * THRESHOLD_STEP;
@@ -187,7 +188,7 @@ function assertLightToDark(names: readonly string[], images: readonly (readonly 
   if (isReversed) fail(names[0], 'is the darkest image but comes first; list the lightest first');
 }
 
-/** Tone 0 is paper; artists rarely draw it. */
-function withPaper(images: Uint8Array[][]): Uint8Array[][] {
+/** Adds blank paper as tone 0 where it is missing: artists rarely draw it. */
+function withBlankTone(images: Uint8Array[][]): Uint8Array[][] {
   return meanInk(images[0][0]) > BLANK ? [[new Uint8Array(images[0][0].length).fill(255)], ...images] : images;
 }

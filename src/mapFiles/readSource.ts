@@ -3,7 +3,7 @@ import { type ReadMap, readImages, readMap } from './readMapFiles.js';
 /** What `TonalArtMap.load` can load. */
 export type TonalArtMapSource = string | URL | readonly (string | URL)[] | readonly File[];
 
-/** Reads what `TonalArtMap.load` was given. */
+/** Reads the source that `TonalArtMap.load` was given. */
 export function readSource(
   source: TonalArtMapSource,
   signal: AbortSignal | undefined,
@@ -13,14 +13,14 @@ export function readSource(
     const base = absolute(source);
     return readMap(base, (name) => fetchFile(new URL(name, base), signal), onProgress);
   }
-  const things: readonly (string | URL | File)[] = Array.isArray(source) ? source : [];
-  if (things.length === 0) {
+  const items: readonly (string | URL | File)[] = Array.isArray(source) ? source : [];
+  if (items.length === 0) {
     throw new TypeError('TonalArtMap.load: source is empty, but must be an address or a list of addresses or files.');
   }
   const files = new Map<string, File>();
-  for (const thing of things) if (thing instanceof File) files.set(thing.name, thing);
+  for (const item of items) if (item instanceof File) files.set(item.name, item);
   if (files.size === 0) {
-    const names = things.map((thing) => absolute(thing as string | URL));
+    const names = items.map((item) => absolute(item as string | URL));
     return readImages(names, (name) => fetchFile(new URL(name), signal), false, onProgress);
   }
   const read = async (name: string): Promise<Uint8Array> => {
@@ -33,7 +33,7 @@ export function readSource(
   return readImages([...files.keys()], read, true, onProgress);
 }
 
-/** Addresses without a host are those of the page. */
+/** Relative addresses are resolved against the page. */
 const absolute = (address: string | URL): string =>
   new URL(address, typeof document === 'undefined' ? undefined : document.baseURI).href;
 

@@ -6,10 +6,10 @@ import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile } 
 export const THRESHOLD_STEP = 2 ** -24;
 
 /**
- * The files of a map: one JSON that names them, a grey PNG image for each tone and level, and if there are thresholds an RGB
- * one for each level. `readMapFiles` reads back exactly what was written.
+ * The files of a map: a JSON file that names the others, a grey PNG image for each tone and level and, with thresholds, an RGB
+ * image for each level. `readMap` reads back exactly what was written.
  *
- * @param thresholds of every level, where they were drawn and not derived from the images
+ * @param thresholds of every level, if they were drawn and not derived from the images
  */
 export async function writeMapFiles(
   { size, images }: HatchImages,
@@ -29,15 +29,17 @@ export async function writeMapFiles(
       row.map((image, level) => write(`tone-${tone}-level-${level}.png`, level, 1, image)),
     ),
     ...(thresholds && {
-      thresholds: thresholds.map((field, level) => write(`thresholds-level-${level}.png`, level, 3, spread(field))),
+      thresholds: thresholds.map((field, level) =>
+        write(`thresholds-level-${level}.png`, level, 3, rgbFromThresholds(field)),
+      ),
     }),
   };
   const json = new TextEncoder().encode(`${JSON.stringify(description, undefined, 2)}\n`);
   return [{ name: MAP_FILE, bytes: json }, ...(await Promise.all(files))];
 }
 
-/** The bytes of thresholds, the highest first. */
-function spread(thresholds: Float32Array): Uint8Array {
+/** Thresholds as three bytes each, the most significant first. */
+function rgbFromThresholds(thresholds: Float32Array): Uint8Array {
   const bytes = new Uint8Array(3 * thresholds.length);
   for (let i = 0; i < thresholds.length; i++) {
     const steps = thresholds[i] / THRESHOLD_STEP;

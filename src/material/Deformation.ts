@@ -22,7 +22,7 @@ import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { deformationShaders } from './hatchingShaders.js';
 import { Pose } from './Pose.js';
 
-/** The corners of a mesh as points. three.js brings bones and morph targets to them as it would to the mesh. */
+/** The corners of a mesh as points. three.js uploads bones and morph targets for them as for the mesh. */
 class CornerPoints extends Points {
   isSkinnedMesh = false;
   skeleton: Skeleton | undefined;
@@ -34,8 +34,8 @@ const noScene = new Scene();
 const allCorners = { start: 0, count: Infinity };
 
 /**
- * Positions, normals and turns of one mesh of the `pull` layout in its present pose, one texel per vertex, on one graphics context.
- * Each vertex is deformed once for a pose, however many corners, materials, cameras and frames ask for it.
+ * Positions, normals and rotations of one mesh of the `pull` layout in its present pose: one texel per vertex, on one graphics
+ * context. Each vertex is deformed once per pose, however many corners, materials, cameras and frames use it.
  */
 export class Deformation {
   private readonly points: CornerPoints;
@@ -70,17 +70,17 @@ export class Deformation {
     geometry.addEventListener('dispose', this.dispose);
   }
 
-  /** x, y, z of each vertex as drawn, object space. */
+  /** x, y, z of each vertex as drawn, in object space. */
   get positions(): Texture {
     return this.target.textures[0];
   }
 
-  /** x, y, z of each vertex's normal as drawn, object space, not of unit length. */
+  /** x, y, z of each vertex's normal as drawn, in object space, not of unit length. */
   get normals(): Texture {
     return this.target.textures[1];
   }
 
-  /** The rotation of each vertex's skin, a quaternion; zero where the skin is not all that moves it. */
+  /** The rotation of each vertex by its skin, as a quaternion; zero where morph targets move it too. */
   get turns(): Texture {
     return this.target.textures[2];
   }
@@ -90,15 +90,15 @@ export class Deformation {
   }
 
   /**
-   * Brings the textures up to date, while `renderer` draws `mesh` with `material` for `camera`. Does nothing where the pose
-   * is the one of the last time, and leaves the renderer as it was. Allocates nothing.
+   * Brings the textures up to date while `renderer` draws `mesh` with `material` for `camera`. Does nothing if the pose has not
+   * changed. Leaves the renderer's state as it was. Allocates nothing.
    */
   update(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, material: Material): void {
     if (!this.users.has(material)) {
       this.users.add(material);
       material.addEventListener('dispose', this.dispose);
     }
-    if (this.pose.take(mesh)) this.draw(renderer, camera, mesh);
+    if (this.pose.update(mesh)) this.draw(renderer, camera, mesh);
   }
 
   /** Frees the graphics memory. Called when the geometry or a material that draws it is disposed of. */
@@ -127,15 +127,15 @@ export class Deformation {
     const { start, count } = this.geometry.drawRange;
     this.geometry.setDrawRange(0, Infinity);
     renderer.setRenderTarget(this.target);
-    // Not render(): that would be a frame of its own, with lights, shadows, a background and counters.
+    // Not render(): that would begin a frame of its own, with lights, shadows, background and counters.
     renderer.renderBufferDirect(camera, noScene, this.geometry, this.shader, points, allCorners);
     renderer.setRenderTarget(target, face, level);
     this.geometry.setDrawRange(start, count);
-    // The cameras of an ArrayCamera have a part of the target each.
+    // Each camera of an ArrayCamera draws into its own part of the target.
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) renderer.state.viewport(viewport);
 
-    // The bones know the mesh, and it should be free to go.
+    // The bones refer to the mesh, which must stay collectable.
     points.skeleton = undefined;
   }
 }

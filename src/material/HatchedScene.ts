@@ -7,53 +7,53 @@ export interface SkippedMesh {
   error: Error;
 }
 
-/** What a mesh is to wear. */
-export interface Dress {
+/** The geometry and material of a mesh. */
+export interface MeshLook {
   mesh: Mesh;
   geometry: BufferGeometry;
   material: Material | Material[];
 }
 
-/** A scene that `applyHatching` has hatched, and the way back. */
+/** A scene hatched by `applyHatching`, which can be restored. */
 export class HatchedScene {
-  private before: readonly Dress[];
+  private originals: readonly MeshLook[];
 
   /**
-   * Dresses the meshes, all at once.
+   * Gives the meshes their new looks, all at once.
    *
    * @param materials every material made; change them freely
    * @param skipped meshes that could not be hatched
-   * @param made everything that `dispose()` frees
-   * @param release called when the meshes are as they were
+   * @param disposables everything that `dispose()` frees
+   * @param releaseMeshes called once the meshes are restored
    */
   constructor(
-    dresses: readonly Dress[],
+    looks: readonly MeshLook[],
     readonly materials: readonly HatchingMaterial[],
     readonly skipped: readonly SkippedMesh[],
-    private readonly made: { dispose(): void }[],
-    private readonly release: () => void,
+    private readonly disposables: { dispose(): void }[],
+    private readonly releaseMeshes: () => void,
   ) {
-    this.before = dresses.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
-    putOn(dresses);
+    this.originals = looks.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
+    applyLooks(looks);
   }
 
   /**
-   * Gives every mesh back the very geometry and material it had; again, it does nothing. What was made is kept for you to
-   * use until `dispose()`.
+   * Gives every mesh back the geometry and material it had. A second call does nothing. The new geometries and materials stay
+   * usable until `dispose()`.
    */
   restore(): void {
-    putOn(this.before);
-    this.before = [];
-    this.release();
+    applyLooks(this.originals);
+    this.originals = [];
+    this.releaseMeshes();
   }
 
-  /** Restores, and frees everything that was made: geometries, materials and, where none was given, the map. */
+  /** Restores, and frees everything that was made: geometries, materials and, unless one was given, the map. */
   dispose(): void {
     this.restore();
-    for (const thing of this.made.splice(0)) thing.dispose();
+    for (const disposable of this.disposables.splice(0)) disposable.dispose();
   }
 }
 
-function putOn(dresses: readonly Dress[]): void {
-  for (const { mesh, geometry, material } of dresses) Object.assign(mesh, { geometry, material });
+function applyLooks(looks: readonly MeshLook[]): void {
+  for (const { mesh, geometry, material } of looks) Object.assign(mesh, { geometry, material });
 }

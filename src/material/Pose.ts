@@ -1,16 +1,16 @@
 import type { Mesh, SkinnedMesh } from 'three';
 
-/** What a mesh is deformed by: the numbers of its morph targets, its bones and its binding. */
+/** The numbers that deform a mesh: morph target influences, bone matrices and bind matrices. */
 export class Pose {
   private numbers = new Float32Array(0);
   private length = -1;
-  private differs = true;
+  private hasChanged = true;
 
-  /** Takes over the pose of `mesh`. Returns whether it differs from the one before. Allocates only where it has grown. */
-  take(mesh: Mesh): boolean {
+  /** Copies the pose of `mesh`. Returns whether it differs from the previous one. Allocates only if the pose has grown. */
+  update(mesh: Mesh): boolean {
     const length = this.length;
     this.length = 0;
-    this.differs = false;
+    this.hasChanged = false;
     if (mesh.morphTargetInfluences) this.add(mesh.morphTargetInfluences);
     if ('isSkinnedMesh' in mesh) {
       const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
@@ -18,7 +18,7 @@ export class Pose {
       this.add(bindMatrix.elements);
       this.add(bindMatrixInverse.elements);
     }
-    return this.differs || this.length !== length;
+    return this.hasChanged || this.length !== length;
   }
 
   private add(numbers: ArrayLike<number>): void {
@@ -28,13 +28,13 @@ export class Pose {
       const grown = new Float32Array(this.length);
       grown.set(this.numbers);
       this.numbers = grown;
-      this.differs = true;
+      this.hasChanged = true;
     }
     for (let i = 0; i < numbers.length; i++) {
       const number = Math.fround(numbers[i]);
       if (this.numbers[start + i] === number) continue;
       this.numbers[start + i] = number;
-      this.differs = true;
+      this.hasChanged = true;
     }
   }
 }

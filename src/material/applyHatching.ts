@@ -4,61 +4,62 @@ import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatching
 import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
-import { type Dress, HatchedScene, type SkippedMesh } from './HatchedScene.js';
+import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import { placements, worldScale } from './placements.js';
+import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
 import { surfaceMeshes } from './surfaceMeshes.js';
-import { isHatching, Wardrobe } from './Wardrobe.js';
+import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
 export interface ApplyHatchingOptions extends PrepareHatchingGeometryOptions {
   /**
-   * For materials whose parameters name none. Without it one in the style `hatching` is generated, and disposed of. `null`:
-   * none for now, all stays paper until you set one.
+   * The map for materials whose parameters name none. By default one in the style `hatching` is generated; `dispose()` of the
+   * result frees it. `null`: none for now; the meshes stay blank paper until you set one.
    */
   tonalArtMap?: TonalArtMap | null | undefined;
   /**
-   * What the materials are to have beside what they take over; it wins. A function is called once for every material
-   * made, with the one it replaces and the first mesh that wears it.
+   * Parameters of the new materials. They override what is taken over from the old ones. A function is called once for every
+   * material made, with the material it replaces and the first mesh that uses it.
    */
   material?: HatchingMaterialParameters | ((source: Material, mesh: Mesh) => HatchingMaterialParameters) | undefined;
   /**
-   * Size of the strokes: tiles of the map per unit of the world, the same on small and on large objects. The default is 3
-   * over the radius of the whole. A `strokeScale` among the materials' parameters counts per unit of object space instead.
+   * Size of the strokes: tiles of the map per world unit, the same on small and large objects. The default is 3 divided by the
+   * radius of the whole scene. A `strokeScale` among the materials' parameters counts per unit of object space instead.
    */
   strokeScale?: number | undefined;
   /** Which meshes to hatch. Default: all. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
 }
 
-/** A mesh as it is, and what it is to wear. */
-interface Fitting extends Dress {
+/** A mesh to hatch: its present geometry and material, and the material it will get. */
+interface PlannedMesh {
   mesh: Mesh;
   geometry: BufferGeometry;
-  old: Material | Material[];
+  oldMaterial: Material | Material[];
+  material: Material | Material[];
 }
 
 const TILES_PER_RADIUS = 3;
-/** Part of the progress that goes to the map where one is generated. */
+/** Share of the progress for the map, if one is generated. */
 const MAP_SHARE = 0.2;
 
 /**
- * Hatches a whole scene, such as a loaded glTF: bakes the geometry of every mesh at or below `root` (a shared one once)
- * and puts a `HatchingMaterial` in the place of every material, with its colour, maps, opacity, sides and vertex colours.
- * Instances, groups, skins and morph targets go on as before; lines, points and sprites are left alone. Nothing in the
- * scene changes before everything is ready, and nothing at all if that fails or is aborted.
+ * Hatches a whole scene, such as a loaded glTF. Bakes the geometry of every mesh at or below `root`, a shared geometry once.
+ * Replaces every material by a `HatchingMaterial` with its colour, maps, opacity, sides and vertex colours. Instances,
+ * groups, skins and morph targets keep working; lines, points and sprites are left alone. Nothing in the scene changes before
+ * everything is ready, and nothing at all if that fails or is aborted.
  *
- * - A material shared by meshes becomes one shared material. Where the meshes differ in scale it becomes one for each
- *   scale, since `strokeScale` counts in object space; those that deform have one of their own.
- * - Meshes that have a `HatchingMaterial` of your own are left alone.
- * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`; so is one that was given another
- *   geometry or material meanwhile.
- * - The layout, unless given, is `'indexed'` for geometries that only `anchored` draws.
- * - A `BatchedMesh` keeps its geometry. `anchored` hatches it by the normals it has; other techniques can only where it
+ * - A material shared by meshes becomes one shared material. If the meshes differ in scale, it becomes one per scale, since
+ *   `strokeScale` counts in object space. Meshes that deform get a material of their own.
+ * - Meshes that already have a `HatchingMaterial` are left alone.
+ * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`. So is a mesh whose geometry or material
+ *   was exchanged meanwhile.
+ * - Unless given, the layout is `'indexed'` for geometries that only `anchored` draws.
+ * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
  *   was filled with prepared geometries.
  *
- * Rejects if part of `root` is hatched already, with the signal's reason when aborted, with the first mesh's error if none
- * can be hatched, and when a map or a parameter cannot be had.
+ * Rejects with an Error if part of `root` is hatched already; with the signal's reason when aborted; with the first mesh's
+ * error if none can be hatched; and with the error of a map or a parameter.
  */
 export async function applyHatching(root: Object3D, options: ApplyHatchingOptions = {}): Promise<HatchedScene> {
   options.signal?.throwIfAborted();
@@ -66,85 +67,85 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
   }
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
-  const release = claimMeshes(meshes);
-  const made: { dispose(): void }[] = [];
+  const releaseMeshes = claimMeshes(meshes);
+  const disposables: { dispose(): void }[] = [];
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const wardrobe = new Wardrobe(options.material ?? {});
-    const fittings = meshes
+    const replacer = new MaterialReplacer(options.material ?? {});
+    const planned = meshes
       .filter(({ material }) => ![material].flat().every(isHatching))
-      .map((mesh): Fitting => {
-        const material = wardrobe.materialFor(mesh, worldScale(placements(mesh)));
-        return { mesh, geometry: mesh.geometry, old: mesh.material, material };
+      .map((mesh): PlannedMesh => {
+        const material = replacer.replacementFor(mesh, worldScale(worldMatrices(mesh)));
+        return { mesh, geometry: mesh.geometry, oldMaterial: mesh.material, material };
       });
-    made.push(...wardrobe.materials);
+    disposables.push(...replacer.materials);
 
-    const mapless = wardrobe.materials.filter(({ tonalArtMap }) => tonalArtMap === null);
-    const mapShare = mapless.length > 0 && options.tonalArtMap === undefined ? MAP_SHARE : 0;
+    const withoutMap = replacer.materials.filter(({ tonalArtMap }) => tonalArtMap === null);
+    const mapShare = withoutMap.length > 0 && options.tonalArtMap === undefined ? MAP_SHARE : 0;
     const { onProgress, signal, createWorker } = options;
     const baked = await bakeGeometries(
-      layoutsFor(fittings, options.layout),
+      layoutsFor(planned, options.layout),
       { ...options, onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)) },
-      (geometry) => made.push(geometry),
+      (geometry) => disposables.push(geometry),
     );
-    const { dresses, skipped } = sortOut(fittings, baked);
-    if (skipped.length > 0 && dresses.length === 0) throw skipped[0].error;
+    const { looks, skipped } = collectLooks(planned, baked);
+    if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
 
     let map = options.tonalArtMap ?? null;
     if (mapShare > 0) {
       const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
       map = await TonalArtMap.generate({ signal, createWorker, onProgress: onMapProgress });
-      made.push(map);
+      disposables.push(map);
     }
-    for (const material of mapless) material.tonalArtMap = map;
+    for (const material of withoutMap) material.tonalArtMap = map;
     signal?.throwIfAborted();
-    wardrobe.sizeStrokes(options.strokeScale ?? TILES_PER_RADIUS / radiusOf(dresses));
-    const worn = new Set<Material>(dresses.flatMap(({ material }) => material));
-    const materials = wardrobe.materials.filter((material) => worn.has(material));
-    return new HatchedScene(dresses, materials, skipped, made, release);
+    replacer.setStrokeScale(options.strokeScale ?? TILES_PER_RADIUS / radiusOf(looks));
+    const used = new Set<Material>(looks.flatMap(({ material }) => material));
+    const materials = replacer.materials.filter((material) => used.has(material));
+    return new HatchedScene(looks, materials, skipped, disposables, releaseMeshes);
   } catch (error) {
-    for (const thing of made) thing.dispose();
-    release();
+    for (const disposable of disposables) disposable.dispose();
+    releaseMeshes();
     throw error;
   }
 }
 
 const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;
 
-const isAnchored = ({ material }: Dress): boolean =>
+const isAnchored = ({ material }: PlannedMesh): boolean =>
   [material].flat().every((one) => isHatching(one) && one.technique === 'anchored');
 
-/** Every geometry to be baked, with the layout that all that draw it can do with. */
+/** Every geometry to bake, with a layout that all materials that draw it can use. */
 function layoutsFor(
-  fittings: readonly Fitting[],
+  planned: readonly PlannedMesh[],
   layout: ApplyHatchingOptions['layout'],
 ): Map<BufferGeometry, ApplyHatchingOptions['layout']> {
   const layouts = new Map<BufferGeometry, ApplyHatchingOptions['layout']>();
-  for (const fitting of fittings) {
-    if (isBatched(fitting.mesh)) continue;
-    const known = layouts.get(fitting.geometry) ?? 'indexed';
-    layouts.set(fitting.geometry, layout ?? (known === 'indexed' && isAnchored(fitting) ? 'indexed' : 'auto'));
+  for (const plan of planned) {
+    if (isBatched(plan.mesh)) continue;
+    const known = layouts.get(plan.geometry) ?? 'indexed';
+    layouts.set(plan.geometry, layout ?? (known === 'indexed' && isAnchored(plan) ? 'indexed' : 'auto'));
   }
   return layouts;
 }
 
-/** Tells the meshes that can be dressed from those that stay as they are. */
-function sortOut(
-  fittings: readonly Fitting[],
+/** Divides the meshes into those that get a new look and those that stay as they are. */
+function collectLooks(
+  planned: readonly PlannedMesh[],
   baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>,
-): { dresses: Dress[]; skipped: SkippedMesh[] } {
-  const dresses: Dress[] = [];
+): { looks: MeshLook[]; skipped: SkippedMesh[] } {
+  const looks: MeshLook[] = [];
   const skipped: SkippedMesh[] = [];
-  for (const fitting of fittings) {
-    const { mesh, material } = fitting;
-    const geometry = isBatched(mesh) ? batchGeometry(fitting) : baked.get(fitting.geometry)!;
-    const hasChanged = mesh.geometry !== fitting.geometry || mesh.material !== fitting.old;
+  for (const plan of planned) {
+    const { mesh, material } = plan;
+    const geometry = isBatched(mesh) ? batchGeometry(plan) : baked.get(plan.geometry)!;
+    const hasChanged = mesh.geometry !== plan.geometry || mesh.material !== plan.oldMaterial;
     if (geometry instanceof Error) skipped.push({ mesh, error: geometry });
     else if (hasChanged) skipped.push({ mesh, error: changedMeanwhile(mesh) });
-    else dresses.push({ mesh, geometry, material });
+    else looks.push({ mesh, geometry, material });
   }
-  return { dresses, skipped };
+  return { looks, skipped };
 }
 
 const changedMeanwhile = ({ name, uuid }: Mesh): Error =>
@@ -152,21 +153,22 @@ const changedMeanwhile = ({ name, uuid }: Mesh): Error =>
     `applyHatching: the mesh "${name || uuid}" was given another geometry or material while it was being baked. Restore, and apply again.`,
   );
 
-function batchGeometry(fitting: Fitting): BufferGeometry | Error {
-  const { mesh, geometry } = fitting;
-  if (isAnchored(fitting) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
+/** The geometry of a BatchedMesh, or the reason why it cannot be hatched. */
+function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
+  const { mesh, geometry } = plan;
+  if (isAnchored(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
   return new TypeError(
     `applyHatching: the BatchedMesh "${mesh.name || mesh.uuid}" has no triangle adjacency. Use the technique 'anchored' for it, or fill it with the results of prepareHatchingGeometry().`,
   );
 }
 
-/** Radius of a sphere around all meshes as they stand in the world; 1 where there is none. */
-function radiusOf(dresses: readonly Dress[]): number {
+/** Radius of a sphere around all meshes, in world units; 1 if there is none. */
+function radiusOf(looks: readonly MeshLook[]): number {
   const whole = new Sphere();
-  for (const { mesh, geometry } of dresses) {
+  for (const { mesh, geometry } of looks) {
     if (isBatched(mesh) && mesh.boundingSphere === null) mesh.computeBoundingSphere();
     const sphere = isBatched(mesh) ? mesh.boundingSphere! : geometry.boundingSphere!;
-    for (const matrix of placements(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
+    for (const matrix of worldMatrices(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
   }
   return whole.radius > 0 && Number.isFinite(whole.radius) ? whole.radius : 1;
 }

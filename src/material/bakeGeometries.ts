@@ -4,10 +4,10 @@ import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from '..
 type Layout = PrepareHatchingGeometryOptions['layout'];
 
 /**
- * Bakes geometries one after the other; the fault of one does not stop the others.
+ * Bakes geometries one after the other. An error in one does not stop the others.
  *
  * @param layouts the layout for each geometry
- * @param onBaked told every geometry as soon as it is there, so that it can be freed if a later one is aborted
+ * @param onBaked called with every geometry as soon as it is ready, so that it can be freed if a later one is aborted
  * @returns for each geometry the prepared one, or the TypeError or RangeError that says what is wrong with it
  */
 export async function bakeGeometries(

@@ -13,17 +13,18 @@ import { pulledVerticesOf } from '../geometry/PulledVertices.js';
 import { deformationOf } from './deformationOf.js';
 import type { VertexLayout } from './shaderConventions.js';
 
-const geometriesComplainedOf = new WeakSet<BufferGeometry>();
+const warnedGeometries = new WeakSet<BufferGeometry>();
 
-function complain(geometry: BufferGeometry, complaint: string): void {
-  if (geometriesComplainedOf.has(geometry)) return;
-  geometriesComplainedOf.add(geometry);
-  console.error(`HatchingMaterial: geometry "${geometry.name || geometry.uuid}" ${complaint}`);
+/** Reports a problem of a geometry, once per geometry. */
+function warnOnce(geometry: BufferGeometry, problem: string): void {
+  if (warnedGeometries.has(geometry)) return;
+  warnedGeometries.add(geometry);
+  console.error(`HatchingMaterial: geometry "${geometry.name || geometry.uuid}" ${problem}`);
 }
 
 /**
- * Brings the textures of the object's vertices, if it has any, to the uniforms of a material that is about to draw it, in
- * its present pose. Returns where the vertices find their adjacency. Says once what is wrong with a geometry.
+ * Sets the uniforms of a material that is about to draw `object`: the vertex textures of the layout `pull`, deformed to the
+ * present pose. Returns the layout in which the vertex shader finds the adjacency. Reports problems of a geometry once.
  */
 export function bindVertices(
   renderer: WebGLRenderer,
@@ -36,12 +37,12 @@ export function bindVertices(
   const isDeforming = deforms(geometry, object);
   if (!vertices) {
     if (geometry.attributes[cornerLayout[0].name] === undefined) {
-      complain(
+      warnOnce(
         geometry,
         'has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.',
       );
     } else if (isDeforming) {
-      complain(
+      warnOnce(
         geometry,
         "is lit and hatched as at rest: its layout 'corner' knows no other pose. Prepare it with the layout 'pull' or 'auto'.",
       );
@@ -60,20 +61,20 @@ export function bindVertices(
   return 'deforming';
 }
 
-/** Whether what is drawn of a geometry differs from its rest pose. */
+/** Whether a skin or morph targets can move the vertices away from the rest pose. */
 export const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
   'isSkinnedMesh' in object || morphAttributes.position !== undefined || morphAttributes.normal !== undefined;
 
 function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Object3D): boolean {
   if (!renderer.extensions.has('EXT_color_buffer_float')) {
-    complain(
+    warnOnce(
       geometry,
       "is lit and hatched as at rest: this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which has no need to.",
     );
     return false;
   }
   if ('isInstancedMesh' in object && (object as InstancedMesh).morphTexture !== null) {
-    complain(
+    warnOnce(
       geometry,
       "is lit and hatched as at rest: the instances of an InstancedMesh cannot have morph targets each of their own. Use the technique 'anchored', or meshes.",
     );
@@ -82,7 +83,7 @@ function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Ob
   return true;
 }
 
-/** Uniforms that differ from mesh to mesh; three.js reads them once for all meshes of a material unless told otherwise. */
+/** Sets a uniform that differs between meshes. By default three.js uploads uniforms once for all meshes of a material. */
 function bind(material: ShaderMaterial, name: string, texture: Texture): void {
   const uniform = material.uniforms[name];
   if (uniform.value === texture) return;

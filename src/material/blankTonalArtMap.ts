@@ -2,7 +2,7 @@ import { DataArrayTexture } from 'three';
 
 let blank: DataArrayTexture | undefined;
 
-/** One white texel for materials that have no tonal art map yet: all tones are paper. Shared and kept for good. */
+/** One white texel for materials without a tonal art map: all tones are paper. Shared and never disposed of. */
 export function blankTonalArtMap(): DataArrayTexture {
   if (blank === undefined) {
     blank = new DataArrayTexture(new Uint8Array([255, 255, 255, 255]), 1, 1, 1);

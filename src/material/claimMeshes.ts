@@ -3,9 +3,9 @@ import type { Mesh } from 'three';
 const claimed = new WeakSet<Mesh>();
 
 /**
- * Marks meshes as hatched, or being so, until the function returned is called; calling it again does nothing.
+ * Marks meshes as hatched, or about to be, until the returned function is called. Calling that again does nothing.
  *
- * @throws Error if one of them is marked already
+ * @throws Error if one of them is already marked
  */
 export function claimMeshes(meshes: readonly Mesh[]): () => void {
   const taken = meshes.find((mesh) => claimed.has(mesh));

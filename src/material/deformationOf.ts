@@ -2,12 +2,12 @@ import type { BufferGeometry, Mesh, WebGLRenderer } from 'three';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { Deformation } from './Deformation.js';
 
-/** By what three.js knows about one graphics context: it starts anew when a lost one is restored, and so must we. */
+/** Per `renderer.properties`: three.js makes a new one when a lost context is restored, and the deformations must go too. */
 const deformations = new WeakMap<object, WeakMap<Mesh, Deformation>>();
-/** Meshes are not disposed of, they are let go. */
-const abandoned = new FinalizationRegistry<Deformation>((deformation) => deformation.dispose());
+/** Frees a deformation when its mesh is garbage-collected: meshes have no `dispose()`. */
+const disposeWithMesh = new FinalizationRegistry<Deformation>((deformation) => deformation.dispose());
 
-/** The deformation of a mesh on the renderer's graphics context. Meshes that share a geometry have one each. */
+/** The deformation of a mesh on the renderer's graphics context, made on first use. Meshes that share a geometry have one each. */
 export function deformationOf(
   renderer: WebGLRenderer,
   mesh: Mesh,
@@ -23,10 +23,10 @@ export function deformationOf(
   if (known && !known.isDisposed && known.geometry === geometry) return known;
   if (known) {
     known.dispose();
-    abandoned.unregister(known);
+    disposeWithMesh.unregister(known);
   }
   const deformation = new Deformation(geometry, vertices);
   ofContext.set(mesh, deformation);
-  abandoned.register(mesh, deformation, deformation);
+  disposeWithMesh.register(mesh, deformation, deformation);
   return deformation;
 }

@@ -1,6 +1,6 @@
 import { TONE_CURVE_SPANS } from './shaderConventions.js';
 
-/** A point of a tone curve: the tone of the light, and the tone to print there; both in [0, 1], 0 is paper. */
+/** A point of a tone curve: the tone of the light, and the tone to print for it. Both in [0, 1], 0 is paper. */
 export type ToneCurvePoint = readonly [light: number, printed: number];
 
 /** See `HatchingMaterial.toneCurve`. */
@@ -9,16 +9,15 @@ export type ToneCurve = 'linear' | 'perceptual' | readonly ToneCurvePoint[];
 /** A tone curve as the shader adds it up: `start`, and a cubic for each span. Spans that are not in use add nothing. */
 export interface FittedToneCurve {
   start: number;
-  /** Per span, where it begins and 1 / its width. */
+  /** Per span, its start and 1 / its width. */
   spans: Float32Array;
   /** Per span, the coefficients of t, t² and t³, with t from 0 to 1 over the span. */
   cubics: Float32Array;
 }
 
 /**
- * A curve through the points that never leaves the range between two neighbouring ones (a cubic spline with the slopes
- * of Fritsch and Butland, 1984). Before the first and after the last point it is constant. Two points give a straight
- * line.
+ * Fits a curve through the points: a cubic spline with the slopes of Fritsch and Butland, 1984, which never leaves the range
+ * between two neighbouring points. Before the first and after the last point it is constant. Two points give a straight line.
  *
  * @param points 2 to 8, from light to dark
  * @throws Error if there are fewer or more, if one is not a pair of numbers in [0, 1], or if their lights do not rise
@@ -41,7 +40,7 @@ export function fitToneCurve(points: readonly ToneCurvePoint[]): FittedToneCurve
   return { start: points[0][1], spans, cubics };
 }
 
-/** The slope at a point between two spans: a harmonic mean, so that neither is overshot; flat at a turning point. */
+/** The slope at a point between two spans: a harmonic mean, which overshoots neither; 0 at a turning point. */
 function slopeBetween(before = Number.NaN, after = Number.NaN, widthBefore = 0, widthAfter = 0): number {
   if (Number.isNaN(before)) return after;
   if (Number.isNaN(after)) return before;

@@ -2,7 +2,7 @@ import { type Color, Material, type Texture } from 'three';
 import { HatchingMaterial } from './HatchingMaterial.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 
-/** What three's own surface materials have beside the base class, and a material of any kind may have. */
+/** Properties of three's own surface materials beyond the base class. Other materials may have them too. */
 interface SurfaceMaterial extends Material {
   color?: Color;
   map?: Texture | null;
@@ -13,17 +13,17 @@ interface SurfaceMaterial extends Material {
 }
 
 /**
- * A hatching material that takes the place of `source`: with its colour, maps (shared, not copied), opacity, sides, vertex
+ * A hatching material that replaces `source`, with its colour, maps (shared, not copied), opacity, sides, vertex
  * colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility and user data.
  *
- * @param parameters what the material is to have of its own; they win
+ * @param parameters override what is taken over from `source`
  */
 export function hatchingMaterialFrom(source: Material, parameters: HatchingMaterialParameters): HatchingMaterial {
   const material = new HatchingMaterial();
-  // Material's copy sends user data through JSON, which not everything survives.
+  // Material.copy clones user data through JSON, which loses some values.
   Material.prototype.copy.call(material, Object.create(source, { userData: { value: {} } }));
   material.userData = { ...source.userData };
-  // Moved planes go on cutting, as with the source.
+  // Shared, so that planes that move keep clipping.
   material.clippingPlanes = source.clippingPlanes;
   const { color, map, alphaMap, fog, wireframe, wireframeLinewidth } = source as SurfaceMaterial;
   if (color) material.color.copy(color);

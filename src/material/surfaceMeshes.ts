@@ -1,8 +1,8 @@
 import type { Material, Mesh, Object3D } from 'three';
 
 /**
- * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, also lines
- * that three.js makes of meshes (`Line2`), and meshes that only catch shadows.
+ * Every mesh at or below `root` that draws a surface, visible or not. Leaves out lines, points and sprites, also lines that
+ * three.js builds from meshes (`Line2`), and meshes that only receive shadows.
  */
 export function surfaceMeshes(root: Object3D): Mesh[] {
   const meshes: Mesh[] = [];
@@ -14,7 +14,7 @@ export function surfaceMeshes(root: Object3D): Mesh[] {
   return meshes;
 }
 
-/** Whether a material is of a kind that hatching can stand for. */
+/** Whether a material draws a surface, so that hatching can replace it. */
 export const isSurface = (material: Material | undefined): material is Material =>
   material !== undefined && !('isShadowMaterial' in material || 'isLineMaterial' in material);
 

@@ -1,5 +1,5 @@
 /**
- * A triangle mesh as the bake reads it: plain typed arrays, nothing of three.js.
+ * A triangle mesh as plain typed arrays, without three.js: the input of the bake.
  *
  * Invariants, checked by `validateTriangleMesh`: at least one triangle; `indices.length` is a multiple of three; every
  * index names a vertex; every position that a triangle uses is finite.

@@ -1,20 +1,28 @@
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
 /**
- * The cross product (V1 − V0) × (V2 − V0) of each triangle, in double precision: its direction is the normal, its length
+ * The area normal of each triangle, (V1 − V0) × (V2 − V0) in double precision: its direction is the normal, its length
  * twice the area. All three components are exactly 0 if, and only if, the triangle is degenerate: two corners at one
  * position, or all three on one line.
  */
 export function* computeAreaNormals(mesh: TriangleMesh): Generator<number, Float64Array<ArrayBuffer>, void> {
   const areaNormals = new Float64Array(mesh.indices.length);
-  yield* inChunks(mesh.indices.length / 3, (start, end) => computeRange(mesh, areaNormals, start, end));
+  yield* forEachChunk(mesh.indices.length / 3, (start, end) => computeRange(mesh, areaNormals, start, end));
   return areaNormals;
 }
 
 /** Whether the triangle is degenerate. */
 export const isDegenerate = (areaNormals: Float64Array, triangle: number): boolean =>
   areaNormals[3 * triangle] === 0 && areaNormals[3 * triangle + 1] === 0 && areaNormals[3 * triangle + 2] === 0;
+
+/** Twice the area of the triangle: the length of its area normal. */
+export function doubleArea(areaNormals: Float64Array, triangle: number): number {
+  const x = areaNormals[3 * triangle];
+  const y = areaNormals[3 * triangle + 1];
+  const z = areaNormals[3 * triangle + 2];
+  return Math.sqrt(x * x + y * y + z * z);
+}
 
 function computeRange({ positions, indices }: TriangleMesh, areaNormals: Float64Array, start: number, end: number) {
   for (let corner = 3 * start; corner < 3 * end; corner += 3) {

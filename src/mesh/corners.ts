@@ -1,9 +1,9 @@
 /**
- * The corner conventions of the whole project, said once.
+ * The corner conventions of the whole project.
  *
- * corner = 3·triangle + k, k ∈ {0, 1, 2}. Edge k runs from corner k to corner (k+1) mod 3 and has the corner's number,
- * so one integer names a corner and the directed edge that starts there. The neighbour α lies across edge 0, β across
- * edge 1, γ across edge 2 (paper, figure 5). The twin of an edge is the same edge in the neighbouring triangle.
+ * corner = 3·triangle + k, k ∈ {0, 1, 2}. Edge k runs from corner k to corner (k+1) mod 3. It has the number of the corner
+ * it starts from, so one integer names both. The neighbour α lies across edge 0, β across edge 1, γ across edge 2 (Suarez
+ * et al., figure 5). The twin of an edge is the same edge in the neighbouring triangle.
  *
  *        V2
  *       /  \          edge 0: V0 → V1, neighbour α
@@ -13,7 +13,7 @@
  *         α
  */
 
-/** The twin of an edge that has none: a border. */
+/** Stands in place of a twin where an edge has none: at a border. */
 export const NO_TWIN = -1;
 
 /** The triangle that owns `corner`. */

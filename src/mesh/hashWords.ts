@@ -1,6 +1,6 @@
 /**
- * MurmurHash3 (Austin Appleby, public domain) of three words. Coordinates of regular grids differ in few bits, all of
- * them high; the final mix brings these down to where the mask looks.
+ * MurmurHash3 (Austin Appleby, public domain) of three words. Coordinates of regular grids differ only in a few high bits.
+ * The final mix carries these into the low bits, which the hash table's mask keeps.
  */
 export function hashWords(x: number, y: number, z: number): number {
   let h = mix(mix(mix(0x9747b28c, x), y), z);

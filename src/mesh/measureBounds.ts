@@ -1,20 +1,21 @@
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
-/** The extent of a mesh: its bounding box, and the radius of the sphere about the middle of the box. */
+/** The bounding box of a mesh, and the radius of its bounding sphere about the middle of the box. */
 export interface Bounds {
   min: [x: number, y: number, z: number];
   max: [x: number, y: number, z: number];
   radius: number;
 }
 
-/** Measures the vertices that triangles use as three.js does: the sphere stands at the middle of the box. */
+/** Measures the vertices that triangles use, as three.js does: the sphere's centre is the middle of the box. */
 export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, void> {
   const bounds: Bounds = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity], radius: 0 };
   const { min, max } = bounds;
   const count = mesh.indices.length;
   yield* asPhase(
-    inChunks(count, (start, end) => {
+    forEachChunk(count, (start, end) => {
       for (let axis = 0; axis < 3; axis++) {
         min[axis] = Math.min(min[axis], least(mesh, axis, start, end));
         max[axis] = Math.max(max[axis], greatest(mesh, axis, start, end));
@@ -25,7 +26,7 @@ export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, vo
   );
   const center: Bounds['min'] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
   yield* asPhase(
-    inChunks(count, (start, end) => {
+    forEachChunk(count, (start, end) => {
       bounds.radius = Math.max(bounds.radius, farthest(mesh, center, start, end));
     }),
     0.6,

@@ -1,9 +1,11 @@
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
 /**
- * Throws a RangeError that says what is wrong with `mesh` and what to do about it; `label` opens the message and names
- * the function that was called and the thing it was given. Vertices that no triangle uses are not looked at.
+ * Throws a RangeError that says what is wrong with `mesh` and what to do about it. Vertices that no triangle uses are not
+ * checked.
+ *
+ * @param label begins the message: the function that was called and the geometry it was given
  */
 export function* validateTriangleMesh(mesh: TriangleMesh, label: string): Generator<number, void, void> {
   const { positions, indices } = mesh;
@@ -15,7 +17,7 @@ export function* validateTriangleMesh(mesh: TriangleMesh, label: string): Genera
       `${label} has ${indices.length} corners, which is not a multiple of three. Remove the incomplete last triangle, or convert strips and lines to triangles first.`,
     );
   }
-  yield* inChunks(indices.length, (start, end) => {
+  yield* forEachChunk(indices.length, (start, end) => {
     const corner = findBadCorner(mesh, start, end);
     if (corner === end) return;
     const vertex = indices[corner];

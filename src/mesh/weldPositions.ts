@@ -1,11 +1,11 @@
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { hashWords } from './hashWords.js';
 
 /** What `weldPositions` returns. */
 export interface Weld {
   /** For each vertex the first vertex at exactly the same position: its canonical vertex. */
   canonical: Uint32Array<ArrayBuffer>;
-  /** Hash table slots looked at: a machine-independent measure of the time taken. */
+  /** Hash table slots visited: a machine-independent measure of the time taken. */
   steps: number;
 }
 
@@ -15,8 +15,8 @@ const NEGATIVE_ZERO_BITS = 0x80000000;
 const fold = (bits: number): number => (bits === NEGATIVE_ZERO_BITS ? 0 : bits);
 
 /**
- * Finds the vertices that lie at exactly the same position. Seams of uv, normal or colour split vertices; the surface
- * runs on across them. No tolerance: vertices that only nearly coincide stay apart.
+ * Finds the vertices that lie at exactly the same position. Seams of uv, normal or colour split vertices, but the surface
+ * continues across them. There is no tolerance: vertices that only nearly coincide stay apart.
  *
  * Open addressing with linear probing at a load of at most one half, expected O(V).
  */
@@ -28,13 +28,13 @@ export function* weldPositions(positions: Float32Array<ArrayBuffer>): Generator<
   while (size < 2 * vertexCount) size *= 2;
   const table = new Uint32Array(size);
   let steps = 0;
-  yield* inChunks(vertexCount, (start, end) => {
+  yield* forEachChunk(vertexCount, (start, end) => {
     steps += weldRange(bits, table, canonical, start, end);
   });
   return { canonical, steps };
 }
 
-/** Enters vertices into `table` (vertex + 1, so that 0 means empty). Returns the number of slots looked at. */
+/** Enters vertices into `table` (vertex + 1, so that 0 means empty). Returns the number of slots visited. */
 function weldRange(bits: Uint32Array, table: Uint32Array, canonical: Uint32Array, start: number, end: number): number {
   const mask = table.length - 1;
   let steps = 0;

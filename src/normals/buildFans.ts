@@ -1,14 +1,16 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
-import { NO_TWIN, nextCorner } from '../mesh/corners.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { consistentTwin } from '../adjacency/consistentTwin.js';
+import { nextCorner } from '../mesh/corners.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { disjointSets, join, rootOf } from './disjointSets.js';
 
 /**
- * A fan is the corners around a vertex that can be reached from each other without crossing an edge that has no twin.
- * Over a fan the surface is smooth: a vertex at a crease has one fan, and one normal, on either side of it.
+ * A fan is a set of corners around a vertex that are connected across edges with twins. Over a fan the surface is smooth: a
+ * vertex at a crease has one fan, and one normal, on either side of it.
  */
 export interface Fans {
-  /** For each corner the number of its fan, counted up in the order of the fans' first corners. */
+  /** For each corner the number of its fan. Fans are numbered in the order of their first corners. */
   ofCorner: Uint32Array<ArrayBuffer>;
   count: number;
 }
@@ -16,21 +18,21 @@ export interface Fans {
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners'>;
 
 /**
- * Finds the fans: across welded seams, but not across borders, creases that were cut before, and edges where windings
- * contradict each other. Near-linear, also where 100,000 triangles meet.
+ * Finds the fans. They continue across welded seams. They end at borders, at creases that were cut before, and at edges
+ * where the windings contradict each other. Near-linear, also where 100,000 triangles meet.
  */
 export function* buildFans(adjacency: Adjacency): Generator<number, Fans, void> {
   const cornerCount = adjacency.twins.length;
   const parents = disjointSets(cornerCount);
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => joinRange(adjacency, parents, start, end)),
+    forEachChunk(cornerCount, (start, end) => joinRange(adjacency, parents, start, end)),
     0,
     0.7,
   );
   const ofCorner = new Uint32Array(cornerCount);
   let count = 0;
   yield* asPhase(
-    inChunks(cornerCount, (start, end) => {
+    forEachChunk(cornerCount, (start, end) => {
       count = numberRange(parents, ofCorner, count, start, end);
     }),
     0.7,
@@ -39,17 +41,17 @@ export function* buildFans(adjacency: Adjacency): Generator<number, Fans, void> 
   return { ofCorner, count };
 }
 
-/** Joins the two corners at either end of an edge with those of its twin. */
-function joinRange({ twins, canonicalCorners }: Adjacency, parents: Uint32Array, start: number, end: number): void {
+/** Joins the corners at both ends of an edge with those of its twin. */
+function joinRange(adjacency: Adjacency, parents: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = twins[corner];
-    if (twin === NO_TWIN || twin < corner || canonicalCorners[corner] === canonicalCorners[twin]) continue;
+    const twin = consistentTwin(adjacency, corner);
+    if (twin < corner) continue;
     join(parents, corner, nextCorner(twin));
     join(parents, nextCorner(corner), twin);
   }
 }
 
-/** Numbers the fans of some corners; `count` are numbered before. A root is the smallest of its set, so it comes first. */
+/** Numbers the fans of some corners; `count` are numbered already. The root is the smallest of its set, so it comes first. */
 function numberRange(parents: Uint32Array, ofCorner: Uint32Array, count: number, start: number, end: number): number {
   let next = count;
   for (let corner = start; corner < end; corner++) {

@@ -1,15 +1,16 @@
-import { asPhase, inChunks } from '../slices/inChunks.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
 import { fanDirections } from './fanDirections.js';
 
-/** A unit normal per fan: the direction of the sum of the area normals around it. */
+/** A unit normal per fan, x, y, z: the normalised sum of the area normals of its triangles. */
 export function* computeSmoothNormals(
   areaNormals: Float64Array,
   fans: Fans,
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const sums = new Float64Array(3 * fans.count);
   yield* asPhase(
-    inChunks(fans.ofCorner.length, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, start, end)),
+    forEachChunk(fans.ofCorner.length, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, start, end)),
     0,
     0.6,
   );

@@ -1,20 +1,20 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 
-/** Rounding of the normals must not keep some edges of a mesh that is built with exactly the crease angle, and cut others. */
+/** On a mesh built with exactly the crease angle, rounding must not cut some edges and keep others. */
 const COSINE_TOLERANCE = 1e-6;
 
 /**
- * Sets the twins of all edges to NO_TWIN, in place, where the normals of the two triangles differ by
- * `creaseAngle` radians or more: the neighbour then contributes nothing (paper, section 3.3: the faces of a cube do not
- * influence each other).
+ * Sets the twins of an edge to NO_TWIN, in place, where the normals of its two triangles differ by `creaseAngle` radians or
+ * more. The neighbour then contributes nothing (Suarez et al., section 3.3: the faces of a cube do not influence each
+ * other).
  */
 export function* cutCreases(adjacency: Adjacency, creaseAngle: number): Generator<number, void, void> {
   const creaseCosine = Math.cos(creaseAngle) + COSINE_TOLERANCE;
-  yield* inChunks(adjacency.twins.length, (start, end) => cutRange(adjacency, creaseCosine, start, end));
+  yield* forEachChunk(adjacency.twins.length, (start, end) => cutRange(adjacency, creaseCosine, start, end));
 }
 
 function cutRange(
@@ -27,7 +27,7 @@ function cutRange(
     const twin = twins[corner];
     if (twin < corner) continue;
     const cosine = cosineBetween(areaNormals, 3 * triangleOf(corner), 3 * triangleOf(twin));
-    // The normal of a triangle that is wound the other way points to the other side.
+    // A triangle wound the other way has its normal on the other side.
     const isInconsistent = canonicalCorners[corner] === canonicalCorners[twin];
     if ((isInconsistent ? -cosine : cosine) > creaseCosine) continue;
     twins[corner] = NO_TWIN;
@@ -42,7 +42,7 @@ function cosineBetween(normals: Float64Array, a: number, b: number): number {
   const bx = normals[b];
   const by = normals[b + 1];
   const bz = normals[b + 2];
-  // Two roots, not one: the product of the squares could leave the range of doubles.
+  // Two roots, not one: the product of the squares could overflow.
   const lengths = Math.sqrt(ax * ax + ay * ay + az * az) * Math.sqrt(bx * bx + by * by + bz * bz);
   return (ax * bx + ay * by + az * bz) / lengths;
 }

@@ -1,6 +1,6 @@
 /**
- * Union-find over 0 … count − 1: `parents[i]` is another member of the set of i, or i itself if i is its root, the smallest
- * of the set. Near-linear, also for one set of 100,000.
+ * Union-find over 0 … count − 1. `parents[i]` is another member of the set of i, or i itself if i is the root: the smallest
+ * member. Near-linear, also for one set of 100,000.
  */
 export function disjointSets(count: number): Uint32Array<ArrayBuffer> {
   const parents = new Uint32Array(count);
@@ -8,7 +8,7 @@ export function disjointSets(count: number): Uint32Array<ArrayBuffer> {
   return parents;
 }
 
-/** The root of a member's set. Shortens the path by half on the way. */
+/** The root of a member's set. Halves the path on the way. */
 export function rootOf(parents: Uint32Array, member: number): number {
   let root = member;
   for (let parent = parents[root]; parent !== root; parent = parents[root]) {
@@ -19,7 +19,7 @@ export function rootOf(parents: Uint32Array, member: number): number {
   return root;
 }
 
-/** Makes one set of the sets of `a` and `b`. */
+/** Merges the sets of `a` and `b`. */
 export function join(parents: Uint32Array, a: number, b: number): void {
   const rootA = rootOf(parents, a);
   const rootB = rootOf(parents, b);

@@ -1,10 +1,10 @@
-import { inChunks } from '../slices/inChunks.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
-import { writeUnit } from './writeUnit.js';
+import { writeNormalized } from './writeNormalized.js';
 
 /**
- * The direction of each fan's vector, as a unit vector. Where the vector is zero, the normal of the fan's first triangle;
- * where that is degenerate, any unit vector.
+ * Normalises the vector of each fan. A zero vector becomes the normal of the fan's first triangle or, if that is
+ * degenerate, +z.
  */
 export function* fanDirections(
   vectors: Float32Array | Float64Array,
@@ -12,7 +12,9 @@ export function* fanDirections(
   { ofCorner, count }: Fans,
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const directions = new Float32Array(3 * count);
-  yield* inChunks(ofCorner.length, (start, end) => directRange(vectors, areaNormals, ofCorner, directions, start, end));
+  yield* forEachChunk(ofCorner.length, (start, end) =>
+    directRange(vectors, areaNormals, ofCorner, directions, start, end),
+  );
   return directions;
 }
 
@@ -27,7 +29,7 @@ function directRange(
   for (let corner = start; corner < end; corner++) {
     const fan = 3 * ofCorner[corner];
     if (directions[fan] !== 0 || directions[fan + 1] !== 0 || directions[fan + 2] !== 0) continue;
-    if (writeUnit(vectors, fan, directions, fan)) continue;
-    if (!writeUnit(areaNormals, corner - (corner % 3), directions, fan)) directions[fan + 2] = 1;
+    if (writeNormalized(vectors, fan, directions, fan)) continue;
+    if (!writeNormalized(areaNormals, corner - (corner % 3), directions, fan)) directions[fan + 2] = 1;
   }
 }

@@ -1,13 +1,13 @@
 /**
- * The coefficients c₀, c₁, … of e^(−time·(1 − x)) ≈ Σ cₖ·Tₖ(x) on [−1, 1], Tₖ the Chebyshev polynomials: modified Bessel
- * functions of the first kind, c₀ ∝ I₀(time), cₖ ∝ 2·Iₖ(time). They fall off beyond k ≈ √time; the series ends where what
- * is left sums to less than `tolerance`, and the coefficients then sum to 1, so that a constant keeps its value exactly.
+ * The coefficients c₀, c₁, … of e^(−time·(1 − x)) ≈ Σ cₖ·Tₖ(x) on [−1, 1], with Tₖ the Chebyshev polynomials. They are modified
+ * Bessel functions of the first kind: c₀ ∝ I₀(time), cₖ ∝ 2·Iₖ(time). They fall off beyond k ≈ √time. The series ends where
+ * the rest sums to less than `tolerance`. The coefficients are scaled to sum to 1, so a constant keeps its value.
  *
- * With x a matrix of weighted means this is heat that has flowed for `time` steps, at the price of about
- * √(2·time·ln(1/tolerance)) of them.
+ * If x is a matrix of weighted means, the series is the result of `time` small steps of heat flow, at the price of only about
+ * √(2·time·ln(1/tolerance)) steps.
  */
 export function heatSeries(time: number, tolerance: number): number[] {
-  // Miller's algorithm: the recurrence I(k−1) = I(k+1) + 2k/time·I(k) is stable downwards, from anything small.
+  // Miller's algorithm: the recurrence I(k−1) = I(k+1) + 2k/time·I(k) is stable downwards, from any small value.
   const values: number[] = [];
   let last = 0;
   let value = 1e-150;
@@ -23,7 +23,7 @@ export function heatSeries(time: number, tolerance: number): number[] {
   return coefficients.map((coefficient) => coefficient / kept);
 }
 
-/** The longest time whose series has no more than `count` coefficients, nearly. */
+/** The longest time whose series has about `count` coefficients. */
 export const longestHeatTime = (count: number, tolerance: number): number => count ** 2 / (2 * Math.log(1 / tolerance));
 
 const sum = (values: readonly number[]): number => values.reduce((total, value) => total + value, 0);

@@ -1,53 +1,24 @@
-import { NO_TWIN, nextCorner, previousCorner } from '../mesh/corners.js';
-import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
-import type { Fans } from './buildFans.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
+import { assembleHeatEquation, type FanSurface, type HeatEquation } from './assembleHeatEquation.js';
 import { heatSeries, longestHeatTime } from './heatSeries.js';
 
-/**
- * Largest cotangent that is used as a weight, that of 5.7°: slivers have larger ones, and would take all the steps. All
- * three of a triangle are scaled down together; heat flows through slivers more slowly then, and still out of no place.
- */
-const LARGEST_COTANGENT = 10;
-
-/** A fan mixes at most this many times faster than the average one: those of the finest triangles take smaller steps. */
+/** No fan mixes faster than this many times the average rate: fans of very small triangles are slowed down. */
 const LARGEST_RATE = 2;
 
-/** What may be left of the finest noise. */
+/** Share of the finest noise that may remain. */
 const TOLERANCE = 0.02;
 
-/** More would take seconds on a million triangles. Enough for a radius of 40 mean edges, three times what scans need. */
+/** Enough for a radius of 40 mean edges, three times what scans need. More would take seconds on a million triangles. */
 const MOST_PASSES = 200;
 
-/** A mesh of fans to smooth over. */
-export interface FanSurface {
-  mesh: TriangleMesh;
-  /** Twins with NO_TWIN wherever two fans meet, except where windings contradict each other. */
-  twins: Int32Array;
-  canonicalCorners: Uint32Array;
-  areaNormals: Float64Array;
-  fans: Fans;
-}
-
-/** The heat equation over fans, in linear finite elements. */
-interface Heat {
-  /** The edges of fan i lie in entries starts[i] … starts[i + 1] − 1. */
-  starts: Uint32Array;
-  /** The fan at the other end of each edge. */
-  neighbours: Uint32Array;
-  /** Half the sum of the cotangents of the angles opposite to each edge. */
-  weights: Float32Array;
-  /** For each fan a third of the area around it. */
-  masses: Float64Array;
-  /** For each fan the sum of the magnitudes of its weights, which bounds the rate at which heat leaves it. */
-  degrees: Float64Array;
-}
-
 /**
- * A vector per fan, near the direction of the surface at the scale of `radius`: heat flow over the surface from the mean
- * area normal of each fan, for the time radius²/4, in which heat spreads over about `radius`. Noise finer than that is
- * averaged away; nothing flows across edges that separate fans. What comes out depends on the shape, not on the triangles
- * it is made of: cotangent weights, and a time in object units instead of a number of passes. Vectors are zero where normals cancel and in fans of degenerate triangles.
+ * Smooths normals at the scale of `radius`, in object units. Starts from the mean normal of each fan and lets it diffuse
+ * over the surface like heat, for the time radius²/4, in which heat spreads over about `radius`. Finer noise is averaged
+ * away; nothing flows across edges that separate fans. The result depends on the shape and not on its triangulation, thanks
+ * to cotangent weights and a time in object units instead of a number of passes.
+ *
+ * @returns x, y, z per fan, not of unit length; zero where normals cancel and in fans of degenerate triangles
  */
 export function* smoothFanNormals(
   surface: FanSurface,
@@ -57,18 +28,20 @@ export function* smoothFanNormals(
   const sums = new Float64Array(3 * fans.count);
   const masses = new Float64Array(fans.count);
   yield* asPhase(
-    inChunks(areaNormals.length / 3, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, masses, start, end)),
+    forEachChunk(areaNormals.length / 3, (start, end) =>
+      sumRange(areaNormals, fans.ofCorner, sums, masses, start, end),
+    ),
     0,
     0.05,
   );
   const normals = new Float32Array(3 * fans.count);
   yield* asPhase(
-    inChunks(fans.count, (start, end) => meanRange(sums, masses, normals, start, end)),
+    forEachChunk(fans.count, (start, end) => meanRange(sums, masses, normals, start, end)),
     0.05,
     0.1,
   );
   if (radius === 0) return normals;
-  const heat = yield* asPhase(assemble(surface, masses), 0.1, 0.25);
+  const heat = yield* asPhase(assembleHeatEquation(surface, masses), 0.1, 0.25);
   const time = radius ** 2 / 4;
   const rate = Math.min(highestRate(heat), longestHeatTime(MOST_PASSES, TOLERANCE) / time);
   return time * rate > 1e-6 ? yield* asPhase(flow(heat, normals, time * rate, rate), 0.25, 1) : normals;
@@ -108,124 +81,8 @@ function meanRange(sums: Float64Array, masses: Float64Array, means: Float32Array
   }
 }
 
-/** Sorts the edges by the fan they start from (counting sort). Every edge is there twice, once for either end. */
-function* assemble(surface: FanSurface, masses: Float64Array): Generator<number, Heat, void> {
-  const { areaNormals, fans } = surface;
-  const cornerCount = fans.ofCorner.length;
-  const cotangents = new Float32Array(cornerCount);
-  yield* asPhase(
-    inChunks(cornerCount / 3, (start, end) => cotangentRange(surface, cotangents, start, end)),
-    0,
-    0.3,
-  );
-  const starts = new Uint32Array(fans.count + 1);
-  yield* asPhase(
-    inChunks(cornerCount, (start, end) => countRange(surface, starts, start, end)),
-    0.3,
-    0.5,
-  );
-  let edgeCount = 0;
-  for (let fan = 0; fan <= fans.count; fan++) {
-    edgeCount += starts[fan];
-    starts[fan] = edgeCount;
-  }
-  const heat: Heat = {
-    starts,
-    neighbours: new Uint32Array(edgeCount),
-    weights: new Float32Array(edgeCount),
-    masses,
-    degrees: new Float64Array(fans.count),
-  };
-  yield* asPhase(
-    inChunks(areaNormals.length, (start, end) => scatterRange(surface, cotangents, heat, start, end)),
-    0.5,
-    1,
-  );
-  return heat;
-}
-
-/** The cotangents of the angles of some triangles, bounded; 0 in degenerate ones. */
-function cotangentRange(
-  { mesh: { positions, indices }, areaNormals }: FanSurface,
-  cotangents: Float32Array,
-  start: number,
-  end: number,
-): void {
-  for (let first = 3 * start; first < 3 * end; first += 3) {
-    const x = areaNormals[first];
-    const y = areaNormals[first + 1];
-    const z = areaNormals[first + 2];
-    const area = Math.sqrt(x * x + y * y + z * z);
-    if (area === 0) continue;
-    const a = 3 * indices[first];
-    const b = 3 * indices[first + 1];
-    const c = 3 * indices[first + 2];
-    const atA = dotFrom(positions, a, b, c) / area;
-    const atB = dotFrom(positions, b, c, a) / area;
-    const atC = dotFrom(positions, c, a, b) / area;
-    const scale = LARGEST_COTANGENT / Math.max(LARGEST_COTANGENT, Math.abs(atA), Math.abs(atB), Math.abs(atC));
-    cotangents[first] = scale * atA;
-    cotangents[first + 1] = scale * atB;
-    cotangents[first + 2] = scale * atC;
-  }
-}
-
-/** The scalar product of the edges from `origin` to `a` and to `b`. */
-function dotFrom(positions: Float32Array, origin: number, a: number, b: number): number {
-  const x = positions[origin];
-  const y = positions[origin + 1];
-  const z = positions[origin + 2];
-  return (
-    (positions[a] - x) * (positions[b] - x) +
-    (positions[a + 1] - y) * (positions[b + 1] - y) +
-    (positions[a + 2] - z) * (positions[b + 2] - z)
-  );
-}
-
-/** The twin that has the same fans at both ends, or NO_TWIN. */
-function twinInFans({ twins, canonicalCorners }: FanSurface, corner: number): number {
-  const twin = twins[corner];
-  return twin === NO_TWIN || canonicalCorners[corner] === canonicalCorners[twin] ? NO_TWIN : twin;
-}
-
-/** A half-edge is the edge of the fan it starts from. Where it has no twin, also that of the fan it ends in. */
-function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end: number): void {
-  const { ofCorner } = surface.fans;
-  for (let corner = start; corner < end; corner++) {
-    sizes[ofCorner[corner]]!++;
-    if (twinInFans(surface, corner) === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]!++;
-  }
-}
-
-/** Enters edges from the back of each fan's range, so that in the end the range ends have become the starts. */
-function scatterRange(
-  surface: FanSurface,
-  cotangents: Float32Array,
-  { starts, neighbours, weights, degrees }: Heat,
-  start: number,
-  end: number,
-): void {
-  const { ofCorner } = surface.fans;
-  for (let corner = start; corner < end; corner++) {
-    const from = ofCorner[corner];
-    const to = ofCorner[nextCorner(corner)];
-    const twin = twinInFans(surface, corner);
-    const across = twin === NO_TWIN ? 0 : cotangents[previousCorner(twin)];
-    const weight = 0.5 * (cotangents[previousCorner(corner)] + across);
-    let slot = --starts[from];
-    neighbours[slot] = to;
-    weights[slot] = weight;
-    degrees[from] += Math.abs(weight);
-    if (twin !== NO_TWIN) continue;
-    slot = --starts[to];
-    neighbours[slot] = from;
-    weights[slot] = weight;
-    degrees[to] += Math.abs(weight);
-  }
-}
-
-/** The highest rate at which a fan mixes with its neighbours, bounded by LARGEST_RATE. */
-function highestRate({ masses, degrees }: Heat): number {
+/** The highest rate at which a fan mixes with its neighbours, limited by LARGEST_RATE. */
+function highestRate({ masses, degrees }: HeatEquation): number {
   let highest = 0;
   let massSum = 0;
   let degreeSum = 0;
@@ -238,9 +95,12 @@ function highestRate({ masses, degrees }: Heat): number {
   return massSum === 0 ? 0 : Math.min(highest, (LARGEST_RATE * degreeSum) / massSum);
 }
 
-/** e^(−steps·(1 − P))·normals, P = 1 − L/rate with L the Laplacian, by the recurrence of the Chebyshev polynomials. Uses up `normals`. */
+/**
+ * e^(−steps·(1 − P))·normals with P = 1 − L/rate, L the Laplacian, by the recurrence of the Chebyshev polynomials. Overwrites
+ * `normals`.
+ */
 function* flow(
-  heat: Heat,
+  heat: HeatEquation,
   normals: Float32Array<ArrayBuffer>,
   steps: number,
   rate: number,
@@ -253,7 +113,7 @@ function* flow(
   for (let k = 1; k < coefficients.length; k++) {
     const scale = k === 1 ? 1 : 2;
     yield* asPhase(
-      inChunks(heat.masses.length, (start, end) =>
+      forEachChunk(heat.masses.length, (start, end) =>
         stepRange(heat, rate, scale, coefficients[k], current, previous, result, start, end),
       ),
       (k - 1) * share,
@@ -265,12 +125,12 @@ function* flow(
 }
 
 /**
- * Turns `previous`, Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ (scale 2; the first time 1, and T₋₁ = 0) and adds its part of the
- * series to `result`. A fan with so little area that it would mix faster than `rate` is given more, which
- * keeps the eigenvalues of P within [−1, 1]. Differences, not values, are summed, so that what is equal stays equal to the last bit.
+ * Turns `previous`, Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ (scale 2; in the first step 1, and T₋₁ = 0) and adds its term of the
+ * series to `result`. A fan with so little area that it would mix faster than `rate` is treated as larger, which keeps the
+ * eigenvalues of P within [−1, 1]. Differences are summed, not values, so equal neighbours stay equal to the last bit.
  */
 function stepRange(
-  { starts, neighbours, weights, masses, degrees }: Heat,
+  { starts, neighbours, weights, masses, degrees }: HeatEquation,
   rate: number,
   scale: number,
   coefficient: number,

@@ -1,16 +1,16 @@
-/** Longest time in milliseconds that a slice may take before other work gets its turn: less than a frame. */
+/** Milliseconds that a slice may take: less than a frame. */
 const SLICE_MS = 8;
 
-/** How a computation is watched and stopped while it runs in slices. */
+/** How to follow and stop a task that runs in slices. */
 export interface SlicedOptions {
   signal?: AbortSignal | undefined;
   onProgress?: ((progress: number) => void) | undefined;
 }
 
 /**
- * Runs `task` to its end in slices of a few milliseconds and lets events, frames and other tasks in between. Progress is
- * reported once per slice and rises strictly. Rejects with the signal's reason when aborted, with the task's own
- * error, or with what `onProgress` throws; the task's `finally` blocks run in every case.
+ * Runs `task` to its end in slices of a few milliseconds. Between slices, events, frames and other tasks get their turn.
+ * Progress is reported once per slice and rises strictly. Rejects with the signal's reason when aborted, with the task's
+ * own error, or with what `onProgress` throws. The task's `finally` blocks run in every case.
  */
 export async function runSliced<Result>(
   task: Generator<number, Result, void>,
@@ -38,9 +38,8 @@ export async function runSliced<Result>(
 }
 
 /**
- * Pauses that let queued events run. In browsers a message between two ports does that without the delay of timers
- * (4 ms each once nested, a second in a hidden tab). Node handles a thousand messages before anything else, but has
- * `setImmediate`.
+ * Pauses that let queued events run. In browsers this is a message between two ports: timers would wait 4 ms each once
+ * nested, and a second in a hidden tab. Node has `setImmediate`, and would handle a thousand messages before other events.
  */
 function createPause(): { next(): Promise<void>; close(): void } {
   if (typeof setImmediate === 'function') {

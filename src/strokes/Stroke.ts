@@ -1,7 +1,7 @@
 /**
- * One drawn mark. Its place, length and bends are measured in tiles, so they are the same at every level; its width is
- * measured in texels, so it is the same on every level too (the paper's third constraint of section 3.1, read as
- * Praun et al. 2001 do: what is constant in texels is the width, not the length).
+ * One drawn mark. Place, length and bends are measured in tiles, width in texels; all are the same on every level. (This is
+ * the third constraint in section 3.1 of Suarez et al., read as Praun et al. 2001 do: the width is constant in texels, not
+ * the length.)
  *
  * Seen along the stroke, x from −1 at its start to 1 at its end, the centre line is displaced sideways by
  * slope·length/2·x + bow·(1 − x²) + wave·x·(1 − x²).
@@ -11,11 +11,11 @@ export interface Stroke {
   u: number;
   /** Centre along the texture's v axis, in tiles. */
   v: number;
-  /** The layer of its style that it belongs to: strokes of one layer keep apart, those of others they cross. */
+  /** The layer of its style: strokes of one layer keep apart, strokes of different layers cross. */
   layer: number;
   /** False: the stroke runs along u. True: along v. */
   across: boolean;
-  /** From end to end, in tiles; 0 draws a dot. */
+  /** From end to end, in tiles; 0 is a dot. */
   length: number;
   /** Sideways per forward: the tangent of the angle to the axis. */
   slope: number;
@@ -25,9 +25,9 @@ export interface Stroke {
   wave: number;
   /** In the middle, in texels. */
   width: number;
-  /** Each end narrows over this many texels, but over a quarter of the length at most; 0 leaves it blunt. */
+  /** Each end narrows over this many texels, at most a quarter of the length; 0 leaves it blunt. */
   taper: number;
-  /** How far it fills the tooth of a paper that has grain: from 0, only its peaks, to 1, all of it. */
+  /** How far it fills the grain of the paper: from 0, only the peaks, to 1, all of it. */
   pressure: number;
   /** The first tone that shows the stroke; every darker one does too. */
   tone: number;

@@ -1,26 +1,26 @@
 import { type Stroke, strokeOffset } from './Stroke.js';
 
-/** Ink that is added while a stroke grows from its middle to its ends. */
+/** Mean ink added to the image while a stroke grows from its middle to its ends. */
 const GROWTH = 0.2;
 
-/** Beside its centre line a stroke counts over so many texels. No gap between strokes is wider at full density. */
+/** Texels on either side of its centre line over which a stroke counts. At full density no gap between strokes is wider. */
 const REACH = 8;
 
-/** Beyond its ends a line counts until this multiple of its half length. */
+/** A line counts up to this multiple of its half length, measured from its middle. */
 const REACH_FORWARD = 1.4;
 
 /**
- * Lowers a toroidal field to that of one stroke where it is lower.
+ * Lowers a toroidal field to the field of one stroke, wherever that is lower.
  *
  * The field of a stroke is the ink at which it appears, plus a term that grows with the square of the distance from its
- * centre line and one with the fourth power of the distance from its middle. So {field < ink} is a hairline at first, that
- * grows longer and swells with the ink, with pointed ends and without a step anywhere.
+ * centre line, plus one that grows with the fourth power of the distance from its middle. So {field < ink} begins as a
+ * hairline. As ink rises, it grows longer and swells, with pointed ends and without steps.
  *
  * @param field (size·cellsPerTexel)² numbers in rows of growing v; changed in place
  * @param size texels per side, a power of two
  * @param cellsPerTexel cells of the field per texel and side, a power of two
- * @param birth the mean ink of the strokes so far, at which this one appears
- * @param swell how much ink later it has its width
+ * @param startInk the mean ink at which the stroke appears: that of the strokes so far
+ * @param swell the further ink after which it has its width
  * @returns the number of cells visited
  */
 export function drawThresholdField(
@@ -28,7 +28,7 @@ export function drawThresholdField(
   size: number,
   cellsPerTexel: number,
   stroke: Stroke,
-  birth: number,
+  startInk: number,
   swell: number,
 ): number {
   const cells = size * cellsPerTexel;
@@ -49,7 +49,7 @@ export function drawThresholdField(
     const forward = (column + 0.5) / cellsPerTexel - centre;
     const x = isDot ? 0 : forward / halfLength;
     const middle = isDot ? base : base + size * strokeOffset(stroke, x);
-    const onCentreLine = birth + (isDot ? forward * forward * sidewaysScale : GROWTH * x * x * x * x);
+    const onCentreLine = startInk + (isDot ? forward * forward * sidewaysScale : GROWTH * x * x * x * x);
     const start = (column & mask) * forwardStride;
     const firstRow = Math.ceil((middle - REACH) * cellsPerTexel - 0.5);
     const lastRow = Math.floor((middle + REACH) * cellsPerTexel - 0.5);

@@ -1,4 +1,4 @@
-/** Numbers in [0, 1): the only source of chance in stroke placement. */
+/** Returns numbers in [0, 1): the only source of randomness in stroke placement. */
 export type Random = () => number;
 
 /**

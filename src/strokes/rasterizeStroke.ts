@@ -1,22 +1,22 @@
-import type { PaperTooth } from './paperTooth.js';
+import type { PaperGrain } from './paperGrain.js';
 import { type Stroke, strokeOffset } from './Stroke.js';
 
-/** Width of the drawn line, in texels, at the very tip of a tapered stroke. Thinner, and it would break into grey dots. */
+/** Width in texels at the very tip of a tapered stroke. A thinner tip would break into grey dots. */
 const TIP_WIDTH = 1;
 
 /**
- * Draws one stroke into a square toroidal image: what leaves at one side comes back at the other.
+ * Draws one stroke into a square toroidal image: a stroke that leaves at one side comes back at the other.
  *
- * The darkness of a texel is the part of it that the line covers, taken from the distance between its centre and the
- * centre line (exact for a line along an axis). Overlapping strokes keep the darker of the two, so the order of
- * drawing does not matter and an image can only become darker.
+ * The darkness of a texel is the part of it that the line covers, estimated from the distance between the texel's centre and
+ * the centre line (exact for a line along an axis). Where strokes overlap, the darker value stays. So the order of drawing
+ * does not matter, and an image can only become darker.
  *
  * @param image size² bytes in rows of growing v, 255 = paper, 0 = ink; changed in place
  * @param size texels per side, a power of two
- * @param tooth of a paper with grain: the stroke then has a soft edge, and ink stays on what stands out of the paper
+ * @param grain of the paper: the stroke then has a soft edge, and ink stays on the peaks
  * @returns by how much the sum of the bytes fell
  */
-export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke, tooth?: PaperTooth): number {
+export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke, grain?: PaperGrain): number {
   const mask = size - 1;
   // "Forward" is the axis the stroke runs along, "sideways" the other one.
   const forwardStride = stroke.across ? size : 1;
@@ -26,7 +26,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
   const halfLength = 0.5 * stroke.length * size;
   const halfWidth = 0.5 * stroke.width;
   const tip = Math.min(halfWidth, 0.5 * TIP_WIDTH);
-  // At least half of the stroke has its full width, or coarse levels would be drawn with a finer pen.
+  // At least half of the stroke keeps its full width; otherwise strokes would look thinner on coarse levels.
   const taper = Math.min(stroke.taper, 0.5 * halfLength);
   const cosine = 1 / Math.sqrt(1 + stroke.slope * stroke.slope);
 
@@ -42,7 +42,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
     const rest = fromEnd < taper ? 1 - fromEnd / taper : 0;
     const radius = halfWidth - (halfWidth - tip) * rest * rest;
     // No wider than the line, or its middle would be grey.
-    const edge = tooth ? Math.min(tooth.edge, 2 * radius) : 1;
+    const edge = grain ? Math.min(grain.edge, 2 * radius) : 1;
     const reach = (radius + 0.5 * edge) / cosine;
     const lastRow = Math.floor(middle + reach - 0.5);
     const columnStart = (column & mask) * forwardStride;
@@ -52,7 +52,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
       let ink = (radius + 0.5 * edge - distance) / edge;
       if (ink <= 0) continue;
       const texel = columnStart + (row & mask) * sidewaysStride;
-      if (tooth) ink = inkOnTooth(Math.min(1, ink), stroke.pressure, tooth, texel);
+      if (grain) ink = inkOnGrain(Math.min(1, ink), stroke.pressure, grain, texel);
       const byte = ink >= 1 ? 0 : Math.round(255 * (1 - ink));
       const before = image[texel];
       if (byte < before) {
@@ -64,8 +64,8 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
   return darkened;
 }
 
-/** What of a stroke's coverage ∈ (0, 1] stays on the paper: the more it presses, the deeper it reaches. */
-function inkOnTooth(coverage: number, pressure: number, { depths, contrast }: PaperTooth, texel: number): number {
+/** The part of a stroke's coverage ∈ (0, 1] that stays on the grain: the higher the pressure, the deeper it reaches. */
+function inkOnGrain(coverage: number, pressure: number, { depths, contrast }: PaperGrain, texel: number): number {
   const fill = (pressure * coverage - depths[texel] / 255) * contrast + 0.5;
   return coverage * Math.max(0, Math.min(1, fill));
 }

@@ -1,73 +1,4 @@
-/** How a style draws. Lengths are in tiles, widths in texels of every level, as in `Stroke`. */
-export interface StrokeStyle {
-  /** Lines are drawn between these lengths; [0, 0] draws dots. */
-  length: readonly [shortest: number, longest: number];
-  /** In the middle of the stroke. */
-  width: number;
-  /**
-   * Between these widths the level nesting can be kept. A thinner stroke (with `widthSpread`) may fall between texels so
-   * that none is half covered; a wider one reaches texels of a coarse level that it does not on the finer one.
-   */
-  widthRange: readonly [narrowest: number, widest: number];
-  /** Each stroke's width differs from `width` by at most this part of it. */
-  widthSpread: number;
-  /** Texels over which each end narrows. */
-  taper: number;
-  /** Each stroke's angle to the direction of its layer is at most this, as a tangent. */
-  slope: number;
-  /** Greatest arc of a stroke. */
-  bow: number;
-  /** Greatest S-bend of a stroke. */
-  wave: number;
-  /** Mean ink of the darkest image. */
-  maxInk: number;
-  /** The directions of strokes, from the first to the last that is drawn. Layers that are drawn have equal ink. */
-  layers: readonly StrokeLayer[];
-  /** For each stroke, the best of so many proposals is drawn. 1 draws at random. */
-  proposals: number;
-  /** What is different in a threshold map. */
-  thresholds: ThresholdStyle;
-  /** The paper's, where it shows. */
-  grain?: Grain;
-}
-
-/** One direction of strokes, which cross those of other layers. */
-export interface StrokeLayer {
-  /** Whether the strokes run along v instead of u. */
-  across: boolean;
-  /** Their angle to that axis, as a tangent. */
-  slope: number;
-  /** Mean ink from which on the layer is drawn. */
-  from: number;
-  /** The same in thresholds, and counted like all inks there. */
-  thresholdsFrom: number;
-}
-
-/**
- * How a style draws thresholds, where the ink of strokes is not given but follows from what their swelling adds. Inks are
- * therefore those of the strokes as images draw them.
- */
-export interface ThresholdStyle {
-  /** Strokes are added up to this ink. From there on they only swell, so that even gaps remain between them and close. */
-  maxInk: number;
-  /** Ink that is added while a stroke swells from a hairline to its width. */
-  swell: number;
-  proposals: number;
-}
-
-/** How rough paper breaks strokes up. */
-export interface Grain {
-  /** Texels by which the noise of the paper is blurred: grains are about twice as wide. */
-  radius: number;
-  /** Texels over which a stroke fades at its edge. */
-  edge: number;
-  /** How sharply the paper's depth decides between ink and paper: 1 gives greys, 10 specks. */
-  contrast: number;
-  /** Each stroke's pressure lies between these: the part of the paper that it blackens in its middle. */
-  pressure: readonly [least: number, most: number];
-  /** Ink that comes later in the deepest places of the paper than on its peaks, in thresholds. */
-  roughness: number;
-}
+import type { StrokeLayer, StrokeStyle } from './StrokeStyle.js';
 
 const along: StrokeLayer = { across: false, slope: 0, from: 0, thresholdsFrom: 0 };
 
@@ -101,19 +32,19 @@ const stippling: StrokeStyle = {
   thresholds: { maxInk: 0.5, swell: 0.05, proposals: 48 },
 };
 
-/** The styles that the generator can draw: materials, and hands. */
+/** The styles that the generator can draw. */
 export const strokeStyles = {
   /** Pen strokes side by side. */
   hatching,
 
-  /** Pen strokes, and from half tone on others at right angles. */
+  /** Pen strokes; from half tone on, a second layer at right angles. */
   crossHatching: {
     ...hatching,
     layers: [along, { across: true, slope: 0, from: 0.45, thresholdsFrom: 0.32 }],
     thresholds: { maxInk: 0.6, swell: 0.15, proposals: 400 },
   },
 
-  /** Fine pen strokes in three directions, sixty degrees apart, one after the other. */
+  /** Fine pen strokes in three directions, sixty degrees apart, that set in one after the other. */
   tripleHatching: {
     ...hatching,
     width: 1.7,
@@ -125,7 +56,7 @@ export const strokeStyles = {
     thresholds: { maxInk: 0.72, swell: 0.1, proposals: 300 },
   },
 
-  /** Thin even lines as if drawn with a ruler, and from half tone on a second set. */
+  /** Thin even lines as if drawn with a ruler; from half tone on, a second layer. */
   ruled: {
     ...hatching,
     length: [0.5, 0.95],
@@ -140,7 +71,7 @@ export const strokeStyles = {
     thresholds: { maxInk: 0.8, swell: 0.08, proposals: 500 },
   },
 
-  /** Long lines that run on like the contours of a map. */
+  /** Long lines like the contours of a map. */
   contours: {
     ...hatching,
     length: [0.5, 1.5],
@@ -206,7 +137,7 @@ export const strokeStyles = {
     grain: { radius: 1, edge: 2.5, contrast: 5, pressure: [0.7, 1.5], roughness: 0.36 },
   },
 
-  /** Stout wedges cut into wood, which close until only slivers of paper remain. */
+  /** Thick wedges as cut into wood, which close until only slivers of paper remain. */
   woodcut: {
     ...hatching,
     length: [0.2, 0.46],

@@ -13,18 +13,18 @@ import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.j
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
 
-/** Part of the time that drawing the images takes; the rest goes into the thresholds. */
+/** Share of the progress for drawing the images; the rest is for the thresholds. */
 const IMAGES_SHARE = 0.7;
 
-/** Part of the time of `load` that reading the files takes. */
+/** Share of the progress of `load` for reading the files. */
 const READING_SHARE = 0.5;
 
-/** What `TonalArtMap.generate` accepts: what to draw, and how to watch and stop the drawing. */
+/** What `TonalArtMap.generate` accepts: what to draw, and how to follow and stop the task. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
 
 /**
- * A tonal art map: hatch images for several tones at several resolutions, so that strokes stay where they are and stay
- * as wide when tone or distance change (Praun et al. 2001; section 3.1 of the paper).
+ * A tonal art map: hatch images for several tones at several resolutions. When tone or distance changes, strokes keep their
+ * place and their width (Praun et al. 2001; Suarez et al., section 3.1).
  *
  * Image k of n stands for tone k/(n−1), 0 = paper, 1 = darkest. Strokes run along u. Immutable; may be shared by any
  * number of materials and renderers.
@@ -43,17 +43,17 @@ export class TonalArtMap {
   readonly texture: TonalArtMapTexture;
 
   private readonly packed: PackedLevel[];
-  private measured: HatchImageReport | undefined;
+  private cachedReport: HatchImageReport | undefined;
   private thresholdLevels: ThresholdLevel[] | undefined;
   private pairs: ThresholdPair[] | undefined;
-  private uploaded: ThresholdTexture | undefined;
-  private moments: ThresholdMoments | undefined;
+  private cachedThresholdTexture: ThresholdTexture | undefined;
+  private cachedMoments: ThresholdMoments | undefined;
 
-  /** @param drawsThresholds whether they say more than could be derived from the images again */
+  /** @param hasDrawnThresholds whether the thresholds were drawn, and so cannot be derived from the images again */
   private constructor(
     { size, images }: HatchImages,
     thresholdLevels: ThresholdLevel[] | undefined,
-    private readonly drawsThresholds: boolean,
+    private readonly hasDrawnThresholds: boolean,
   ) {
     this.size = size;
     this.tones = images.length;
@@ -85,12 +85,12 @@ export class TonalArtMap {
   }
 
   /**
-   * Makes a map of anyone's images. They are copied.
+   * Makes a map from your own images. They are copied.
    *
    * @param hatchImages `images[tone][level]`, the lightest tone and the finest level first; (size / 2^level)² bytes each
    *   in rows of growing v, 255 = paper, 0 = ink. At least two tones; one level is enough. `size` is a power of two.
-   * @throws TypeError or RangeError if they cannot be a map. Images that can but break its constraints (nesting, order of
-   *   means) are accepted; see `report`.
+   * @throws TypeError or RangeError if their shape is not that of a map. Images that break the constraints of a map (nesting,
+   *   order of means) are accepted; see `report`.
    */
   static fromHatchImages(hatchImages: HatchImages): TonalArtMap {
     assertHatchImages(hatchImages);
@@ -98,11 +98,11 @@ export class TonalArtMap {
   }
 
   /**
-   * Loads a map that was saved (`save`), or images that an artist has drawn, one PNG per tone; to these, blank paper is
-   * added as the lightest tone if it is not among them, and levels are made (`makeLevels` says how).
+   * Loads a map written by `save`, or images that an artist has drawn, one PNG per tone. To the latter, blank paper is added
+   * as the lightest tone if it is missing, and the other levels are made (see docs/maps.md).
    *
-   * @param source the address of the JSON file of a map; or addresses of images, the lightest first; or files, for example
-   *   dropped ones: all those of a map, or images in any order, of which the lightest becomes the first tone
+   * @param source the address of the JSON file of a map; or addresses of images, lightest first; or files, for example
+   *   dropped ones: all files of a map, or images in any order, which are then sorted by darkness
    * @throws Error (as a rejection) naming the file that is missing or wrong and what to do; the signal's reason if it aborts
    */
   static async load(source: TonalArtMapSource, options: TaskOptions = {}): Promise<TonalArtMap> {
@@ -125,33 +125,34 @@ export class TonalArtMap {
     return new TonalArtMap(images, levels, false);
   }
 
-  /** How well the images keep the constraints of a tonal art map. Measured when first asked for. */
+  /** How well the images keep the constraints of a tonal art map. Measured on first use. */
   get report(): HatchImageReport {
-    if (!this.measured) {
-      this.measured = checkHatchImages(this.allImages());
+    if (!this.cachedReport) {
+      this.cachedReport = checkHatchImages(this.allImages());
     }
-    return this.measured;
+    return this.cachedReport;
   }
 
   /**
-   * The thresholds as a texture for techniques that blend before they decide on ink: no colour, and its levels side by
-   * side instead of as mip levels. A texel t holds g = 6t − 3 = Φ⁻¹(h), clamped to ±3, of the tone h from which on it is ink,
-   * so g is normally distributed; h = Φ(g). Red is the level itself, green the next coarser one. Made when first asked for.
+   * The thresholds as a texture, for techniques that blend first and decide on ink last. Not colour data; the levels lie side
+   * by side instead of in mip levels. A texel t stands for g = 6t − 3 = Φ⁻¹(h), clamped to ±3, where h is the tone at which
+   * it becomes ink. So g is normally distributed, and h = Φ(g). Red is the level itself, green the next coarser one. Made on
+   * first use.
    */
   get thresholdTexture(): ThresholdTexture {
-    this.uploaded ??= new ThresholdTexture(this.thresholdPairs());
-    return this.uploaded;
+    this.cachedThresholdTexture ??= new ThresholdTexture(this.thresholdPairs());
+    return this.cachedThresholdTexture;
   }
 
-  /** What interpolation leaves of the contrast of the thresholds, to be given back after it. Measured when first asked for. */
+  /** How much interpolation reduces the contrast of the thresholds, so that shaders can restore it. Measured on first use. */
   get thresholdMoments(): ThresholdMoments {
-    this.moments ??= measureThresholdMoments(this.thresholdPairs());
-    return this.moments;
+    this.cachedMoments ??= measureThresholdMoments(this.thresholdPairs());
+    return this.cachedMoments;
   }
 
   /**
-   * Whether the thresholds are the same after a half turn, texel [i][j] = [size−1−i][size−1−j] on every level. Techniques
-   * that know the direction of strokes only up to its sign need that. Always so for a generated map.
+   * Whether a half turn leaves the thresholds unchanged: texel [i][j] = [size−1−i][size−1−j] on every level. Techniques that
+   * know the direction of strokes only up to its sign need that. True for every generated map.
    */
   get pointSymmetric(): boolean {
     return this.thresholdMap().every(({ thresholds }) =>
@@ -175,9 +176,9 @@ export class TonalArtMap {
   }
 
   /**
-   * A copy of one level's thresholds: (size / 2^level)² numbers in (0, 1) in rows of growing v, uniformly distributed. A
-   * texel is ink under tone T, 0 = paper, 1 = darkest, where its number is below T; so {threshold < T} is a drawing of mean
-   * ink T. A generated map draws them; one of anyone's images derives them from the images.
+   * A copy of one level's thresholds: (size / 2^level)² numbers in (0, 1) in rows of growing v, uniformly distributed. At tone
+   * T (0 = paper, 1 = darkest) a texel is ink if its number is below T, so {threshold < T} is a drawing of mean ink T. A
+   * generated map draws them; a map of your own images derives them from the images.
    *
    * @throws RangeError if there is no such level
    */
@@ -187,11 +188,11 @@ export class TonalArtMap {
   }
 
   /**
-   * The map as files: `map.json` and the PNG images it names, every one with its own levels. `load` makes exactly the same
-   * map of them, thresholds included.
+   * The map as files: `map.json` and the PNG images it names, one per tone and level. `load` makes exactly the same map of
+   * them, thresholds included.
    */
   async save(): Promise<File[]> {
-    const thresholds = this.drawsThresholds ? this.thresholdMap().map((level) => level.thresholds) : undefined;
+    const thresholds = this.hasDrawnThresholds ? this.thresholdMap().map((level) => level.thresholds) : undefined;
     const files = await writeMapFiles(this.allImages(), thresholds);
     return files.map(({ name, bytes }) => {
       const type = name.endsWith('.json') ? 'application/json' : 'image/png';
@@ -202,7 +203,7 @@ export class TonalArtMap {
   /** Frees the textures on the GPU. A material that still uses the map uploads them again. */
   dispose(): void {
     this.texture.dispose();
-    this.uploaded?.dispose();
+    this.cachedThresholdTexture?.dispose();
   }
 
   private thresholdMap(): ThresholdLevel[] {

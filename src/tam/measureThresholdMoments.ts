@@ -1,21 +1,21 @@
 import { LIMIT } from '../hatchImages/encodeThresholds.js';
 import type { ThresholdPair } from './pairThresholdLevels.js';
 
-/** What interpolation leaves of the contrast of a threshold map, averaged over its levels. */
+/** The contrast of a threshold map after interpolation, averaged over its levels. */
 export interface ThresholdMoments {
   /** Variance of g as a texture unit interpolates it between texels; 1 at the texels themselves. */
   variance: number;
-  /** The same of the next coarser level, interpolated to the resolution of the level before. 0 if there is one level. */
+  /** The same for the next coarser level at the resolution of the finer one. 0 if there is only one level. */
   coarserVariance: number;
-  /** Covariance of the two: how well the strokes of neighbouring levels nest. 0 if there is one level. */
+  /** Covariance of the two: how well the strokes of neighbouring levels nest. 0 if there is only one level. */
   covariance: number;
 }
 
 const SAMPLES = 8192;
 
 /**
- * Measures the moments by sampling, at the points of the additive recurrence of Roberts' R2 sequence, which cover the
- * tile evenly and are the same each time.
+ * Measures the moments by sampling at the points of Roberts' R2 sequence, which cover the tile evenly and are the same each
+ * time.
  */
 export function measureThresholdMoments(pairs: readonly ThresholdPair[]): ThresholdMoments {
   let squares = 0;

@@ -8,9 +8,9 @@ export interface PackedLevel {
 export const packedLayerCount = (tones: number): number => Math.ceil((tones - 1) / 3);
 
 /**
- * Packs hatch images into RGBA layers that overlap by one tone: layer l, channel c holds tone min(3l + c, tones − 1).
- * Both neighbours of any tone then lie in one texel, so one fetch blends them: eight tones cost one fetch per triangle
- * frame, four for a triangle and its three neighbours.
+ * Packs hatch images into RGBA layers that overlap by one tone: layer l, channel c holds tone min(3l + c, tones − 1). The two
+ * images on either side of any tone then lie in one texel, so one fetch reads both: one fetch per triangle frame, four for a
+ * triangle and its three neighbours.
  *
  * @param images `images[tone][level]`, (size / 2^level)² bytes each
  */

@@ -1,6 +1,6 @@
 import type { ThresholdPair } from './pairThresholdLevels.js';
 
-/** Texels around each level that repeat its other side, so that the texture unit interpolates across its border. */
+/** Texels around each level that repeat its opposite side, so that the texture unit interpolates across the border. */
 const MARGIN = 1;
 
 /** Levels of thresholds side by side in one image of two bytes per texel. */
@@ -12,9 +12,9 @@ export interface PackedThresholds {
 }
 
 /**
- * Packs levels into one image, finest first, in a row along the lower edge: level l begins 2·size·(1 − 2⁻ˡ) + 2l texels from the
- * left, `size` that of level 0, with a margin of one texel all round. No mip levels: a shader that knows which level it wants
- * finds it here with a plain fetch, where asking a texture unit for a level by number is slow.
+ * Packs levels into one image, side by side along the lower edge, finest first. Level l begins 2·size·(1 − 2⁻ˡ) + 2l texels
+ * from the left, where `size` is that of level 0, and has a margin of one texel all round. There are no mip levels: a shader
+ * that knows the level finds it with a plain fetch, while `textureLod` is slow.
  */
 export function packThresholds(pairs: readonly ThresholdPair[]): PackedThresholds {
   const width = pairs.reduce((sum, { size }) => sum + size + 2 * MARGIN, 0);

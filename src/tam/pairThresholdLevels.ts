@@ -10,8 +10,8 @@ export interface ThresholdPair {
 }
 
 /**
- * Lays beside each level the next coarser one, interpolated to its resolution, so that one fetch reads both: a strokes' size
- * between two levels costs no more than a size on one.
+ * Pairs each level with the next coarser one, interpolated to the same resolution, so that one fetch reads both. A stroke size
+ * between two levels then costs no more than one on a level.
  *
  * @param levels finest first, each of half the texels per side of the one before
  */
@@ -22,7 +22,7 @@ export function pairThresholdLevels(levels: readonly ThresholdLevel[]): Threshol
   });
 }
 
-/** Bilinear interpolation to twice the texels per side, across borders too: texel centres lie 1/4 and 3/4 between the old ones. */
+/** Bilinear interpolation to twice the texels per side, with wrap-around: new texel centres lie at 1/4 and 3/4 between old ones. */
 function enlarge({ size, encoded }: ThresholdLevel): Uint8Array {
   const mask = size - 1;
   const enlarged = new Uint8Array(4 * encoded.length);
@@ -34,7 +34,7 @@ function enlarge({ size, encoded }: ThresholdLevel): Uint8Array {
       const beyond = (beside + (column & 1 ? 1 : -1)) & mask;
       const sum =
         9 * encoded[near + beside] + 3 * (encoded[near + beyond] + encoded[far + beside]) + encoded[far + beyond];
-      // Halves go away from the middle, as in encoding: what is point-symmetric stays so, and so do complements.
+      // Halves are rounded away from the middle, as in encoding, which keeps symmetric texels symmetric.
       enlarged[2 * row * size + column] = sum < 2040 ? Math.ceil(sum / 16 - 0.5) : Math.floor(sum / 16 + 0.5);
     }
   }

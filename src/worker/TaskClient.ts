@@ -2,13 +2,13 @@ import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { type TaskName, type TaskRequest, type TaskResult, taskNamed } from './tasks.js';
 
-/** A worker without work is ended after this time. It holds a thread and tens of megabytes. */
+/** Milliseconds after which an idle worker is ended. It holds a thread and tens of megabytes. */
 const IDLE_MS = 10_000;
 
-/** A worker that has not said `ready` after this time is given up. */
+/** Milliseconds to wait for a new worker's `ready` before falling back to the main thread. */
 const START_MS = 15_000;
 
-/** A request whose promise is open. */
+/** A request whose promise is pending. */
 interface Pending {
   id: number;
   task: TaskName;
@@ -18,34 +18,34 @@ interface Pending {
   options: SlicedOptions;
   resolve(result: unknown): void;
   reject(reason: unknown): void;
-  /** Stops listening to the signal, and computing, if that happens here. */
+  /** Stops listening to the signal and, if the task runs on the main thread, stops the task. */
   release(): void;
 }
 
-/** `starting`: waits for `ready`. `unavailable`: no worker can be had, the main thread computes. */
+/** `starting`: waits for `ready`. `unavailable`: there is no worker, tasks run on the main thread. */
 type State = 'none' | 'starting' | 'ready' | 'unavailable';
 
 /**
- * Runs tasks in one worker, which starts with the first request and ends when it has been idle for a while.
+ * Runs tasks in one worker. It starts with the first request and ends after it has been idle for a while.
  *
- * - Any number of requests may be open; the worker lets them take turns.
- * - Where no worker can be had (no `Worker`, or a Content-Security-Policy forbids it, at once or by an error event),
- *   the tasks run in slices on the main thread. Requests leave for the worker only after it has reported `ready`, so
- *   nothing is lost with a worker that never starts.
- * - When a worker that has started dies, the open promises are rejected (their buffers died with it), and the next
- *   request starts a new worker.
+ * - Any number of requests may be pending; the worker interleaves them.
+ * - Without a worker, the tasks run in slices on the main thread. That is so where there is no `Worker`, and where a
+ *   Content-Security-Policy forbids it, by an exception or by an error event. Requests are posted only after the worker has
+ *   reported `ready`, so a worker that never starts loses nothing.
+ * - When a running worker dies, the pending promises are rejected, because their buffers are lost with it. The next request
+ *   starts a new worker.
  */
 export class TaskClient {
   private worker: Worker | null = null;
   private state: State = 'none';
   private nextId = 0;
   private readonly pending = new Map<number, Pending>();
-  /** Waits for `ready` while starting; for the end of idleness while ready and without work. */
+  /** While starting: the limit for `ready`. While idle: the time until the worker is ended. */
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /**
-   * @param createWorker makes the worker, or returns null where there are none; may throw.
-   * @param onIdle called when the worker has been ended because there was nothing to do.
+   * @param createWorker makes the worker, or returns null if there is none; may throw.
+   * @param onIdle called after an idle worker has been ended.
    */
   constructor(
     private readonly createWorker: () => Worker | null,
@@ -53,8 +53,8 @@ export class TaskClient {
   ) {}
 
   /**
-   * Runs a task. The buffers of `request` are transferred: pass copies of what you want to keep. Rejects with the
-   * signal's reason when aborted, with the task's error, or with an Error when the worker dies or is disposed of.
+   * Runs a task. The buffers of `request` are transferred: pass copies of what you want to keep. Rejects with the signal's
+   * reason when aborted, with the task's error, or with an Error when the worker dies or is disposed of.
    */
   run<Name extends TaskName>(
     task: Name,
@@ -75,11 +75,11 @@ export class TaskClient {
       const entry: Pending = { id, task, request, progress: 0, options, resolve, reject, release };
       this.pending.set(id, entry);
       if (this.state === 'ready') this.dispatch(entry);
-      else if (this.state === 'unavailable') this.runHere(entry);
+      else if (this.state === 'unavailable') this.runOnMainThread(entry);
     }) as Promise<TaskResult<Name>>;
   }
 
-  /** Ends the worker and rejects what is pending. The client may be used again; it then starts a new worker. */
+  /** Ends the worker and rejects all pending requests. The client stays usable: the next request starts a new worker. */
   dispose(): void {
     this.fail(
       new Error(
@@ -94,7 +94,7 @@ export class TaskClient {
     try {
       this.worker = this.createWorker();
     } catch (error) {
-      this.giveUp(error);
+      this.fallBack(error);
       return;
     }
     if (!this.worker) {
@@ -102,13 +102,13 @@ export class TaskClient {
       return;
     }
     this.state = 'starting';
-    this.timer = setTimeout(() => this.giveUp(`it did not report within ${START_MS / 1000} s`), START_MS);
+    this.timer = setTimeout(() => this.fallBack(`it did not report within ${START_MS / 1000} s`), START_MS);
     const { worker } = this;
     worker.onmessage = (event: MessageEvent<FromWorker>) => this.receive(event.data);
-    worker.onmessageerror = () => this.onDeath('a message could not be read');
+    worker.onmessageerror = () => this.onWorkerError('a message could not be read');
     worker.onerror = (event) => {
       event.preventDefault?.();
-      this.onDeath(event.message || 'its script could not be loaded');
+      this.onWorkerError(event.message || 'its script could not be loaded');
     };
   }
 
@@ -117,7 +117,7 @@ export class TaskClient {
       clearTimeout(this.timer);
       this.state = 'ready';
       for (const entry of this.pending.values()) this.dispatch(entry);
-      this.rest();
+      this.startIdleTimer();
     } else if (message.type === 'progress') {
       this.report(message.id, message.progress);
     } else if (message.type === 'done') {
@@ -152,7 +152,7 @@ export class TaskClient {
     }
   }
 
-  private runHere(entry: Pending): void {
+  private runOnMainThread(entry: Pending): void {
     const { id, task, request, release } = entry;
     const controller = new AbortController();
     entry.release = () => {
@@ -166,19 +166,19 @@ export class TaskClient {
     );
   }
 
-  /** The worker never started: compute here, now and from now on. */
-  private giveUp(reason: unknown): void {
+  /** The worker did not start: run this and all later tasks on the main thread. */
+  private fallBack(reason: unknown): void {
     const text = reason instanceof Error ? reason.message : String(reason);
     console.warn(
       `three-hatching: the worker could not be started (${text}). The main thread computes instead, in slices; under a Content-Security-Policy pass createWorker.`,
     );
     this.end('unavailable');
-    for (const entry of this.pending.values()) this.runHere(entry);
+    for (const entry of this.pending.values()) this.runOnMainThread(entry);
   }
 
-  private onDeath(reason: string): void {
+  private onWorkerError(reason: string): void {
     if (this.state === 'starting') {
-      this.giveUp(reason);
+      this.fallBack(reason);
       return;
     }
     this.fail(
@@ -188,7 +188,7 @@ export class TaskClient {
     );
   }
 
-  /** Ends the worker and rejects everything that is open. */
+  /** Ends the worker and rejects all pending requests. */
   private fail(error: Error): void {
     this.end('none');
     for (const id of [...this.pending.keys()]) this.settle(id)?.reject(error);
@@ -197,7 +197,7 @@ export class TaskClient {
   private end(state: State): void {
     clearTimeout(this.timer);
     if (this.worker) {
-      // What an ended worker has sent may still be on its way.
+      // Messages of the ended worker may still arrive.
       this.worker.onmessage = this.worker.onmessageerror = this.worker.onerror = null;
       this.worker.terminate();
     }
@@ -205,17 +205,18 @@ export class TaskClient {
     this.state = state;
   }
 
-  /** Takes the request off the list; undefined if it was settled before. */
+  /** Removes a request from the pending ones. Returns undefined if it was settled before. */
   private settle(id: number): Pending | undefined {
     const entry = this.pending.get(id);
     if (!entry) return undefined;
     this.pending.delete(id);
     entry.release();
-    this.rest();
+    this.startIdleTimer();
     return entry;
   }
 
-  private rest(): void {
+  /** Starts the idle timer if the worker has nothing to do. */
+  private startIdleTimer(): void {
     if (this.pending.size > 0 || this.state !== 'ready') return;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {

@@ -2,9 +2,9 @@ import { runSliced } from '../slices/runSliced.js';
 import { type FromWorker, packError, type ToWorker } from './protocol.js';
 import { taskNamed } from './tasks.js';
 
-/** The worker's side: unpack, run in slices (so that several requests take turns and aborts are heard), pack. */
+/** The worker: runs requests in slices, so that several can take turns and abort messages arrive. */
 
-/** The two members of a worker's global scope that are used; TypeScript's DOM types describe a window. */
+/** The members of a worker's global scope that are used here; TypeScript's DOM types describe a window. */
 interface WorkerScope {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
   postMessage(message: FromWorker, transfer?: Transferable[]): void;

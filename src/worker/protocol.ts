@@ -3,18 +3,18 @@ import type { TaskName } from './tasks.js';
 /** What the client sends to the worker. `id` is the client's number for one request. */
 export type ToWorker =
   | { type: 'run'; id: number; task: TaskName; request: unknown }
-  /** Stops the request. Nothing is answered. */
+  /** Stops the request. The worker sends no reply. */
   | { type: 'abort'; id: number };
 
 /** What the worker sends to the client. */
 export type FromWorker =
-  /** The first message of all: the script has loaded. Nothing is handed to a worker that has not said so. */
+  /** The first message: the script has loaded. Requests are posted only after it. */
   | { type: 'ready' }
   | { type: 'progress'; id: number; progress: number }
   | { type: 'done'; id: number; result: unknown }
   | { type: 'failed'; id: number; error: TransportedError };
 
-/** An error as it crosses between threads. Structured clone would keep it too, but not in every browser the same way. */
+/** An error as plain data. Structured clone would also carry errors, but not in the same way in every browser. */
 export interface TransportedError {
   name: string;
   message: string;
@@ -27,7 +27,7 @@ export function packError(error: unknown): TransportedError {
   return { name: 'Error', message: String(error) };
 }
 
-/** Rebuilds the error as an instance of its class where that is a common one, else as an Error of the same name. */
+/** Rebuilds the error: as an instance of its class if that is a common one, otherwise as an Error of the same name. */
 export function unpackError({ name, message }: TransportedError): Error {
   const error = new (errorClasses[name] ?? Error)(message);
   error.name = name;

@@ -5,7 +5,7 @@ import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 
 const createInlineWorker = (): Worker | null => (typeof Worker === 'undefined' ? null : new BakeWorker());
 
-/** One client per way of making a worker, while it has a worker. */
+/** One client per `createWorker` function, for as long as it has a worker. */
 const clients = new Map<() => Worker | null, TaskClient>();
 
 function clientFor(createWorker: () => Worker | null): TaskClient {
@@ -18,8 +18,8 @@ function clientFor(createWorker: () => Worker | null): TaskClient {
 }
 
 /**
- * Runs a task in the worker that the page shares, or in one of `options.createWorker`, or, where there are no workers, in
- * slices on the main thread. The buffers of `request` are transferred: pass copies of what you want to keep.
+ * Runs a task in the shared worker of the page, or in that of `options.createWorker`; without workers, in slices on the main
+ * thread. The buffers of `request` are transferred: pass copies of what you want to keep.
  */
 export function runTask<Name extends TaskName>(
   name: Name,
@@ -30,8 +30,8 @@ export function runTask<Name extends TaskName>(
 }
 
 /**
- * Ends every worker that three-hatching has started and rejects what is still being computed. Not needed in ordinary
- * use: idle workers end by themselves. The next request starts a new one.
+ * Ends every worker that three-hatching has started and rejects all pending requests. Rarely needed: idle workers end by
+ * themselves. The next request starts a new one.
  */
 export function disposeHatchingWorkers(): void {
   for (const client of clients.values()) client.dispose();

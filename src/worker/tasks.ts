@@ -7,13 +7,13 @@ import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
 import type { HatchImages } from '../hatchImages/HatchImages.js';
 
-/** A long computation that the worker offers. Requests and results are plain data. */
+/** A long computation that the worker can run. Requests and results are plain data. */
 interface Task<Request, Result> {
   /** Yields its progress in [0, 1] every few milliseconds of work. */
   run(request: Request): Generator<number, Result, void>;
-  /** The buffers that travel with the request without being copied: the sender loses them. */
+  /** The buffers transferred with the request: the sender loses them. */
   requestBuffers(request: Request): ArrayBuffer[];
-  /** The buffers that travel back with the result without being copied. */
+  /** The buffers transferred back with the result. */
   resultBuffers(result: Result): ArrayBuffer[];
 }
 
@@ -55,5 +55,5 @@ export type TaskName = keyof typeof tasks;
 export type TaskRequest<Name extends TaskName> = Parameters<(typeof tasks)[Name]['run']>[0];
 export type TaskResult<Name extends TaskName> = Parameters<(typeof tasks)[Name]['resultBuffers']>[0];
 
-/** The entry of `name`, seen without its types: these are checked where a task is run (`runTask`). */
+/** The task `name` without its types, which `runTask` has checked. */
 export const taskNamed = (name: TaskName): Task<unknown, unknown> => tasks[name] as unknown as Task<unknown, unknown>;

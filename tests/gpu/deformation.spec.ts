@@ -320,7 +320,7 @@ test('the pre-pass runs once for a pose, whatever is drawn how often, and leaves
       const call = (Reflect.get(gl, name) as (...args: unknown[]) => unknown).bind(gl);
       calls[name] = 0;
       Reflect.set(gl, name, (...args: unknown[]) => {
-        calls[name]!++;
+        calls[name]++;
         return call(...args);
       });
     }

@@ -1,6 +1,6 @@
 /**
  * Algorithms 1, 2 and 3 of Suarez, Belhadj and Boyer, "GPU real time hatching", 2013, one fragment at a time, in double
- * precision and without a graphics card. Written from the paper and from the conventions in the documentation; shares no
+ * precision and without a graphics card. Written from that article and from the conventions in the documentation; shares no
  * code with the shader. Several lights: structure tensor of their directions. Radiance: as three documents its lights.
  */
 import { glMatrix, mat3, type mat4, vec3 } from 'gl-matrix';
@@ -149,39 +149,39 @@ interface Frame {
 
 /** Per scene, everything that does not depend on the fragment. */
 export class HatchingReference {
-  readonly #scene: ReferenceScene;
-  readonly #normalMatrix: number[];
-  readonly #worldToObjectLinear: number[];
-  readonly #frames = new Map<string, Frame>();
+  private readonly scene: ReferenceScene;
+  private readonly normalMatrix: number[];
+  private readonly worldToObjectLinear: number[];
+  private readonly frames = new Map<string, Frame>();
 
   constructor(scene: ReferenceScene) {
-    this.#scene = scene;
+    this.scene = scene;
     const world = scene.matrixWorld as unknown as mat4;
     const linear = mat3.fromMat4(mat3.create(), world);
     const inverse = mat3.invert(mat3.create(), linear)!;
-    this.#worldToObjectLinear = [...inverse];
-    this.#normalMatrix = [...mat3.transpose(mat3.create(), inverse)];
+    this.worldToObjectLinear = [...inverse];
+    this.normalMatrix = [...mat3.transpose(mat3.create(), inverse)];
   }
 
   toWorld(p: Vec3): Vec3 {
-    return vec3.transformMat4([0, 0, 0], p, this.#scene.matrixWorld as unknown as mat4) as Vec3;
+    return vec3.transformMat4([0, 0, 0], p, this.scene.matrixWorld as unknown as mat4) as Vec3;
   }
 
   normalToWorld(n: Vec3): Vec3 {
-    return normalize(vec3.transformMat3([0, 0, 0], n, this.#normalMatrix as unknown as mat3) as Vec3);
+    return normalize(vec3.transformMat3([0, 0, 0], n, this.normalMatrix as unknown as mat3) as Vec3);
   }
 
   /** From a world position towards the eye, in object space, of any length. */
   toViewer(worldPosition: Vec3): Vec3 {
-    const { eye, orthographic } = this.#scene;
+    const { eye, orthographic } = this.scene;
     const view = orthographic ? eye : subtract(eye, worldPosition);
-    return vec3.transformMat3([0, 0, 0], view, this.#worldToObjectLinear as unknown as mat3) as Vec3;
+    return vec3.transformMat3([0, 0, 0], view, this.worldToObjectLinear as unknown as mat3) as Vec3;
   }
 
   /** Algorithm 1: the frame of a triangle. */
   frame(triangle: Triangle): Frame {
     const id = triangle.flat().join(',');
-    const known = this.#frames.get(id);
+    const known = this.frames.get(id);
     if (known) return known;
     const n = faceNormal(triangle);
     const centre = scale(
@@ -189,29 +189,29 @@ export class HatchingReference {
       1 / 3,
     );
     const frame = this.frameOfNormal(n, this.toWorld(centre));
-    this.#frames.set(id, frame);
+    this.frames.set(id, frame);
     return frame;
   }
 
   /** T and B for a unit object-space normal, lit as at a world position. */
   frameOfNormal(n: Vec3, worldPosition: Vec3): Frame {
-    const { bitangent, crossing } = this.#bitangent(n, worldPosition);
+    const { bitangent, crossing } = this.bitangent(n, worldPosition);
     return { tangent: cross(bitangent, n), bitangent, crossing };
   }
 
-  #bitangent(n: Vec3, worldCentre: Vec3): { bitangent: Vec3; crossing: number } {
+  private bitangent(n: Vec3, worldCentre: Vec3): { bitangent: Vec3; crossing: number } {
     const axis = [0, 1, 2].reduce((least, i) => (Math.abs(n[i]) < Math.abs(n[least]) ? i : least), 0);
     const unit: Vec3 = [0, 0, 0];
     unit[axis] = 1;
     const e1 = normalize(subtract(unit, scale(n, dot(n, unit))));
     const e2 = cross(n, e1);
     let [q, r, x, y, weights, extent] = [0, 0, 0, 0, 0, 0];
-    const directed = this.#scene.lights.filter((light) => incident(light, worldCentre) !== null);
-    const skies = this.#scene.lights.filter((light) => light.type === 'hemisphere');
+    const directed = this.scene.lights.filter((light) => incident(light, worldCentre) !== null);
+    const skies = this.scene.lights.filter((light) => light.type === 'hemisphere');
     for (const light of directed.length > 0 ? directed : skies) {
       const arriving = incident(light, worldCentre) ?? { direction: normalize(light.position!), color: light.color };
       const toLight = normalize(
-        vec3.transformMat3([0, 0, 0], arriving.direction, this.#worldToObjectLinear as unknown as mat3) as Vec3,
+        vec3.transformMat3([0, 0, 0], arriving.direction, this.worldToObjectLinear as unknown as mat3) as Vec3,
       );
       const lx = dot(toLight, e1);
       const ly = dot(toLight, e2);
@@ -233,7 +233,7 @@ export class HatchingReference {
 
   /** Texture coordinates of an object-space point in the frame of a triangle: project (Algorithm 2), then measure. */
   coordinates(point: Vec3, triangle: Triangle): [number, number] {
-    const { strokeScale, strokeRotation, strokeOffset } = this.#scene.material;
+    const { strokeScale, strokeRotation, strokeOffset } = this.scene.material;
     const n = faceNormal(triangle);
     const projected = subtract(point, scale(n, dot(subtract(point, triangle[0]), n)));
     const { tangent, bitangent } = this.frame(triangle);
@@ -246,7 +246,7 @@ export class HatchingReference {
 
   /** Section 3.4: tone of a world position with a world normal. */
   tone(position: Vec3, n: Vec3): number {
-    const { lights, material, eye, orthographic } = this.#scene;
+    const { lights, material, eye, orthographic } = this.scene;
     const view = orthographic ? normalize(eye) : normalize(subtract(eye, position));
     let radiance = 0;
     for (const light of lights) {
@@ -281,7 +281,7 @@ export class HatchingReference {
 
   /** The tones of the layers of strokes that together give a tone, 1 − T = (1 − T₁)(1 − T₂), as the lights disagree. */
   layers(tone: number, crossing: number): number[] {
-    if (!this.#scene.material.secondLayer || crossing === 0) return [tone];
+    if (!this.scene.material.secondLayer || crossing === 0) return [tone];
     const blank = Math.max(1 - tone, 1e-3);
     return [1 - blank ** (1 - crossing / 2), 1 - blank ** (crossing / 2)];
   }
@@ -290,23 +290,23 @@ export class HatchingReference {
    * Darkness of the hatch in one frame: the two neighbouring hatch images interpolated by tone, or the nearest under
    * `toon`; each from the two neighbouring levels.
    */
-  #hatch([u, v]: readonly [number, number], tone: number, level: number): number {
-    const { tones, image, levels = 1 } = this.#scene;
+  private hatch([u, v]: readonly [number, number], tone: number, level: number): number {
+    const { tones, image, levels = 1 } = this.scene;
     const fine = Math.min(Math.max(level, 0), levels - 1);
     const between = (x: number, last: number, at: (index: number) => number) => {
       const lower = Math.min(Math.floor(x), last);
       return (1 - (x - lower)) * at(lower) + (x - lower) * at(Math.min(lower + 1, last));
     };
     let x = tone * (tones - 1);
-    if (this.#scene.material.toneModel === 'toon') x = Math.round(x);
+    if (this.scene.material.toneModel === 'toon') x = Math.round(x);
     return between(x, tones - 1, (i) => between(fine, levels - 1, (k) => image(i, u, v, k)));
   }
 
   /** Octaves by which the map is too fine at a world position: texels to a pixel, by depth and scale alone. */
-  #level(world: Vec3): number {
-    const { size = 1, unitsPerPixel, material } = this.#scene;
+  private level(world: Vec3): number {
+    const { size = 1, unitsPerPixel, material } = this.scene;
     if (material.levelRule !== 'depth') return 0;
-    const objectPerWorld = Math.cbrt(Math.abs(mat3.determinant(this.#worldToObjectLinear as unknown as mat3)));
+    const objectPerWorld = Math.cbrt(Math.abs(mat3.determinant(this.worldToObjectLinear as unknown as mat3)));
     return Math.log2(material.strokeScale * size * objectPerWorld * unitsPerPixel!(world));
   }
 
@@ -321,7 +321,7 @@ export class HatchingReference {
     faceDirection: number,
     smoothNormal: Vec3,
   ): Vec3 {
-    const { material } = this.#scene;
+    const { material } = this.scene;
     const point: Vec3 = [0, 1, 2].map(
       (axis) =>
         barycentric[0] * triangle[0][axis] + barycentric[1] * triangle[1][axis] + barycentric[2] * triangle[2][axis],
@@ -342,7 +342,7 @@ export class HatchingReference {
       });
     }
     const sum = shades.reduce((total, { f }) => total + f, 0);
-    const level = this.#level(world);
+    const level = this.level(world);
     // Each layer is blended like a picture of its own, then one is printed over the other.
     const crossing = shades.reduce((total, { t, f }) => total + f * this.frame(t).crossing, 0) / sum;
     const layers = [0, 0];
@@ -352,7 +352,7 @@ export class HatchingReference {
       const [u, v] = this.coordinates(point, t);
       const places = [[u, v] as const, [LAYER_SHIFT[0] - v, LAYER_SHIFT[1] + u] as const];
       this.layers(tone, crossing).forEach((layerTone, i) => {
-        layers[i] += (f / sum) * this.#hatch(places[i], layerTone, level);
+        layers[i] += (f / sum) * this.hatch(places[i], layerTone, level);
       });
     }
     const darkness = 1 - (1 - layers[0]) * (1 - layers[1]);

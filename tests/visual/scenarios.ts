@@ -5,7 +5,7 @@ type Triple = readonly [x: number, y: number, z: number];
 /** The models a scenario can show; each is centred and has a bounding radius of 1. */
 export type ScenarioModel = 'patch' | 'floor' | 'suzanne' | 'bunny' | 'dragon' | 'chair';
 
-/** A light of the scene. Intensities are three's: π makes a directional light the paper's N·L. */
+/** A light of the scene. Intensities are three's: π gives a directional light the N·L of Suarez et al. */
 export interface ScenarioLight {
   type: 'directional' | 'point' | 'spot';
   position: Triple;
@@ -16,7 +16,7 @@ export interface ScenarioLight {
 export interface Scenario {
   /** The golden's file name. */
   name: string;
-  /** The paper's figure; 0 where the picture goes beyond the paper. */
+  /** The number of the figure in Suarez et al.; 0 if there is none. */
   figure: number;
   /** What the picture shows. */
   sentence: string;

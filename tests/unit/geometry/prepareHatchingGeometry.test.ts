@@ -502,7 +502,7 @@ describe('options', () => {
     };
     const all = await opposite(Math.PI);
     const none = await opposite(Math.PI / 3);
-    // The faces of a cube do not influence each other by the paper's rule either.
+    // By the rule of Suarez et al. too, the faces of a cube do not influence each other.
     expect(await opposite()).toEqual(none);
     expect(none.alpha).not.toEqual(all.alpha);
     expect([all.axisAligned, none.axisAligned]).toEqual([false, true]);

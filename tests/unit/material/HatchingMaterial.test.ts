@@ -123,7 +123,7 @@ describe('HatchingMaterial', () => {
     expect(material.defines).toEqual(new HatchingMaterial({ toneCurve: 'perceptual' }).defines);
   });
 
-  test('tone is smooth under anchored and faceted under the paper’s techniques, unless one is asked for', () => {
+  test('tone is smooth under anchored and faceted under the techniques of Suarez et al., unless one is asked for', () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     expect(material.toneNormal).toBe('smooth');
     material.technique = 'adjacency';

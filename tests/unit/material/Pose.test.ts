@@ -14,38 +14,38 @@ const skinned = () => {
 test('differs the first time, and then only with the bones', () => {
   const pose = new Pose();
   const mesh = skinned();
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
   mesh.skeleton.bones[1].position.x = 0.1;
   mesh.updateMatrixWorld(true);
   mesh.skeleton.update();
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
 });
 
 test('differs with the binding', () => {
   const pose = new Pose();
   const mesh = skinned();
-  pose.take(mesh);
+  pose.update(mesh);
   mesh.bindMatrix.makeScale(2, 2, 2);
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
   mesh.bindMatrixInverse.makeScale(0.1, 0.1, 0.1);
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
 });
 
 test('differs with influences, in a precision that floats cannot hold, and when there are more or fewer', () => {
   const pose = new Pose();
   const mesh = new Mesh(new BoxGeometry());
   mesh.morphTargetInfluences = [0.1, 1 / 3];
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
   mesh.morphTargetInfluences[1] = 0.4;
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
   mesh.morphTargetInfluences.push(0);
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
   mesh.morphTargetInfluences.length = 1;
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
 });
 
 test('of nothing that moves differs once', () => {
   const pose = new Pose();
   const mesh = new Mesh(new BoxGeometry());
-  expect([pose.take(mesh), pose.take(mesh)]).toEqual([true, false]);
+  expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
 });

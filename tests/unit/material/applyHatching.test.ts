@@ -50,12 +50,12 @@ const hatched = (mesh: Mesh): HatchingMaterial => {
 };
 
 /** Everything that hatching could change, by identity. */
-const dressOf = (root: Object3D) => {
-  const dress: unknown[] = [];
+const looksOf = (root: Object3D) => {
+  const looks: unknown[] = [];
   root.traverse((object) => {
-    if ('geometry' in object) dress.push(object, object.geometry, (object as Mesh).material);
+    if ('geometry' in object) looks.push(object, object.geometry, (object as Mesh).material);
   });
-  return dress;
+  return looks;
 };
 
 function brokenMesh(): Mesh {
@@ -174,8 +174,8 @@ describe('what it makes of a scene', () => {
     const mesh = new Mesh(new BoxGeometry(), [red, blue, red, blue, red, blue]);
     const groups = structuredClone(mesh.geometry.groups);
     const { materials } = await applyHatching(mesh, { tonalArtMap });
-    const worn = mesh.material as unknown as HatchingMaterial[];
-    expect(worn.map(({ color }) => color.getHexString())).toEqual([
+    const replaced = mesh.material as unknown as HatchingMaterial[];
+    expect(replaced.map(({ color }) => color.getHexString())).toEqual([
       'ff0000',
       '0000ff',
       'ff0000',
@@ -183,7 +183,7 @@ describe('what it makes of a scene', () => {
       'ff0000',
       '0000ff',
     ]);
-    expect(new Set(worn)).toEqual(new Set(materials));
+    expect(new Set(replaced)).toEqual(new Set(materials));
     expect(materials).toHaveLength(2);
     expect(mesh.geometry.groups).toEqual(groups);
   });
@@ -199,9 +199,9 @@ describe('what it makes of a scene', () => {
       own,
     ];
     const root = new Group().add(...others);
-    const before = dressOf(root);
+    const before = looksOf(root);
     const { materials, skipped } = await applyHatching(root, { tonalArtMap });
-    expect(dressOf(root)).toEqual(before);
+    expect(looksOf(root)).toEqual(before);
     expect([materials, skipped]).toEqual([[], []]);
   });
 
@@ -400,20 +400,20 @@ describe('the way back', () => {
       ),
       new Mesh(new SphereGeometry(), new MeshStandardMaterial()),
     );
-    const before = dressOf(root);
+    const before = looksOf(root);
     const first = await applyHatching(root, { tonalArtMap });
-    expect(dressOf(root)).not.toEqual(before);
+    expect(looksOf(root)).not.toEqual(before);
     first.restore();
-    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(before[i]);
+    for (const [i, part] of looksOf(root).entries()) expect(part).toBe(before[i]);
 
     const second = await applyHatching(root, { tonalArtMap });
-    const during = dressOf(root);
+    const during = looksOf(root);
     first.restore();
     first.dispose();
-    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(during[i]);
+    for (const [i, part] of looksOf(root).entries()) expect(part).toBe(during[i]);
     await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(/hatched already/);
     second.restore();
-    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(before[i]);
+    for (const [i, part] of looksOf(root).entries()) expect(part).toBe(before[i]);
   });
 
   test('dispose restores and frees every geometry and material made, once, and no other', async () => {
@@ -421,12 +421,12 @@ describe('the way back', () => {
     const root = new Group().add(mesh, new Mesh(mesh.geometry, new MeshStandardMaterial()));
     const [mine, theirs] = [disposals(), disposals()];
     mine.watch([mesh.geometry, mesh.material]);
-    const before = dressOf(root);
+    const before = looksOf(root);
     const scene = await applyHatching(root, { tonalArtMap });
     theirs.watch([mesh.geometry, ...scene.materials]);
     scene.dispose();
     scene.dispose();
-    expect(dressOf(root)).toEqual(before);
+    expect(looksOf(root)).toEqual(before);
     expect([mine.count, theirs.count]).toEqual([0, 3]);
   });
 
@@ -516,13 +516,13 @@ describe('when something is wrong', () => {
   test.each(failures)('%s: everything is as before', async (_how, optionsOf, says) => {
     const meshes = [1, 2, 3].map((n) => new Mesh(new SphereGeometry(n, 32, 16), new MeshStandardMaterial()));
     const root = new Group().add(...meshes);
-    const before = dressOf(root);
+    const before = looksOf(root);
     const disposed = vi.spyOn(HatchingMaterial.prototype, 'dispose');
     const freed = vi.spyOn(BufferGeometry.prototype, 'dispose');
     await expect(applyHatching(root, { tonalArtMap, ...optionsOf(new AbortController()) })).rejects.toThrow(says);
     const [materials, geometries] = [disposed.mock.calls.length, freed.mock.calls.length];
     vi.restoreAllMocks();
-    for (const [i, thing] of dressOf(root).entries()) expect(thing).toBe(before[i]);
+    for (const [i, part] of looksOf(root).entries()) expect(part).toBe(before[i]);
     if (says.test('enough listener')) {
       expect(materials).toBe(3);
       expect(geometries).toBeGreaterThan(0);

@@ -68,7 +68,7 @@ describe('requirements', () => {
     expect(missed('dragon871k', { coherence: 0.75 })).toEqual([expect.stringContaining('Coherence')]);
   });
 
-  it('do not judge flips where the paper has none to compare with', () => {
+  it('ignore flips on the sphere, where the paper by Suarez et al. has none to compare with', () => {
     expect(missed('sphere', { light: flips(0.3) })).toEqual([]);
   });
 });

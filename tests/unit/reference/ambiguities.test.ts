@@ -3,8 +3,8 @@ import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '
 import type { Triangle, Vec3 } from '../../reference/referenceAdjacency.js';
 
 /**
- * Where the paper says too little or promises too much: what its algorithms do, in numbers. The shader equals the
- * reference these tests ask; docs/paper.md tells the same in words.
+ * Where the paper by Suarez et al. says too little or promises too much: what its algorithms do, in numbers. These tests use
+ * the reference, which the shader equals. docs/paper.md explains the same in words.
  */
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];

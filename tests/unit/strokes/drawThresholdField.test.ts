@@ -37,7 +37,7 @@ const width = (field: Float32Array, ink: number): number => extent(field, ink, S
 const length = (field: Float32Array, ink: number): number => extent(field, ink, SIZE * 2 * SIZE, 1);
 
 describe('drawThresholdField', () => {
-  it('draws nothing before the birth of the stroke, its width at birth + swell, and then more', () => {
+  it('draws nothing below the start ink of the stroke, its width at start ink + swell, and then more', () => {
     const field = fieldOf(line);
     expect(width(field, 0.2)).toBe(0);
     expect(width(field, 0.3)).toBe(2);

@@ -1,15 +1,15 @@
 import type { Stroke } from './Stroke.js';
 
-/** Half the length, in tiles, of the region around an end in which another end is unwelcome. */
+/** Half the length, in tiles, of the region around a stroke's end that other ends should avoid. */
 const REACH_FORWARD = 0.15;
 
 /**
- * How close each place of one level is to where other strokes of the same direction end.
+ * How dense the ends of strokes of one direction are at each place of a level.
  *
- * Crowding along a stroke hardly feels small holes, and holes appear where many strokes end side by side. They also
- * recur with every tile, and the eye finds them at once. Ends that keep apart leave no holes.
+ * Where many strokes end side by side, small holes appear. The density along a stroke hardly shows them, but they repeat with
+ * every tile and catch the eye. Ends that keep apart leave no holes.
  */
-export class EndField {
+export class StrokeEndField {
   private readonly columns: number;
   private readonly values: Float32Array;
 
@@ -29,7 +29,7 @@ export class EndField {
     return this.addEnd(stroke, -0.5, reach) + this.addEnd(stroke, 0.5, reach);
   }
 
-  /** How close the ends of a stroke would be to others; 1 is one other end at the same place. */
+  /** The density at both ends of a stroke, summed; 1 is one other end at the same place. */
   atEnds(stroke: Stroke): number {
     return this.at(stroke, -0.5) + this.at(stroke, 0.5);
   }

@@ -5,21 +5,21 @@ import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
 import { isSurface } from './surfaceMeshes.js';
 
-/** Scales that differ by less than rounding does are one. */
+/** Scales that are equal to this many digits count as one: they differ by rounding only. */
 const SCALE_DIGITS = 6;
 
-/** Whether a material hatches already. */
+/** Whether a material is a `HatchingMaterial`. */
 export const isHatching = (material: Material): material is HatchingMaterial => 'isHatchingMaterial' in material;
 
 /**
- * The hatching materials of a scene: one for every material it had and every scale of the meshes that wear it; and one more
- * for meshes that deform, whose program is another.
+ * Makes the hatching materials of a scene: one per source material and scale of the meshes that use it. Meshes that deform get
+ * a further one, because they need another shader program.
  */
-export class Wardrobe {
+export class MaterialReplacer {
   readonly materials: HatchingMaterial[] = [];
   /** By source, scale and whether the mesh deforms. */
-  private readonly made = new Map<string, HatchingMaterial>();
-  /** Scales of the materials whose parameters do not tell the size of their strokes. */
+  private readonly replacements = new Map<string, HatchingMaterial>();
+  /** Scales of the materials whose parameters set no `strokeScale`. */
   private readonly scales = new Map<HatchingMaterial, number>();
 
   constructor(
@@ -29,28 +29,28 @@ export class Wardrobe {
   ) {}
 
   /**
-   * What a mesh is to wear in the place of its material or materials, made when first asked for.
+   * The material or materials that replace those of a mesh, made on first use.
    *
    * @param scale world units per unit of the mesh's object space
    */
-  materialFor(mesh: Mesh, scale: number): Material | Material[] {
+  replacementFor(mesh: Mesh, scale: number): Material | Material[] {
     const replace = (source: Material): Material =>
-      isSurface(source) && !isHatching(source) ? this.replacing(source, mesh, scale) : source;
+      isSurface(source) && !isHatching(source) ? this.hatchingMaterialFor(source, mesh, scale) : source;
     return Array.isArray(mesh.material) ? mesh.material.map(replace) : replace(mesh.material);
   }
 
-  /** Gives the strokes one size in the world, on all materials that have none of their own. */
-  sizeStrokes(tilesPerWorldUnit: number): void {
+  /** Gives the strokes one size in the world, on all materials whose parameters set no `strokeScale`. */
+  setStrokeScale(tilesPerWorldUnit: number): void {
     for (const [material, scale] of this.scales) material.strokeScale = tilesPerWorldUnit * scale;
   }
 
-  private replacing(source: Material, mesh: Mesh, scale: number): HatchingMaterial {
+  private hatchingMaterialFor(source: Material, mesh: Mesh, scale: number): HatchingMaterial {
     const key = `${source.uuid} ${scale.toPrecision(SCALE_DIGITS)} ${deforms(mesh.geometry, mesh)}`;
-    let material = this.made.get(key);
+    let material = this.replacements.get(key);
     if (!material) {
       const parameters = typeof this.parameters === 'function' ? this.parameters(source, mesh) : this.parameters;
       material = hatchingMaterialFrom(source, parameters);
-      this.made.set(key, material);
+      this.replacements.set(key, material);
       this.materials.push(material);
       if (parameters.strokeScale === undefined) this.scales.set(material, scale);
     }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { checkHatchImages } from '../../../src/hatchImages/checkHatchImages.js';
-import { nestLevels } from '../../../src/hatchImages/nestLevels.js';
+import { enforceLevelNesting } from '../../../src/hatchImages/enforceLevelNesting.js';
 import { random } from '../../../src/strokes/random.js';
 
 /** Images nested in tone whose levels know nothing of each other. */
@@ -13,12 +13,12 @@ function unrelatedLevels(): { size: number; images: Uint8Array[][] } {
   return { size: 16, images };
 }
 
-describe('nestLevels', () => {
+describe('enforceLevelNesting', () => {
   it('mends every break of the nesting of levels and makes none in tone', () => {
     const map = unrelatedLevels();
     const before = structuredClone(map.images);
     expect(checkHatchImages(map).levelNesting.flat().some(Boolean)).toBe(true);
-    nestLevels(map);
+    enforceLevelNesting(map);
     const { toneNesting, levelNesting } = checkHatchImages(map);
     expect([...toneNesting, ...levelNesting].flat().every((count) => count === 0)).toBe(true);
     map.images.forEach((row, tone) => {
@@ -31,9 +31,9 @@ describe('nestLevels', () => {
 
   it('leaves images that nest as they are', () => {
     const map = unrelatedLevels();
-    nestLevels(map);
+    enforceLevelNesting(map);
     const before = structuredClone(map.images);
-    nestLevels(map);
+    enforceLevelNesting(map);
     expect(map.images).toEqual(before);
   });
 });

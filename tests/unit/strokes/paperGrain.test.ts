@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
-import { paperTooth } from '../../../src/strokes/paperTooth.js';
+import { paperGrain } from '../../../src/strokes/paperGrain.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 
 const charcoal = resolveHatchImageOptions({ style: 'charcoal', size: 64 });
 
-describe('paperTooth', () => {
+describe('paperGrain', () => {
   it('has as many places of every depth, the same after a half turn', () => {
-    const { depths } = paperTooth(charcoal, 0)!;
+    const { depths } = paperGrain(charcoal, 0)!;
     const counts = new Array<number>(256).fill(0);
     for (const depth of depths) counts[depth]++;
     expect(new Set(counts)).toEqual(new Set([64 ** 2 / 256]));
@@ -16,7 +16,7 @@ describe('paperTooth', () => {
   });
 
   it('has grains wider than a texel: neighbours are alike', () => {
-    const { depths } = paperTooth(charcoal, 0)!;
+    const { depths } = paperGrain(charcoal, 0)!;
     let product = 0;
     for (let i = 0; i < depths.length; i++) {
       const beside = (i & ~63) | ((i + 1) & 63);
@@ -26,22 +26,22 @@ describe('paperTooth', () => {
   });
 
   it('is another on every level and for every seed, but always the same', () => {
-    const { depths } = paperTooth(charcoal, 1)!;
-    expect(paperTooth(charcoal, 1)!.depths).toEqual(depths);
-    expect(paperTooth({ ...charcoal, seed: 2 }, 1)!.depths).not.toEqual(depths);
-    expect(paperTooth(charcoal, 0)!.depths.slice(0, depths.length)).not.toEqual(depths);
+    const { depths } = paperGrain(charcoal, 1)!;
+    expect(paperGrain(charcoal, 1)!.depths).toEqual(depths);
+    expect(paperGrain({ ...charcoal, seed: 2 }, 1)!.depths).not.toEqual(depths);
+    expect(paperGrain(charcoal, 0)!.depths.slice(0, depths.length)).not.toEqual(depths);
   });
 
   it('is not there for a pen', () => {
-    expect(paperTooth(resolveHatchImageOptions({ style: 'hatching' }), 0)).toBeUndefined();
+    expect(paperGrain(resolveHatchImageOptions({ style: 'hatching' }), 0)).toBeUndefined();
   });
 
   it('takes less ink from a stroke that presses less, and none beside it', () => {
-    const tooth = paperTooth(charcoal, 0)!;
+    const grain = paperGrain(charcoal, 0)!;
     const ink = (pressure: number): number => {
       const stroke = { u: 0.5, v: 0.5, layer: 0, across: false, length: 0.6, slope: 0, bow: 0, wave: 0, width: 2.6 };
       const image = new Uint8Array(64 * 64).fill(255);
-      rasterizeStroke(image, 64, { ...stroke, taper: 0, pressure, tone: 1, level: 0 } satisfies Stroke, tooth);
+      rasterizeStroke(image, 64, { ...stroke, taper: 0, pressure, tone: 1, level: 0 } satisfies Stroke, grain);
       expect(image.subarray(0, 64 * 29).every((byte) => byte === 255)).toBe(true);
       return image.reduce((sum, byte) => sum + 1 - byte / 255, 0) / (0.6 * 64 * 2.6);
     };

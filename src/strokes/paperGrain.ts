@@ -1,30 +1,30 @@
 import { blurToroidal } from './blurToroidal.js';
-import { orderOf } from './orderOf.js';
 import { random } from './random.js';
-import type { StrokeStyle } from './strokeStyles.js';
+import type { StrokeStyle } from './StrokeStyle.js';
+import { sortedIndices } from './sortedIndices.js';
 
-/** The rough paper under one level: pencil and charcoal stay on what stands out of it. */
-export interface PaperTooth {
+/** The grain of the paper under one level: pencil and charcoal mark its peaks first. */
+export interface PaperGrain {
   /**
-   * size² bytes in rows of growing v, evenly distributed: from 0, what every stroke touches, to 255, what only the
-   * strongest reaches. The same after a half turn.
+   * size² bytes in rows of growing v, evenly distributed: from 0, a peak that every stroke marks, to 255, a valley that only
+   * the strongest pressure reaches. Unchanged by a half turn.
    */
   depths: Uint8Array;
   /** Texels over which a stroke fades at its edge. */
   edge: number;
-  /** How sharply depth decides between ink and paper. */
+  /** How sharply depth separates ink from paper. See `Grain`. */
   contrast: number;
 }
 
-interface ToothRequest {
+interface GrainRequest {
   style: StrokeStyle;
   seed: number;
   /** Texels per side of the finest level. */
   size: number;
 }
 
-/** The paper of a level, or undefined where the style knows no grain. Grains are as wide in texels on every level. */
-export function paperTooth({ style, seed, size: finest }: ToothRequest, level: number): PaperTooth | undefined {
+/** The paper grain of a level; undefined for a style without grain. Grains are equally wide in texels on every level. */
+export function paperGrain({ style, seed, size: finest }: GrainRequest, level: number): PaperGrain | undefined {
   if (!style.grain) return undefined;
   const { edge, contrast, radius } = style.grain;
   const size = finest >> level;
@@ -32,7 +32,7 @@ export function paperTooth({ style, seed, size: finest }: ToothRequest, level: n
   const noise = new Float32Array(size * size);
   const last = noise.length - 1;
   for (let i = 0; i < noise.length / 2; i++) noise[i] = noise[last - i] = next();
-  const order = orderOf(blurToroidal(noise, size, radius).subarray(0, noise.length / 2));
+  const order = sortedIndices(blurToroidal(noise, size, radius).subarray(0, noise.length / 2));
   const depths = new Uint8Array(noise.length);
   for (let rank = 0; rank < order.length; rank++) {
     const depth = Math.floor((256 * rank) / order.length);

@@ -1,12 +1,12 @@
-/** Digits of the radix sort: three of 11 bits sort 32-bit keys. */
+/** Bits per digit of the radix sort: three digits of 11 bits sort 32-bit keys. */
 const DIGIT_BITS = 11;
 const DIGITS = 1 << DIGIT_BITS;
 
 /**
- * The order of non-negative numbers, smallest first, as indices. Equal ones stay in the order of their indices.
- * Takes linear time, and no more than a few milliseconds for a quarter of a million numbers.
+ * The indices of non-negative numbers, sorted by number, smallest first. Equal numbers stay in the order of their indices.
+ * Radix sort in linear time: a few milliseconds for a quarter of a million numbers.
  */
-export function orderOf(values: Float32Array): Uint32Array {
+export function sortedIndices(values: Float32Array): Uint32Array {
   const count = values.length;
   // The bits of non-negative floats, read as whole numbers, are in the same order as the floats.
   const keys = new Uint32Array(values.buffer, values.byteOffset, count);

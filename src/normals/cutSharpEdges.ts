@@ -1,30 +1,32 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
+import { consistentTwin } from '../adjacency/consistentTwin.js';
+import { doubleArea } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
-import { asPhase, inChunks } from '../slices/inChunks.js';
-import { writeUnit } from './writeUnit.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
+import { writeNormalized } from './writeNormalized.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 
 /**
- * Triangles whose normals differ by more than this make an edge of the form. Below 60°, so that every edge that is meant
- * as one stays (a hexagonal prism has 60°); above 45°, so that an octagon still passes for a circle.
+ * An edge is sharp if the filtered normals of its triangles differ by more than this. Below 60°, so that the edges of a
+ * hexagonal prism stay sharp; above 45°, so that an octagonal prism counts as round.
  */
 const CREASE_DEGREES = 50;
 
-/** The same as the square of the distance between the tips of the two unit normals. */
+/** The same, as the squared distance between the tips of two unit normals. */
 const CREASE_DISTANCE_SQUARED = 2 - 2 * Math.cos((CREASE_DEGREES * Math.PI) / 180);
 
-/** Enough that a plane whose triangles are tilted by up to 40° at random has no edge left. */
+/** Enough to remove all edges from a plane whose triangles are tilted at random by up to 40°. */
 const PASSES = 4;
 
 /**
- * The twins without those across an edge of the form: NO_TWIN there. Scan noise tilts small triangles by more than many
- * an edge, so the angle is not measured between the triangles as they are: their normals are first averaged with those
- * of their neighbours, each weighted by area and by how alike the two are, and not at all beyond the crease angle
- * (bilateral filtering of normals: Zheng, Fu, Au and Tai, 2011). So noise goes, and the faces of a cube know nothing of
- * each other.
+ * Returns a copy of the twins with NO_TWIN at every sharp edge. Scan noise tilts small triangles by more than some sharp
+ * edges do, so the angle is measured between filtered normals. Each normal is averaged with those of the neighbours,
+ * weighted by area and by similarity, with weight zero beyond the crease angle (bilateral filtering of normals: Zheng, Fu,
+ * Au and Tai, 2011). This removes noise, and the faces of a cube do not influence each other.
  */
-export function* findFormCreases(adjacency: Adjacency): Generator<number, Int32Array<ArrayBuffer>, void> {
+export function* cutSharpEdges(adjacency: Adjacency): Generator<number, Int32Array<ArrayBuffer>, void> {
   const { areaNormals } = adjacency;
   const count = areaNormals.length / 3;
   const twins = adjacency.twins.slice();
@@ -33,27 +35,27 @@ export function* findFormCreases(adjacency: Adjacency): Generator<number, Int32A
   let filtered = new Float32Array(3 * count);
   const share = 1 / (PASSES + 2);
   yield* asPhase(
-    inChunks(count, (start, end) => splitRange(areaNormals, areas, normals, start, end)),
+    forEachChunk(count, (start, end) => splitRange(areaNormals, areas, normals, start, end)),
     0,
     share,
   );
   for (let pass = 1; pass <= PASSES; pass++) {
     yield* asPhase(
-      inChunks(count, (start, end) => filterRange(adjacency, areas, normals, filtered, start, end)),
+      forEachChunk(count, (start, end) => filterRange(adjacency, areas, normals, filtered, start, end)),
       pass * share,
       (pass + 1) * share,
     );
     [normals, filtered] = [filtered, normals];
   }
   yield* asPhase(
-    inChunks(3 * count, (start, end) => cutRange(adjacency.twins, normals, twins, start, end)),
+    forEachChunk(3 * count, (start, end) => cutRange(adjacency.twins, normals, twins, start, end)),
     1 - share,
     1,
   );
   return twins;
 }
 
-/** Splits the area normals of some triangles into area (twice) and direction. */
+/** Splits the area normals of some triangles into double area and unit normal. */
 function splitRange(
   areaNormals: Float64Array,
   areas: Float64Array,
@@ -62,16 +64,13 @@ function splitRange(
   end: number,
 ): void {
   for (let triangle = start; triangle < end; triangle++) {
-    const x = areaNormals[3 * triangle];
-    const y = areaNormals[3 * triangle + 1];
-    const z = areaNormals[3 * triangle + 2];
-    areas[triangle] = Math.sqrt(x * x + y * y + z * z);
-    writeUnit(areaNormals, 3 * triangle, normals, 3 * triangle);
+    areas[triangle] = doubleArea(areaNormals, triangle);
+    writeNormalized(areaNormals, 3 * triangle, normals, 3 * triangle);
   }
 }
 
 function filterRange(
-  { twins, canonicalCorners }: Adjacency,
+  adjacency: Adjacency,
   areas: Float64Array,
   normals: Float32Array,
   filtered: Float32Array,
@@ -87,8 +86,8 @@ function filterRange(
     let sumY = own * y;
     let sumZ = own * z;
     for (let corner = first; corner < first + 3; corner++) {
-      const twin = twins[corner];
-      if (twin === NO_TWIN || canonicalCorners[corner] === canonicalCorners[twin]) continue;
+      const twin = consistentTwin(adjacency, corner);
+      if (twin === NO_TWIN) continue;
       const neighbour = triangleOf(twin);
       const neighbourX = normals[3 * neighbour];
       const neighbourY = normals[3 * neighbour + 1];
@@ -96,14 +95,14 @@ function filterRange(
       const dx = neighbourX - x;
       const dy = neighbourY - y;
       const dz = neighbourZ - z;
-      const likeness = 1 - (dx * dx + dy * dy + dz * dz) / CREASE_DISTANCE_SQUARED;
-      if (likeness <= 0) continue;
-      const weight = likeness * likeness * areas[neighbour];
+      const similarity = 1 - (dx * dx + dy * dy + dz * dz) / CREASE_DISTANCE_SQUARED;
+      if (similarity <= 0) continue;
+      const weight = similarity * similarity * areas[neighbour];
       sumX += weight * neighbourX;
       sumY += weight * neighbourY;
       sumZ += weight * neighbourZ;
     }
-    // All that is summed lies within the crease angle of the own normal, so it cannot cancel.
+    // Every term lies within the crease angle of the own normal, so the sum cannot cancel.
     const length = Math.sqrt(sumX * sumX + sumY * sumY + sumZ * sumZ) || 1;
     filtered[first] = sumX / length;
     filtered[first + 1] = sumY / length;

@@ -1,31 +1,33 @@
 import { type Stroke, strokeOffset } from './Stroke.js';
 
-/** Strokes that come closer than so many widths, centre line to centre line, begin to merge for the eye. */
+/** Strokes closer than this many widths, centre line to centre line, begin to look merged. */
 export const MERGING_WIDTHS = 2.5;
 
-/** Distances ahead of a line's end count so many times as much as beside it: lines may follow one another closely. */
+/** Weight of distances ahead of a line's end, relative to those beside it: lines may follow one another closely. */
 const AHEAD = 3;
 
 /**
- * How crowded each place of one level is, as felt by the next stroke of the same direction.
+ * How dense the strokes of one direction are at each place of a level. New strokes go where the density is low.
  *
- * Around a stroke of width w the field is 1/(1 + (d/w)²)^¾ at distance d, a tail that evens out the drawing at all
- * scales, plus (1 − (d/2.5w)²)² close by, which keeps strokes from merging. It stands for the pyramid of ink images in
- * which Praun et al. 2001 measure what a candidate stroke gains: strokes there have the same width in the texels of
- * every pyramid level, so they meet at all distances, and the sum over the pyramid falls off in the same way. But it
- * jumps at the borders of the pyramid's texels, which lines strokes up with them; this field has no such grid.
+ * A stroke of width w adds 1/(1 + (d/w)²)^¾ at distance d, a long tail that evens out the drawing at all scales. Close by it
+ * adds (1 − (d/2.5w)²)², which keeps strokes from merging.
  *
- * Lines are long and nearly parallel to an axis, so for them a few columns are enough.
+ * Praun et al. 2001 measure the gain of a candidate stroke in a pyramid of ink images instead. Strokes there have the same
+ * width in texels on every pyramid level, so they meet at all distances, and the sum over the pyramid falls off like this
+ * field. But that sum jumps at the borders of the pyramid's texels, which makes strokes line up with them. This field has no
+ * such grid.
+ *
+ * Lines are long and nearly parallel to an axis, so a few columns are enough for them.
  */
-export class CrowdingField {
+export class StrokeDensityField {
   private readonly columns: number;
   private readonly values: Float32Array;
-  /** Distance over distance along the columns, squared. */
+  /** Squared cosine of the strokes' mean angle: turns distances along the columns into distances across strokes. */
   private readonly cosine2: number;
 
   /**
    * @param size texels per side of the level, a power of two
-   * @param short whether the strokes are dots or not much longer, which need a column per texel
+   * @param short whether the strokes are dots or little longer, which need a column per texel
    * @param slope the mean angle of the strokes to their axis, as a tangent
    */
   constructor(
@@ -78,8 +80,8 @@ export class CrowdingField {
     return visited;
   }
 
-  /** The mean of the field along a stroke's centre line. */
-  along(stroke: Stroke): number {
+  /** The mean density along a stroke's centre line. */
+  meanAlong(stroke: Stroke): number {
     const { size, columns, values } = this;
     const mask = size - 1;
     const centre = (stroke.across ? stroke.v : stroke.u) * columns;

@@ -1,10 +1,10 @@
 import { type InstancedMesh, Matrix4, type Mesh, type SkinnedMesh } from 'three';
 
 /**
- * Object to world, once for every time a mesh is drawn: the mesh itself or each of its instances. Of a skinned mesh, which
- * is drawn where its bones are, the placement by the first bone. World matrices must be up to date.
+ * The object-to-world matrix of a mesh, or of each of its instances. For a skinned mesh, which is drawn where its bones are,
+ * the transform by the first bone. The world matrices of the scene must be up to date.
  */
-export function placements(mesh: Mesh): Matrix4[] {
+export function worldMatrices(mesh: Mesh): Matrix4[] {
   if ('isInstancedMesh' in mesh) {
     const instanced = mesh as InstancedMesh;
     return Array.from({ length: instanced.count }, (_, i) => {
@@ -20,7 +20,7 @@ export function placements(mesh: Mesh): Matrix4[] {
   return [matrix.multiply(skeleton.boneInverses[0]).multiply(bindMatrix)];
 }
 
-/** How many world units an object unit is, as the mean over directions and placements; 1 where nothing has a size. */
+/** World units per object unit: the geometric mean over directions and matrices. 1 if all matrices are singular. */
 export function worldScale(matrices: readonly Matrix4[]): number {
   const logarithms = matrices.map((matrix) => Math.log(Math.abs(matrix.determinant())) / 3).filter(Number.isFinite);
   if (logarithms.length === 0) return 1;

@@ -2,12 +2,12 @@ import { findLostInk, HALF_INK } from './findLostInk.js';
 import type { HatchImages } from './HatchImages.js';
 
 /**
- * Gives finer levels the ink of coarser ones that they lack (`findLostInk`): one texel at each such place becomes half ink,
- * in its tone and in every darker one. Nothing becomes lighter, so tones stay nested.
+ * Repairs the nesting of levels where ink of a coarser level is missing from the finer one (`findLostInk`): one texel there
+ * becomes half ink, in this tone and in every darker one. Nothing becomes lighter, so tones stay nested.
  *
  * @param images changed in place
  */
-export function nestLevels({ size, images }: HatchImages): void {
+export function enforceLevelNesting({ size, images }: HatchImages): void {
   for (const [tone, row] of images.entries()) {
     for (let level = row.length - 1; level > 0; level--) {
       for (const texel of findLostInk(row[level], row[level - 1], size >> level)) {

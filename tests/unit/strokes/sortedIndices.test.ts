@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { orderOf } from '../../../src/strokes/orderOf.js';
+import { sortedIndices } from '../../../src/strokes/sortedIndices.js';
 
-describe('orderOf', () => {
+describe('sortedIndices', () => {
   it('lists indices by value, equal ones by index', () => {
-    expect([...orderOf(new Float32Array([3, 0.5, 1e9, 0.5, 0]))]).toEqual([4, 1, 3, 0, 2]);
+    expect([...sortedIndices(new Float32Array([3, 0.5, 1e9, 0.5, 0]))]).toEqual([4, 1, 3, 0, 2]);
   });
 
   it('agrees with a comparing sort', () => {
@@ -13,7 +13,7 @@ describe('orderOf', () => {
       fc.property(fc.array(float, { maxLength: 200 }), (numbers) => {
         const values = Float32Array.from(numbers);
         const expected = [...values.keys()].toSorted((a, b) => values[a] - values[b] || a - b);
-        expect([...orderOf(values)]).toEqual(expected);
+        expect([...sortedIndices(values)]).toEqual(expected);
       }),
     );
   });

@@ -1,5 +1,5 @@
-/** Writes the direction of the vector at `from`; false, and nothing, if it has none. */
-export function writeUnit(
+/** Writes the vector at `from`, normalised. If it is zero, writes nothing and returns false. */
+export function writeNormalized(
   source: Float32Array | Float64Array,
   from: number,
   target: Float32Array,

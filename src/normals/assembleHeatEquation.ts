@@ -1,0 +1,151 @@
+import { consistentTwin } from '../adjacency/consistentTwin.js';
+import { doubleArea } from '../mesh/computeAreaNormals.js';
+import { NO_TWIN, nextCorner, previousCorner } from '../mesh/corners.js';
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
+import type { Fans } from './buildFans.js';
+
+/**
+ * Largest cotangent used as a weight, that of 5.7°. Slivers have larger ones, which would force very small steps. All three
+ * cotangents of a triangle are scaled down together: heat then flows more slowly through slivers, and is still conserved.
+ */
+const LARGEST_COTANGENT = 10;
+
+/** A mesh of fans to smooth over. */
+export interface FanSurface {
+  mesh: TriangleMesh;
+  /** Twins with NO_TWIN wherever two fans meet, except where windings contradict each other. */
+  twins: Int32Array<ArrayBuffer>;
+  canonicalCorners: Uint32Array<ArrayBuffer>;
+  areaNormals: Float64Array;
+  fans: Fans;
+}
+
+/** The heat equation over fans, discretised by linear finite elements. */
+export interface HeatEquation {
+  /** The edges of fan i lie in entries starts[i] … starts[i + 1] − 1. */
+  starts: Uint32Array;
+  /** The fan at the other end of each edge. */
+  neighbours: Uint32Array;
+  /** Half the sum of the cotangents of the angles opposite to each edge. */
+  weights: Float32Array;
+  /** For each fan a third of the area around it. */
+  masses: Float64Array;
+  /** For each fan the sum of the magnitudes of its weights: a bound on the rate at which heat leaves it. */
+  degrees: Float64Array;
+}
+
+/**
+ * Sorts the edges by the fan they start from (counting sort). Every edge is entered twice, once for either end.
+ *
+ * @param masses see `HeatEquation`
+ */
+export function* assembleHeatEquation(
+  surface: FanSurface,
+  masses: Float64Array,
+): Generator<number, HeatEquation, void> {
+  const { areaNormals, fans } = surface;
+  const cornerCount = fans.ofCorner.length;
+  const cotangents = new Float32Array(cornerCount);
+  yield* asPhase(
+    forEachChunk(cornerCount / 3, (start, end) => cotangentRange(surface, cotangents, start, end)),
+    0,
+    0.3,
+  );
+  const starts = new Uint32Array(fans.count + 1);
+  yield* asPhase(
+    forEachChunk(cornerCount, (start, end) => countRange(surface, starts, start, end)),
+    0.3,
+    0.5,
+  );
+  let edgeCount = 0;
+  for (let fan = 0; fan <= fans.count; fan++) {
+    edgeCount += starts[fan];
+    starts[fan] = edgeCount;
+  }
+  const heat: HeatEquation = {
+    starts,
+    neighbours: new Uint32Array(edgeCount),
+    weights: new Float32Array(edgeCount),
+    masses,
+    degrees: new Float64Array(fans.count),
+  };
+  yield* asPhase(
+    forEachChunk(areaNormals.length, (start, end) => scatterRange(surface, cotangents, heat, start, end)),
+    0.5,
+    1,
+  );
+  return heat;
+}
+
+/** The cotangents of the angles of some triangles, limited to LARGEST_COTANGENT; 0 in degenerate ones. */
+function cotangentRange(
+  { mesh: { positions, indices }, areaNormals }: FanSurface,
+  cotangents: Float32Array,
+  start: number,
+  end: number,
+): void {
+  for (let first = 3 * start; first < 3 * end; first += 3) {
+    const area = doubleArea(areaNormals, first / 3);
+    if (area === 0) continue;
+    const a = 3 * indices[first];
+    const b = 3 * indices[first + 1];
+    const c = 3 * indices[first + 2];
+    const atA = dotFrom(positions, a, b, c) / area;
+    const atB = dotFrom(positions, b, c, a) / area;
+    const atC = dotFrom(positions, c, a, b) / area;
+    const scale = LARGEST_COTANGENT / Math.max(LARGEST_COTANGENT, Math.abs(atA), Math.abs(atB), Math.abs(atC));
+    cotangents[first] = scale * atA;
+    cotangents[first + 1] = scale * atB;
+    cotangents[first + 2] = scale * atC;
+  }
+}
+
+/** The scalar product of the edges from `origin` to `a` and to `b`. */
+function dotFrom(positions: Float32Array, origin: number, a: number, b: number): number {
+  const x = positions[origin];
+  const y = positions[origin + 1];
+  const z = positions[origin + 2];
+  return (
+    (positions[a] - x) * (positions[b] - x) +
+    (positions[a + 1] - y) * (positions[b + 1] - y) +
+    (positions[a + 2] - z) * (positions[b + 2] - z)
+  );
+}
+
+/** Counts the edges of each fan. A half-edge counts for the fan it starts from and, without a twin, for the one it ends in. */
+function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end: number): void {
+  const { ofCorner } = surface.fans;
+  for (let corner = start; corner < end; corner++) {
+    sizes[ofCorner[corner]]++;
+    if (consistentTwin(surface, corner) === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
+  }
+}
+
+/** Enters the edges from the back of each fan's range: `starts` begins as the range ends and finishes as the range starts. */
+function scatterRange(
+  surface: FanSurface,
+  cotangents: Float32Array,
+  { starts, neighbours, weights, degrees }: HeatEquation,
+  start: number,
+  end: number,
+): void {
+  const { ofCorner } = surface.fans;
+  for (let corner = start; corner < end; corner++) {
+    const from = ofCorner[corner];
+    const to = ofCorner[nextCorner(corner)];
+    const twin = consistentTwin(surface, corner);
+    const across = twin === NO_TWIN ? 0 : cotangents[previousCorner(twin)];
+    const weight = 0.5 * (cotangents[previousCorner(corner)] + across);
+    let slot = --starts[from];
+    neighbours[slot] = to;
+    weights[slot] = weight;
+    degrees[from] += Math.abs(weight);
+    if (twin !== NO_TWIN) continue;
+    slot = --starts[to];
+    neighbours[slot] = from;
+    weights[slot] = weight;
+    degrees[to] += Math.abs(weight);
+  }
+}

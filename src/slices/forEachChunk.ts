@@ -1,0 +1,22 @@
+/**
+ * Items (vertices, triangles, half-edges) per chunk. A chunk takes one to three milliseconds: short enough for a slice on
+ * the main thread, long enough that the yields cost nothing.
+ */
+const CHUNK_SIZE = 1 << 14;
+
+/**
+ * Calls `body(start, end)` for consecutive ranges that cover [0, count). Yields the finished part in (0, 1] after each.
+ *
+ * `body` should only call a module-level function with everything it needs. Engines keep what they have optimised in such
+ * a function from one bake to the next. A closure is made anew in each bake, which measured half as fast.
+ */
+export function* forEachChunk(
+  count: number,
+  body: (start: number, end: number) => void,
+): Generator<number, void, void> {
+  for (let start = 0; start < count; start += CHUNK_SIZE) {
+    const end = Math.min(start + CHUNK_SIZE, count);
+    body(start, end);
+    yield end / count;
+  }
+}

@@ -1,0 +1,71 @@
+import type { PaperGrain } from './paperGrain.js';
+import { rasterizeStroke } from './rasterizeStroke.js';
+import type { Stroke } from './Stroke.js';
+import { StrokeDensityField } from './StrokeDensityField.js';
+import { StrokeEndField } from './StrokeEndField.js';
+import type { StrokeStyle } from './StrokeStyle.js';
+
+/** One level while its strokes are being placed. */
+export interface LevelDrawing {
+  /** Texels per side. */
+  size: number;
+  image: Uint8Array;
+  /** 255·ink, summed over the image. */
+  darkness: number;
+  /** The grain of the paper, if the style has any. */
+  grain: PaperGrain | undefined;
+  /** For each layer of the style, how dense its strokes are. */
+  densities: StrokeDensityField[];
+  /** For each layer, how dense the ends of its strokes are; empty for short strokes. */
+  ends: StrokeEndField[];
+  /** For each layer, the ink drawn so far, overlaps counted twice. Keeps the layers at equal ink. */
+  drawn: number[];
+  /** Part of the last stroke that fell on blank paper. */
+  gain: number;
+}
+
+/** Strokes influence each other up to this many times their mean distance: lines, their ends, and dots. */
+const LINE_REACH = 6;
+const END_REACH = 4;
+const DOT_REACH = 3;
+
+/** Strokes shorter than this, in tiles, are not lines: where they end does not matter. */
+const SHORT = 0.15;
+
+/** A blank level of size² texels. */
+export function startLevel(size: number, style: StrokeStyle, grain: PaperGrain | undefined): LevelDrawing {
+  const { layers } = style;
+  const short = style.length[1] < SHORT;
+  return {
+    size,
+    image: new Uint8Array(size * size).fill(255),
+    darkness: 0,
+    grain,
+    densities: layers.map(({ slope }) => new StrokeDensityField(size, short, slope)),
+    ends: short ? [] : layers.map(() => new StrokeEndField(size)),
+    drawn: layers.map(() => 0),
+    gain: 1,
+  };
+}
+
+/** About how many texels a stroke inks on blank paper. */
+export const nominalArea = (width: number, length: number, size: number): number =>
+  width * Math.max(width, length * size);
+
+/** Draws a stroke on one level. Returns the number of cells visited. */
+export function drawStroke(level: LevelDrawing, stroke: Stroke): number {
+  const { size } = level;
+  const { layer } = stroke;
+  const gain = rasterizeStroke(level.image, size, stroke, level.grain);
+  level.darkness += gain;
+  const area = nominalArea(stroke.width, stroke.length, size);
+  level.gain = Math.min(1, gain / (255 * area));
+  level.drawn[layer] += area;
+  // A few times the mean distance of strokes at this density; the first strokes influence the whole tile.
+  const density = level.drawn[layer] / (size * size);
+  const distance = stroke.length > 0 ? stroke.width / density : stroke.width / Math.sqrt(density);
+  const reach = (times: number): number => Math.min(0.5 * size, times * distance);
+  let work = area + level.densities[layer].add(stroke, reach(stroke.length > 0 ? LINE_REACH : DOT_REACH));
+  if (level.ends.length > 0) work += level.ends[layer].add(stroke, reach(END_REACH));
+  return work;
+}

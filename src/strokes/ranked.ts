@@ -1,9 +1,0 @@
-import { orderOf } from './orderOf.js';
-
-/** Numbers in the same order as those of `field`, which are not negative, evenly distributed over (0, 1). */
-export function ranked(field: Float32Array): Float32Array {
-  const order = orderOf(field);
-  const ranks = new Float32Array(field.length);
-  for (let rank = 0; rank < order.length; rank++) ranks[order[rank]] = (rank + 0.5) / order.length;
-  return ranks;
-}
