@@ -18,7 +18,7 @@ function describeModel(statistics: ModelStatistics, broken: number): string {
   const parts = [
     count(statistics.triangles, 'triangle'),
     count(statistics.borderEdges, 'border edge'),
-    count(statistics.nonManifoldEdges, 'odd edge'),
+    count(statistics.nonManifoldEdges, 'non-manifold edge'),
     statistics.degenerateTriangles > 0 ? `${statistics.degenerateTriangles.toLocaleString('en')} without area` : '',
     broken > 0 ? `${broken.toLocaleString('en')} broken ${broken === 1 ? 'one' : 'ones'} left out` : '',
   ];
