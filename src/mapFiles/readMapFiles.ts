@@ -147,11 +147,11 @@ function parseDescription(name: string, text: string): MapDescription {
       'must name at least two "images", the lightest first: a file for each tone, or a list of files, its levels',
     );
   }
-  const levels = new Set(images!.map((row) => row.length));
+  const levels = new Set(images.map((row) => row.length));
   if (Array.isArray(images![0]) && (levels.size > 1 || images![0].length > Math.log2(size!) + 1)) {
     fail(name, `must name as many levels for every tone, and at most ${Math.log2(size!) + 1} at size ${size}`);
   }
-  if (thresholds !== undefined && (!isRow(thresholds) || thresholds.length !== images![0].length)) {
+  if (thresholds !== undefined && (!isRow(thresholds) || thresholds.length !== images[0].length)) {
     fail(name, 'must name as many "thresholds" as levels, or none');
   }
   return found as MapDescription;

@@ -58,9 +58,9 @@ for (const technique of ['adjacency', 'anchored'] as const) {
       }
       return pictures;
     }, technique);
-    expect(covered(separate!)).toBeGreaterThan(800);
+    expect(covered(separate)).toBeGreaterThan(800);
     // Rounding differs between the two ways, and on a hard stripe a rounding shows.
-    expect(differing(separate!, instanced!, 8)).toBeLessThan(0.01 * covered(separate!));
+    expect(differing(separate, instanced, 8)).toBeLessThan(0.01 * covered(separate));
   });
 
   test(`strokes are as large on a scaled object as on one modelled in that size: ${technique}`, async ({ page }) => {
@@ -76,10 +76,10 @@ for (const technique of ['adjacency', 'anchored'] as const) {
       };
       return [await show(1, 1), await show(0.05, 20), await show(0.05, 20, { strokeScale: 2 })];
     }, technique);
-    expect(covered(modelled!)).toBeGreaterThan(800);
+    expect(covered(modelled)).toBeGreaterThan(800);
     // Stripes fall on other pixels where positions are rounded otherwise.
-    expect(differing(modelled!, scaled!, 8)).toBeLessThan(0.03 * covered(modelled!));
-    expect(differing(modelled!, unscaled!, 8)).toBeGreaterThan(0.2 * covered(modelled!));
+    expect(differing(modelled, scaled, 8)).toBeLessThan(0.03 * covered(modelled));
+    expect(differing(modelled, unscaled, 8)).toBeGreaterThan(0.2 * covered(modelled));
   });
 }
 
@@ -100,8 +100,8 @@ test('a mirrored object is lit and covered as one modelled mirrored', async ({ p
     }
     return pictures;
   });
-  expect(covered(mirrored!)).toBeGreaterThan(800);
-  expect(differing(mirrored!, modelled!, 2)).toBeLessThan(0.005 * covered(mirrored!));
+  expect(covered(mirrored)).toBeGreaterThan(800);
+  expect(differing(mirrored, modelled, 2)).toBeLessThan(0.005 * covered(mirrored));
 });
 
 test('a batch is hatched as it is by anchored', async ({ page }) => {
@@ -126,8 +126,8 @@ test('a batch is hatched as it is by anchored', async ({ page }) => {
     }
     return pictures;
   });
-  expect(covered(batched!)).toBeGreaterThan(800);
-  expect(differing(batched!, separate!, 8)).toBeLessThan(0.01 * covered(batched!));
+  expect(covered(batched)).toBeGreaterThan(800);
+  expect(differing(batched, separate, 8)).toBeLessThan(0.01 * covered(batched));
 });
 
 for (const technique of ['adjacency', 'anchored'] as const) {

@@ -49,8 +49,8 @@ for (const [inkBlend, color] of Object.entries(blends)) {
       [inkBlend as 'cover' | 'multiply', color as [number, number, number]] as const,
     );
     for (const [hatched, plain] of pairs) {
-      expect(covered(hatched!)).toBeGreaterThan(2000);
-      expect(difference(hatched!, plain!)).toBeLessThanOrEqual(1);
+      expect(covered(hatched)).toBeGreaterThan(2000);
+      expect(difference(hatched, plain)).toBeLessThanOrEqual(1);
     }
     expect(difference(pairs[0][0], pairs[1][0])).toBeGreaterThan(20);
     expect(difference(pairs[1][0], pairs[2][0])).toBeGreaterThan(20);
@@ -102,17 +102,17 @@ for (const premultipliedAlpha of [false, true]) {
       },
       [premultipliedAlpha, paperOpacity, color as [number, number, number], alpha] as const,
     );
-    for (const [hatched, plain] of pairs) expect(difference(hatched!, plain!)).toBeLessThanOrEqual(1);
-    const [overGreen, , onNothing] = pairs.map(([hatched]) => hatched!);
+    for (const [hatched, plain] of pairs) expect(difference(hatched, plain)).toBeLessThanOrEqual(1);
+    const [overGreen, , onNothing] = pairs.map(([hatched]) => hatched);
     const expected = mix(
       [0, 255, 0],
       color.map((x) => 255 * x),
       alpha,
     );
-    centre(overGreen!).forEach((value, i) => {
+    centre(overGreen).forEach((value, i) => {
       expect(Math.abs(value - expected[i])).toBeLessThanOrEqual(1);
     });
-    expect(onNothing![4 * (48 * 96 + 48) + 3]).toBeCloseTo(255 * alpha, -0.3);
+    expect(onNothing[4 * (48 * 96 + 48) + 3]).toBeCloseTo(255 * alpha, -0.3);
   });
 }
 
@@ -128,10 +128,10 @@ test('without paper, blank places show what is behind, and full ink covers it', 
       );
     return [await show(Math.PI, true), await show(0, true), await show(Math.PI, false)];
   });
-  expect(covered(lit!)).toBe(0);
-  expect(centre(dark!)[1]).toBe(0);
-  expect(centre(dark!)[2]).toBeGreaterThan(0);
-  expect(centre(opaque!), 'drawn opaque, there is nothing to see through').toEqual([255, 255, 255]);
+  expect(covered(lit)).toBe(0);
+  expect(centre(dark)[1]).toBe(0);
+  expect(centre(dark)[2]).toBeGreaterThan(0);
+  expect(centre(opaque), 'drawn opaque, there is nothing to see through').toEqual([255, 255, 255]);
 });
 
 for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
@@ -161,7 +161,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
         const [r, g, b] = at(pixels, x, y);
         if (r === 0 && g === 0 && b === 255) seen.blue++;
         else if (r === 255 && g === 0 && b === 0) seen.red++;
-        else if (isGround([r!, g!, b!])) seen.ground++;
+        else if (isGround([r, g, b])) seen.ground++;
         else seen.other++;
       }
     }

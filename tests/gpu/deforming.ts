@@ -19,8 +19,8 @@ function tubeGeometry(): THREE.BufferGeometry {
   const { position } = geometry.attributes;
   const indices: number[] = [];
   const weights: number[] = [];
-  for (let i = 0; i < position!.count; i++) {
-    const upper = THREE.MathUtils.smoothstep(position!.getY(i), -0.3, 0.3);
+  for (let i = 0; i < position.count; i++) {
+    const upper = THREE.MathUtils.smoothstep(position.getY(i), -0.3, 0.3);
     indices.push(0, 1, 0, 0);
     weights.push(1 - upper, upper, 0, 0);
   }
@@ -34,9 +34,9 @@ function addMorphTargets(geometry: THREE.BufferGeometry, isRelative: boolean): T
   const { position, normal } = geometry.attributes;
   const target = (name: string, source: typeof position, change: (v: THREE.Vector3, y: number) => THREE.Vector3) => {
     const values: number[] = [];
-    for (let i = 0; i < source!.count; i++) {
-      const before = new THREE.Vector3().fromBufferAttribute(source!, i);
-      const after = change(before.clone(), position!.getY(i));
+    for (let i = 0; i < source.count; i++) {
+      const before = new THREE.Vector3().fromBufferAttribute(source, i);
+      const after = change(before.clone(), position.getY(i));
       values.push(...(isRelative ? after.sub(before) : after));
     }
     const attribute = new THREE.Float32BufferAttribute(values, 3);
@@ -216,10 +216,10 @@ function readCoordinates(renderer: THREE.WebGLRenderer, scene: THREE.Scene, mesh
 function onlyBones(mesh: THREE.SkinnedMesh, words: Uint32Array): Map<number, number> {
   const { skinIndex, skinWeight } = mesh.geometry.attributes;
   const bones = new Map<number, number>();
-  for (let corner = 0; corner < skinIndex!.count; corner++) {
+  for (let corner = 0; corner < skinIndex.count; corner++) {
     const components = ['getX', 'getY', 'getZ', 'getW'] as const;
-    const first = components.find((component) => skinWeight![component](corner) > 0.99999);
-    const bone = first ? skinIndex![first](corner) : -1;
+    const first = components.find((component) => skinWeight[component](corner) > 0.99999);
+    const bone = first ? skinIndex[first](corner) : -1;
     bones.set(words[8 * Math.floor(corner / 3) + (corner % 3)], bone);
   }
   return bones;

@@ -36,9 +36,9 @@ for (const technique of ['adjacency', 'anchored'] as const) {
       });
       return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), instancedMesh))];
     }, technique);
-    expect(covered(separate!)).toBeGreaterThan(800);
+    expect(covered(separate)).toBeGreaterThan(800);
     // Rounding differs between the two ways, and on a hard stripe a rounding shows.
-    expect(differing(separate!, instanced!, 8)).toBeLessThan(0.01 * covered(separate!));
+    expect(differing(separate, instanced, 8)).toBeLessThan(0.01 * covered(separate));
   });
 }
 
@@ -60,8 +60,8 @@ test('a BatchedMesh gives the pixels of separate meshes', async ({ page }) => {
     for (const matrix of matrices) batch.setMatrixAt(batch.addInstance(id), matrix);
     return [pixelsOf(sceneOf(sun(), ...meshes)), pixelsOf(sceneOf(sun(), batch))];
   });
-  expect(covered(separate!)).toBeGreaterThan(800);
-  expect(differing(separate!, batched!, 8)).toBeLessThan(0.01 * covered(separate!));
+  expect(covered(separate)).toBeGreaterThan(800);
+  expect(differing(separate, batched, 8)).toBeLessThan(0.01 * covered(separate));
 });
 
 test('receives shadows, and casts them', async ({ page }) => {
@@ -83,8 +83,8 @@ test('receives shadows, and casts them', async ({ page }) => {
     floor.receiveShadow = true;
     return [without, pixelsOf(scene, renderer)];
   });
-  expect(centre(lit!)[0]).toBeGreaterThan(150);
-  expect(centre(shaded!)[0]).toBeLessThan(10);
+  expect(centre(lit)[0]).toBeGreaterThan(150);
+  expect(centre(shaded)[0]).toBeLessThan(10);
 });
 
 test('does not receive a shadow it is told not to', async ({ page }) => {
@@ -158,8 +158,8 @@ test('fog hides what is far', async ({ page }) => {
     mesh.material.needsUpdate = true;
     return [foggy, pixelsOf(scene)];
   });
-  expect(centre(with_!)).toEqual([0, 0, 255]);
-  expect(centre(without!)[0]).toBeGreaterThan(100);
+  expect(centre(with_)).toEqual([0, 0, 255]);
+  expect(centre(without)[0]).toBeGreaterThan(100);
 });
 
 test('clipping planes cut, of the renderer and of the material', async ({ page }) => {
@@ -176,7 +176,7 @@ test('clipping planes cut, of the renderer and of the material', async ({ page }
     mesh.material.clippingPlanes = [plane];
     return [global, pixelsOf(scene, renderer)];
   });
-  for (const pixels of [global!, local!]) {
+  for (const pixels of [global, local]) {
     expect(isGround(at(pixels, 30, 48))).toBe(true);
     expect(isGround(at(pixels, 66, 48))).toBe(false);
   }
@@ -223,11 +223,11 @@ test('colour space and tone mapping are the renderer’s', async ({ page }) => {
     renderer.toneMapping = THREE.ReinhardToneMapping;
     return [linear, srgb, pixelsOf(scene, renderer), [...bytes]];
   });
-  expect(centre(linear!)[0]).toBeCloseTo(128, -0.3);
-  expect(centre(srgb!)[0]).toBeCloseTo(188, -0.3);
+  expect(centre(linear)[0]).toBeCloseTo(128, -0.3);
+  expect(centre(srgb)[0]).toBeCloseTo(188, -0.3);
   // Reinhard: x / (1 + x) of one half.
-  expect(centre(mapped!)[0]).toBeCloseTo(85, -0.3);
-  expect(centre(target!)[0]).toBeCloseTo(128, -0.3);
+  expect(centre(mapped)[0]).toBeCloseTo(85, -0.3);
+  expect(centre(target)[0]).toBeCloseTo(128, -0.3);
 });
 
 test('colour, vertex colours and a colour map multiply the paper', async ({ page }) => {
@@ -246,10 +246,10 @@ test('colour, vertex colours and a colour map multiply the paper', async ({ page
       await show({ map: texture }),
     ];
   });
-  expect(centre(color!)).toEqual([128, 255, 64]);
-  expect(centre(vertexColor!)).toEqual([64, 64, 0]);
-  expect(at(mapped!, 30, 48)).toEqual([255, 0, 0]);
-  expect(at(mapped!, 66, 48)).toEqual([0, 0, 255]);
+  expect(centre(color)).toEqual([128, 255, 64]);
+  expect(centre(vertexColor)).toEqual([64, 64, 0]);
+  expect(at(mapped, 30, 48)).toEqual([255, 0, 0]);
+  expect(at(mapped, 66, 48)).toEqual([0, 0, 255]);
 });
 
 test('a colour map obeys its own transform', async ({ page }) => {
@@ -277,8 +277,8 @@ test('opacity, alpha map and alpha test', async ({ page }) => {
       await show({ alphaTest: 0.5, alphaMap }),
     ];
   });
-  expect(centre(half!)).toEqual([128, 255, 128]);
-  for (const pixels of [masked!, tested!]) {
+  expect(centre(half)).toEqual([128, 255, 128]);
+  for (const pixels of [masked, tested]) {
     expect(at(pixels, 30, 48)).toEqual([255, 255, 255]);
     expect(isGround(at(pixels, 66, 48))).toBe(true);
   }

@@ -52,8 +52,8 @@ for (const crisp of [false, true]) {
     const [derivatives, depth] = await Promise.all(
       (['derivatives', 'depth'] as const).map((levelRule) => drawWall(page, { crisp, levelRule }, DISTANCES)),
     );
-    derivatives!.forEach((picture, i) => {
-      expect(difference(picture, depth![i]), `distance ${DISTANCES[i]}`).toBeLessThanOrEqual(12);
+    derivatives.forEach((picture, i) => {
+      expect(difference(picture, depth[i]), `distance ${DISTANCES[i]}`).toBeLessThanOrEqual(12);
     });
   });
 }
@@ -63,9 +63,9 @@ test('seen at a slant, depth chooses a finer level than derivatives, and so does
     await drawWall(page, { levelRule: 'derivatives' }, [4], { slant: 1.3 }),
     await drawWall(page, { levelRule: 'depth' }, [4], { slant: 1.3 }),
     await drawWall(page, { levelRule: 'derivatives' }, [4], { slant: 1.3, anisotropy: 8 }),
-  ].map(([picture]) => medianStrokeWidth(picture!));
-  expect(depth! / derivatives!).toBeLessThan(0.75);
-  expect(anisotropic! / derivatives!).toBeLessThan(0.75);
+  ].map(([picture]) => medianStrokeWidth(picture));
+  expect(depth! / derivatives).toBeLessThan(0.75);
+  expect(anisotropic! / derivatives).toBeLessThan(0.75);
 });
 
 for (const screenConstancy of [0, 1]) {
@@ -74,12 +74,12 @@ for (const screenConstancy of [0, 1]) {
   }) => {
     const way: Way = { technique: 'anchored', screenConstancy, ...upright };
     const [faceOn, slanted] = [await drawWall(page, way, [1]), await drawWall(page, way, [1], { slant: 1.47 })].map(
-      ([picture]) => spread(picture!),
+      ([picture]) => spread(picture),
     );
-    expect(faceOn!.deviation).toBeGreaterThan(0.3);
-    expect(slanted!.deviation).toBeGreaterThan(0.3);
+    expect(faceOn.deviation).toBeGreaterThan(0.3);
+    expect(slanted.deviation).toBeGreaterThan(0.3);
     // N·L, as the wall is lit; a few strokes more or less are seen.
-    expect(Math.abs(slanted!.mean - 5 / 7)).toBeLessThan(0.06);
+    expect(Math.abs(slanted.mean - 5 / 7)).toBeLessThan(0.06);
   });
 }
 
@@ -90,10 +90,10 @@ test('where strokes crowd at a slant their tone is shown, not some of them: cris
   const [hard, soft] = [
     await drawWall(page, { ...way, edgePixels: 0 }, [4], { slant: 1.47 }),
     await drawWall(page, way, [4], { slant: 1.47 }),
-  ].map(([picture]) => spread(picture!));
-  expect(hard!.deviation).toBeGreaterThan(0.3);
-  expect(soft!.deviation).toBeLessThan(0.15);
-  expect(Math.abs(soft!.mean - 5 / 7)).toBeLessThan(0.02);
+  ].map(([picture]) => spread(picture));
+  expect(hard.deviation).toBeGreaterThan(0.3);
+  expect(soft.deviation).toBeLessThan(0.15);
+  expect(Math.abs(soft.mean - 5 / 7)).toBeLessThan(0.02);
 });
 
 /** Strokes that stand upright on the wall. */

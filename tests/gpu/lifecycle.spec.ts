@@ -29,8 +29,8 @@ test('clone and copy draw the same picture', async ({ page }) => {
     if (renderer.info.memory.textures !== textures) throw new Error('a clone uploaded its map again');
     return [original, cloned, copied];
   });
-  expect(difference(original!, cloned!)).toBe(0);
-  expect(difference(original!, copied!)).toBe(0);
+  expect(difference(original, cloned)).toBe(0);
+  expect(difference(original, copied)).toBe(0);
 });
 
 test('two renderers on one page share geometry, material and map', async ({ page }) => {
@@ -40,8 +40,8 @@ test('two renderers on one page share geometry, material and map', async ({ page
     const scene = sceneOf(mesh, sun());
     return [pixelsOf(scene, makeRenderer()), pixelsOf(scene, makeRenderer())];
   });
-  expect(covered(a!)).toBeGreaterThan(800);
-  expect(difference(a!, b!)).toBe(0);
+  expect(covered(a)).toBeGreaterThan(800);
+  expect(difference(a, b)).toBe(0);
 });
 
 test('several materials and a plain one share a scene', async ({ page }) => {
@@ -77,9 +77,9 @@ test('dispose gives everything back', async ({ page }) => {
     return [during, count()];
   });
   expect(Math.min(...during!.slice(0, 1))).toBeGreaterThan(0);
-  expect(after![0]).toBe(0);
-  expect(after![1]).toBeLessThan(during![1]);
-  expect(after![2]).toBeLessThan(during![2]);
+  expect(after[0]).toBe(0);
+  expect(after[1]).toBeLessThan(during[1]);
+  expect(after[2]).toBeLessThan(during[2]);
 });
 
 test('a slider does not recompile, and a frame allocates no textures or geometries', async ({ page }) => {

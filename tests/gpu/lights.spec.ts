@@ -117,9 +117,9 @@ test('a light probe is light from all around; a rectangular light gives none, an
       pixelsOf(sceneOf(wall, new THREE.LightProbe(sh))),
     ];
   });
-  expect(centre(dark!)).toEqual([0, 0, 0]);
-  expect(difference(dark!, rectangular!)).toBe(0);
-  expect(Math.abs(centre(probe!)[0] - 128)).toBeLessThanOrEqual(1);
+  expect(centre(dark)).toEqual([0, 0, 0]);
+  expect(difference(dark, rectangular)).toBe(0);
+  expect(Math.abs(centre(probe)[0] - 128)).toBeLessThanOrEqual(1);
 });
 
 test('reflected light knows no shadow', async ({ page }) => {
@@ -139,9 +139,9 @@ test('reflected light knows no shadow', async ({ page }) => {
     floor.material.reflectedLight = 1;
     return [shaded, pixelsOf(scene, renderer)];
   });
-  expect(centre(shaded!)[0]).toBeLessThan(10);
+  expect(centre(shaded)[0]).toBeLessThan(10);
   // (1 − cos 45°) / 2 of the light.
-  expect(Math.abs(centre(opened!)[0] - 255 * 0.1464)).toBeLessThanOrEqual(2);
+  expect(Math.abs(centre(opened)[0] - 255 * 0.1464)).toBeLessThanOrEqual(2);
 });
 
 for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
@@ -173,15 +173,15 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
         },
         [technique, crisp] as const,
       );
-      expect(difference(one!, oneLayered!), 'one light').toBe(0);
+      expect(difference(one, oneLayered), 'one light').toBe(0);
       const mean = (pixels: number[]) =>
         pixels.reduce((sum, x, i) => (i % 4 === 0 ? sum + x : sum), 0) / (255 * 96 * 96);
-      expect(difference(two!, twoLayered!), 'two lights').toBeGreaterThan(100);
+      expect(difference(two, twoLayered), 'two lights').toBeGreaterThan(100);
       // Crisp blending takes neighbours for independent, which on a flat wall they are not: its tone is not exact there.
       const tolerance = technique === 'adjacency' && crisp ? 0.05 : 0.02;
-      expect(Math.abs(mean(two!) - mean(twoLayered!)), 'mean ink').toBeLessThan(tolerance);
+      expect(Math.abs(mean(two) - mean(twoLayered)), 'mean ink').toBeLessThan(tolerance);
       // The stronger light is on the left: strokes run up and down. The second layer runs across.
-      const [before, after] = [two!, twoLayered!].map((pixels) => {
+      const [before, after] = [two, twoLayered].map((pixels) => {
         let [alongRows, alongColumns] = [0, 0];
         for (let i = 4 * 96; i < pixels.length; i += 4) {
           alongRows += Math.abs(pixels[i] - pixels[i - 4]);
@@ -192,7 +192,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       expect(before).toBeGreaterThan(1.8);
       expect(after).toBeLessThan(1.5);
       expect(after).toBeGreaterThan(0.9);
-      expect(covered(twoLayered!)).toBeGreaterThan(9000);
+      expect(covered(twoLayered)).toBeGreaterThan(9000);
     });
   }
 }

@@ -15,13 +15,13 @@ async function run<Name extends keyof TonalArtMapTests>(
 test('each tone and level on the GPU is the drawn one, and levels blend', async ({ page }) => {
   const [firstGroup, secondGroup] = await run(page, 'constants');
   // Byte of tone t and level l: 250 − 40t − 7l. Columns: tones 0 to 3, then 3 to 5 and 5 again.
-  expect(firstGroup!.slice(0, 4)).toEqual([
+  expect(firstGroup.slice(0, 4)).toEqual([
     [250, 210, 170, 130],
     [243, 203, 163, 123],
     [236, 196, 156, 116],
     [229, 189, 149, 109],
   ]);
-  expect(secondGroup!.slice(0, 4)).toEqual([
+  expect(secondGroup.slice(0, 4)).toEqual([
     [130, 90, 50, 50],
     [123, 83, 43, 43],
     [116, 76, 36, 36],
@@ -32,8 +32,8 @@ test('each tone and level on the GPU is the drawn one, and levels blend', async 
     [secondGroup, [126.5, 86.5, 46.5, 46.5]],
   ] as const) {
     for (const [channel, value] of expected.entries()) {
-      expect(Math.abs(group![4]![channel]! - value)).toBeLessThanOrEqual(1);
-      expect(Math.abs(group![5]![channel]! - (value - 14))).toBeLessThanOrEqual(1);
+      expect(Math.abs(group[4]![channel]! - value)).toBeLessThanOrEqual(1);
+      expect(Math.abs(group[5]![channel]! - (value - 14))).toBeLessThanOrEqual(1);
     }
   }
 });

@@ -39,7 +39,7 @@ export function rasterizeReference(
   triangles.forEach((triangle, index) => {
     const corners = triangle.map((v) => {
       const [x, y, z, w] = vec4.transformMat4([0, 0, 0, 0], [v[0], v[1], v[2], 1], clip) as number[];
-      return { x: ((x! / w! + 1) / 2) * width, y: ((y! / w! + 1) / 2) * height, z: z! / w!, w: w! };
+      return { x: ((x! / w! + 1) / 2) * width, y: ((y! / w! + 1) / 2) * height, z: z! / w, w: w! };
     });
     const [a, b, c] = corners as [(typeof corners)[0], (typeof corners)[0], (typeof corners)[0]];
     const area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);

@@ -87,7 +87,7 @@ function writeVertices(
     vector.applyMatrix4(matrix).toArray(positions, 3 * (start + i));
     if (normals)
       vector
-        .fromBufferAttribute(normal!, i)
+        .fromBufferAttribute(normal, i)
         .applyMatrix3(normalMatrix)
         .normalize()
         .toArray(normals, 3 * (start + i));

@@ -19,7 +19,7 @@ export function shellChair(): { shell: BufferGeometry; legs: BufferGeometry[]; c
     [-1, 1],
     [1, -1],
     [1, 1],
-  ].map(([x, z]) => rod(new Vector3(0.24 * x!, 0.9, 0.2 * z!), new Vector3(0.42 * x!, 0, 0.4 * z!), 0.045, 0.028));
+  ].map(([x, z]) => rod(new Vector3(0.24 * x, 0.9, 0.2 * z), new Vector3(0.42 * x, 0, 0.4 * z), 0.045, 0.028));
   const stays = [-1, 1].map((x) =>
     rod(new Vector3(0.33 * x, 0.45, -0.3), new Vector3(-0.33 * x, 0.45, 0.3), 0.014, 0.014),
   );

@@ -52,8 +52,8 @@ const edgeOf = (mesh: TriangleMesh, corner: number): string =>
 function unitNormal({ positions, indices }: TriangleMesh, corner: number): number[] {
   const first = corner - (corner % 3);
   const [a, b, c] = [0, 1, 2].map((k) => [...positions.subarray(3 * indices[first + k], 3 * indices[first + k] + 3)]);
-  const u = b!.map((value, i) => value - a![i]);
-  const v = c!.map((value, i) => value - a![i]);
+  const u = b.map((value, i) => value - a[i]);
+  const v = c.map((value, i) => value - a[i]);
   const n = [0, 1, 2].map((i) => u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
   const length = Math.hypot(...n);
   return length === 0 ? [0, 0, 0] : n.map((value) => value / length);

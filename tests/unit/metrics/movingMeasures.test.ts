@@ -46,7 +46,7 @@ describe('reprojectedFlips', () => {
     ];
     const image = picture(SIZE, SIZE, (column, row) => {
       const [x, y] = place(column, row);
-      return ink(x!, y!) ? 0 : 1;
+      return ink(x, y) ? 0 : 1;
     });
     const places = new Float32Array(4 * SIZE * SIZE);
     for (let i = 0; i < SIZE * SIZE; i++) places.set([...place(i % SIZE, Math.floor(i / SIZE)), 0, 1], 4 * i);

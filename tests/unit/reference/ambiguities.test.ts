@@ -99,7 +99,7 @@ describe('the origin that coordinates are counted from', () => {
     const there: Triangle = floor[0].map(([x, y, z]) => [x + distance, y, z]) as Triangle;
     const at: Vec3 = [distance, 0, 0];
     const [before, after] = [0, 0.1].map((angle) => sceneOf(sun(...turned(angle))).coordinates(at, there));
-    return Math.hypot(after![0] - before![0], after![1] - before![1]);
+    return Math.hypot(after[0] - before[0], after[1] - before[1]);
   };
 
   test('is that of object space: strokes swim the faster, the farther they are from it', () => {
