@@ -6,6 +6,7 @@ import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import { HATCHING_TECHNIQUES } from './hatchingProperties.js';
 import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
 import { surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
@@ -113,8 +114,9 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
 
 const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;
 
-const isAnchored = ({ material }: PlannedMesh): boolean =>
-  [material].flat().every((one) => isHatching(one) && one.technique === 'anchored');
+/** Whether all that draws a mesh does without triangle adjacency. */
+const needsNoAdjacency = ({ material }: PlannedMesh): boolean =>
+  [material].flat().every((one) => isHatching(one) && HATCHING_TECHNIQUES[one.technique].vertexData === 'hatchNormal');
 
 /** Every geometry to bake, with a layout that all materials that draw it can use. */
 function layoutsFor(
@@ -125,7 +127,7 @@ function layoutsFor(
   for (const plan of planned) {
     if (isBatched(plan.mesh)) continue;
     const known = layouts.get(plan.geometry) ?? 'indexed';
-    layouts.set(plan.geometry, layout ?? (known === 'indexed' && isAnchored(plan) ? 'indexed' : 'auto'));
+    layouts.set(plan.geometry, layout ?? (known === 'indexed' && needsNoAdjacency(plan) ? 'indexed' : 'auto'));
   }
   return layouts;
 }
@@ -156,7 +158,7 @@ const changedMeanwhile = ({ name, uuid }: Mesh): Error =>
 /** The geometry of a BatchedMesh, or the reason why it cannot be hatched. */
 function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
   const { mesh, geometry } = plan;
-  if (isAnchored(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
+  if (needsNoAdjacency(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
   return new TypeError(
     `applyHatching: the BatchedMesh "${mesh.name || mesh.uuid}" has no triangle adjacency. Use the technique 'anchored' for it, or fill it with the results of prepareHatchingGeometry().`,
   );

@@ -1,0 +1,129 @@
+import { expect, test } from '../browser/test.js';
+import { centre, covered, differing } from './pixels.js';
+
+/** Settings at the ends of their ranges, and settings that come late: after a frame was drawn without them. */
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+test('a crease angle of 0 blends nothing, coplanar triangles neither', async ({ page }) => {
+  const [alone, uncreased] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
+    const draw = async (parameters: object) => {
+      const mesh = await hatchedMesh(new THREE.BoxGeometry(1.2, 1.2, 1.2, 3, 3, 3), {
+        tonalArtMap: stripedMap(),
+        ...parameters,
+      });
+      mesh.rotation.set(0.5, 0.6, 0);
+      return pixelsOf(sceneOf(mesh, sun()));
+    };
+    return [await draw({ technique: 'triangle' }), await draw({ technique: 'adjacency', creaseAngle: 0 })];
+  });
+  expect(covered(alone)).toBeGreaterThan(2000);
+  expect(differing(alone, uncreased, 2)).toBe(0);
+});
+
+test('a tone curve that rounds to more than 1 prints full ink', async ({ page }) => {
+  const darkest = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, TonalArtMap, sceneOf, pixelsOf } = window.toolkit;
+    const tonalArtMap = await TonalArtMap.generate({ size: 64 });
+    const plane = new THREE.PlaneGeometry(4, 4);
+    // The greatest sum that these curves reach in single precision at the end of a span is 1 + 2⁻²³ and more.
+    const pictures = [];
+    for (const x of [0.3, 0.37, 0.41, 0.6, 0.7, 0.83]) {
+      const toneCurve = [
+        [0, 0.1],
+        [x, 1],
+        [1, 1],
+      ] as const;
+      const material = new HatchingMaterial({ tonalArtMap, technique: 'anchored', toneCurve });
+      pictures.push(pixelsOf(sceneOf(new THREE.Mesh(plane, material))));
+    }
+    return pictures;
+  });
+  for (const pixels of darkest) {
+    const ink = pixels.filter((value, i) => i % 4 === 0 && value === 0).length;
+    expect(ink).toBe(pixels.length / 4);
+  }
+});
+
+test('what is set after a frame shows in the next: maps, vertex colours, sides, channels', async ({ page }) => {
+  const shown = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, SIZE } = window.toolkit;
+    const geometry = new THREE.PlaneGeometry(2, 2);
+    geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(12).fill(0.25), 3));
+    // Every second set of coordinates looks at the other texel.
+    const uv1 = geometry.getAttribute('uv').clone();
+    for (let i = 0; i < uv1.count; i++) uv1.setX(i, 0.75);
+    geometry.setAttribute('uv1', uv1);
+    const texture = (...bytes: number[]) => {
+      const made = new THREE.DataTexture(new Uint8Array(bytes), bytes.length / 4, 1);
+      made.needsUpdate = true;
+      return made;
+    };
+    const red = texture(255, 0, 0, 255);
+    const redBlue = texture(255, 0, 0, 255, 0, 0, 255, 255);
+    redBlue.channel = 1;
+    const half = texture(0, 128, 0, 255);
+    const mesh = await hatchedMesh(geometry, { technique: 'adjacency' });
+    const { material } = mesh;
+    const scene = sceneOf(mesh, sun(Math.PI, [0, 0, 1]));
+    const renderer = makeRenderer();
+    const middle = () => [
+      ...pixelsOf(scene, renderer)
+        .slice(4 * (SIZE / 2) * (SIZE + 1))
+        .slice(0, 3),
+    ];
+    const seen: Record<string, number[]> = { plain: middle() };
+    material.map = red;
+    seen.map = middle();
+    material.map = redBlue;
+    seen.channel = middle();
+    material.map = null;
+    seen.noMap = middle();
+    material.vertexColors = true;
+    seen.vertexColors = middle();
+    material.vertexColors = false;
+    material.alphaMap = half;
+    material.transparent = true;
+    seen.alphaMap = middle();
+    material.alphaMap = null;
+    material.transparent = false;
+    mesh.rotation.y = Math.PI;
+    seen.away = middle();
+    material.side = THREE.DoubleSide;
+    seen.doubleSided = middle();
+    return seen;
+  });
+  expect(shown.plain).toEqual([255, 255, 255]);
+  expect(shown.map).toEqual([255, 0, 0]);
+  expect(shown.channel).toEqual([0, 0, 255]);
+  expect(shown.noMap).toEqual([255, 255, 255]);
+  expect(shown.vertexColors).toEqual([64, 64, 64]);
+  expect(shown.alphaMap[0]).toBeGreaterThan(120);
+  expect(shown.alphaMap[0]).toBeLessThan(136);
+  expect(shown.away).toEqual([0, 255, 0]);
+  expect(shown.doubleSided).toEqual([255, 255, 255]);
+});
+
+test('a hook of one’s own runs beside the material’s', async ({ page }) => {
+  const [pixels, calls] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+    const renderer = makeRenderer();
+    const calls: unknown[] = [];
+    const scene = sceneOf(mesh, sun(Math.PI, [0, 0, 1]));
+    const { material } = mesh;
+    const before = material.onBeforeRender;
+    material.onBeforeRender = function (...parameters) {
+      before.apply(this, parameters);
+      calls.push(this === material, parameters[0] === renderer, parameters[4] === mesh);
+    };
+    material.color.set(0xff0000);
+    return [pixelsOf(scene, renderer), calls] as const;
+  });
+  expect(centre([...pixels])).toEqual([255, 0, 0]);
+  expect(calls).toEqual([true, true, true]);
+});
