@@ -3,6 +3,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  DataArrayTexture,
   DirectionalLight,
   DoubleSide,
   FrontSide,
@@ -63,7 +64,8 @@ function analyticThresholdMap(): TonalArtMap {
     levels,
     thresholdTexture: new ThresholdTexture(pairThresholdLevels(drawn)),
     thresholdMoments,
-    texture: null,
+    // Read by no technique that reads thresholds.
+    texture: new DataArrayTexture(),
   } as unknown as TonalArtMap;
 }
 
