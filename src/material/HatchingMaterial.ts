@@ -25,6 +25,7 @@ import {
   HATCHING_PROPERTIES,
   HATCHING_TECHNIQUES,
   type HatchingPropertyName,
+  type HatchingTechnique,
 } from './hatchingProperties.js';
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
@@ -56,6 +57,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     technique: HATCHING_DEFAULTS.technique,
   };
   private curve: ToneCurve = HATCHING_DEFAULTS.toneCurve;
+  /** Whose shaders these are. They are set when the technique changes, so that a user may change them. */
+  private shaderTechnique: HatchingTechnique | undefined;
   /** Of the frame before. */
   private drawnSwitches: number | undefined;
   /** Where the mesh drawn last has its adjacency. */
@@ -171,6 +174,9 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.clipping = source.clipping;
     this.wireframe = source.wireframe;
     this.wireframeLinewidth = source.wireframeLinewidth;
+    this.vertexShader = source.vertexShader;
+    this.fragmentShader = source.fragmentShader;
+    this.shaderTechnique = source.shaderTechnique;
     this.defines = { ...source.defines };
     for (const name of propertyNames) this.copyProperty(name, source);
     this.writeProgram();
@@ -258,9 +264,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private writeProgram(): void {
     const { technique } = this;
     const { vertexData } = HATCHING_TECHNIQUES[technique];
-    const { vertexShader, fragmentShader } = hatchingShaders(technique);
-    let hasChanged = this.vertexShader !== vertexShader || this.fragmentShader !== fragmentShader;
-    Object.assign(this, { vertexShader, fragmentShader });
+    let hasChanged = this.shaderTechnique !== technique;
+    if (hasChanged) {
+      this.shaderTechnique = technique;
+      Object.assign(this, hatchingShaders(technique));
+    }
     const write = (define: string, value: number | string | undefined): void => {
       if (this.defines[define] === value) return;
       hasChanged = true;

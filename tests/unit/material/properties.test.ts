@@ -217,6 +217,18 @@ describe('what belongs to the user', () => {
     expect(material.clone().defines).toEqual(material.defines);
   });
 
+  test('shaders stay as they were changed until the technique changes', () => {
+    const material = new HatchingMaterial();
+    const own = material.fragmentShader;
+    material.fragmentShader = own.replace('void main', '// mine\nvoid main');
+    material.toneModel = 'toon';
+    expect(material.fragmentShader).toContain('// mine');
+    expect(material.clone().fragmentShader).toContain('// mine');
+    material.technique = 'triangle';
+    material.technique = 'adjacency';
+    expect(material.fragmentShader).toBe(own);
+  });
+
   test('copying onto a material that was drawn asks for its program', () => {
     const material = new HatchingMaterial();
     const { version } = material;
