@@ -16,7 +16,10 @@ interface BaseRow {
 /** A uniform of the same name, unless `uniform` says otherwise; `false` where other uniforms are computed from it. */
 export interface NumberRow extends BaseRow {
   kind: 'number';
-  default: number;
+  /** `null`: no number is asked for, and null may be set. */
+  default: number | null;
+  /** Another number that gives way when this one is set. */
+  clears?: string;
   /** How the default is written where digits would hide what it is. */
   defaultSource?: string;
   unit?: string;

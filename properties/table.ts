@@ -103,8 +103,22 @@ export const PROPERTIES = {
     default: 1,
     unit: 'pixels of the drawing buffer',
     range: { above: 0 },
+    uniform: false,
+    clears: 'strokeWidth',
     sentence:
-      'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 * texelPixels` wide.',
+      'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels wide.',
+  },
+  // After texelPixels, so that copied in this order the one that was set remains.
+  strokeWidth: {
+    kind: 'number',
+    group: 'Strokes',
+    default: null,
+    unit: 'pixels of the drawing buffer',
+    range: { above: 0 },
+    uniform: false,
+    clears: 'texelPixels',
+    sentence:
+      'Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words. Setting one of the two clears the other. `null` leaves it to `texelPixels`.',
   },
   edgePixels: {
     kind: 'number',

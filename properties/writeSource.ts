@@ -1,7 +1,7 @@
 import type { NumberRange } from '../src/material/HatchingProperty.js';
 import { constantCase } from './constantCase.js';
 import { describe } from './describe.js';
-import type { PropertyRow } from './PropertyRow.js';
+import type { NumberRow, PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';
 
 type Table = Readonly<Record<string, PropertyRow>>;
@@ -56,7 +56,7 @@ ${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'C
 export abstract class HatchingMaterialProperties extends ShaderMaterial {
   private hatchImages: TonalArtMap | null = null;
   private readonly numbers = {
-    ${rows.flatMap(([name, row]) => (row.kind === 'number' ? [`${name}: HATCHING_DEFAULTS.${name} as number`] : [])).join(',\n')},
+    ${rows.flatMap(([name, row]) => (row.kind === 'number' ? [`${name}: HATCHING_DEFAULTS.${name} as ${valueType(row)}`] : [])).join(',\n')},
   };
 
 ${rows.map(([name, row]) => `${jsDoc(row)}\n${field(name, row)}`).join('\n\n')}
@@ -116,7 +116,7 @@ function defaultSource(row: PropertyRow): string {
 function valueType(row: PropertyRow): string {
   switch (row.kind) {
     case 'number':
-      return 'number';
+      return row.default === null ? 'number | null' : 'number';
     case 'color':
       return 'Color';
     case 'vector2':
@@ -137,6 +137,12 @@ function valueType(row: PropertyRow): string {
 /** What may be set, where that is more than is read. */
 const setType = (row: PropertyRow): string =>
   row.kind === 'choice' && row.defaultFor ? `${valueType(row)} | 'auto'` : valueType(row);
+
+/** What setting a number does to the one that gives way to it. */
+const clearing = ({ default: fallback, clears }: NumberRow): string =>
+  clears === undefined
+    ? ''
+    : `\n  ${fallback === null ? 'if (value !== null) ' : ''}this.numbers.${clears} = HATCHING_DEFAULTS.${clears};`;
 
 function field(name: string, row: PropertyRow): string {
   const fallback = `HATCHING_DEFAULTS.${name}`;
@@ -165,12 +171,12 @@ set ${name}(value: ${valueType(row)}) {
   this.hatchImages = checkTonalArtMap(value);
 }`;
     case 'number':
-      return `get ${name}(): number {
+      return `get ${name}(): ${valueType(row)} {
   return this.numbers.${name};
 }
 
-set ${name}(value: number) {
-  this.numbers.${name} = checkNumber('${name}', value${row.range ? `, HATCHING_PROPERTIES.${name}.range` : ''});
+set ${name}(value: ${valueType(row)}) {
+  ${row.default === null ? `this.numbers.${name} = value === null ? null : ` : `this.numbers.${name} = `}checkNumber('${name}', value${row.range ? `, HATCHING_PROPERTIES.${name}.range` : ''});${clearing(row)}
 }`;
     default:
       return `${name}: ${valueType(row)} = ${fallback};`;

@@ -7,4 +7,9 @@ export interface HatchImages {
    * k/(n−1); image 0 is the lightest.
    */
   images: Uint8Array[][];
+  /** Width of the strokes in texels, the same on every level. Left out: `DEFAULT_STROKE_WIDTH`. */
+  strokeWidth?: number | undefined;
 }
+
+/** The width in texels that strokes of images are taken to have where nobody says. */
+export const DEFAULT_STROKE_WIDTH = 2;

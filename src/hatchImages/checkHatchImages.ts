@@ -1,5 +1,5 @@
 import { findLostInk } from './findLostInk.js';
-import type { HatchImages } from './HatchImages.js';
+import { DEFAULT_STROKE_WIDTH, type HatchImages } from './HatchImages.js';
 
 /** How well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
 export interface HatchImageReport {
@@ -23,7 +23,7 @@ export interface HatchImageReport {
  *
  * @throws TypeError or RangeError naming what is wrong and where
  */
-export function assertHatchImages({ size, images }: HatchImages): void {
+export function assertHatchImages({ size, images, strokeWidth = DEFAULT_STROKE_WIDTH }: HatchImages): void {
   const fail = (Fault: typeof TypeError | typeof RangeError, text: string): never => {
     throw new Fault(`TonalArtMap.fromHatchImages: ${text}`);
   };
@@ -32,6 +32,9 @@ export function assertHatchImages({ size, images }: HatchImages): void {
       RangeError,
       `size is ${String(size)}, but must be a power of two from 1 to 4096 (texels per side of level 0).`,
     );
+  }
+  if (!(strokeWidth > 0 && strokeWidth < Infinity)) {
+    fail(RangeError, `strokeWidth is ${String(strokeWidth)}, but must be a width in texels above 0.`);
   }
   if (!Array.isArray(images) || images.length < 2) {
     fail(TypeError, 'images must be an array with at least two tones, the lightest first: images[tone][level].');

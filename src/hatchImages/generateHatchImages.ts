@@ -27,7 +27,7 @@ export function* generateHatchImages(options: HatchImageOptions = {}): Generator
   }
   // Lines nest because finer levels repeat them. Grain breaks lines up, so nesting then needs another step.
   if (request.style.grain) enforceLevelNesting({ size: request.size, images });
-  return { size: request.size, images };
+  return { size: request.size, images, strokeWidth: request.style.width };
 }
 
 /** Draws all levels of one tone: the images of the tone before plus its new strokes. */

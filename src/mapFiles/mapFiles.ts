@@ -4,6 +4,8 @@ export interface MapDescription {
   version: typeof MAP_VERSION;
   /** Texels per side of level 0. */
   size: number;
+  /** Width of the strokes in texels. Without it, 2. */
+  strokeWidth?: number;
   /**
    * The image files, lightest tone first. Per tone either one name, whose levels are then made, or the list of its levels,
    * finest first. The same form for all tones.

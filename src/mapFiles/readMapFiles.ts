@@ -1,5 +1,5 @@
 import { meanInk } from '../hatchImages/checkHatchImages.js';
-import type { HatchImages } from '../hatchImages/HatchImages.js';
+import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
 import { decodePng } from './decodePng.js';
 import { MAP_FORMAT, MAP_VERSION, type MapDescription } from './mapFiles.js';
 import type { Pixels } from './Pixels.js';
@@ -60,7 +60,13 @@ export async function readMap(name: string, read: ReadFile, onProgress: (done: n
       }),
     ));
   if (lacksLevels) assertLightToDark(names.flat(), images);
-  return { size, images: lacksLevels ? withBlankTone(images) : images, lacksLevels, thresholds };
+  return {
+    size,
+    strokeWidth: description.strokeWidth,
+    images: lacksLevels ? withBlankTone(images) : images,
+    lacksLevels,
+    thresholds,
+  };
 }
 
 /**
@@ -134,9 +140,12 @@ function parseDescription(name: string, text: string): MapDescription {
       `is of version ${String(found.version)}, but this three-hatching reads version ${MAP_VERSION}; update three-hatching or save the map again`,
     );
   }
-  const { size, images, thresholds } = found;
+  const { size, images, thresholds, strokeWidth = DEFAULT_STROKE_WIDTH } = found;
   if (!Number.isInteger(size) || size! < 1 || size! > MAX_SIDE || (size! & (size! - 1)) !== 0) {
     fail(name, `has "size" ${String(size)}, but it must be a power of two up to ${MAX_SIDE}`);
+  }
+  if (!(typeof strokeWidth === 'number' && strokeWidth > 0)) {
+    fail(name, `has "strokeWidth" ${String(strokeWidth)}, but it must be a width in texels above 0`);
   }
   const isName = (value: unknown): boolean => typeof value === 'string' && value !== '';
   const isRow = (row: unknown): boolean => Array.isArray(row) && row.length > 0 && row.every(isName);

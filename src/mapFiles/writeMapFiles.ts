@@ -12,7 +12,7 @@ export const THRESHOLD_STEP = 2 ** -24;
  * @param thresholds of every level, if they were drawn and not derived from the images
  */
 export async function writeMapFiles(
-  { size, images }: HatchImages,
+  { size, images, strokeWidth }: HatchImages,
   thresholds?: readonly Float32Array[],
 ): Promise<MapFile[]> {
   const files: Promise<MapFile>[] = [];
@@ -25,6 +25,7 @@ export async function writeMapFiles(
     format: MAP_FORMAT,
     version: MAP_VERSION,
     size,
+    ...(strokeWidth !== undefined && { strokeWidth }),
     images: images.map((row, tone) =>
       row.map((image, level) => write(`tone-${tone}-level-${level}.png`, level, 1, image)),
     ),

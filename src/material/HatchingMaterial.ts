@@ -238,6 +238,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     writePropertyUniforms(this, u);
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
+    u.texelPixels.value =
+      this.strokeWidth === null ? this.texelPixels : this.strokeWidth / (this.tonalArtMap?.strokeWidth ?? 1);
     u.creaseCosine.value = Math.cos(this.creaseAngle);
     u.tonalArtMap.value = this.tonalArtMap?.texture ?? blankTonalArtMap();
     u.tonalArtMapTones.value = this.tonalArtMap?.tones ?? 2;

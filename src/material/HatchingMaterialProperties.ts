@@ -55,10 +55,16 @@ export interface HatchingMaterialOptions {
   screenConstancy: number;
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
-   * of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 *
-   * texelPixels` wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
+   * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
+   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
    */
   texelPixels: number;
+  /**
+   * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
+   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
+   * Default `null`.
+   */
+  strokeWidth: number | null;
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
    * Default `1`.
@@ -135,6 +141,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     strokeRotation: HATCHING_DEFAULTS.strokeRotation as number,
     screenConstancy: HATCHING_DEFAULTS.screenConstancy as number,
     texelPixels: HATCHING_DEFAULTS.texelPixels as number,
+    strokeWidth: HATCHING_DEFAULTS.strokeWidth as number | null,
     edgePixels: HATCHING_DEFAULTS.edgePixels as number,
     anchorSpacing: HATCHING_DEFAULTS.anchorSpacing as number,
     creaseAngle: HATCHING_DEFAULTS.creaseAngle as number,
@@ -237,8 +244,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
-   * of the map take over, unless blended greys choose them by derivatives. A stroke drawn two texels wide is about `2 *
-   * texelPixels` wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
+   * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
+   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
    */
   get texelPixels(): number {
     return this.numbers.texelPixels;
@@ -246,6 +253,22 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set texelPixels(value: number) {
     this.numbers.texelPixels = checkNumber('texelPixels', value, HATCHING_PROPERTIES.texelPixels.range);
+    this.numbers.strokeWidth = HATCHING_DEFAULTS.strokeWidth;
+  }
+
+  /**
+   * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
+   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
+   * Default `null`.
+   */
+  get strokeWidth(): number | null {
+    return this.numbers.strokeWidth;
+  }
+
+  set strokeWidth(value: number | null) {
+    this.numbers.strokeWidth =
+      value === null ? null : checkNumber('strokeWidth', value, HATCHING_PROPERTIES.strokeWidth.range);
+    if (value !== null) this.numbers.texelPixels = HATCHING_DEFAULTS.texelPixels;
   }
 
   /**

@@ -16,6 +16,7 @@ export function createHatchingUniforms(): Uniforms {
       opacity: { value: 1 },
       strokeDirection: { value: new Vector2() },
       strokeTransform: { value: new Matrix3() },
+      texelPixels: { value: 1 },
       toneCurveCubics: { value: null },
       toneCurveSpans: { value: null },
       toneCurveStart: { value: 0 },

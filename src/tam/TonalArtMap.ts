@@ -1,7 +1,7 @@
 import { assertHatchImages, checkHatchImages, type HatchImageReport } from '../hatchImages/checkHatchImages.js';
 import { deriveThresholds } from '../hatchImages/deriveThresholds.js';
 import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThresholds.js';
-import type { HatchImages } from '../hatchImages/HatchImages.js';
+import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { readSource, type TonalArtMapSource } from '../mapFiles/readSource.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
@@ -36,6 +36,8 @@ export class TonalArtMap {
   readonly tones: number;
   /** Number of levels; each has half the texels per side of the one before. */
   readonly levels: number;
+  /** Width of the strokes in texels, the same on every level. */
+  readonly strokeWidth: number;
   /**
    * RGBA array texture with drawn mip levels, not colour data. Layer l, channel c holds tone min(3l + c, tones − 1), so
    * that one fetch reads both neighbours of any tone; 1 = paper, 0 = ink.
@@ -51,13 +53,14 @@ export class TonalArtMap {
 
   /** @param hasDrawnThresholds whether the thresholds were drawn, and so cannot be derived from the images again */
   private constructor(
-    { size, images }: HatchImages,
+    { size, images, strokeWidth = DEFAULT_STROKE_WIDTH }: HatchImages,
     thresholdLevels: ThresholdLevel[] | undefined,
     private readonly hasDrawnThresholds: boolean,
   ) {
     this.size = size;
     this.tones = images.length;
     this.levels = images[0].length;
+    this.strokeWidth = strokeWidth;
     this.packed = packHatchImages(size, images);
     this.thresholdLevels = thresholdLevels;
     this.texture = new TonalArtMapTexture(this.packed, this.tones);
@@ -122,7 +125,7 @@ export class TonalArtMap {
       { ...read, lacksLevels },
       { ...options, onProgress: onProgress && ((done) => onProgress(READING_SHARE + (1 - READING_SHARE) * done)) },
     );
-    return new TonalArtMap(images, levels, false);
+    return new TonalArtMap({ ...images, strokeWidth: read.strokeWidth }, levels, false);
   }
 
   /** How well the images keep the constraints of a tonal art map. Measured on first use. */
@@ -224,7 +227,7 @@ export class TonalArtMap {
     const images = Array.from({ length: this.tones }, (_, tone) =>
       Array.from({ length: this.levels }, (_, level) => this.image(tone, level)),
     );
-    return { size: this.size, images };
+    return { size: this.size, images, strokeWidth: this.strokeWidth };
   }
 
   private assertLevel(method: string, level: number): void {

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import type { HatchingMaterialOptions } from 'three-hatching';
+import type { HatchingMaterialOptions, StrokeStyleName } from 'three-hatching';
 import { expect, test } from '../browser/test.js';
 import { difference } from './pixels.js';
 
@@ -8,7 +8,7 @@ import { difference } from './pixels.js';
 type Way = Partial<
   Pick<
     HatchingMaterialOptions,
-    'technique' | 'crisp' | 'levelRule' | 'screenConstancy' | 'edgePixels' | 'strokeRotation'
+    'technique' | 'crisp' | 'levelRule' | 'screenConstancy' | 'edgePixels' | 'strokeRotation' | 'strokeWidth'
   >
 >;
 
@@ -43,6 +43,18 @@ for (const [name, parameters] of Object.entries(ways)) {
       const drawn = parameters.crisp || parameters.technique === 'anchored' ? widths[0] : DRAWN_WIDTH;
       expect(width / drawn, widths.join()).toBeGreaterThan(0.75);
       expect(width / drawn, widths.join()).toBeLessThan(1.25);
+    }
+  });
+}
+
+for (const style of ['hatching', 'ruled', 'dashes'] as const) {
+  test(`strokeWidth is the width on the screen, however wide the style draws: ${style}`, async ({ page }) => {
+    const parameters: Way = { technique: 'adjacency', levelRule: 'depth', strokeWidth: 3 };
+    const widths = (await drawWall(page, parameters, [2, 4], { style })).map(medianStrokeWidth);
+    test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
+    for (const width of widths) {
+      expect(width, widths.join()).toBeGreaterThan(0.8 * 3);
+      expect(width, widths.join()).toBeLessThan(1.2 * 3);
     }
   });
 }
@@ -114,12 +126,12 @@ async function drawWall(
   page: Page,
   parameters: Way,
   distances: readonly number[],
-  { slant = 0, anisotropy = 1 } = {},
+  { slant = 0, anisotropy = 1, style = 'hatching' as StrokeStyleName } = {},
 ): Promise<number[][]> {
   return page.evaluate(
-    async ([parameters, distances, slant, anisotropy, side]) => {
+    async ([parameters, distances, slant, anisotropy, style, side]) => {
       const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf, sun } = window.toolkit;
-      const tonalArtMap = await TonalArtMap.generate({ size: 256 });
+      const tonalArtMap = await TonalArtMap.generate({ style, size: 256 });
       tonalArtMap.texture.anisotropy = anisotropy;
       const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);
       const unitsPerPixel = (2 * Math.tan(Math.PI / 9)) / side;
@@ -144,7 +156,7 @@ async function drawWall(
         return Array.from({ length: side * side }, (_, i) => pixels[4 * i]);
       });
     },
-    [parameters, distances, slant, anisotropy, SIDE] as const,
+    [parameters, distances, slant, anisotropy, style, SIDE] as const,
   );
 }
 

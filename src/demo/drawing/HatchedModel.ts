@@ -10,7 +10,7 @@ import {
 } from 'three';
 import type { HatchingMaterial, TonalArtMap } from 'three-hatching';
 import type { Settings } from '../settings/settings.js';
-import { applyToMaterial, TEXELS_PER_STROKE } from './applyToMaterial.js';
+import { applyToMaterial } from './applyToMaterial.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 
@@ -99,7 +99,7 @@ export class HatchedModel {
   /** @param strokeWidth in pixels of the render target */
   set strokeWidth(strokeWidth: number) {
     for (const { drawn, compared } of this.pairs) {
-      drawn.texelPixels = compared.texelPixels = strokeWidth / TEXELS_PER_STROKE;
+      drawn.strokeWidth = compared.strokeWidth = strokeWidth;
     }
   }
 

@@ -6,9 +6,6 @@ import { TONE_CURVES } from '../settings/settingValues.js';
 const rotations = { along: () => 0, towards: () => Math.PI / 2, angle: MathUtils.degToRad };
 const offset = new Vector2();
 
-/** Width of a stroke in the map. */
-export const TEXELS_PER_STROKE = 2;
-
 /** Copies settings to a material. The technique is a parameter of its own, because a comparison draws with two. */
 export function applyToMaterial(
   material: HatchingMaterial,

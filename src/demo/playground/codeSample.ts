@@ -1,4 +1,3 @@
-import { TEXELS_PER_STROKE } from '../drawing/applyToMaterial.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import { isCrisp, SECOND_LIGHT_AZIMUTH, TONE_CURVES } from '../settings/settingValues.js';
 
@@ -22,7 +21,7 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined):
     material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
   }
   if (isCrisp(technique) || settings.levelRule === 'depth') {
-    material.push(`texelPixels: ${round(settings.strokeWidth / TEXELS_PER_STROKE)} * renderer.getPixelRatio()`);
+    material.push(`strokeWidth: ${settings.strokeWidth} * renderer.getPixelRatio()`);
   }
   if (isCrisp(technique)) material.push(`edgePixels: ${settings.edge}`);
   if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);

@@ -45,7 +45,7 @@ export const PRESETS = {
     label: 'Woodcut',
     look: {
       mapStyle: 'woodcut',
-      strokeWidth: 3.5,
+      strokeWidth: 4.4,
       strokeScale: 1.2,
       anchorSpacing: 0.6,
       strokeDirection: 'along',
@@ -57,13 +57,13 @@ export const PRESETS = {
   },
   stipple: {
     label: 'Stipple',
-    look: { mapStyle: 'stippling', screenConstancy: 100, strokeWidth: 1.8, lightStrength: 125, reflectedLight: 36 },
+    look: { mapStyle: 'stippling', screenConstancy: 100, strokeWidth: 2.2, lightStrength: 125, reflectedLight: 36 },
   },
   pencil: {
     label: 'Pencil',
     look: {
       mapStyle: 'pencil',
-      strokeWidth: 1.4,
+      strokeWidth: 1.3,
       strokeScale: 2,
       edge: 2,
       lightStrength: 120,
@@ -76,7 +76,7 @@ export const PRESETS = {
     label: 'Charcoal',
     look: {
       mapStyle: 'charcoal',
-      strokeWidth: 2,
+      strokeWidth: 2.6,
       strokeScale: 2.2,
       reflectedLight: 30,
       ink: '#24211f',

@@ -71,7 +71,7 @@ export const SETTINGS = {
     kind: 'number',
     label: 'Stroke width',
     group: 'Drawing',
-    default: 1.6,
+    default: 1.5,
     unit: 'px',
     min: 0.5,
     max: 8,

@@ -23,7 +23,7 @@ const names = rows.map(([name]) => name);
 function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
   switch (row.kind) {
     case 'number':
-      return row.default / 2 + 0.25;
+      return (row.default ?? 4) / 2 + 0.25;
     case 'color':
       return new Color('tomato');
     case 'vector2':
@@ -44,7 +44,9 @@ function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
   }
 }
 
-const changed = Object.fromEntries(rows.map(([name, row]) => [name, anotherValue(name, row)]));
+/** All but one of two that clear each other. */
+const together = rows.filter(([name]) => name !== 'texelPixels');
+const changed = Object.fromEntries(together.map(([name, row]) => [name, anotherValue(name, row)]));
 const plain = (value: unknown): unknown =>
   value instanceof Color ? value.getHex() : value instanceof Vector2 ? value.toArray() : value;
 
@@ -76,7 +78,7 @@ describe('every property', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const source = new HatchingMaterial(changed as HatchingMaterialParameters);
     const clone = source.clone();
-    for (const name of names) {
+    for (const [name] of together) {
       expect(plain(source[name]), name).toEqual(plain(changed[name]));
       expect(plain(clone[name]), name).toEqual(plain(changed[name]));
     }
@@ -89,7 +91,7 @@ describe('every property', () => {
     const full = new HatchingMaterial(changed as HatchingMaterialParameters).toJSON() as unknown as typeof bare;
     expect(bare.type).toBe('HatchingMaterial');
     expect(bare).not.toHaveProperty('uniforms');
-    for (const [name, { kind }] of rows) {
+    for (const [name, { kind }] of together) {
       if (kind === 'texture') expect(full[name], name).toBe((changed[name] as Texture).uuid);
       else if (kind === 'tonalArtMap') expect(full).not.toHaveProperty(name);
       else expect(full[name], name).toEqual(plain(changed[name]));
@@ -106,9 +108,12 @@ describe('every property', () => {
     };
     for (const [name, row] of rows) {
       const base = row.techniques ? { technique: row.techniques[0] } : {};
-      const parameters = { ...base, [name]: changed[name] } as HatchingMaterialParameters;
-      const before = new HatchingMaterial(base as HatchingMaterialParameters);
-      expect(seen(new HatchingMaterial(parameters)), name).not.toBe(seen(before));
+      const parameters = { ...base, tonalArtMap: changed.tonalArtMap, [name]: anotherValue(name, row) };
+      const before = new HatchingMaterial({
+        ...base,
+        tonalArtMap: name === 'tonalArtMap' ? null : changed.tonalArtMap,
+      } as HatchingMaterialParameters);
+      expect(seen(new HatchingMaterial(parameters as HatchingMaterialParameters)), name).not.toBe(seen(before));
     }
   });
 });
@@ -160,9 +165,10 @@ describe('a value out of range', () => {
     ...[above, from === undefined ? from : from - 0.1, to && to + 0.1].filter((x) => x !== undefined),
   ];
 
-  test.each(numbers)('%s is refused, and the one before stays', (name, { range }) => {
+  test.each(numbers)('%s is refused, and the one before stays', (name, row) => {
+    const { range } = row;
     const material = new HatchingMaterial();
-    for (const value of [...outside(range), '1', null]) {
+    for (const value of [...outside(range), '1', ...(row.default === null ? [] : [null])]) {
       const set = (): unknown => Object.assign(material, { [name]: value });
       expect(set, String(value)).toThrow(`HatchingMaterial.${name}: ${value} is not a number`);
     }
@@ -177,6 +183,30 @@ describe('a value out of range', () => {
     const material = new HatchingMaterial();
     expect(() => Object.assign(material, { tonalArtMap: value })).toThrow('HatchingMaterial.tonalArtMap: ');
     expect(material.tonalArtMap).toBe(null);
+  });
+});
+
+describe('the width of strokes on the screen', () => {
+  const map = (strokeWidth: number) =>
+    TonalArtMap.fromHatchImages({ size: 1, strokeWidth, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
+
+  test('follows from the width that the map draws', () => {
+    const material = new HatchingMaterial({ tonalArtMap: map(2.5), strokeWidth: 5 });
+    expect(material.uniforms.texelPixels.value).toBe(2);
+    const wider = new HatchingMaterial({ tonalArtMap: map(1.25), strokeWidth: 5 });
+    expect(wider.uniforms.texelPixels.value).toBe(4);
+  });
+
+  test('is set by one of two properties, the one set last', () => {
+    const material = new HatchingMaterial({ tonalArtMap: map(2), texelPixels: 3 });
+    material.strokeWidth = 5;
+    expect(material.texelPixels).toBe(1);
+    material.strokeWidth = null;
+    expect(material.texelPixels).toBe(1);
+    material.strokeWidth = 5;
+    material.texelPixels = 3;
+    expect(material.strokeWidth).toBe(null);
+    expect(new HatchingMaterial({ tonalArtMap: map(2), texelPixels: 3 }).uniforms.texelPixels.value).toBe(3);
   });
 });
 

@@ -8,6 +8,7 @@ import {
   UnsignedByteType,
 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 
 /** Images of one byte value each, `size` texels at level 0. */
@@ -140,5 +141,22 @@ describe('TonalArtMap.generate', () => {
 
   it('names an option out of its range', async () => {
     await expect(TonalArtMap.generate({ size: 100 })).rejects.toThrow('TonalArtMap.generate: size is 100');
+  });
+});
+
+describe('TonalArtMap.strokeWidth', () => {
+  const images = [[new Uint8Array([255])], [new Uint8Array(1)]];
+
+  it('is the width the style draws, or the one asked for', async () => {
+    expect((await TonalArtMap.generate({ style: 'ruled', size: 64 })).strokeWidth).toBe(strokeStyles.ruled.width);
+    expect((await TonalArtMap.generate({ size: 64, strokeWidth: 2.5 })).strokeWidth).toBe(2.5);
+  });
+
+  it('is told with images of your own, or taken to be 2', () => {
+    expect(TonalArtMap.fromHatchImages({ size: 1, images }).strokeWidth).toBe(2);
+    expect(TonalArtMap.fromHatchImages({ size: 1, images, strokeWidth: 3 }).strokeWidth).toBe(3);
+    for (const strokeWidth of [0, -1, Number.NaN, Infinity]) {
+      expect(() => TonalArtMap.fromHatchImages({ size: 1, images, strokeWidth })).toThrow('strokeWidth is');
+    }
   });
 });
