@@ -143,7 +143,8 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       const renderer = makeRenderer();
       const tonalArtMap = stripedMap();
       const common = { tonalArtMap, technique, strokeScale: 2, toneNormal: 'smooth' } as const;
-      const changed = { strokeScale: 1.3, strokeRotation: 0.7, strokeOffset: new THREE.Vector2(0.1, 0.3) };
+      const changed = { strokeScale: 1.3, strokeRotation: 0.7 };
+      const offset = new THREE.Vector2(0.1, 0.3);
       const sphere = () => new THREE.SphereGeometry(0.6, 24, 16);
       const left = await hatchedMesh(sphere(), common);
       const right = await hatchedMesh(sphere(), common);
@@ -153,9 +154,10 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       const before = pixelsOf(scene, renderer);
       right.material.strokeScale = changed.strokeScale;
       right.material.strokeRotation = changed.strokeRotation;
-      right.material.strokeOffset.copy(changed.strokeOffset);
+      right.material.strokeOffset.copy(offset);
       const after = pixelsOf(scene, renderer);
       right.material = new window.toolkit.HatchingMaterial({ ...common, ...changed });
+      right.material.strokeOffset.copy(offset);
       return { before, after, fresh: pixelsOf(scene, renderer) };
     }, technique);
     const half = (pixels: number[], right: boolean) => pixels.filter((_, i) => Math.floor(i / 4) % 96 >= 48 === right);
