@@ -48,7 +48,7 @@ const MAP_SHARE = 0.2;
  * Hatches a whole scene, such as a loaded glTF. Bakes the geometry of every mesh at or below `root`, a shared geometry once.
  * Replaces every material by a `HatchingMaterial` with its colour, maps, opacity, sides and vertex colours. Instances,
  * groups, skins and morph targets keep working; lines, points and sprites are left alone. Nothing in the scene changes before
- * everything is ready, and nothing at all if that fails or is aborted.
+ * everything is ready, and nothing at all if that fails or is aborted. Once aborted, the scene can be hatched again at once.
  *
  * - A material shared by meshes becomes one shared material. If the meshes differ in scale, it becomes one per scale, since
  *   `strokeScale` counts in object space. Meshes that deform get a material of their own.
@@ -69,6 +69,8 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
   }
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
   const releaseMeshes = claimMeshes(meshes);
+  // At once, not when the work has stopped: whoever aborts may apply again in the same breath, as React's StrictMode does.
+  options.signal?.addEventListener('abort', releaseMeshes);
   const disposables: { dispose(): void }[] = [];
   try {
     root.updateWorldMatrix(true, false);
@@ -109,6 +111,8 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     for (const disposable of disposables) disposable.dispose();
     releaseMeshes();
     throw error;
+  } finally {
+    options.signal?.removeEventListener('abort', releaseMeshes);
   }
 }
 

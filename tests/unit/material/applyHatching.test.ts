@@ -454,6 +454,29 @@ describe('when something is wrong', () => {
     expect(mesh.material).toBe(during);
   });
 
+  test('mounted, unmounted and mounted again in one breath, as by StrictMode of React, it ends hatched', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const original = mesh.material;
+    const mount = () => {
+      const controller = new AbortController();
+      const scene = applyHatching(mesh, { tonalArtMap, signal: controller.signal });
+      return { scene, unmount: () => controller.abort(new Error('unmounted')) };
+    };
+    const first = mount();
+    first.unmount();
+    const second = mount();
+    await expect(first.scene).rejects.toThrow('unmounted');
+    // The first call has let go late: the claim of the second stands.
+    await expect(mount().scene).rejects.toThrow(/is being hatched/);
+    const scene = await second.scene;
+    expect(hatched(mesh)).toBe(scene.materials[0]);
+    // Aborting what is done changes nothing.
+    second.unmount();
+    await expect(mount().scene).rejects.toThrow(/hatched already/);
+    scene.dispose();
+    expect(mesh.material).toBe(original);
+  });
+
   test('a broken mesh stays as it is and is named; the others are hatched', async () => {
     const torn = brokenMesh();
     const bare = new Mesh(new BufferGeometry(), torn.material);
