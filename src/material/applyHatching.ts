@@ -8,7 +8,7 @@ import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { HATCHING_TECHNIQUES } from './hatchingProperties.js';
 import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
-import { surfaceMeshes } from './surfaceMeshes.js';
+import { materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
@@ -77,7 +77,7 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     root.updateMatrixWorld();
     const replacer = new MaterialReplacer(options.material ?? {});
     const planned = meshes
-      .filter(({ material }) => ![material].flat().every(isHatching))
+      .filter((mesh) => !materialsOf(mesh).every(isHatching))
       .map((mesh): PlannedMesh => {
         const material = replacer.replacementFor(mesh, worldScale(worldMatrices(mesh)));
         return { mesh, geometry: mesh.geometry, oldMaterial: mesh.material, material };
@@ -119,8 +119,8 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
 const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;
 
 /** Whether all that draws a mesh does without triangle adjacency. */
-const needsNoAdjacency = ({ material }: PlannedMesh): boolean =>
-  [material].flat().every((one) => isHatching(one) && HATCHING_TECHNIQUES[one.technique].vertexData === 'hatchNormal');
+const needsNoAdjacency = (plan: PlannedMesh): boolean =>
+  materialsOf(plan).every((one) => isHatching(one) && HATCHING_TECHNIQUES[one.technique].vertexData === 'hatchNormal');
 
 /** Every geometry to bake, with a layout that all materials that draw it can use. */
 function layoutsFor(

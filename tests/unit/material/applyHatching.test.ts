@@ -279,6 +279,31 @@ describe('what it makes of a scene', () => {
   });
 });
 
+describe('an array of materials with holes', () => {
+  const holes: [what: string, hole: unknown][] = [
+    ['undefined', undefined],
+    ['null', null],
+  ];
+  test.each(holes)('keeps them, whatever the technique: %s', async (_what, hole) => {
+    for (const technique of ['anchored', 'adjacency'] as const) {
+      const mesh = new Mesh(new BoxGeometry(), [new MeshBasicMaterial(), hole as Material, new MeshBasicMaterial()]);
+      const { materials, skipped } = await applyHatching(mesh, { tonalArtMap, material: { technique } });
+      expect(mesh.material).toEqual([materials[0], hole, materials[1]]);
+      expect(skipped).toEqual([]);
+      expect(mesh.geometry.userData.hatching.layout).toBe(technique === 'anchored' ? 'indexed' : 'corner');
+    }
+  });
+
+  test('is left alone if the others hatch already, or if there are only holes', async () => {
+    const meshes = [[new HatchingMaterial(), undefined], [undefined]].map(
+      (materials) => new Mesh(new BoxGeometry(), materials as Material[]),
+    );
+    const before = meshes.map(({ geometry }) => geometry);
+    expect((await applyHatching(new Group().add(...meshes), { tonalArtMap })).materials).toEqual([]);
+    expect(meshes.map(({ geometry }) => geometry)).toEqual(before);
+  });
+});
+
 describe('options', () => {
   test('parameters win over what is taken over; a function is asked once for every material made', async () => {
     const [a, b] = [new MeshBasicMaterial({ color: 'red' }), new MeshBasicMaterial({ color: 'green' })];
