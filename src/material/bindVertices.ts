@@ -61,6 +61,12 @@ export function bindVertices(
   return 'deforming';
 }
 
+/** The layout in which a material will find the vertices of a mesh, if the device can draw it. */
+export function vertexLayoutOf(geometry: BufferGeometry, object: Object3D): VertexLayout {
+  if (!pulledVerticesOf(geometry)) return 'corner';
+  return deforms(geometry, object) ? 'deforming' : 'pull';
+}
+
 /** Whether a skin or morph targets can move the vertices away from the rest pose. */
 export const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
   'isSkinnedMesh' in object || morphAttributes.position !== undefined || morphAttributes.normal !== undefined;
