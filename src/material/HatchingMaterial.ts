@@ -1,6 +1,6 @@
 import {
   type BufferGeometry,
-  Camera,
+  type Camera,
   type Color,
   type Group,
   Material,
@@ -13,7 +13,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { bindVertices, vertexLayoutOf } from './bindVertices.js';
+import { bindVertices, compilePrePass, vertexLayoutOf } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { defaultOf } from './defaultOf.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
@@ -34,7 +34,6 @@ import { TONE_CURVES, VERTEX_LAYOUTS, type VertexLayout } from './shaderConventi
 import { isUsedBy, warnOfUnused } from './unusedProperties.js';
 
 const viewport = new Vector4();
-const noCamera = new Camera();
 
 const propertyNames = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
@@ -159,7 +158,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /** Called by the renderer. Builds the program of the pre-pass too, which only drawing does. */
   override onBeforeCompile(_shader: unknown, renderer: WebGLRenderer): void {
     for (const mesh of this.announced.splice(0)) {
-      if (this.readsAdjacency) bindVertices(renderer, noCamera, mesh.geometry, mesh, this);
+      if (this.readsAdjacency) compilePrePass(renderer, mesh);
     }
   }
 

@@ -526,6 +526,26 @@ for (const what of ['geometry', 'material'] as const) {
   });
 }
 
+test('a geometry behind a proxy, as by ref of Vue, draws the same with the same pre-pass', async ({ page }) => {
+  const [plain, proxied, before, after] = await page.evaluate(async () => {
+    const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const { tubeGeometry, onBones, reactive } = window.deforming;
+    const renderer = makeRenderer();
+    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
+    mesh.skeleton.bones[1].rotation.z = 1;
+    const scene = sceneOf(mesh, sun());
+    pixelsOf(scene, renderer);
+    const plain = pixelsOf(scene, renderer);
+    const before = renderer.info.memory.textures;
+    mesh.geometry = reactive(geometry);
+    return [plain, pixelsOf(scene, renderer), before, renderer.info.memory.textures] as const;
+  });
+  expect(covered(plain)).toBeGreaterThan(1000);
+  expect(difference(plain, proxied)).toBe(0);
+  expect(after).toBe(before);
+});
+
 test('two renderers deform the same mesh, and a lost context comes back', async ({ page, pageProblems }) => {
   const [a, b, restored] = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
