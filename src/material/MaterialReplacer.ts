@@ -34,8 +34,8 @@ export class MaterialReplacer {
    * @param scale world units per unit of the mesh's object space
    */
   replacementFor(mesh: Mesh, scale: number): Material | Material[] {
-    const replace = (source: Material): Material =>
-      isSurface(source) && !isHatching(source) ? this.hatchingMaterialFor(source, mesh, scale) : source;
+    const replace = (source: Material | null | undefined): Material =>
+      source && isSurface(source) && !isHatching(source) ? this.hatchingMaterialFor(source, mesh, scale) : source!;
     return Array.isArray(mesh.material) ? mesh.material.map(replace) : replace(mesh.material);
   }
 

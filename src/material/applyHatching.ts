@@ -8,7 +8,7 @@ import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { HATCHING_TECHNIQUES } from './hatchingProperties.js';
 import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
-import { surfaceMeshes } from './surfaceMeshes.js';
+import { materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
@@ -48,7 +48,9 @@ const MAP_SHARE = 0.2;
  * Hatches a whole scene, such as a loaded glTF. Bakes the geometry of every mesh at or below `root`, a shared geometry once.
  * Replaces every material by a `HatchingMaterial` with its colour, maps, opacity, sides and vertex colours. Instances,
  * groups, skins and morph targets keep working; lines, points and sprites are left alone. Nothing in the scene changes before
- * everything is ready, and nothing at all if that fails or is aborted.
+ * everything is ready, and nothing at all if that fails or is aborted. Once aborted, the scene can be hatched again at once.
+ *
+ * `await renderer.compileAsync(scene, camera)` afterwards builds every program that the first frame uses.
  *
  * - A material shared by meshes becomes one shared material. If the meshes differ in scale, it becomes one per scale, since
  *   `strokeScale` counts in object space. Meshes that deform get a material of their own.
@@ -69,13 +71,15 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
   }
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
   const releaseMeshes = claimMeshes(meshes);
+  // At once, not when the work has stopped: whoever aborts may apply again in the same breath, as React's StrictMode does.
+  options.signal?.addEventListener('abort', releaseMeshes);
   const disposables: { dispose(): void }[] = [];
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
     const replacer = new MaterialReplacer(options.material ?? {});
     const planned = meshes
-      .filter(({ material }) => ![material].flat().every(isHatching))
+      .filter((mesh) => !materialsOf(mesh).every(isHatching))
       .map((mesh): PlannedMesh => {
         const material = replacer.replacementFor(mesh, worldScale(worldMatrices(mesh)));
         return { mesh, geometry: mesh.geometry, oldMaterial: mesh.material, material };
@@ -104,19 +108,25 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     replacer.setStrokeScale(options.strokeScale ?? TILES_PER_RADIUS / radiusOf(looks));
     const used = new Set<Material>(looks.flatMap(({ material }) => material));
     const materials = replacer.materials.filter((material) => used.has(material));
-    return new HatchedScene(looks, materials, skipped, disposables, releaseMeshes);
+    const scene = new HatchedScene(looks, materials, skipped, disposables, releaseMeshes);
+    for (const { mesh } of looks) {
+      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
+    }
+    return scene;
   } catch (error) {
     for (const disposable of disposables) disposable.dispose();
     releaseMeshes();
     throw error;
+  } finally {
+    options.signal?.removeEventListener('abort', releaseMeshes);
   }
 }
 
 const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;
 
 /** Whether all that draws a mesh does without triangle adjacency. */
-const needsNoAdjacency = ({ material }: PlannedMesh): boolean =>
-  [material].flat().every((one) => isHatching(one) && HATCHING_TECHNIQUES[one.technique].vertexData === 'hatchNormal');
+const needsNoAdjacency = (plan: PlannedMesh): boolean =>
+  materialsOf(plan).every((one) => isHatching(one) && HATCHING_TECHNIQUES[one.technique].vertexData === 'hatchNormal');
 
 /** Every geometry to bake, with a layout that all materials that draw it can use. */
 function layoutsFor(

@@ -7,15 +7,19 @@ import type { Material, Mesh, Object3D } from 'three';
 export function surfaceMeshes(root: Object3D): Mesh[] {
   const meshes: Mesh[] = [];
   root.traverse((object) => {
-    if (isMesh(object) && !('isLineSegments2' in object) && [object.material].flat().some(isSurface)) {
+    if (isMesh(object) && !('isLineSegments2' in object) && materialsOf(object).some(isSurface)) {
       meshes.push(object);
     }
   });
   return meshes;
 }
 
+/** The materials of a mesh. three.js leaves groups undrawn whose place in the array is empty. */
+export const materialsOf = ({ material }: Pick<Mesh, 'material'>): Material[] =>
+  [material].flat().filter((one: Material | null | undefined) => one !== undefined && one !== null);
+
 /** Whether a material draws a surface, so that hatching can replace it. */
-export const isSurface = (material: Material | undefined): material is Material =>
-  material !== undefined && !('isShadowMaterial' in material || 'isLineMaterial' in material);
+export const isSurface = (material: Material): boolean =>
+  !('isShadowMaterial' in material || 'isLineMaterial' in material);
 
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;

@@ -38,6 +38,7 @@ import { describe, expect, test, vi } from 'vitest';
 import { applyHatching } from '../../../src/material/applyHatching.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { reactive } from '../geometry/reactive.js';
 
 const tonalArtMap = TonalArtMap.fromHatchImages({
   size: 4,
@@ -279,6 +280,31 @@ describe('what it makes of a scene', () => {
   });
 });
 
+describe('an array of materials with holes', () => {
+  const holes: [what: string, hole: unknown][] = [
+    ['undefined', undefined],
+    ['null', null],
+  ];
+  test.each(holes)('keeps them, whatever the technique: %s', async (_what, hole) => {
+    for (const technique of ['anchored', 'adjacency'] as const) {
+      const mesh = new Mesh(new BoxGeometry(), [new MeshBasicMaterial(), hole as Material, new MeshBasicMaterial()]);
+      const { materials, skipped } = await applyHatching(mesh, { tonalArtMap, material: { technique } });
+      expect(mesh.material).toEqual([materials[0], hole, materials[1]]);
+      expect(skipped).toEqual([]);
+      expect(mesh.geometry.userData.hatching.layout).toBe(technique === 'anchored' ? 'indexed' : 'corner');
+    }
+  });
+
+  test('is left alone if the others hatch already, or if there are only holes', async () => {
+    const meshes = [[new HatchingMaterial(), undefined], [undefined]].map(
+      (materials) => new Mesh(new BoxGeometry(), materials as Material[]),
+    );
+    const before = meshes.map(({ geometry }) => geometry);
+    expect((await applyHatching(new Group().add(...meshes), { tonalArtMap })).materials).toEqual([]);
+    expect(meshes.map(({ geometry }) => geometry)).toEqual(before);
+  });
+});
+
 describe('options', () => {
   test('parameters win over what is taken over; a function is asked once for every material made', async () => {
     const [a, b] = [new MeshBasicMaterial({ color: 'red' }), new MeshBasicMaterial({ color: 'green' })];
@@ -452,6 +478,38 @@ describe('when something is wrong', () => {
     const during = (await first).materials[0];
     await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(/hatched already/);
     expect(mesh.material).toBe(during);
+  });
+
+  test('mounted, unmounted and mounted again in one breath, as by StrictMode of React, it ends hatched', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const original = mesh.material;
+    const mount = () => {
+      const controller = new AbortController();
+      const scene = applyHatching(mesh, { tonalArtMap, signal: controller.signal });
+      return { scene, unmount: () => controller.abort(new Error('unmounted')) };
+    };
+    const first = mount();
+    first.unmount();
+    const second = mount();
+    await expect(first.scene).rejects.toThrow('unmounted');
+    // The first call has let go late: the claim of the second stands.
+    await expect(mount().scene).rejects.toThrow(/is being hatched/);
+    const scene = await second.scene;
+    expect(hatched(mesh)).toBe(scene.materials[0]);
+    // Aborting what is done changes nothing.
+    second.unmount();
+    await expect(mount().scene).rejects.toThrow(/hatched already/);
+    scene.dispose();
+    expect(mesh.material).toBe(original);
+  });
+
+  test('a mesh and its proxy, as by ref of Vue, are one mesh', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const scene = await applyHatching(reactive(mesh), { tonalArtMap });
+    hatched(mesh);
+    await expect(applyHatching(mesh, { tonalArtMap })).rejects.toThrow(/hatched already/);
+    scene.dispose();
+    (await applyHatching(mesh, { tonalArtMap })).dispose();
   });
 
   test('a broken mesh stays as it is and is named; the others are hatched', async () => {
