@@ -35,6 +35,12 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * 0 leaves the normals unsmoothed.
    */
   smoothingRadius?: number | undefined;
+  /**
+   * Borders whose vertices lie this near each other, along each axis, count as one, as a share of the radius of the bounding
+   * sphere. Default 1e-6, which closes seams that rounding has opened, such as those of three's own sphere and torus; 0 joins
+   * only what lies at exactly the same position. What is drawn keeps its positions.
+   */
+  weldTolerance?: number | undefined;
 }
 
 const DEFAULT_CREASE_ANGLE = Math.PI / 2;
@@ -55,7 +61,8 @@ const DEFAULT_CREASE_ANGLE = Math.PI / 2;
  * targets, groups, name and user data are kept too. Smooth normals are added if there are none. `userData.hatching` holds a
  * `HatchingStatistics`. `geometry` itself is never changed.
  *
- * Vertices at exactly the same position count as one, so seams of uv or normal do not separate triangles. Border edges,
+ * Vertices at the same position count as one, so seams of uv or normal do not separate triangles; so do vertices at borders
+ * within the `weldTolerance`, unless that would join a chain wider than four tolerances or collapse a triangle. Border edges,
  * non-manifold edges without a partner and degenerate triangles contribute nothing to their neighbours, and are counted.
  *
  * Rejects with a TypeError or RangeError that says what to repair, for: something that is not a BufferGeometry; no
@@ -80,6 +87,7 @@ export async function prepareHatchingGeometry(
     mesh: extractMesh(geometry, range),
     creaseAngle,
     smoothingRadius: options.smoothingRadius,
+    weldTolerance: options.weldTolerance,
     wantsNormals: !geometry.hasAttribute('normal'),
   };
 
@@ -107,7 +115,7 @@ function chooseLayout(
 }
 
 function checkOptions(
-  { layout = 'auto', smoothingRadius = 0 }: PrepareHatchingGeometryOptions,
+  { layout = 'auto', smoothingRadius = 0, weldTolerance = 0 }: PrepareHatchingGeometryOptions,
   creaseAngle: number,
 ): void {
   if (!['auto', 'corner', 'pull', 'indexed'].includes(layout)) {
@@ -123,6 +131,11 @@ function checkOptions(
   if (!(smoothingRadius >= 0 && smoothingRadius < Infinity)) {
     throw new RangeError(
       `prepareHatchingGeometry: smoothingRadius is ${smoothingRadius}. Pass a length in object units, 0 or more, or leave the option out.`,
+    );
+  }
+  if (!(weldTolerance >= 0 && weldTolerance < Infinity)) {
+    throw new RangeError(
+      `prepareHatchingGeometry: weldTolerance is ${String(weldTolerance)}. Pass a share of the bounding radius, 0 or more, such as 1e-6, or leave the option out.`,
     );
   }
 }

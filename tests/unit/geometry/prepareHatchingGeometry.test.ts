@@ -459,6 +459,9 @@ describe('bad input is rejected', () => {
     [{ smoothingRadius: -1 }, /smoothingRadius is -1\. Pass a length/],
     [{ smoothingRadius: Infinity }, /smoothingRadius is Infinity/],
     [{ smoothingRadius: Number.NaN }, /smoothingRadius is NaN/],
+    [{ weldTolerance: -1e-6 }, /weldTolerance is -0\.000001\. Pass a share of the bounding radius/],
+    [{ weldTolerance: Infinity }, /weldTolerance is Infinity/],
+    [{ weldTolerance: Number.NaN }, /weldTolerance is NaN/],
   ])('options %o', async (options, message) => {
     await expect(prepareHatchingGeometry(quad(), options as never)).rejects.toThrow(message);
   });
