@@ -41,24 +41,15 @@ export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness
   pairing.steps += steps;
   const joined = joinedVertices(positions, ends, first, tolerance);
   if (joined === null) return;
-  const triangleCount = canonicalCorners.length / 3;
-  const isKept = new Uint8Array(joined.length);
+  const corners: number[] = [];
   yield* asPhase(
-    forEachChunk(triangleCount, (start, end) => keepRange(mesh, joined, rounding, isKept, start, end)),
+    forEachChunk(canonicalCorners.length, (start, end) => findRange(canonicalCorners, joined, corners, start, end)),
     0.5,
-    0.6,
-  );
-  for (const vertex of ends) if (isKept[joined[vertex]] === 1 && joined[vertex] !== vertex) joined[vertex] = vertex;
-  yield* asPhase(
-    forEachChunk(triangleCount, (start, end) => collapseRange(mesh, joined, start, end)),
-    0.6,
-    0.7,
-  );
-  yield* asPhase(
-    forEachChunk(canonicalCorners.length, (start, end) => renameRange(canonicalCorners, joined, start, end)),
-    0.7,
     0.8,
   );
+  keepTriangles(mesh, joined, corners, rounding);
+  collapseTriangles(mesh, joined, corners);
+  for (const corner of corners) canonicalCorners[corner] = partner(joined, canonicalCorners[corner]);
   pairBorders(mesh);
 }
 
@@ -77,8 +68,8 @@ function endsOf({ positions, canonicalCorners, pairing }: PairedMesh): Uint32Arr
 }
 
 /**
- * For every vertex the one it is joined with: of a cluster that is not too wide, the one with the lexicographically smallest
- * position, whatever the order of the vertices. Null if none are joined.
+ * For every vertex the one it is joined with + 1, or 0: of a cluster that is not too wide, the one with the lexicographically
+ * smallest position, whatever the order of the vertices. Null if none are joined.
  */
 function joinedVertices(
   positions: Float32Array,
@@ -102,42 +93,60 @@ function joinedVertices(
   }
   if (clusterCount === count) return null;
   const joined = new Uint32Array(positions.length / 3);
-  for (let vertex = 0; vertex < joined.length; vertex++) joined[vertex] = vertex;
+  const sizes = new Uint32Array(count);
+  for (let i = 0; i < count; i++) sizes[first[i]]++;
   for (let i = 0; i < count; i++) {
     const box = 6 * first[i];
     const isNarrow = [0, 1, 2].every((axis) => boxes[box + axis] + boxes[box + 3 + axis] <= WIDEST * tolerance);
-    if (isNarrow) joined[ends[i]] = ends[smallest[first[i]]];
+    if (sizes[first[i]] > 1 && isNarrow) joined[ends[i]] = ends[smallest[first[i]]] + 1;
   }
   return joined;
 }
 
-/** Marks what must not be joined, since it would collapse a triangle whose sides are no mere rounding. */
-function keepRange(
-  { positions, canonicalCorners, areaNormals }: PairedMesh,
+/** The vertex that a vertex is joined with, itself if there is none. */
+const partner = (joined: Uint32Array, vertex: number): number => (joined[vertex] === 0 ? vertex : joined[vertex] - 1);
+
+/** Finds the corners at joined vertices. */
+function findRange(
+  canonicalCorners: Uint32Array,
   joined: Uint32Array,
-  rounding: number,
-  isKept: Uint8Array,
+  corners: number[],
   start: number,
   end: number,
 ): void {
-  for (let corner = 3 * start; corner < 3 * end; corner++) {
+  for (let corner = start; corner < end; corner++) if (joined[canonicalCorners[corner]] !== 0) corners.push(corner);
+}
+
+/** Undoes what would collapse a triangle whose sides are no mere rounding. */
+function keepTriangles(
+  { positions, canonicalCorners, areaNormals }: PairedMesh,
+  joined: Uint32Array,
+  corners: readonly number[],
+  rounding: number,
+): void {
+  const kept = new Set<number>();
+  for (const corner of corners) {
     const a = canonicalCorners[corner];
     const b = canonicalCorners[nextCorner(corner)];
     if (joined[a] !== joined[b] || a === b || isDegenerate(areaNormals, triangleOf(corner))) continue;
     for (let axis = 0; axis < 3; axis++) {
-      if (Math.abs(positions[3 * a + axis] - positions[3 * b + axis]) > rounding) isKept[joined[a]] = 1;
+      if (Math.abs(positions[3 * a + axis] - positions[3 * b + axis]) > rounding) kept.add(joined[a]);
     }
+  }
+  for (const corner of corners) {
+    const vertex = canonicalCorners[corner];
+    if (kept.has(joined[vertex])) joined[vertex] = 0;
   }
 }
 
-/** Makes triangles with joined corners degenerate. */
-function collapseRange(mesh: PairedMesh, joined: Uint32Array, start: number, end: number): void {
+/** Makes triangles degenerate that have two corners joined with each other. */
+function collapseTriangles(mesh: PairedMesh, joined: Uint32Array, corners: readonly number[]): void {
   const { canonicalCorners, areaNormals } = mesh;
-  for (let first = 3 * start; first < 3 * end; first += 3) {
-    const a = joined[canonicalCorners[first]];
-    const b = joined[canonicalCorners[first + 1]];
-    const c = joined[canonicalCorners[first + 2]];
-    if ((a === b || b === c || c === a) && !isDegenerate(areaNormals, triangleOf(first))) collapse(mesh, first);
+  for (const corner of corners) {
+    const a = joined[canonicalCorners[corner]];
+    const b = joined[canonicalCorners[nextCorner(corner)]];
+    const triangle = triangleOf(corner);
+    if (a !== 0 && a === b && !isDegenerate(areaNormals, triangle)) collapse(mesh, 3 * triangle);
   }
 }
 
@@ -153,11 +162,6 @@ function collapse({ canonicalCorners, areaNormals, pairing }: PairedMesh, first:
     pairing.twins[twin] = NO_TWIN;
     pairing.borders.push(twin);
   }
-}
-
-/** Gives the corners their joined vertices. */
-function renameRange(canonicalCorners: Uint32Array, joined: Uint32Array, start: number, end: number): void {
-  for (let corner = start; corner < end; corner++) canonicalCorners[corner] = joined[canonicalCorners[corner]];
 }
 
 /** Pairs the border edges whose ends are the same now. */
