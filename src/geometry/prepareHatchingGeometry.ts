@@ -1,4 +1,5 @@
 import type { BufferGeometry } from 'three';
+import { checkOptions, TASK_OPTIONS } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { checkGeometry } from './checkGeometry.js';
@@ -43,6 +44,26 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
   weldTolerance?: number | undefined;
 }
 
+const PREPARE_OPTIONS = {
+  layout: true,
+  creaseAngle: true,
+  smoothingRadius: true,
+  weldTolerance: true,
+  ...TASK_OPTIONS,
+} satisfies Record<keyof PrepareHatchingGeometryOptions, true>;
+
+/**
+ * Checks the names of the options and what all tasks have in common.
+ *
+ * @param more the names of further options that the caller has
+ * @throws TypeError naming the caller and the option
+ */
+export const checkPrepareOptions = (
+  caller: string,
+  options: PrepareHatchingGeometryOptions,
+  more: Readonly<Record<string, true>> = {},
+): void => checkOptions(caller, options, { ...more, ...PREPARE_OPTIONS });
+
 const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
 /**
@@ -67,16 +88,17 @@ const DEFAULT_CREASE_ANGLE = Math.PI / 2;
  *
  * Rejects with a TypeError or RangeError that says what to repair, for: something that is not a BufferGeometry; no
  * `position`; no triangles; a count that is not a multiple of three; an index out of range; a position that is not
- * finite; an attribute shorter than `position`; an option out of its range. Rejects with the signal's reason when aborted, and
+ * finite; an attribute shorter than `position`; an option that is unknown or out of its range. Rejects with the signal's reason when aborted, and
  * with an Error when the worker dies or is disposed of meanwhile.
  */
 export async function prepareHatchingGeometry(
   geometry: BufferGeometry,
   options: PrepareHatchingGeometryOptions = {},
 ): Promise<BufferGeometry> {
+  checkPrepareOptions('prepareHatchingGeometry', options);
   options.signal?.throwIfAborted();
   const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;
-  checkOptions(options, creaseAngle);
+  checkValues(options, creaseAngle);
   const label = checkGeometry(geometry);
   const range = cornerRange(geometry, label);
   const kept = keptAttributes(geometry);
@@ -114,7 +136,7 @@ function chooseLayout(
   return attributes.skinIndex || morphAttributes.position || morphAttributes.normal ? 'pull' : 'corner';
 }
 
-function checkOptions(
+function checkValues(
   { layout = 'auto', smoothingRadius = 0, weldTolerance = 0 }: PrepareHatchingGeometryOptions,
   creaseAngle: number,
 ): void {
