@@ -10,6 +10,7 @@ import type { HatchingStatistics } from './HatchingStatistics.js';
 import { applyIndexed } from './indexedGeometry.js';
 import { startGeometry } from './preparedGeometry.js';
 import { applyPull } from './pulledGeometry.js';
+import { countUnusableNormals, zeroBadValues } from './repairValues.js';
 import { extractWords, keptAttributes } from './vertexAttributes.js';
 
 /** Options of `prepareHatchingGeometry`. */
@@ -79,7 +80,8 @@ const DEFAULT_CREASE_ANGLE = Math.PI / 2;
  *   Has an index even if the source had none, 16-bit where that is enough.
  *
  * The result is a new geometry of the triangles in the draw range. All other attributes of the source keep their types; morph
- * targets, groups, name and user data are kept too. Smooth normals are added if there are none. `userData.hatching` holds a
+ * targets, groups, name and user data are kept too. Normals that are missing, zero or not finite are computed. Other values that
+ * three reads and that are not finite become 0. Both are counted. `userData.hatching` holds a
  * `HatchingStatistics`. `geometry` itself is never changed.
  *
  * Vertices at the same position count as one, so seams of uv or normal do not separate triangles; so do vertices at borders
@@ -88,7 +90,7 @@ const DEFAULT_CREASE_ANGLE = Math.PI / 2;
  *
  * Rejects with a TypeError or RangeError that says what to repair, for: something that is not a BufferGeometry; no
  * `position`; no triangles; a count that is not a multiple of three; an index out of range; a position that is not
- * finite; an attribute shorter than `position`; an option that is unknown or out of its range. Rejects with the signal's reason when aborted, and
+ * finite; memory that is gone; an attribute shorter than `position`; an option that is unknown or out of its range. Rejects with the signal's reason when aborted, and
  * with an Error when the worker dies or is disposed of meanwhile.
  */
 export async function prepareHatchingGeometry(
@@ -103,6 +105,7 @@ export async function prepareHatchingGeometry(
   const range = cornerRange(geometry, label);
   const kept = keptAttributes(geometry);
   const position = geometry.attributes.position;
+  const computedNormals = countUnusableNormals(geometry, position.count);
   const prepared = startGeometry(geometry, range);
   const request = {
     label,
@@ -110,21 +113,28 @@ export async function prepareHatchingGeometry(
     creaseAngle,
     smoothingRadius: options.smoothingRadius,
     weldTolerance: options.weldTolerance,
-    wantsNormals: !geometry.hasAttribute('normal'),
+    wantsNormals: computedNormals > 0,
   };
 
   const layout = chooseLayout(geometry, options);
+  const repairs = { computedNormals, zeroedValues: 0 };
+  const copied = kept.map((entry) => {
+    const copy = extractWords(entry.attribute, position.count);
+    repairs.zeroedValues += zeroBadValues(geometry, entry, copy);
+    return copy;
+  });
   if (layout === 'indexed') {
-    const attributes = [{ name: 'position', isMorphTarget: false, attribute: position }, ...kept].map((entry) => ({
-      ...entry,
-      ...extractWords(entry.attribute, position.count),
-    }));
-    applyIndexed(prepared, attributes, await runTask('bakeIndexed', request, options));
-  } else {
-    const attributes = kept.map(({ attribute }) => extractWords(attribute, position.count));
-    if (layout === 'pull') applyPull(prepared, kept, await runTask('bakePull', { ...request, attributes }, options));
-    else applyCorners(prepared, kept, await runTask('bake', { ...request, attributes }, options));
+    const place = { name: 'position', isMorphTarget: false, attribute: position };
+    const attributes = [
+      { ...place, ...extractWords(position, position.count) },
+      ...kept.map((entry, i) => ({ ...entry, ...copied[i] })),
+    ];
+    applyIndexed(prepared, attributes, { ...(await runTask('bakeIndexed', request, options)), ...repairs });
+    return prepared;
   }
+  const baking = { ...request, attributes: copied };
+  if (layout === 'pull') applyPull(prepared, kept, { ...(await runTask('bakePull', baking, options)), ...repairs });
+  else applyCorners(prepared, kept, { ...(await runTask('bake', baking, options)), ...repairs });
   return prepared;
 }
 

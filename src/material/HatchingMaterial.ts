@@ -12,7 +12,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { bindVertices } from './bindVertices.js';
+import { bindVertices, warnIfStale } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { defaultOf } from './defaultOf.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
@@ -156,6 +156,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms();
+    warnIfStale(geometry);
     if (HATCHING_TECHNIQUES[this.technique].vertexData !== 'adjacency') return;
     const layout = bindVertices(renderer, camera, geometry, object, this);
     if (layout === this.vertexLayout) return;

@@ -9,11 +9,14 @@ import type {
   WebGLRenderer,
 } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
+import { hatchNormal } from '../bake/hatchNormal.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
+import { isStale } from '../geometry/staleGeometry.js';
 import { deformationOf } from './deformationOf.js';
 import type { VertexLayout } from './shaderConventions.js';
 
 const warnedGeometries = new WeakSet<BufferGeometry>();
+const warnedStale = new WeakSet<BufferGeometry>();
 
 /** Reports a problem of a geometry, once per geometry. */
 function warnOnce(geometry: BufferGeometry, problem: string): void {
@@ -37,10 +40,7 @@ export function bindVertices(
   const isDeforming = deforms(geometry, object);
   if (!vertices) {
     if (geometry.attributes[cornerLayout[0].name] === undefined) {
-      warnOnce(
-        geometry,
-        'has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.',
-      );
+      warnOnce(geometry, describeLack(geometry));
     } else if (isDeforming) {
       warnOnce(
         geometry,
@@ -59,6 +59,31 @@ export function bindVertices(
   bind(material, 'deformedNormals', deformation.normals);
   bind(material, 'deformedTurns', deformation.turns);
   return 'deforming';
+}
+
+/** What is missing from a geometry without adjacency, and what to do. */
+function describeLack({ attributes, userData }: BufferGeometry): string {
+  if (attributes[hatchNormal.name] === undefined) {
+    return 'has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.';
+  }
+  const history =
+    userData.hatching?.layout === 'indexed'
+      ? "was prepared with the layout 'indexed', which has no triangle adjacency."
+      : "has lost its triangle adjacency: that of the layout 'pull' is not kept when geometries are merged, exported or serialised.";
+  return `${history} Prepare it with the layout 'corner' or 'pull', or use the technique 'anchored'.`;
+}
+
+/** Warns, once per geometry, if it has been changed since the bake. */
+export function warnIfStale(geometry: BufferGeometry): void {
+  if (warnedStale.has(geometry) || !isStale(geometry)) return;
+  warnedStale.add(geometry);
+  const remedy =
+    geometry.userData.hatching.layout === 'indexed'
+      ? "A mere shift does no harm. Otherwise prepare it again, or call geometry.deleteAttribute('hatchNormal') to draw it with its own normals."
+      : 'Move the mesh instead of the geometry, or change the geometry before prepareHatchingGeometry.';
+  console.warn(
+    `HatchingMaterial: the positions of geometry "${geometry.name || geometry.uuid}" have changed since it was prepared; its neighbours and stroke normals have not. ${remedy}`,
+  );
 }
 
 /** Whether a skin or morph targets can move the vertices away from the rest pose. */
