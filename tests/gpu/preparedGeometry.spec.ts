@@ -105,3 +105,43 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
   ]);
   expect(problems[1]).toContain(remedy);
 });
+
+test('GLTFExporter writes the scene after restore(); what it writes of hatched meshes can be hatched again', async ({
+  page,
+  pageProblems,
+}) => {
+  const { before, after, hatched, expected, again, names } = await page.evaluate(async () => {
+    const { THREE, GLTFExporter, GLTFLoader, applyHatching, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const renderer = makeRenderer();
+    const root = new THREE.Group().add(
+      new THREE.Mesh(new THREE.TorusGeometry(0.8, 0.4, 12, 24), new THREE.MeshStandardMaterial({ color: 'red' })),
+    );
+    const write = async () => JSON.stringify(await new GLTFExporter().parseAsync(root));
+    const before = await write();
+    const hatching = await applyHatching(root, {
+      layout: 'corner',
+      tonalArtMap: greyMap(),
+      material: { color: 'white' },
+    });
+    const expected = pixelsOf(sceneOf(root, sun()), renderer);
+    const hatched = await write();
+    root.removeFromParent();
+    hatching.restore();
+    const after = await write();
+    const { scene } = await new GLTFLoader().parseAsync(hatched, '');
+    await applyHatching(scene, { tonalArtMap: greyMap(), material: { color: 'white' } });
+    const again = pixelsOf(sceneOf(scene, sun()), renderer);
+    let names: string[] = [];
+    scene.traverse((object) => {
+      if (object instanceof THREE.Mesh) names = Object.keys(object.geometry.attributes);
+    });
+    return { before, after, hatched, expected, again, names };
+  });
+  expect(after).toBe(before);
+  expect(hatched).not.toBe(before);
+  expect(covered(expected)).toBeGreaterThan(800);
+  expect(differing(expected, again, 2)).toBeLessThan(0.01 * covered(expected));
+  expect(names.filter((name) => name.startsWith('_'))).toEqual([]);
+  expect(pageProblems.splice(0)).toEqual([expect.stringContaining('GLTFExporter: THREE.ShaderMaterial not supported')]);
+});
