@@ -1,10 +1,11 @@
 /** What the benchmarks know of the library beyond its public names: the bake and the maps, step by step. */
 
+export { joinBorders } from '../src/adjacency/joinBorders.js';
 export { pairEdges } from '../src/adjacency/pairEdges.js';
 export { bake } from '../src/bake/bake.js';
 export { bakeIndexed } from '../src/bake/bakeIndexed.js';
 export { bakePull } from '../src/bake/bakePull.js';
-export { DEFAULT_SMOOTHING_SHARE, type FanNormals, type Surface } from '../src/bake/bakeSurface.js';
+export { DEFAULT_SMOOTHING_SHARE, type FanNormals, nearnessOf, type Surface } from '../src/bake/bakeSurface.js';
 export { expandPerCorner } from '../src/bake/expandPerCorner.js';
 export { packHatchNormals } from '../src/bake/hatchNormal.js';
 export { packCornerAttributes } from '../src/bake/packCornerAttributes.js';

@@ -69,7 +69,7 @@ ${table([
 };
 
 /** The phases that a bake to the `corner` layout goes through. */
-const OF_CORNER = ['check', 'weld', 'pair', 'creases', 'normals', 'pack corner'];
+const OF_CORNER = ['check', 'weld', 'pair', 'join', 'creases', 'normals', 'pack corner'];
 
 function summarise(runs) {
   const { triangles, stepsPerTriangle } = runs[0];

@@ -8,7 +8,9 @@ import {
   expandPerCorner,
   type FanNormals,
   fanDirections,
+  joinBorders,
   measureBounds,
+  nearnessOf,
   packCornerAttributes,
   packCorners,
   packHatchNormals,
@@ -35,7 +37,14 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
   const canonicalCorners = run('pair', canonicalOf(canonical, mesh.indices));
   const areaNormals = run('pair', computeAreaNormals(mesh));
   const pairing = run('pair', pairEdges(mesh.positions, canonicalCorners, areaNormals));
-  const adjacency = { ...pairing, canonicalCorners, areaNormals, steps: weldSteps + pairing.steps };
+  run('join', joinBorders({ positions: mesh.positions, canonicalCorners, areaNormals, pairing }, nearnessOf(bounds)));
+  const adjacency = {
+    ...pairing,
+    borderEdges: pairing.borders.length,
+    canonicalCorners,
+    areaNormals,
+    steps: weldSteps + pairing.steps,
+  };
   run('creases', cutCreases(adjacency, Math.PI / 2));
   const twins = run('creases', cutSharpEdges(adjacency));
   const hatchNormals = smoothNormals({ mesh, twins, canonicalCorners, areaNormals }, bounds.radius, run);

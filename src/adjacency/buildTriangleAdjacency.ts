@@ -4,13 +4,14 @@ import { weldPositions } from '../mesh/weldPositions.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { EdgeCounts } from './EdgeCounts.js';
+import { joinBorders, type Nearness } from './joinBorders.js';
 import { pairEdges } from './pairEdges.js';
 
 /** Which triangle lies across which edge. */
 export interface TriangleAdjacency extends EdgeCounts {
   /** For each corner the corner that starts the same edge in the neighbouring triangle, or NO_TWIN. Symmetric. */
   twins: Int32Array<ArrayBuffer>;
-  /** For each corner its canonical vertex: corners at one position have the same. */
+  /** For each corner its canonical vertex: corners at one position, or joined ones, have the same. */
   canonicalCorners: Uint32Array<ArrayBuffer>;
   /** Three doubles per triangle, see `computeAreaNormals`. Zero where degenerate. */
   areaNormals: Float64Array<ArrayBuffer>;
@@ -18,16 +19,22 @@ export interface TriangleAdjacency extends EdgeCounts {
   steps: number;
 }
 
+/** Nothing is joined but what lies at exactly the same position. */
+const EXACT: Nearness = { tolerance: 0, rounding: 0 };
+
 /**
  * Welds the mesh by exact position and finds the twin of every edge, in O(V + T) however many triangles meet in a vertex.
  *
  * The two half-edges of a manifold edge become twins, also when the windings contradict each other: the shader rebuilds
  * the neighbour from the shared edge, which repairs the winding. A non-manifold edge of n triangles is matched by
- * `matchNonManifoldEdge` in O(n log n). The result does not depend on the order of triangles or vertices.
+ * `matchNonManifoldEdge` in O(n log n). The result does not depend on the order of triangles or vertices. Then borders that are near each other are joined (`joinBorders`).
  *
  * `mesh` must be valid (see `TriangleMesh`).
  */
-export function* buildTriangleAdjacency(mesh: TriangleMesh): Generator<number, TriangleAdjacency, void> {
+export function* buildTriangleAdjacency(
+  mesh: TriangleMesh,
+  nearness: Nearness = EXACT,
+): Generator<number, TriangleAdjacency, void> {
   const { positions, indices } = mesh;
   const { canonical, steps: weldSteps } = yield* asPhase(weldPositions(positions), 0, 0.25);
   const canonicalCorners = new Uint32Array(indices.length);
@@ -37,8 +44,11 @@ export function* buildTriangleAdjacency(mesh: TriangleMesh): Generator<number, T
     0.3,
   );
   const areaNormals = yield* asPhase(computeAreaNormals(mesh), 0.3, 0.4);
-  const pairing = yield* asPhase(pairEdges(positions, canonicalCorners, areaNormals), 0.4, 1);
-  return { ...pairing, canonicalCorners, areaNormals, steps: weldSteps + pairing.steps };
+  const pairing = yield* asPhase(pairEdges(positions, canonicalCorners, areaNormals), 0.4, 0.9);
+  yield* asPhase(joinBorders({ positions, canonicalCorners, areaNormals, pairing }, nearness), 0.9, 1);
+  yield 1;
+  const { borders, steps, ...found } = pairing;
+  return { ...found, borderEdges: borders.length, canonicalCorners, areaNormals, steps: weldSteps + steps };
 }
 
 function gatherRange(

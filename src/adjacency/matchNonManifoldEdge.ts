@@ -96,7 +96,7 @@ function sortHalfEdges(corners: readonly number[], positions: Float32Array, cano
 }
 
 /** Lexicographic order of two positions, given as offsets. */
-function comparePositions(positions: Float32Array, a: number, b: number): number {
+export function comparePositions(positions: Float32Array, a: number, b: number): number {
   return positions[a] - positions[b] || positions[a + 1] - positions[b + 1] || positions[a + 2] - positions[b + 2] || 0;
 }
 

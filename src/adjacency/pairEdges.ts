@@ -6,8 +6,10 @@ import type { EdgeCounts } from './EdgeCounts.js';
 import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 
 /** What `pairEdges` returns. See `TriangleAdjacency`. */
-export interface Pairing extends EdgeCounts {
+export interface Pairing extends Omit<EdgeCounts, 'borderEdges'> {
   twins: Int32Array<ArrayBuffer>;
+  /** The half-edges of edges with one triangle, each named by the corner it starts from. */
+  borders: number[];
   /** Visits of half-edges: a machine-independent measure of the time taken. */
   steps: number;
 }
@@ -81,9 +83,9 @@ export function* pairEdges(
     0.7,
   );
 
-  const pairing = {
+  const pairing: Pairing = {
     twins: new Int32Array(canonicalCorners.length).fill(NO_TWIN),
-    borderEdges: 0,
+    borders: [],
     nonManifoldEdges: 0,
     inconsistentEdges: 0,
     degenerateTriangles,
@@ -185,14 +187,13 @@ function pairRange(
   end: number,
 ): void {
   const { twins } = pairing;
-  let borderEdges = 0;
   let inconsistentEdges = 0;
   let steps = end - start;
   for (let slot = start; slot < end; slot++) {
     if (hasSuccessor[slot] === 1) continue;
     const second = previous[slot];
     if (second === END) {
-      borderEdges++;
+      pairing.borders.push(corners[slot]);
     } else if (previous[second] === END) {
       const corner = corners[slot];
       const twin = corners[second];
@@ -206,7 +207,6 @@ function pairRange(
       steps += group.length + matchNonManifoldEdge(group, positions, canonicalCorners, twins);
     }
   }
-  pairing.borderEdges += borderEdges;
   pairing.inconsistentEdges += inconsistentEdges;
   pairing.steps += steps;
 }

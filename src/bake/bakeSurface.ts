@@ -1,5 +1,6 @@
 import { buildTriangleAdjacency, type TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
+import type { Nearness } from '../adjacency/joinBorders.js';
 import { type Bounds, measureBounds } from '../mesh/measureBounds.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { validateTriangleMesh } from '../mesh/validateTriangleMesh.js';
@@ -19,6 +20,8 @@ export interface SurfaceRequest {
   mesh: TriangleMesh;
   /** Triangles whose normals differ by this angle or more, in radians, are not neighbours. */
   creaseAngle: number;
+  /** How near borders are joined, as a share of the bounding radius. See `nearnessOf`. */
+  weldTolerance?: number | undefined;
   /** Detail finer than this, in object units, does not turn the hatch normals. See `DEFAULT_SMOOTHING_SHARE`. */
   smoothingRadius?: number | undefined;
   /** Whether to compute smooth normals, for a mesh that has none. */
@@ -47,12 +50,28 @@ export interface Surface {
  */
 export const DEFAULT_SMOOTHING_SHARE = 0.03;
 
+/** The weld tolerance, as a share of the bounding radius: some roundings of single precision, far below any detail. */
+export const DEFAULT_WELD_TOLERANCE = 1e-6;
+
+/** A smaller share counts as 0: single precision would not notice. */
+const LEAST_WELD_TOLERANCE = 2 ** -40;
+
+/** The relative rounding of single precision. */
+const SINGLE_ROUNDING = 2 ** -23;
+
+/** How near the borders of a mesh are joined, in object units. */
+export function nearnessOf({ radius }: Bounds, share = DEFAULT_WELD_TOLERANCE): Nearness {
+  const used = share < LEAST_WELD_TOLERANCE ? 0 : share;
+  return { tolerance: used * radius, rounding: Math.min(used, SINGLE_ROUNDING) * radius };
+}
+
 /** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals and the smooth ones. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
   const { mesh } = request;
   yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03);
   const bounds = yield* asPhase(measureBounds(mesh), 0.03, 0.06);
-  const adjacency = yield* asPhase(buildTriangleAdjacency(mesh), 0.06, 0.3);
+  const nearness = nearnessOf(bounds, request.weldTolerance);
+  const adjacency = yield* asPhase(buildTriangleAdjacency(mesh, nearness), 0.06, 0.3);
   yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3, 0.33);
   const smoothNormals = request.wantsNormals ? yield* asPhase(bakeSmoothNormals(adjacency), 0.33, 0.4) : null;
   const radius = request.smoothingRadius ?? DEFAULT_SMOOTHING_SHARE * bounds.radius;

@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import { isInstanced } from './vertexAttributes.js';
+import { isInstanced, type VertexAttribute } from './vertexAttributes.js';
 
 /**
  * Throws a TypeError or RangeError if the vertex data of `geometry` cannot be read. Returns the beginning of all further error
@@ -22,13 +22,25 @@ export function checkGeometry(geometry: BufferGeometry): string {
         `${label}: the data of attribute "${name}" is not in memory (a GLBufferAttribute, or freed after upload). Pass a geometry whose arrays are still there.`,
       );
     }
+    checkMemory(label, `attribute "${name}"`, attribute);
     if (!isInstanced(attribute) && attribute.count < position.count) {
       throw new RangeError(
         `${label}: attribute "${name}" has ${attribute.count} entries, but there are ${position.count} positions. Give each vertex one entry, or delete the attribute.`,
       );
     }
   }
+  if (geometry.index) checkMemory(label, 'the index', geometry.index);
   return label;
+}
+
+/** Throws a TypeError if the array is shorter than the entries: a buffer that was transferred has length 0. */
+function checkMemory(label: string, what: string, attribute: VertexAttribute): void {
+  const values =
+    'data' in attribute ? attribute.data.count * attribute.data.stride : attribute.count * attribute.itemSize;
+  if (attribute.array.length >= values) return;
+  throw new TypeError(
+    `${label}: the data of ${what} is gone: ${attribute.array.length} values for ${attribute.count} entries. Its buffer was transferred to a worker, say; pass a geometry whose arrays are still there.`,
+  );
 }
 
 const morphTargets = ({ morphAttributes }: BufferGeometry) =>

@@ -2,11 +2,16 @@ import { BufferAttribute, type BufferGeometry, InterleavedBuffer, InterleavedBuf
 import type { BakeResult } from '../bake/bake.js';
 import { CORNER_STRIDE, cornerLayout } from '../bake/cornerLayout.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
-import { finishGeometry } from './preparedGeometry.js';
+import { finishGeometry, setNormals } from './preparedGeometry.js';
+import type { Repairs } from './repairValues.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 
 /** Fills the geometry with the baked corners, the kept attributes, the bounds and the statistics. */
-export function applyCorners(geometry: BufferGeometry, kept: readonly KeptAttribute[], result: BakeResult): void {
+export function applyCorners(
+  geometry: BufferGeometry,
+  kept: readonly KeptAttribute[],
+  result: BakeResult & Repairs,
+): void {
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   const buffer = new InterleavedBuffer(result.corners, CORNER_STRIDE);
   let offset = 0;
@@ -16,6 +21,6 @@ export function applyCorners(geometry: BufferGeometry, kept: readonly KeptAttrib
   }
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
   for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
-  if (result.normals) geometry.setAttribute('normal', new BufferAttribute(result.normals, 3));
+  if (result.normals) setNormals(geometry, result.normals);
   finishGeometry(geometry, 'corner', result);
 }

@@ -3,7 +3,8 @@ import { appendVertices } from '../bake/appendVertices.js';
 import type { BakeIndexedResult } from '../bake/bakeIndexed.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
-import { finishGeometry } from './preparedGeometry.js';
+import { finishGeometry, setNormals } from './preparedGeometry.js';
+import type { Repairs } from './repairValues.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 
 /** A kept attribute with a copy of its values from before the bake. */
@@ -13,13 +14,13 @@ export interface CopiedAttribute extends KeptAttribute, VertexWords {}
 export function applyIndexed(
   geometry: BufferGeometry,
   attributes: readonly CopiedAttribute[],
-  result: BakeIndexedResult,
+  result: BakeIndexedResult & Repairs,
 ): void {
   geometry.setIndex(new BufferAttribute(result.indices, 1));
   for (const attribute of attributes) {
     setKeptAttribute(geometry, attribute, appendVertices(attribute, result.addedVertices));
   }
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
-  if (result.normals) geometry.setAttribute('normal', new BufferAttribute(result.normals, 3));
+  if (result.normals) setNormals(geometry, result.normals);
   finishGeometry(geometry, 'indexed', result);
 }

@@ -1,4 +1,5 @@
 import type { BufferGeometry } from 'three';
+import { checkOptions, TASK_OPTIONS } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { checkGeometry } from './checkGeometry.js';
@@ -9,6 +10,7 @@ import type { HatchingStatistics } from './HatchingStatistics.js';
 import { applyIndexed } from './indexedGeometry.js';
 import { startGeometry } from './preparedGeometry.js';
 import { applyPull } from './pulledGeometry.js';
+import { countUnusableNormals, zeroBadValues } from './repairValues.js';
 import { extractWords, keptAttributes } from './vertexAttributes.js';
 
 /** Options of `prepareHatchingGeometry`. */
@@ -35,7 +37,33 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * 0 leaves the normals unsmoothed.
    */
   smoothingRadius?: number | undefined;
+  /**
+   * Borders whose vertices lie this near each other, along each axis, count as one, as a share of the radius of the bounding
+   * sphere. Default 1e-6, which closes seams that rounding has opened, such as those of three's own sphere and torus; 0 joins
+   * only what lies at exactly the same position. What is drawn keeps its positions.
+   */
+  weldTolerance?: number | undefined;
 }
+
+const PREPARE_OPTIONS = {
+  layout: true,
+  creaseAngle: true,
+  smoothingRadius: true,
+  weldTolerance: true,
+  ...TASK_OPTIONS,
+} satisfies Record<keyof PrepareHatchingGeometryOptions, true>;
+
+/**
+ * Checks the names of the options and what all tasks have in common.
+ *
+ * @param more the names of further options that the caller has
+ * @throws TypeError naming the caller and the option
+ */
+export const checkPrepareOptions = (
+  caller: string,
+  options: PrepareHatchingGeometryOptions,
+  more: Readonly<Record<string, true>> = {},
+): void => checkOptions(caller, options, { ...more, ...PREPARE_OPTIONS });
 
 const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
@@ -52,49 +80,61 @@ const DEFAULT_CREASE_ANGLE = Math.PI / 2;
  *   Has an index even if the source had none, 16-bit where that is enough.
  *
  * The result is a new geometry of the triangles in the draw range. All other attributes of the source keep their types; morph
- * targets, groups, name and user data are kept too. Smooth normals are added if there are none. `userData.hatching` holds a
+ * targets, groups, name and user data are kept too. Normals that are missing, zero or not finite are computed. Other values that
+ * three reads and that are not finite become 0. Both are counted. `userData.hatching` holds a
  * `HatchingStatistics`. `geometry` itself is never changed.
  *
- * Vertices at exactly the same position count as one, so seams of uv or normal do not separate triangles. Border edges,
+ * Vertices at the same position count as one, so seams of uv or normal do not separate triangles; so do vertices at borders
+ * within the `weldTolerance`, unless that would join a chain wider than four tolerances or collapse a triangle. Border edges,
  * non-manifold edges without a partner and degenerate triangles contribute nothing to their neighbours, and are counted.
  *
  * Rejects with a TypeError or RangeError that says what to repair, for: something that is not a BufferGeometry; no
  * `position`; no triangles; a count that is not a multiple of three; an index out of range; a position that is not
- * finite; an attribute shorter than `position`; an option out of its range. Rejects with the signal's reason when aborted, and
+ * finite; memory that is gone; an attribute shorter than `position`; an option that is unknown or out of its range. Rejects with the signal's reason when aborted, and
  * with an Error when the worker dies or is disposed of meanwhile.
  */
 export async function prepareHatchingGeometry(
   geometry: BufferGeometry,
   options: PrepareHatchingGeometryOptions = {},
 ): Promise<BufferGeometry> {
+  checkPrepareOptions('prepareHatchingGeometry', options);
   options.signal?.throwIfAborted();
   const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;
-  checkOptions(options, creaseAngle);
+  checkValues(options, creaseAngle);
   const label = checkGeometry(geometry);
   const range = cornerRange(geometry, label);
   const kept = keptAttributes(geometry);
   const position = geometry.attributes.position;
+  const computedNormals = countUnusableNormals(geometry, position.count);
   const prepared = startGeometry(geometry, range);
   const request = {
     label,
     mesh: extractMesh(geometry, range),
     creaseAngle,
     smoothingRadius: options.smoothingRadius,
-    wantsNormals: !geometry.hasAttribute('normal'),
+    weldTolerance: options.weldTolerance,
+    wantsNormals: computedNormals > 0,
   };
 
   const layout = chooseLayout(geometry, options);
+  const repairs = { computedNormals, zeroedValues: 0 };
+  const copied = kept.map((entry) => {
+    const copy = extractWords(entry.attribute, position.count);
+    repairs.zeroedValues += zeroBadValues(geometry, entry, copy);
+    return copy;
+  });
   if (layout === 'indexed') {
-    const attributes = [{ name: 'position', isMorphTarget: false, attribute: position }, ...kept].map((entry) => ({
-      ...entry,
-      ...extractWords(entry.attribute, position.count),
-    }));
-    applyIndexed(prepared, attributes, await runTask('bakeIndexed', request, options));
-  } else {
-    const attributes = kept.map(({ attribute }) => extractWords(attribute, position.count));
-    if (layout === 'pull') applyPull(prepared, kept, await runTask('bakePull', { ...request, attributes }, options));
-    else applyCorners(prepared, kept, await runTask('bake', { ...request, attributes }, options));
+    const place = { name: 'position', isMorphTarget: false, attribute: position };
+    const attributes = [
+      { ...place, ...extractWords(position, position.count) },
+      ...kept.map((entry, i) => ({ ...entry, ...copied[i] })),
+    ];
+    applyIndexed(prepared, attributes, { ...(await runTask('bakeIndexed', request, options)), ...repairs });
+    return prepared;
   }
+  const baking = { ...request, attributes: copied };
+  if (layout === 'pull') applyPull(prepared, kept, { ...(await runTask('bakePull', baking, options)), ...repairs });
+  else applyCorners(prepared, kept, { ...(await runTask('bake', baking, options)), ...repairs });
   return prepared;
 }
 
@@ -106,8 +146,8 @@ function chooseLayout(
   return attributes.skinIndex || morphAttributes.position || morphAttributes.normal ? 'pull' : 'corner';
 }
 
-function checkOptions(
-  { layout = 'auto', smoothingRadius = 0 }: PrepareHatchingGeometryOptions,
+function checkValues(
+  { layout = 'auto', smoothingRadius = 0, weldTolerance = 0 }: PrepareHatchingGeometryOptions,
   creaseAngle: number,
 ): void {
   if (!['auto', 'corner', 'pull', 'indexed'].includes(layout)) {
@@ -123,6 +163,11 @@ function checkOptions(
   if (!(smoothingRadius >= 0 && smoothingRadius < Infinity)) {
     throw new RangeError(
       `prepareHatchingGeometry: smoothingRadius is ${smoothingRadius}. Pass a length in object units, 0 or more, or leave the option out.`,
+    );
+  }
+  if (!(weldTolerance >= 0 && weldTolerance < Infinity)) {
+    throw new RangeError(
+      `prepareHatchingGeometry: weldTolerance is ${String(weldTolerance)}. Pass a share of the bounding radius, 0 or more, such as 1e-6, or leave the option out.`,
     );
   }
 }

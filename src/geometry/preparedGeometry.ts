@@ -1,7 +1,9 @@
-import { Box3, BufferGeometry, InstancedBufferGeometry, Sphere, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, InstancedBufferGeometry, Sphere, Vector3 } from 'three';
 import type { BakeReport } from '../bake/bakeSurface.js';
 import type { CornerRange } from './cornerRange.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
+import { type Repairs, replaceUnusableNormals } from './repairValues.js';
+import { rememberPositions } from './staleGeometry.js';
 import { isInstanced } from './vertexAttributes.js';
 
 /**
@@ -25,25 +27,35 @@ export function startGeometry(source: BufferGeometry, range: CornerRange): Buffe
   return geometry;
 }
 
+/** Gives the geometry computed normals, in the place of those that cannot be used. */
+export function setNormals(geometry: BufferGeometry, normals: Float32Array<ArrayBuffer>): void {
+  if (geometry.attributes.normal) replaceUnusableNormals(geometry.attributes.normal, normals);
+  else geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+}
+
 /** Sets the bounds and `userData.hatching`, once all attributes are set. */
 export function finishGeometry(
   geometry: BufferGeometry,
   layout: HatchingStatistics['layout'],
-  report: BakeReport,
+  report: BakeReport & Repairs,
   textureBytes = 0,
 ): void {
   applyBounds(geometry, report);
-  const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles } = report;
+  const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles, computedNormals, zeroedValues } =
+    report;
   const statistics: HatchingStatistics = {
     triangles: (geometry.index ?? geometry.attributes.position).count / 3,
     borderEdges,
     nonManifoldEdges,
     inconsistentEdges,
     degenerateTriangles,
+    computedNormals,
+    zeroedValues,
     layout,
     bytes: bytesOf(geometry) + textureBytes,
   };
   geometry.userData.hatching = statistics;
+  rememberPositions(geometry);
 }
 
 function applyBounds(geometry: BufferGeometry, { bounds }: BakeReport): void {

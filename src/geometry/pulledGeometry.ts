@@ -2,15 +2,20 @@ import { BufferAttribute, type BufferGeometry } from 'three';
 import type { BakePullResult } from '../bake/bakePull.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
 import { PulledVertices, setPulledVertices } from './PulledVertices.js';
-import { finishGeometry } from './preparedGeometry.js';
+import { finishGeometry, setNormals } from './preparedGeometry.js';
+import type { Repairs } from './repairValues.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 
 /** Fills the geometry with the baked corners, the textures, the kept attributes, the bounds and the statistics. */
-export function applyPull(geometry: BufferGeometry, kept: readonly KeptAttribute[], result: BakePullResult): void {
+export function applyPull(
+  geometry: BufferGeometry,
+  kept: readonly KeptAttribute[],
+  result: BakePullResult & Repairs,
+): void {
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
   for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
-  if (result.normals) geometry.setAttribute('normal', new BufferAttribute(result.normals, 3));
+  if (result.normals) setNormals(geometry, result.normals);
   const { triangleVertices, vertexPositions } = result;
   finishGeometry(geometry, 'pull', result, triangleVertices.byteLength + vertexPositions.byteLength);
   setPulledVertices(geometry, new PulledVertices(result));

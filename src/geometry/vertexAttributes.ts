@@ -14,7 +14,10 @@ export interface KeptAttribute {
   attribute: VertexAttribute;
 }
 
-const bakedNames = new Set<string>([...cornerLayout, hatchNormal].map(({ name }) => name));
+/** What the bake writes, also as glTF names it. */
+const bakedNames = new Set<string>(
+  [...cornerLayout, hatchNormal].flatMap(({ name }) => [name, `_${name.toLowerCase()}`]),
+);
 
 /** Whether the attribute has one entry per instance, not per vertex. */
 export const isInstanced = (attribute: VertexAttribute): boolean =>

@@ -13,7 +13,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { bindVertices, compilePrePass, vertexLayoutOf } from './bindVertices.js';
+import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { defaultOf } from './defaultOf.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
@@ -180,6 +180,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms();
+    warnIfStale(geometry);
     this.announced.length = 0;
     if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
   }

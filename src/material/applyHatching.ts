@@ -1,6 +1,6 @@
 import { type BatchedMesh, type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
-import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
@@ -32,6 +32,14 @@ export interface ApplyHatchingOptions extends PrepareHatchingGeometryOptions {
   filter?: ((mesh: Mesh) => boolean) | undefined;
 }
 
+/** The names of the options that `prepareHatchingGeometry` has not. */
+const OWN_OPTIONS = {
+  tonalArtMap: true,
+  material: true,
+  strokeScale: true,
+  filter: true,
+} satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
+
 /** A mesh to hatch: its present geometry and material, and the material it will get. */
 interface PlannedMesh {
   mesh: Mesh;
@@ -62,9 +70,10 @@ const MAP_SHARE = 0.2;
  *   was filled with prepared geometries.
  *
  * Rejects with an Error if part of `root` is hatched already; with the signal's reason when aborted; with the first mesh's
- * error if none can be hatched; and with the error of a map or a parameter.
+ * error if none can be hatched; with a TypeError for an unknown option; and with the error of a map or a parameter.
  */
 export async function applyHatching(root: Object3D, options: ApplyHatchingOptions = {}): Promise<HatchedScene> {
+  checkPrepareOptions('applyHatching', options, OWN_OPTIONS);
   options.signal?.throwIfAborted();
   if (!root?.isObject3D) {
     throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
@@ -88,16 +97,17 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
 
     const withoutMap = replacer.materials.filter(({ tonalArtMap }) => tonalArtMap === null);
     const mapShare = withoutMap.length > 0 && options.tonalArtMap === undefined ? MAP_SHARE : 0;
-    const { onProgress, signal, createWorker } = options;
+    const { tonalArtMap: givenMap, material: _material, strokeScale, filter: _filter, ...baking } = options;
+    const { onProgress, signal, createWorker } = baking;
     const baked = await bakeGeometries(
       layoutsFor(planned, options.layout),
-      { ...options, onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)) },
+      { ...baking, onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)) },
       (geometry) => disposables.push(geometry),
     );
     const { looks, skipped } = collectLooks(planned, baked);
     if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
 
-    let map = options.tonalArtMap ?? null;
+    let map = givenMap ?? null;
     if (mapShare > 0) {
       const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
       map = await TonalArtMap.generate({ signal, createWorker, onProgress: onMapProgress });
@@ -105,7 +115,7 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     }
     for (const material of withoutMap) material.tonalArtMap = map;
     signal?.throwIfAborted();
-    replacer.setStrokeScale(options.strokeScale ?? TILES_PER_RADIUS / radiusOf(looks));
+    replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / radiusOf(looks));
     const used = new Set<Material>(looks.flatMap(({ material }) => material));
     const materials = replacer.materials.filter((material) => used.has(material));
     const scene = new HatchedScene(looks, materials, skipped, disposables, releaseMeshes);

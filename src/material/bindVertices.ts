@@ -9,13 +9,16 @@ import type {
   WebGLRenderer,
 } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
+import { hatchNormal } from '../bake/hatchNormal.js';
 import { identityOf } from '../geometry/identityOf.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
+import { isStale } from '../geometry/staleGeometry.js';
 import { deformationOf } from './deformationOf.js';
 import type { VertexLayout } from './shaderConventions.js';
 
 /** Identities of geometries. */
 const warnedGeometries = new WeakSet<object>();
+const warnedStale = new WeakSet<object>();
 
 /** Reports a problem of a geometry, once per geometry. */
 function warnOnce(geometry: BufferGeometry, problem: string): void {
@@ -40,10 +43,7 @@ export function bindVertices(
   const isDeforming = deforms(geometry, object);
   if (!vertices) {
     if (geometry.attributes[cornerLayout[0].name] === undefined) {
-      warnOnce(
-        geometry,
-        'has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.',
-      );
+      warnOnce(geometry, describeLack(geometry));
     } else if (isDeforming) {
       warnOnce(
         geometry,
@@ -76,6 +76,31 @@ export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
 export function vertexLayoutOf(geometry: BufferGeometry, object: Object3D): VertexLayout {
   if (!pulledVerticesOf(geometry)) return 'corner';
   return deforms(geometry, object) ? 'deforming' : 'pull';
+}
+
+/** What is missing from a geometry without adjacency, and what to do. */
+function describeLack({ attributes, userData }: BufferGeometry): string {
+  if (attributes[hatchNormal.name] === undefined) {
+    return 'has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.';
+  }
+  const history =
+    userData.hatching?.layout === 'indexed'
+      ? "was prepared with the layout 'indexed', which has no triangle adjacency."
+      : "has lost its triangle adjacency: that of the layout 'pull' is not kept when geometries are merged, exported or serialised.";
+  return `${history} Prepare it with the layout 'corner' or 'pull', or use the technique 'anchored'.`;
+}
+
+/** Warns, once per geometry, if it has been changed since the bake. */
+export function warnIfStale(geometry: BufferGeometry): void {
+  if (!isStale(geometry) || warnedStale.has(identityOf(geometry))) return;
+  warnedStale.add(identityOf(geometry));
+  const remedy =
+    geometry.userData.hatching.layout === 'indexed'
+      ? "A mere shift does no harm. Otherwise prepare it again, or call geometry.deleteAttribute('hatchNormal') to draw it with its own normals."
+      : 'Move the mesh instead of the geometry, or change the geometry before prepareHatchingGeometry.';
+  console.warn(
+    `HatchingMaterial: the positions of geometry "${geometry.name || geometry.uuid}" have changed since it was prepared; its neighbours and stroke normals have not. ${remedy}`,
+  );
 }
 
 /** Whether a skin or morph targets can move the vertices away from the rest pose. */

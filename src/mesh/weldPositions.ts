@@ -16,7 +16,7 @@ const fold = (bits: number): number => (bits === NEGATIVE_ZERO_BITS ? 0 : bits);
 
 /**
  * Finds the vertices that lie at exactly the same position. Seams of uv, normal or colour split vertices, but the surface
- * continues across them. There is no tolerance: vertices that only nearly coincide stay apart.
+ * continues across them. There is no tolerance here: see `joinBorders`.
  *
  * Open addressing with linear probing at a load of at most one half, expected O(V).
  */

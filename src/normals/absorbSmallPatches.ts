@@ -2,10 +2,10 @@ import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { consistentTwin } from '../adjacency/consistentTwin.js';
 import { doubleArea } from '../mesh/computeAreaNormals.js';
 import { triangleOf } from '../mesh/corners.js';
+import { disjointSets, join, rootOf } from '../mesh/disjointSets.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
-import { disjointSets, join, rootOf } from './disjointSets.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 

@@ -1,9 +1,9 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { consistentTwin } from '../adjacency/consistentTwin.js';
 import { nextCorner } from '../mesh/corners.js';
+import { disjointSets, join, rootOf } from '../mesh/disjointSets.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import { disjointSets, join, rootOf } from './disjointSets.js';
 
 /**
  * A fan is a set of corners around a vertex that are connected across edges with twins. Over a fan the surface is smooth: a

@@ -5,6 +5,7 @@ import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImag
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { readSource, type TonalArtMapSource } from '../mapFiles/readSource.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
+import { checkNames, checkOptions, TASK_OPTIONS } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
@@ -21,6 +22,20 @@ const READING_SHARE = 0.5;
 
 /** What `TonalArtMap.generate` accepts: what to draw, and how to follow and stop the task. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
+
+/** The names of the options of `generate`. */
+const GENERATE_OPTIONS = {
+  style: true,
+  seed: true,
+  size: true,
+  tones: true,
+  levels: true,
+  strokeWidth: true,
+  ...TASK_OPTIONS,
+} satisfies Record<keyof TonalArtMapOptions, true>;
+
+/** What `fromHatchImages` reads. */
+const HATCH_IMAGES = { size: true, images: true, strokeWidth: true } satisfies Record<keyof HatchImages, true>;
 
 /**
  * A tonal art map: hatch images for several tones at several resolutions. When tone or distance changes, strokes keep their
@@ -69,9 +84,10 @@ export class TonalArtMap {
   /**
    * Draws a map, in a worker where there are any. The same options give the same bytes.
    *
-   * @throws RangeError (as a rejection) if an option is out of its range; the signal's reason if it aborts
+   * @throws RangeError or TypeError (as a rejection) if an option is out of its range or unknown; the signal's reason if it aborts
    */
   static async generate(options: TonalArtMapOptions = {}): Promise<TonalArtMap> {
+    checkOptions('TonalArtMap.generate', options, GENERATE_OPTIONS);
     const { style, seed, size, tones, levels, strokeWidth, ...taskOptions } = options;
     const request: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
     resolveHatchImageOptions(request);
@@ -96,6 +112,7 @@ export class TonalArtMap {
    *   order of means) are accepted; see `report`.
    */
   static fromHatchImages(hatchImages: HatchImages): TonalArtMap {
+    checkNames('TonalArtMap.fromHatchImages', 'hatch images', hatchImages, HATCH_IMAGES);
     assertHatchImages(hatchImages);
     return new TonalArtMap(hatchImages, undefined, false);
   }
@@ -109,6 +126,7 @@ export class TonalArtMap {
    * @throws Error (as a rejection) naming the file that is missing or wrong and what to do; the signal's reason if it aborts
    */
   static async load(source: TonalArtMapSource, options: TaskOptions = {}): Promise<TonalArtMap> {
+    checkOptions('TonalArtMap.load', options, TASK_OPTIONS);
     const { signal, onProgress } = options;
     signal?.throwIfAborted();
     const onRead = (progress: number): void => onProgress?.(READING_SHARE * progress);

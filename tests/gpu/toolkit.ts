@@ -1,6 +1,8 @@
 /** What the embedding tests build their scenes from, as a global, since a test's own code runs inside `evaluate`. */
 import * as THREE from 'three';
+import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import {
   applyHatching,
   HatchingMaterial,
@@ -82,6 +84,8 @@ function pixelsOf(
 const toolkit = {
   THREE,
   GLTFLoader,
+  GLTFExporter,
+  mergeGeometries,
   applyHatching,
   HatchingMaterial,
   prepareHatchingGeometry,

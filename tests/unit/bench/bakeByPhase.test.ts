@@ -33,6 +33,7 @@ test.each([
     'check',
     'weld',
     'pair',
+    'join',
     'creases',
     'normals',
     'pack corner',

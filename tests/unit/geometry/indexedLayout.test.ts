@@ -75,6 +75,8 @@ describe('the prepared geometry', () => {
       nonManifoldEdges: 0,
       inconsistentEdges: 0,
       degenerateTriangles: 0,
+      computedNormals: 4,
+      zeroedValues: 0,
       layout: 'indexed',
       bytes: 6 * (12 + 12 + 8) + 6 * 2,
     };

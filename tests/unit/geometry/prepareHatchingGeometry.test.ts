@@ -45,7 +45,12 @@ const layoutOf = (geometry: BufferGeometry): number[][] =>
 
 /** Everything in a geometry that a caller could see change. */
 function snapshot(geometry: BufferGeometry) {
-  const bytes = ({ array }: { array: TypedArray }) => [array.constructor.name, array.byteLength, ...array];
+  const bytes = ({ array }: { array: TypedArray }) => [
+    array.constructor.name,
+    array.byteLength,
+    // The values of a buffer that was transferred cannot be asked for.
+    ...(array.byteLength > 0 ? array : []),
+  ];
   return structuredClone({
     index: geometry.index && bytes(geometry.index),
     attributes: Object.entries(geometry.attributes).map(([name, attribute]) => [name, ...bytes(attribute)]),
@@ -92,6 +97,8 @@ describe('the prepared geometry', () => {
       nonManifoldEdges: 0,
       inconsistentEdges: 0,
       degenerateTriangles: 0,
+      computedNormals: 4,
+      zeroedValues: 0,
       layout: 'corner',
       bytes: 6 * ((3 + 16 + 3) * 4 + 8),
     };
@@ -377,6 +384,20 @@ describe('bad input is rejected', () => {
       `${beginning}: the data of attribute "position" is not in memory`,
       /Pass a geometry/,
     ],
+    [
+      'positions whose buffer was transferred',
+      changed((g) =>
+        structuredClone(g.attributes.position.array, { transfer: [g.attributes.position.array.buffer as ArrayBuffer] }),
+      ),
+      `${beginning}: the data of attribute "position" is gone: 0 values for 4 entries`,
+      /pass a geometry whose arrays are still there/,
+    ],
+    [
+      'an index whose buffer was transferred',
+      changed((g) => structuredClone(g.index!.array, { transfer: [g.index!.array.buffer as ArrayBuffer] })),
+      `${beginning}: the data of the index is gone: 0 values for 6 entries`,
+      /pass a geometry whose arrays are still there/,
+    ],
     ['empty index', changed((g) => g.setIndex([])), `${beginning} has no triangles`, /skip it/],
     [
       'no vertices',
@@ -459,6 +480,16 @@ describe('bad input is rejected', () => {
     [{ smoothingRadius: -1 }, /smoothingRadius is -1\. Pass a length/],
     [{ smoothingRadius: Infinity }, /smoothingRadius is Infinity/],
     [{ smoothingRadius: Number.NaN }, /smoothingRadius is NaN/],
+    [{ layot: 'pull' }, /^prepareHatchingGeometry: unknown option "layot"\. The known ones are layout, creaseAngle, /],
+    [null, /^prepareHatchingGeometry: the options are null\. Pass an object/],
+    ['pull', /^prepareHatchingGeometry: the options are pull\. Pass an object/],
+    [{ signal: {} }, /^prepareHatchingGeometry: signal is an object \(Object\), but must be an AbortSignal/],
+    [{ signal: new AbortController() }, /signal is an object \(AbortController\).*AbortSignal/],
+    [{ onProgress: 5 }, /onProgress is 5, but must be a function/],
+    [{ createWorker: {} }, /createWorker is an object \(Object\), but must be a function/],
+    [{ weldTolerance: -1e-6 }, /weldTolerance is -0\.000001\. Pass a share of the bounding radius/],
+    [{ weldTolerance: Infinity }, /weldTolerance is Infinity/],
+    [{ weldTolerance: Number.NaN }, /weldTolerance is NaN/],
   ])('options %o', async (options, message) => {
     await expect(prepareHatchingGeometry(quad(), options as never)).rejects.toThrow(message);
   });
@@ -506,6 +537,23 @@ describe('options', () => {
     expect(await opposite()).toEqual(none);
     expect(none.alpha).not.toEqual(all.alpha);
     expect([all.axisAligned, none.axisAligned]).toEqual([false, true]);
+  });
+
+  test('a crease angle of 0 parts coplanar triangles too, without a NaN', async () => {
+    for (const layout of ['corner', 'pull', 'indexed'] as const) {
+      const source = new BoxGeometry(1, 1, 1, 2, 2, 2).deleteAttribute('normal');
+      const prepared = await prepareHatchingGeometry(source, { layout, creaseAngle: 0 });
+      for (const attribute of Object.values(prepared.attributes)) {
+        expect(attribute.array.every(Number.isFinite)).toBe(true);
+      }
+      if (layout !== 'corner') continue;
+      // Across every edge lies the triangle's own opposite vertex.
+      const [, , alpha, beta, gamma] = layoutOf(prepared);
+      const positions = [...arrayOf(prepared, 'position')];
+      expect(alpha.slice(0, 3)).toEqual(positions.slice(6, 9));
+      expect(beta.slice(0, 3)).toEqual(positions.slice(0, 3));
+      expect(gamma.slice(0, 3)).toEqual(positions.slice(3, 6));
+    }
   });
 
   test('progress rises and ends at 1', async () => {

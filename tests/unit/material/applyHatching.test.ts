@@ -467,6 +467,20 @@ describe('the way back', () => {
 });
 
 describe('when something is wrong', () => {
+  test.each([
+    [
+      { layot: 'pull' },
+      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, layout, ',
+    ],
+    [null, 'the options are null. Pass an object'],
+    [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],
+  ])('options %o are refused, and the scene can be hatched', async (options, message) => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    await expect(applyHatching(mesh, options as never)).rejects.toThrow(`applyHatching: ${message}`);
+    await applyHatching(mesh, { tonalArtMap, weldTolerance: 0 });
+    hatched(mesh);
+  });
+
   test('a scene that is hatched, or being hatched, in whole or in part, is refused', async () => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     mesh.name = 'crate';

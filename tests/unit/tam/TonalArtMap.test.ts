@@ -140,6 +140,16 @@ describe('TonalArtMap.generate', () => {
   });
 
   it('names an option out of its range', async () => {
+    await expect(TonalArtMap.generate({ syze: 64 } as never)).rejects.toThrow(
+      'TonalArtMap.generate: unknown option "syze". The known ones are style, seed, size, ',
+    );
+    await expect(TonalArtMap.generate(null as never)).rejects.toThrow('TonalArtMap.generate: the options are null.');
+    await expect(TonalArtMap.load('map.json', { style: 'ruled' } as never)).rejects.toThrow(
+      'TonalArtMap.load: unknown option "style". The known ones are signal, onProgress, createWorker.',
+    );
+    expect(() => TonalArtMap.fromHatchImages({ size: 4, images: [], levels: 1 } as never)).toThrow(
+      'TonalArtMap.fromHatchImages: unknown option "levels". The known ones are size, images.',
+    );
     await expect(TonalArtMap.generate({ size: 100 })).rejects.toThrow('TonalArtMap.generate: size is 100');
   });
 });

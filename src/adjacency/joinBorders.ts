@@ -1,0 +1,200 @@
+import { clusterPositions } from '../mesh/clusterPositions.js';
+import { isDegenerate } from '../mesh/computeAreaNormals.js';
+import { NO_TWIN, nextCorner, triangleOf } from '../mesh/corners.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
+import { comparePositions, matchNonManifoldEdge } from './matchNonManifoldEdge.js';
+import type { Pairing } from './pairEdges.js';
+
+/** How near positions are joined, in object units. */
+export interface Nearness {
+  /** Positions that differ by no more along each axis may be joined. 0: none are. */
+  tolerance: number;
+  /** A side of a triangle that is no longer along each axis comes from rounding alone. At most the tolerance. */
+  rounding: number;
+}
+
+/** What is known of a mesh before its borders are joined. Changed in place. */
+export interface PairedMesh {
+  positions: Float32Array;
+  canonicalCorners: Uint32Array;
+  areaNormals: Float64Array;
+  pairing: Pairing;
+}
+
+/** A set of joined positions may not be wider along an axis, in tolerances. */
+const WIDEST = 4;
+
+/**
+ * Joins positions at the border that lie within the tolerance, and pairs the edges that coincide then: three.js, for one,
+ * computes sin 2π as −2.4e−16, and the seam of its sphere does not close exactly. Edges that are paired already stay so.
+ *
+ * A set of joined positions is a connected component of those within the tolerance. It stays as it was if it is wider than
+ * four tolerances, or if it holds two corners of one triangle: that would lose surface. Triangles with a side that comes from
+ * rounding do not count; where their corners are joined they become degenerate, as at the pole of three's capsule.
+ */
+export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness): Generator<number, void, void> {
+  const { positions, canonicalCorners, pairing } = mesh;
+  if (!(tolerance > 0) || pairing.borders.length === 0) return;
+  const ends = endsOf(mesh);
+  const { first, steps } = yield* asPhase(clusterPositions(positions, ends, tolerance), 0, 0.5);
+  pairing.steps += steps;
+  const joined = joinedVertices(positions, ends, first, tolerance);
+  if (joined === null) return;
+  const corners: number[] = [];
+  yield* asPhase(
+    forEachChunk(canonicalCorners.length, (start, end) => findRange(canonicalCorners, joined, corners, start, end)),
+    0.5,
+    0.8,
+  );
+  keepTriangles(mesh, joined, corners, rounding);
+  collapseTriangles(mesh, joined, corners);
+  for (const corner of corners) canonicalCorners[corner] = partner(joined, canonicalCorners[corner]);
+  pairBorders(mesh);
+}
+
+/** The canonical vertices at the ends of all border edges, each once. */
+function endsOf({ positions, canonicalCorners, pairing }: PairedMesh): Uint32Array {
+  const isEnd = new Uint8Array(positions.length / 3);
+  const ends: number[] = [];
+  for (const corner of pairing.borders) {
+    for (const vertex of [canonicalCorners[corner], canonicalCorners[nextCorner(corner)]]) {
+      if (isEnd[vertex] === 1) continue;
+      isEnd[vertex] = 1;
+      ends.push(vertex);
+    }
+  }
+  return Uint32Array.from(ends);
+}
+
+/**
+ * For every vertex the one it is joined with + 1, or 0: of a cluster that is not too wide, the one with the lexicographically
+ * smallest position, whatever the order of the vertices. Null if none are joined.
+ */
+function joinedVertices(
+  positions: Float32Array,
+  ends: Uint32Array,
+  first: Uint32Array,
+  tolerance: number,
+): Uint32Array | null {
+  const count = ends.length;
+  const smallest = first.slice();
+  const boxes = new Float32Array(6 * count).fill(-Infinity);
+  let clusterCount = 0;
+  for (let i = 0; i < count; i++) {
+    const cluster = first[i];
+    if (cluster === i) clusterCount++;
+    if (comparePositions(positions, 3 * ends[i], 3 * ends[smallest[cluster]]) < 0) smallest[cluster] = i;
+    for (let axis = 0; axis < 3; axis++) {
+      const value = positions[3 * ends[i] + axis];
+      boxes[6 * cluster + axis] = Math.max(boxes[6 * cluster + axis], value);
+      boxes[6 * cluster + 3 + axis] = Math.max(boxes[6 * cluster + 3 + axis], -value);
+    }
+  }
+  if (clusterCount === count) return null;
+  const joined = new Uint32Array(positions.length / 3);
+  const sizes = new Uint32Array(count);
+  for (let i = 0; i < count; i++) sizes[first[i]]++;
+  for (let i = 0; i < count; i++) {
+    const box = 6 * first[i];
+    const isNarrow = [0, 1, 2].every((axis) => boxes[box + axis] + boxes[box + 3 + axis] <= WIDEST * tolerance);
+    if (sizes[first[i]] > 1 && isNarrow) joined[ends[i]] = ends[smallest[first[i]]] + 1;
+  }
+  return joined;
+}
+
+/** The vertex that a vertex is joined with, itself if there is none. */
+const partner = (joined: Uint32Array, vertex: number): number => (joined[vertex] === 0 ? vertex : joined[vertex] - 1);
+
+/** Finds the corners at joined vertices. */
+function findRange(
+  canonicalCorners: Uint32Array,
+  joined: Uint32Array,
+  corners: number[],
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) if (joined[canonicalCorners[corner]] !== 0) corners.push(corner);
+}
+
+/** Undoes what would collapse a triangle whose sides are no mere rounding. */
+function keepTriangles(
+  { positions, canonicalCorners, areaNormals }: PairedMesh,
+  joined: Uint32Array,
+  corners: readonly number[],
+  rounding: number,
+): void {
+  const kept = new Set<number>();
+  for (const corner of corners) {
+    const a = canonicalCorners[corner];
+    const b = canonicalCorners[nextCorner(corner)];
+    if (joined[a] !== joined[b] || a === b || isDegenerate(areaNormals, triangleOf(corner))) continue;
+    for (let axis = 0; axis < 3; axis++) {
+      if (Math.abs(positions[3 * a + axis] - positions[3 * b + axis]) > rounding) kept.add(joined[a]);
+    }
+  }
+  for (const corner of corners) {
+    const vertex = canonicalCorners[corner];
+    if (kept.has(joined[vertex])) joined[vertex] = 0;
+  }
+}
+
+/** Makes triangles degenerate that have two corners joined with each other. */
+function collapseTriangles(mesh: PairedMesh, joined: Uint32Array, corners: readonly number[]): void {
+  const { canonicalCorners, areaNormals } = mesh;
+  for (const corner of corners) {
+    const a = joined[canonicalCorners[corner]];
+    const b = joined[canonicalCorners[nextCorner(corner)]];
+    const triangle = triangleOf(corner);
+    if (a !== 0 && a === b && !isDegenerate(areaNormals, triangle)) collapse(mesh, 3 * triangle);
+  }
+}
+
+/** Makes the triangle that starts at the corner `first` degenerate. Its neighbours' edges become borders. */
+function collapse({ canonicalCorners, areaNormals, pairing }: PairedMesh, first: number): void {
+  pairing.degenerateTriangles++;
+  areaNormals.fill(0, first, first + 3);
+  for (let corner = first; corner < first + 3; corner++) {
+    const twin = pairing.twins[corner];
+    if (twin === NO_TWIN) continue;
+    if (canonicalCorners[corner] === canonicalCorners[twin]) pairing.inconsistentEdges--;
+    pairing.twins[corner] = NO_TWIN;
+    pairing.twins[twin] = NO_TWIN;
+    pairing.borders.push(twin);
+  }
+}
+
+/** Pairs the border edges whose ends are the same now. */
+function pairBorders({ positions, canonicalCorners, areaNormals, pairing }: PairedMesh): void {
+  const { twins } = pairing;
+  const vertexCount = positions.length / 3;
+  const open = pairing.borders.filter((corner) => !isDegenerate(areaNormals, triangleOf(corner)));
+  const latest = new Map<number, number>();
+  const previous = new Int32Array(open.length);
+  for (const [i, corner] of open.entries()) {
+    const from = canonicalCorners[corner];
+    const to = canonicalCorners[nextCorner(corner)];
+    const edge = Math.min(from, to) * vertexCount + Math.max(from, to);
+    previous[i] = latest.get(edge) ?? -1;
+    latest.set(edge, i);
+  }
+  pairing.borders = [];
+  for (const last of latest.values()) {
+    const corner = open[last];
+    const second = previous[last];
+    if (second < 0) {
+      pairing.borders.push(corner);
+    } else if (previous[second] < 0) {
+      const twin = open[second];
+      twins[corner] = twin;
+      twins[twin] = corner;
+      if (canonicalCorners[corner] === canonicalCorners[twin]) pairing.inconsistentEdges++;
+    } else {
+      const group: number[] = [];
+      for (let member = last; member >= 0; member = previous[member]) group.push(open[member]);
+      pairing.nonManifoldEdges++;
+      pairing.steps += matchNonManifoldEdge(group, positions, canonicalCorners, twins);
+    }
+  }
+  pairing.steps += open.length;
+}

@@ -1,0 +1,50 @@
+import type { TaskOptions } from './TaskOptions.js';
+
+/** The names of the options of every long task. */
+export const TASK_OPTIONS = { signal: true, onProgress: true, createWorker: true } satisfies Record<
+  keyof TaskOptions,
+  true
+>;
+
+/**
+ * Checks that `options` is an object with no other names than those in `known`.
+ *
+ * @throws TypeError naming the caller, what is wrong and the names that are known
+ */
+export function checkNames(
+  caller: string,
+  what: string,
+  options: unknown,
+  known: Readonly<Record<string, true>>,
+): void {
+  const names = Object.keys(known).join(', ');
+  if (typeof options !== 'object' || options === null) {
+    throw new TypeError(`${caller}: the ${what} are ${String(options)}. Pass an object with some of ${names}.`);
+  }
+  for (const name of Object.keys(options)) {
+    if (Object.hasOwn(known, name)) continue;
+    throw new TypeError(`${caller}: unknown option "${name}". The known ones are ${names}.`);
+  }
+}
+
+/**
+ * Checks the names of all options and the values of those that every long task has.
+ *
+ * @throws TypeError naming the caller, the option and what it may be
+ */
+export function checkOptions(caller: string, options: TaskOptions, known: Readonly<Record<string, true>>): void {
+  checkNames(caller, 'options', options, known);
+  const { signal, onProgress, createWorker } = options;
+  if (signal !== undefined && typeof signal?.throwIfAborted !== 'function') {
+    throw new TypeError(
+      `${caller}: signal is ${describe(signal)}, but must be an AbortSignal, such as the signal of an AbortController.`,
+    );
+  }
+  for (const [name, value] of Object.entries({ onProgress, createWorker })) {
+    if (value === undefined || typeof value === 'function') continue;
+    throw new TypeError(`${caller}: ${name} is ${describe(value)}, but must be a function, or left out.`);
+  }
+}
+
+const describe = (value: unknown): string =>
+  typeof value === 'object' && value !== null ? `an object (${value.constructor?.name ?? 'Object'})` : String(value);

@@ -1,0 +1,147 @@
+import type { BufferGeometry } from 'three';
+import { expect, test } from '../browser/test.js';
+import { centre, covered, difference, differing } from './pixels.js';
+
+/** Prepared geometry that was damaged before the bake, or changed, merged or exported after it. */
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+for (const technique of ['adjacency', 'anchored'] as const) {
+  test(`a mesh whose normals are NaN or zero is not black: ${technique}`, async ({ page }) => {
+    const [sound, ...broken] = await page.evaluate(async (technique) => {
+      const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+      const draw = async (bad: number | undefined) => {
+        const geometry = new THREE.SphereGeometry(1, 24, 16);
+        if (bad !== undefined) (geometry.getAttribute('normal').array as Float32Array).fill(bad);
+        const mesh = await hatchedMesh(geometry, { technique, toneNormal: 'smooth' });
+        return pixelsOf(sceneOf(mesh, sun(Math.PI, [0, 0, 1])));
+      };
+      return [await draw(undefined), await draw(Number.NaN), await draw(0)];
+    }, technique);
+    expect(covered(sound)).toBeGreaterThan(2000);
+    expect(centre(sound)[0]).toBeGreaterThan(240);
+    // Computed normals are not quite those that three gives its sphere.
+    for (const pixels of broken) expect(differing(sound, pixels, 8)).toBeLessThan(0.01 * covered(sound));
+  });
+}
+
+test('geometry that is moved after the bake is named, once, with the remedy', async ({ page, pageProblems }) => {
+  await page.evaluate(async () => {
+    const { THREE, prepareHatchingGeometry, HatchingMaterial, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const draw = (geometry: BufferGeometry, technique: 'adjacency' | 'anchored') => {
+      const mesh = new THREE.Mesh(geometry, new HatchingMaterial({ technique }));
+      pixelsOf(sceneOf(mesh, sun()), renderer);
+      pixelsOf(sceneOf(mesh, sun()), renderer);
+    };
+    const prepare = async (name: string, layout: 'corner' | 'pull' | 'indexed') => {
+      const geometry = await prepareHatchingGeometry(new THREE.BoxGeometry(), { layout });
+      geometry.name = name;
+      return geometry;
+    };
+    draw(await prepare('untouched', 'corner'), 'adjacency');
+    const cloned = (await prepare('cloned', 'pull')).clone();
+    draw(cloned, 'adjacency');
+    draw(cloned.rotateX(1), 'adjacency');
+    draw((await prepare('moved', 'corner')).translate(0, 1, 0), 'adjacency');
+    const replaced = await prepare('replaced', 'corner');
+    replaced.setAttribute('position', replaced.getAttribute('position').clone());
+    draw(replaced, 'anchored');
+    const indexed = (await prepare('indexed', 'indexed')).scale(1, 2, 1);
+    draw(indexed, 'anchored');
+    const freed = (await prepare('freed', 'indexed')).center().deleteAttribute('hatchNormal');
+    draw(freed, 'anchored');
+  });
+  const problems = pageProblems.splice(0);
+  const named = problems.map(
+    (problem) => /positions of geometry "(\w+)" have changed since it was prepared/.exec(problem)?.[1],
+  );
+  expect(named).toEqual(['cloned', 'moved', 'replaced', 'indexed']);
+  for (const problem of problems.slice(0, 3)) expect(problem).toContain('Move the mesh instead of the geometry');
+  expect(problems[3]).toContain("geometry.deleteAttribute('hatchNormal')");
+});
+
+test('geometry without its adjacency is told what to do', async ({ page, pageProblems }) => {
+  const merged = await page.evaluate(async () => {
+    const { THREE, mergeGeometries, prepareHatchingGeometry, hatchedMesh, greyMap, HatchingMaterial, sceneOf, sun } =
+      window.toolkit;
+    const { pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const draw = (geometry: BufferGeometry) =>
+      pixelsOf(sceneOf(new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap: greyMap() })), sun()), renderer);
+    const indexed = await prepareHatchingGeometry(new THREE.BoxGeometry(), { layout: 'indexed' });
+    indexed.name = 'indexed';
+    draw(indexed);
+    const halves = (layout: 'corner' | 'pull') =>
+      Promise.all(
+        [-0.7, 0.7].map((x) =>
+          prepareHatchingGeometry(new THREE.BoxGeometry(0.8, 0.8, 0.8).translate(x, 0, 0), { layout }),
+        ),
+      );
+    const pulled = mergeGeometries(await halves('pull'));
+    pulled.name = 'pulled';
+    draw(pulled);
+    const source = mergeGeometries([-0.7, 0.7].map((x) => new THREE.BoxGeometry(0.8, 0.8, 0.8).translate(x, 0, 0)));
+    return {
+      expected: pixelsOf(sceneOf(await hatchedMesh(source), sun()), renderer),
+      // What the message proposes.
+      preparedAgain: draw(await prepareHatchingGeometry(pulled)),
+      corner: draw(mergeGeometries(await halves('corner'))),
+    };
+  });
+  expect(covered(merged.expected)).toBeGreaterThan(800);
+  expect(difference(merged.expected, merged.preparedAgain)).toBe(0);
+  expect(difference(merged.expected, merged.corner)).toBe(0);
+  const problems = pageProblems.splice(0);
+  const remedy = "Prepare it with the layout 'corner' or 'pull', or use the technique 'anchored'.";
+  expect(problems).toEqual([
+    expect.stringContaining(
+      `geometry "indexed" was prepared with the layout 'indexed', which has no triangle adjacency. ${remedy}`,
+    ),
+    expect.stringContaining('geometry "pulled" has lost its triangle adjacency'),
+  ]);
+  expect(problems[1]).toContain(remedy);
+});
+
+test('GLTFExporter writes the scene after restore(); what it writes of hatched meshes can be hatched again', async ({
+  page,
+  pageProblems,
+}) => {
+  const { before, after, hatched, expected, again, names } = await page.evaluate(async () => {
+    const { THREE, GLTFExporter, GLTFLoader, applyHatching, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const renderer = makeRenderer();
+    const root = new THREE.Group().add(
+      new THREE.Mesh(new THREE.TorusGeometry(0.8, 0.4, 12, 24), new THREE.MeshStandardMaterial({ color: 'red' })),
+    );
+    const write = async () => JSON.stringify(await new GLTFExporter().parseAsync(root));
+    const before = await write();
+    const hatching = await applyHatching(root, {
+      layout: 'corner',
+      tonalArtMap: greyMap(),
+      material: { color: 'white' },
+    });
+    const expected = pixelsOf(sceneOf(root, sun()), renderer);
+    const hatched = await write();
+    root.removeFromParent();
+    hatching.restore();
+    const after = await write();
+    const { scene } = await new GLTFLoader().parseAsync(hatched, '');
+    await applyHatching(scene, { tonalArtMap: greyMap(), material: { color: 'white' } });
+    const again = pixelsOf(sceneOf(scene, sun()), renderer);
+    let names: string[] = [];
+    scene.traverse((object) => {
+      if (object instanceof THREE.Mesh) names = Object.keys(object.geometry.attributes);
+    });
+    return { before, after, hatched, expected, again, names };
+  });
+  expect(after).toBe(before);
+  expect(hatched).not.toBe(before);
+  expect(covered(expected)).toBeGreaterThan(800);
+  expect(differing(expected, again, 2)).toBeLessThan(0.01 * covered(expected));
+  expect(names.filter((name) => name.startsWith('_'))).toEqual([]);
+  expect(pageProblems.splice(0)).toEqual([expect.stringContaining('GLTFExporter: THREE.ShaderMaterial not supported')]);
+});
