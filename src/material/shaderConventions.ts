@@ -29,7 +29,7 @@ export const conventionsChunk = (): string =>
     ...(ShaderChunk.lights_pars_begin.includes('NUM_SUN_LIGHTS') ? [] : ['#define NUM_SUN_LIGHTS 0']),
   ].join('\n');
 
-/** What shadows of three.js before 0.182 unpack depth with; a version may come that has no such chunk any more. */
+/** What shadows of older versions of three.js unpack depth with; a version may come that has no such chunk any more. */
 export const packingChunk = (): string => ('packing' in ShaderChunk ? '#include <packing>' : '');
 
 /** Declarations of the attributes of the `corner` layout. */

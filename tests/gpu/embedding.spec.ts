@@ -339,3 +339,22 @@ test('a transparent double-sided mesh draws both its sides', async ({ page }) =>
   // The inside of the back wall faces the light: white over green, and white again.
   expect(centre(pixels)).toEqual([192, 255, 192]);
 });
+
+test('a material comes back from its JSON', async ({ page }) => {
+  const [drawn, drawnAgain] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(1, 0.4), {
+      ink: '#a02030',
+      toneModel: 'phong',
+      crisp: true,
+    });
+    const scene = sceneOf(mesh, sun());
+    const drawn = pixelsOf(scene);
+    const { tonalArtMap } = mesh.material;
+    mesh.material = HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(mesh.material.toJSON())));
+    mesh.material.tonalArtMap = tonalArtMap;
+    return [drawn, pixelsOf(scene)];
+  });
+  expect(new Set(drawn).size).toBeGreaterThan(5);
+  expect(drawnAgain).toEqual(drawn);
+});
