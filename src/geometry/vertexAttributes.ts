@@ -14,7 +14,9 @@ export interface KeptAttribute {
   attribute: VertexAttribute;
 }
 
-const bakedNames = new Set<string>([...cornerLayout, hatchNormal].map(({ name }) => name));
+const bakedNames = /* @__PURE__ */ new Set<string>(
+  /* @__PURE__ */ [...cornerLayout, hatchNormal].map(({ name }) => name),
+);
 
 /** Whether the attribute has one entry per instance, not per vertex. */
 export const isInstanced = (attribute: VertexAttribute): boolean =>

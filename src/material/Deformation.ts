@@ -30,7 +30,7 @@ class CornerPoints extends Points {
   bindMatrixInverse: Matrix4 | undefined;
 }
 
-const noScene = new Scene();
+const noScene = /* @__PURE__ */ new Scene();
 const allCorners = { start: 0, count: Infinity };
 
 /**
