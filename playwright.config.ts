@@ -1,10 +1,19 @@
 import { defineConfig } from '@playwright/test';
 import { launchOptions } from './tests/browser/launchOptions.mjs';
+import type { ThreeOptions } from './tests/browser/ThreeOptions.js';
 
 /** An uncommon port, so that a playground somebody left open is never mistaken for the code under test. */
 const port = Number(process.env.HATCH_PORT ?? 41730);
 
-export default defineConfig({
+/** What must hold with every version of three.js, by file and title; the other tests run with the newest only. */
+const core = [
+  /(embedding|lights)\.spec/,
+  /equals the double-precision reference: (torus|phong|reflected light|second layer|tone curve)/,
+  /anchored equals .*(moved object|perceptual)/,
+  /what three\.js computes on the processor: skin/,
+];
+
+export default defineConfig<object, ThreeOptions>({
   testDir: 'tests',
   testMatch: '**/*.spec.ts',
   outputDir: 'tests/output/playwright',
@@ -24,7 +33,15 @@ export default defineConfig({
     screenshot: 'only-on-failure',
     trace: 'off',
   },
-  projects: ['gpu', 'visual', 'e2e', 'consumers'].map((name) => ({ name, testDir: `tests/${name}` })),
+  projects: [
+    ...['gpu', 'visual', 'e2e', 'consumers'].map((name) => ({ name, testDir: `tests/${name}` })),
+    ...['three-oldest', 'three-middle'].map((name) => ({
+      name,
+      testDir: 'tests/gpu',
+      grep: core,
+      use: { three: name },
+    })),
+  ],
   webServer: {
     command: `node node_modules/vite/bin/vite.js --mode test --host 127.0.0.1 --port ${port} --strictPort`,
     url: `http://127.0.0.1:${port}/tests/browser/blank.html`,

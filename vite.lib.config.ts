@@ -1,8 +1,33 @@
-import { defineConfig, type UserConfig } from 'vite';
+import { readFile } from 'node:fs/promises';
+import { defineConfig, type Plugin, type UserConfig } from 'vite';
 
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   command: { command: 'src/command/main.ts' },
+};
+
+/** Shaders without comments and indentation: three.js shows a program's text where it fails, and ships it everywhere else. */
+const shortShaders: Plugin = {
+  name: 'short-shaders',
+  enforce: 'pre',
+  async load(id) {
+    const [path, query] = id.split('?');
+    if (query !== 'raw' || !/\.(glsl|vert|frag)$/.test(path)) return null;
+    const text = (await readFile(path, 'utf8')).replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '').replace(/^\s+|[ \t]+$/gm, '');
+    return `export default ${JSON.stringify(text)};`;
+  },
+};
+
+/** Vite makes the Blob of an inlined worker when the module is loaded, so no bundler may leave it out. */
+const pureWorkerBlob: Plugin = {
+  name: 'pure-worker-blob',
+  enforce: 'post',
+  transform(code, id) {
+    if (!id.includes('?worker&inline')) return null;
+    const made = /^(const blob = )(.*);$/m;
+    if (!made.test(code)) this.error('The code of an inlined worker has changed: mend pureWorkerBlob.');
+    return { code: code.replace(made, '$1/* @__PURE__ */ (() => $2)();'), map: null };
+  },
 };
 
 /**
@@ -14,6 +39,7 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // The default base would turn the worker's address into an absolute one, broken for every consumer.
     base: './',
+    plugins: [shortShaders, pureWorkerBlob],
     publicDir: false,
     // Inlined as text, where no consumer's minifier reaches it.
     worker: { format: 'es', rolldownOptions: { output: { minify: true } } },
@@ -27,7 +53,14 @@ export default defineConfig(
         entry: ENTRIES[mode] ?? { index: 'src/index.ts' },
         formats: ['es'],
       },
-      rolldownOptions: { external: [/^three($|\/)/, /^node:/] },
+      rolldownOptions: {
+        external: [/^three($|\/)/, /^node:/],
+        // What is loaded when it is needed, under its own name; and what several files need.
+        output: {
+          chunkFileNames: '[name].js',
+          codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] },
+        },
+      },
     },
   }),
 );

@@ -26,13 +26,6 @@ export function* bake(request: BakeRequest): Generator<number, BakeResult, void>
   return { ...packed, ...reportOf(surface), ...ofCorners };
 }
 
-/** The buffers of a request, to be transferred with it. */
-export const bakeRequestBuffers = ({ mesh, attributes }: BakeRequest): ArrayBuffer[] => [
-  mesh.positions.buffer,
-  mesh.indices.buffer,
-  ...attributes.map(({ words }) => words.buffer),
-];
-
 /** The buffers of a result, to be transferred with it. */
 export const bakeResultBuffers = (result: BakeResult): ArrayBuffer[] => [
   result.positions.buffer,

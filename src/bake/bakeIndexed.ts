@@ -1,6 +1,6 @@
 import { asPhase } from '../slices/asPhase.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
-import { packHatchNormals } from './hatchNormal.js';
+import { packHatchNormals } from './packHatchNormals.js';
 import { packNormals } from './packNormals.js';
 import { splitVertices } from './splitVertices.js';
 
@@ -37,12 +37,6 @@ export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeInd
     normals: smoothNormals && (yield* asPhase(packNormals(smoothNormals, cornerOfVertex), 0.98, 1)),
   };
 }
-
-/** The buffers of a request, to be transferred with it. */
-export const bakeIndexedRequestBuffers = ({ mesh }: SurfaceRequest): ArrayBuffer[] => [
-  mesh.positions.buffer,
-  mesh.indices.buffer,
-];
 
 /** The buffers of a result, to be transferred with it. */
 export const bakeIndexedResultBuffers = ({

@@ -1,7 +1,7 @@
 import { asPhase } from '../slices/asPhase.js';
 import type { Surface } from './bakeSurface.js';
 import { expandPerCorner, type VertexWords, type Words } from './expandPerCorner.js';
-import { packHatchNormals } from './hatchNormal.js';
+import { packHatchNormals } from './packHatchNormals.js';
 import { packNormals } from './packNormals.js';
 
 /** The attributes per corner in the layouts that give each corner a vertex of its own. */

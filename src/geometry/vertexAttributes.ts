@@ -15,8 +15,8 @@ export interface KeptAttribute {
 }
 
 /** What the bake writes, also as glTF names it. */
-const bakedNames = new Set<string>(
-  [...cornerLayout, hatchNormal].flatMap(({ name }) => [name, `_${name.toLowerCase()}`]),
+const bakedNames = /* @__PURE__ */ new Set<string>(
+  /* @__PURE__ */ [...cornerLayout, hatchNormal].flatMap(({ name }) => [name, `_${name.toLowerCase()}`]),
 );
 
 /** Whether the attribute has one entry per instance, not per vertex. */

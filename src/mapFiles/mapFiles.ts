@@ -26,3 +26,6 @@ export const MAP_VERSION = 1;
 
 /** The name of the JSON file. */
 export const MAP_FILE = 'map.json';
+
+/** Thresholds are multiples of this, so a PNG image holds them exactly: eight bits each of red, green and blue. */
+export const THRESHOLD_STEP = 2 ** -24;

@@ -1,9 +1,8 @@
 import { meanInk } from '../hatchImages/checkHatchImages.js';
 import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
 import { decodePng } from './decodePng.js';
-import { MAP_FORMAT, MAP_VERSION, type MapDescription } from './mapFiles.js';
+import { MAP_FORMAT, MAP_VERSION, type MapDescription, THRESHOLD_STEP } from './mapFiles.js';
 import type { Pixels } from './Pixels.js';
-import { THRESHOLD_STEP } from './writeMapFiles.js';
 
 /** Longest side of an image, in pixels. */
 const MAX_SIDE = 4096;

@@ -1,9 +1,6 @@
 import type { HatchImages } from '../hatchImages/HatchImages.js';
 import { encodePng } from './encodePng.js';
-import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile } from './mapFiles.js';
-
-/** Thresholds are multiples of this, so a PNG image holds them exactly: eight bits each of red, green and blue. */
-export const THRESHOLD_STEP = 2 ** -24;
+import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile, THRESHOLD_STEP } from './mapFiles.js';
 
 /**
  * The files of a map: a JSON file that names the others, a grey PNG image for each tone and level and, with thresholds, an RGB

@@ -31,8 +31,8 @@ class CornerPoints extends Points {
   bindMatrixInverse: Matrix4 | undefined;
 }
 
-const noScene = new Scene();
-const noCamera = new Camera();
+const noScene = /* @__PURE__ */ new Scene();
+const noCamera = /* @__PURE__ */ new Camera();
 const allCorners = { start: 0, count: Infinity };
 /** With this three.js builds the program, and then neither binds nor draws. */
 const noCorners = { start: 1, count: -2 };

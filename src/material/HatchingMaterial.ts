@@ -34,9 +34,9 @@ import { programSwitches } from './programSwitches.js';
 import { TONE_CURVES, VERTEX_LAYOUTS, type VertexLayout } from './shaderConventions.js';
 import { isUsedBy, warnOfUnused } from './unusedProperties.js';
 
-const viewport = new Vector4();
+const viewport = /* @__PURE__ */ new Vector4();
 
-const propertyNames = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
 /**
@@ -51,6 +51,7 @@ const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PR
  */
 export class HatchingMaterial extends HatchingMaterialProperties {
   readonly isHatchingMaterial = true;
+  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
   override readonly type: string = 'HatchingMaterial';
 
   /** Choices that were made, and the technique, on which the defaults of the others depend. */

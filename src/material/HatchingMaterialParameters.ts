@@ -5,9 +5,9 @@ import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
 export type HatchingMaterialParameters = MaterialParameters &
   Partial<HatchingMaterialOptions> & {
     /** Defines of your own, beside the material's. */
-    defines?: Record<string, unknown>;
-    fog?: boolean;
-    wireframe?: boolean;
-    clipping?: boolean;
-    lights?: boolean;
+    defines?: Record<string, unknown> | undefined;
+    fog?: boolean | undefined;
+    wireframe?: boolean | undefined;
+    clipping?: boolean | undefined;
+    lights?: boolean | undefined;
   };

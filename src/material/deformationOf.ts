@@ -6,7 +6,7 @@ import { Deformation } from './Deformation.js';
 /** Per `renderer.properties`: three.js makes a new one when a lost context is restored. Then by the identity of the mesh. */
 const deformations = new WeakMap<object, WeakMap<object, Deformation>>();
 /** Frees a deformation when its mesh is garbage-collected: meshes have no `dispose()`. */
-const disposeWithMesh = new FinalizationRegistry<Deformation>((deformation) => deformation.dispose());
+const disposeWithMesh = /* @__PURE__ */ new FinalizationRegistry<Deformation>((deformation) => deformation.dispose());
 
 /** The deformation of a mesh on the renderer's graphics context, made on first use. Meshes that share a geometry have one each. */
 export function deformationOf(

@@ -1,6 +1,6 @@
 import type { HatchingTechnique } from './hatchingProperties.js';
 import { resolveIncludes } from './resolveIncludes.js';
-import { conventionsChunk, cornerAttributesChunk } from './shaderConventions.js';
+import { conventionsChunk, cornerAttributesChunk, packingChunk } from './shaderConventions.js';
 
 /** The text of a program's two stages: ours resolved; three resolves its own includes when it compiles. */
 export interface Shaders {
@@ -40,7 +40,11 @@ function shadersFrom(name: string, technique?: HatchingTechnique): Shaders {
 
 /** Chunks by the names they are included by: `tone` for chunks/tone.glsl, `technique/read` for techniques/<technique>/read.glsl. */
 function chunksFor(technique?: HatchingTechnique): Record<string, string> {
-  const chunks: Record<string, string> = { conventions: conventionsChunk(), cornerAttributes: cornerAttributesChunk() };
+  const chunks: Record<string, string> = {
+    conventions: conventionsChunk(),
+    cornerAttributes: cornerAttributesChunk(),
+    packing: packingChunk(),
+  };
   for (const [path, text] of Object.entries(files)) {
     const name = path
       .replace('../../shaders/', '')

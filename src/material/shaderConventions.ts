@@ -1,3 +1,4 @@
+import { ShaderChunk } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import type { HatchingProperty } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES } from './hatchingProperties.js';
@@ -24,7 +25,12 @@ export const conventionsChunk = (): string =>
     ...numbered('TONE_CURVE', TONE_CURVES),
     `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
+    // Versions of three.js before sun lights do not replace the name by their number.
+    ...(ShaderChunk.lights_pars_begin.includes('NUM_SUN_LIGHTS') ? [] : ['#define NUM_SUN_LIGHTS 0']),
   ].join('\n');
+
+/** What shadows of older versions of three.js unpack depth with; a version may come that has no such chunk any more. */
+export const packingChunk = (): string => ('packing' in ShaderChunk ? '#include <packing>' : '');
 
 /** Declarations of the attributes of the `corner` layout. */
 export const cornerAttributesChunk = (): string =>

@@ -32,125 +32,129 @@ const stippling: StrokeStyle = {
   thresholds: { maxInk: 0.5, swell: 0.05, proposals: 48 },
 };
 
+// A function, because to a bundler a spread may do anything: what is made of one at once, it would never leave out.
+const makeStyles = () =>
+  ({
+    /** Pen strokes side by side. */
+    hatching,
+
+    /** Pen strokes; from half tone on, a second layer at right angles. */
+    crossHatching: {
+      ...hatching,
+      layers: [along, { across: true, slope: 0, from: 0.45, thresholdsFrom: 0.32 }],
+      thresholds: { maxInk: 0.6, swell: 0.15, proposals: 400 },
+    },
+
+    /** Fine pen strokes in three directions, sixty degrees apart, that set in one after the other. */
+    tripleHatching: {
+      ...hatching,
+      width: 1.7,
+      layers: [
+        along,
+        { across: true, slope: 0.577, from: 0.28, thresholdsFrom: 0.2 },
+        { across: true, slope: -0.577, from: 0.52, thresholdsFrom: 0.4 },
+      ],
+      thresholds: { maxInk: 0.72, swell: 0.1, proposals: 300 },
+    },
+
+    /** Thin even lines as if drawn with a ruler; from half tone on, a second layer. */
+    ruled: {
+      ...hatching,
+      length: [0.5, 0.95],
+      width: 1.4,
+      widthRange: [1.2, 2.6],
+      widthSpread: 0.02,
+      taper: 0,
+      slope: 0.001,
+      bow: 0,
+      wave: 0,
+      layers: [along, { across: true, slope: 0.577, from: 0.42, thresholdsFrom: 0.3 }],
+      thresholds: { maxInk: 0.8, swell: 0.08, proposals: 500 },
+    },
+
+    /** Long lines like the contours of a map. */
+    contours: {
+      ...hatching,
+      length: [0.5, 1.5],
+      width: 1.8,
+      widthSpread: 0.06,
+      taper: 48,
+      slope: 0.006,
+      bow: 0.004,
+      wave: 0.006,
+      proposals: 500,
+      thresholds: { maxInk: 0.46, swell: 0.22, proposals: 500 },
+    },
+
+    /** Short strokes with gaps between them. */
+    dashes: {
+      ...hatching,
+      length: [0.045, 0.09],
+      width: 2.2,
+      widthRange: [1.65, 2.5],
+      taper: 5,
+      slope: 0.09,
+      bow: 0,
+      wave: 0,
+      maxInk: 0.9,
+      proposals: 80,
+      thresholds: { maxInk: 0.6, swell: 0.08, proposals: 80 },
+    },
+
+    /** Dots. */
+    stippling,
+
+    /** Soft grey strokes on paper with a fine grain. */
+    pencil: {
+      ...hatching,
+      length: [0.22, 0.5],
+      width: 1.8,
+      widthRange: [1.6, 2.4],
+      widthSpread: 0.25,
+      taper: 30,
+      slope: 0.05,
+      bow: 0.006,
+      wave: 0.004,
+      maxInk: 0.8,
+      proposals: 120,
+      thresholds: { maxInk: 0.66, swell: 0.15, proposals: 200 },
+      grain: { radius: 1, edge: 2, contrast: 1.6, pressure: [0.6, 1.5], roughness: 0.22 },
+    },
+
+    /** Broad crumbling strokes on rough paper. */
+    charcoal: {
+      ...hatching,
+      length: [0.16, 0.42],
+      width: 2.6,
+      widthRange: [2, 2.6],
+      widthSpread: 0.25,
+      taper: 16,
+      slope: 0.1,
+      bow: 0.01,
+      wave: 0.006,
+      maxInk: 0.84,
+      proposals: 60,
+      thresholds: { maxInk: 0.5, swell: 0.25, proposals: 100 },
+      grain: { radius: 1, edge: 2.5, contrast: 5, pressure: [0.7, 1.5], roughness: 0.36 },
+    },
+
+    /** Thick wedges as cut into wood, which close until only slivers of paper remain. */
+    woodcut: {
+      ...hatching,
+      length: [0.2, 0.46],
+      width: 2.5,
+      widthSpread: 0.15,
+      taper: 90,
+      slope: 0.03,
+      bow: 0.004,
+      wave: 0.002,
+      proposals: 300,
+      thresholds: { maxInk: 0.46, swell: 0.3, proposals: 300 },
+    },
+  }) as const satisfies Record<string, StrokeStyle>;
+
 /** The styles that the generator can draw. */
-export const strokeStyles = {
-  /** Pen strokes side by side. */
-  hatching,
-
-  /** Pen strokes; from half tone on, a second layer at right angles. */
-  crossHatching: {
-    ...hatching,
-    layers: [along, { across: true, slope: 0, from: 0.45, thresholdsFrom: 0.32 }],
-    thresholds: { maxInk: 0.6, swell: 0.15, proposals: 400 },
-  },
-
-  /** Fine pen strokes in three directions, sixty degrees apart, that set in one after the other. */
-  tripleHatching: {
-    ...hatching,
-    width: 1.7,
-    layers: [
-      along,
-      { across: true, slope: 0.577, from: 0.28, thresholdsFrom: 0.2 },
-      { across: true, slope: -0.577, from: 0.52, thresholdsFrom: 0.4 },
-    ],
-    thresholds: { maxInk: 0.72, swell: 0.1, proposals: 300 },
-  },
-
-  /** Thin even lines as if drawn with a ruler; from half tone on, a second layer. */
-  ruled: {
-    ...hatching,
-    length: [0.5, 0.95],
-    width: 1.4,
-    widthRange: [1.2, 2.6],
-    widthSpread: 0.02,
-    taper: 0,
-    slope: 0.001,
-    bow: 0,
-    wave: 0,
-    layers: [along, { across: true, slope: 0.577, from: 0.42, thresholdsFrom: 0.3 }],
-    thresholds: { maxInk: 0.8, swell: 0.08, proposals: 500 },
-  },
-
-  /** Long lines like the contours of a map. */
-  contours: {
-    ...hatching,
-    length: [0.5, 1.5],
-    width: 1.8,
-    widthSpread: 0.06,
-    taper: 48,
-    slope: 0.006,
-    bow: 0.004,
-    wave: 0.006,
-    proposals: 500,
-    thresholds: { maxInk: 0.46, swell: 0.22, proposals: 500 },
-  },
-
-  /** Short strokes with gaps between them. */
-  dashes: {
-    ...hatching,
-    length: [0.045, 0.09],
-    width: 2.2,
-    widthRange: [1.65, 2.5],
-    taper: 5,
-    slope: 0.09,
-    bow: 0,
-    wave: 0,
-    maxInk: 0.9,
-    proposals: 80,
-    thresholds: { maxInk: 0.6, swell: 0.08, proposals: 80 },
-  },
-
-  /** Dots. */
-  stippling,
-
-  /** Soft grey strokes on paper with a fine grain. */
-  pencil: {
-    ...hatching,
-    length: [0.22, 0.5],
-    width: 1.8,
-    widthRange: [1.6, 2.4],
-    widthSpread: 0.25,
-    taper: 30,
-    slope: 0.05,
-    bow: 0.006,
-    wave: 0.004,
-    maxInk: 0.8,
-    proposals: 120,
-    thresholds: { maxInk: 0.66, swell: 0.15, proposals: 200 },
-    grain: { radius: 1, edge: 2, contrast: 1.6, pressure: [0.6, 1.5], roughness: 0.22 },
-  },
-
-  /** Broad crumbling strokes on rough paper. */
-  charcoal: {
-    ...hatching,
-    length: [0.16, 0.42],
-    width: 2.6,
-    widthRange: [2, 2.6],
-    widthSpread: 0.25,
-    taper: 16,
-    slope: 0.1,
-    bow: 0.01,
-    wave: 0.006,
-    maxInk: 0.84,
-    proposals: 60,
-    thresholds: { maxInk: 0.5, swell: 0.25, proposals: 100 },
-    grain: { radius: 1, edge: 2.5, contrast: 5, pressure: [0.7, 1.5], roughness: 0.36 },
-  },
-
-  /** Thick wedges as cut into wood, which close until only slivers of paper remain. */
-  woodcut: {
-    ...hatching,
-    length: [0.2, 0.46],
-    width: 2.5,
-    widthSpread: 0.15,
-    taper: 90,
-    slope: 0.03,
-    bow: 0.004,
-    wave: 0.002,
-    proposals: 300,
-    thresholds: { maxInk: 0.46, swell: 0.3, proposals: 300 },
-  },
-} as const satisfies Record<string, StrokeStyle>;
+export const strokeStyles = /* @__PURE__ */ makeStyles();
 
 /** The names of the styles. */
 export type StrokeStyleName = keyof typeof strokeStyles;

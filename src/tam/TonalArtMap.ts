@@ -3,8 +3,7 @@ import { deriveThresholds } from '../hatchImages/deriveThresholds.js';
 import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
-import { readSource, type TonalArtMapSource } from '../mapFiles/readSource.js';
-import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
+import type { TonalArtMapSource } from '../mapFiles/readSource.js';
 import { checkNames, checkOptions, TASK_OPTIONS } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
@@ -130,6 +129,7 @@ export class TonalArtMap {
     const { signal, onProgress } = options;
     signal?.throwIfAborted();
     const onRead = (progress: number): void => onProgress?.(READING_SHARE * progress);
+    const { readSource } = await import('../mapFiles/readSource.js');
     const { lacksLevels, thresholds, ...read } = await readSource(source, signal, onRead);
     signal?.throwIfAborted();
     assertHatchImages(read);
@@ -214,6 +214,7 @@ export class TonalArtMap {
    */
   async save(): Promise<File[]> {
     const thresholds = this.hasDrawnThresholds ? this.thresholdMap().map((level) => level.thresholds) : undefined;
+    const { writeMapFiles } = await import('../mapFiles/writeMapFiles.js');
     const files = await writeMapFiles(this.allImages(), thresholds);
     return files.map(({ name, bytes }) => {
       const type = name.endsWith('.json') ? 'application/json' : 'image/png';

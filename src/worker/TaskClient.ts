@@ -1,7 +1,8 @@
 import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
+import { requestBuffers } from './requestBuffers.js';
 import { SilenceWatch } from './SilenceWatch.js';
-import { type TaskName, type TaskRequest, type TaskResult, taskNamed } from './tasks.js';
+import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 
 /** Milliseconds after which an idle worker is ended. It holds a thread and tens of megabytes. */
 const IDLE_MS = 10_000;
@@ -168,7 +169,7 @@ export class TaskClient {
   private dispatch({ id, task, request }: Pending): void {
     this.watch.start();
     try {
-      this.send({ type: 'run', id, task, request }, taskNamed(task).requestBuffers(request));
+      this.send({ type: 'run', id, task, request }, requestBuffers(task, request));
     } catch (error) {
       this.settle(id)?.reject(error);
     }
@@ -182,10 +183,13 @@ export class TaskClient {
       controller.abort();
     };
     const onProgress = (progress: number) => this.report(id, progress);
-    runSliced(taskNamed(task).run(request), { signal: controller.signal, onProgress }).then(
-      (result) => this.finish(id, result),
-      (error) => this.settle(id)?.reject(error),
-    );
+    // Loaded only here: the worker has this code already, and no page should carry it twice.
+    import('./tasks.js')
+      .then(({ taskNamed }) => runSliced(taskNamed(task).run(request), { signal: controller.signal, onProgress }))
+      .then(
+        (result) => this.finish(id, result),
+        (error) => this.settle(id)?.reject(error),
+      );
   }
 
   /** The worker did not start: run this and all later tasks on the main thread. */

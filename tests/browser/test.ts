@@ -1,4 +1,6 @@
 import { test as base, type ConsoleMessage, expect, type Page } from '@playwright/test';
+import { serveTests } from './serveTests.js';
+import type { ThreeOptions } from './ThreeOptions.js';
 import { toleratedMessages } from './toleratedMessages.js';
 
 export { expect };
@@ -8,6 +10,11 @@ declare global {
     /** Every WebGL2 context the page has made, recorded by the fixture below. */
     __webglContexts?: WebGL2RenderingContext[];
   }
+}
+
+interface Site {
+  /** Where the pages lie. */
+  site: string | undefined;
 }
 
 interface PageChecks {
@@ -21,7 +28,24 @@ interface PageChecks {
 }
 
 /** Playwright's `test`, whose page fails the test on any console warning or error, uncaught error or GL error. */
-export const test = base.extend<PageChecks>({
+export const test = base.extend<PageChecks, ThreeOptions & Site>({
+  three: [undefined, { option: true, scope: 'worker' }],
+
+  site: [
+    async ({ three }, use, { project }) => {
+      if (three === undefined) {
+        await use(project.use.baseURL);
+        return;
+      }
+      const server = await serveTests(three);
+      await use(server.url);
+      await server.close();
+    },
+    { scope: 'worker' },
+  ],
+
+  baseURL: ({ site }, use) => use(site),
+
   checkGlErrors: [true, { option: true }],
 
   // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the fixture's needs from this pattern.
@@ -67,8 +91,8 @@ async function usePage(
 export const testOnOnePage = (address: string) =>
   test.extend<object, { onePage: Page }>({
     onePage: [
-      async ({ browser }, use, { project }) => {
-        const page = await browser.newPage({ baseURL: project.use.baseURL });
+      async ({ browser, site }, use) => {
+        const page = await browser.newPage({ baseURL: site });
         await page.addInitScript(recordContexts);
         await page.goto(address);
         await use(page);

@@ -1,11 +1,12 @@
 import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
-import { build, createServer } from 'vite';
+import { build, createServer, type Rolldown } from 'vite';
 import { expect, test } from '../browser/test.js';
-import { installPackedLibrary, libraryFolder, projectFolder, threeFolder } from './packedLibrary.js';
+import { installPackedLibrary, libraryFolder, projectFolder, root, threeFolder } from './packedLibrary.js';
 import { serveFolders } from './serveFolders.js';
 
 declare global {
@@ -22,51 +23,87 @@ test.beforeAll(() => {
   files = installPackedLibrary();
 });
 
+/** The smallest bundles that a page with a build of its own can have, in bytes after gzip: what it loads at once. */
+const MOST_BYTES = { HatchingMaterial: 25_000, 'HatchingMaterial, prepareHatchingGeometry, TonalArtMap': 42_000 };
+
 test.describe('the tarball', () => {
   test('holds the library and its declarations, and nothing else', () => {
     expect(files).toEqual(
       expect.arrayContaining([
         ...['LICENSE', 'README.md', 'package.json'],
-        ...[
-          'dist/index.js',
-          'dist/index.d.ts',
-          'dist/bake.worker.js',
-          'dist/worker/bake.worker.d.ts',
-          'dist/command.js',
-        ],
+        ...['dist/index.js', 'dist/index.d.ts', 'dist/worker/bake.worker.d.ts'],
       ]),
     );
+    const scripts = ['index.js', 'bake.worker.js', 'command.js']
+      .flatMap((name) => withImports(name))
+      .map((name) => `dist/${name}`);
     const strangers = files.filter(
-      (file) =>
-        !/^(LICENSE|README\.md|package\.json|dist\/(index|bake\.worker|command)\.js|dist\/.+\.d\.ts)$/.test(file),
+      (file) => !/^(LICENSE|README\.md|package\.json|dist\/.+\.d\.ts)$/.test(file) && !scripts.includes(file),
     );
     expect(strangers).toEqual([]);
+    expect(files).toEqual(expect.arrayContaining(scripts));
     expect(files.filter((file) => file.includes('demo'))).toEqual([]);
   });
 
   test('every file that package.json names is there', () => {
-    const { exports, bin } = JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
-    const named = Object.values({ ...exports, ...bin } as Record<string, string | Record<string, string>>)
+    const { exports, bin, main, types } = packageJson();
+    const named = Object.values({ ...exports, ...bin, main, types } as Record<string, string | Record<string, string>>)
       .flatMap((entry) => (typeof entry === 'string' ? [entry] : Object.values(entry)))
-      .filter((path) => !path.includes('*'))
       .map((path) => path.replace('./', ''));
     expect(files).toEqual(expect.arrayContaining(named));
   });
 
+  test('is found by resolvers old and new, and binds no user to a version of Node', () => {
+    const { exports, main, engines, peerDependencies } = packageJson();
+    expect(main).toBe(exports['.'].default);
+    const { resolve } = createRequire(join(projectFolder, 'any.js'));
+    expect(resolve('three-hatching/package.json')).toBe(join(libraryFolder, 'package.json'));
+    expect(engines).toBeUndefined();
+    expect(peerDependencies).toEqual({ three: '>=0.170.0' });
+  });
+
   test('imports three and nothing else; the worker imports nothing, the command what Node has', () => {
-    expect(importsOf('index.js')).toEqual(['three']);
+    const imported = withImports('index.js').flatMap(importsOf);
+    expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     for (const name of importsOf('command.js')) expect(name).toMatch(/^node:/);
   });
 
+  test('leaves nothing in a bundle that uses nothing of it, whatever the bundler is told', async () => {
+    // As a copy without package.json, which says that there are no side effects.
+    const copy = join(projectFolder, 'copy');
+    cpSync(join(libraryFolder, 'dist'), copy, { recursive: true });
+    const [{ code }] = await bundle(`import '${copy}/index.js';`);
+    expect(code.replace(/import ?["']three["'];?/, '').trim()).toBe('');
+  });
+
+  for (const [names, most] of Object.entries(MOST_BYTES)) {
+    test(`is small: ${names}`, async () => {
+      const chunks = await bundle(`export { ${names} } from 'three-hatching';`);
+      const byName = new Map(chunks.map((chunk) => [chunk.fileName, chunk]));
+      const atOnce = new Set(chunks.filter(({ isEntry }) => isEntry));
+      for (const { imports } of atOnce) {
+        for (const name of imports) if (byName.has(name)) atOnce.add(byName.get(name)!);
+      }
+      const bytes = [...atOnce].reduce((sum, { code }) => sum + gzipSync(code).length, 0);
+      test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });
+      expect(bytes).toBeLessThanOrEqual(most);
+      expect([...atOnce].map(({ code }) => code).join('')).not.toContain('// N_t, which');
+    });
+  }
+
   test('has declarations that a strict compiler takes without any of our build tools', () => {
     const typescript = createRequire(import.meta.url).resolve('typescript/package.json');
-    for (const moduleResolution of ['bundler', 'nodenext']) {
+    const settings = ['bundler', 'nodenext'].flatMap((moduleResolution) =>
+      ['@types/three', 'types-three-middle', 'types-three-oldest'].map((three) => ({ moduleResolution, three })),
+    );
+    for (const { moduleResolution, three } of settings) {
       const compilerOptions = {
         target: 'es2022',
         lib: ['es2023', 'dom', 'dom.iterable'],
         module: moduleResolution === 'bundler' ? 'esnext' : 'nodenext',
         moduleResolution,
+        paths: { three: [join(root, 'node_modules', three)] },
         types: [],
         strict: true,
         exactOptionalPropertyTypes: true,
@@ -80,7 +117,7 @@ test.describe('the tarball', () => {
           cwd: projectFolder,
           encoding: 'utf8',
         });
-      expect(compilerOutput(compile), moduleResolution).toBe('');
+      expect(compilerOutput(compile), `${moduleResolution}, ${three}`).toBe('');
     }
   });
 });
@@ -148,6 +185,33 @@ test.describe('a hatched cube', () => {
     await server.close();
   });
 });
+
+const packageJson = () => JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
+
+/** A file of dist and all of its own kind that it imports, at once or later. */
+function withImports(file: string, known: string[] = []): string[] {
+  if (known.includes(file)) return [];
+  known.push(file);
+  for (const name of importsOf(file)) if (name.startsWith('./')) withImports(name.slice(2), known);
+  return known;
+}
+
+/** What a consumer's bundler makes of an entry, three.js apart. */
+async function bundle(entry: string): Promise<Rolldown.OutputChunk[]> {
+  const input = join(projectFolder, 'entry.js');
+  writeFileSync(input, entry);
+  const result = await build({
+    configFile: false,
+    root: projectFolder,
+    logLevel: 'error',
+    build: {
+      write: false,
+      modulePreload: false,
+      rolldownOptions: { input, external: /^three($|\/)/, preserveEntrySignatures: 'strict' },
+    },
+  });
+  return (result as Rolldown.RolldownOutput).output.filter((file) => file.type === 'chunk');
+}
 
 function importsOf(file: string): string[] {
   const text = readFileSync(join(libraryFolder, 'dist', file), 'utf8');

@@ -3,7 +3,7 @@ import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const root = fileURLToPath(new URL('../..', import.meta.url));
+export const root = fileURLToPath(new URL('../..', import.meta.url));
 /** A project of its own; three and the tools are found in the repository's node_modules, above it. */
 export const projectFolder = join(root, 'tests/output/consumers');
 export const libraryFolder = join(projectFolder, 'node_modules/three-hatching');

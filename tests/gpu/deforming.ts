@@ -100,6 +100,21 @@ async function hatchedModel(content: string, clip: number, parameters: HatchingM
 const wordsOf = (geometry: THREE.BufferGeometry) =>
   pulledVerticesOf(geometry)!.triangleVertices.image.data as unknown as Uint32Array;
 
+/** The texels of a float texture that was drawn into. Not by its render target, which textures of older versions do not name. */
+function texelsOf(renderer: THREE.WebGLRenderer, texture: THREE.Texture): Float32Array {
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const { width, height } = texture.image as { width: number; height: number };
+  const texels = new Float32Array(4 * width * height);
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
+  const { __webglTexture: drawn } = renderer.properties.get(texture) as { __webglTexture: WebGLTexture };
+  gl.framebufferTexture2D(gl.READ_FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, drawn, 0);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, texels);
+  gl.deleteFramebuffer(framebuffer);
+  renderer.resetState();
+  return texels;
+}
+
 /** What the pre-pass wrote for each corner of a mesh that its material drew last. */
 function deformedCorners(
   renderer: THREE.WebGLRenderer,
@@ -107,13 +122,9 @@ function deformedCorners(
 ): DeformedVertex[] {
   const words = wordsOf(geometry);
   const corners = geometry.attributes.position.count;
-  const texture = material.uniforms.deformedPositions.value as THREE.Texture;
-  const target = texture.renderTarget as THREE.WebGLRenderTarget;
-  const [positions, normals] = [0, 1].map((attachment) => {
-    const texels = new Float32Array(4 * target.width * target.height);
-    renderer.readRenderTargetPixels(target, 0, 0, target.width, target.height, texels, undefined, attachment);
-    return texels;
-  });
+  const [positions, normals] = ['deformedPositions', 'deformedNormals'].map((name) =>
+    texelsOf(renderer, material.uniforms[name].value),
+  );
   return Array.from({ length: corners }, (_, corner) => {
     const texel = 4 * words[8 * Math.floor(corner / 3) + (corner % 3)];
     return { position: [...positions!.slice(texel, texel + 3)], normal: [...normals!.slice(texel, texel + 3)] };

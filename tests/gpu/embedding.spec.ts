@@ -197,7 +197,10 @@ for (const depth of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) 
         return mesh;
       };
       const scene = sceneOf(hatched, plain(-0.7, -0.001), plain(0.2, 0.001), sun(Math.PI, [0, 0, 1]));
-      return pixelsOf(scene, makeRenderer({ [depth]: true }));
+      // three.js 0.170 has the option under an older name.
+      const parameters =
+        depth === 'reversedDepthBuffer' ? { [depth]: true, reverseDepthBuffer: true } : { [depth]: true };
+      return pixelsOf(scene, makeRenderer(parameters));
     }, depth);
     // Left the plain square stands a hair behind the hatched one, right a hair before it.
     expect(at(pixels, 33, 48)).toEqual([255, 255, 255]);
@@ -335,4 +338,23 @@ test('a transparent double-sided mesh draws both its sides', async ({ page }) =>
   });
   // The inside of the back wall faces the light: white over green, and white again.
   expect(centre(pixels)).toEqual([192, 255, 192]);
+});
+
+test('a material comes back from its JSON', async ({ page }) => {
+  const [drawn, drawnAgain] = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(1, 0.4), {
+      ink: '#a02030',
+      toneModel: 'phong',
+      crisp: true,
+    });
+    const scene = sceneOf(mesh, sun());
+    const drawn = pixelsOf(scene);
+    const { tonalArtMap } = mesh.material;
+    mesh.material = HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(mesh.material.toJSON())));
+    mesh.material.tonalArtMap = tonalArtMap;
+    return [drawn, pixelsOf(scene)];
+  });
+  expect(new Set(drawn).size).toBeGreaterThan(5);
+  expect(drawnAgain).toEqual(drawn);
 });

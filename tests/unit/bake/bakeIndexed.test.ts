@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { bake } from '../../../src/bake/bake.js';
-import { bakeIndexed, bakeIndexedRequestBuffers, bakeIndexedResultBuffers } from '../../../src/bake/bakeIndexed.js';
+import { bakeIndexed, bakeIndexedResultBuffers } from '../../../src/bake/bakeIndexed.js';
+import { bakeRequestBuffers } from '../../../src/bake/bakeRequestBuffers.js';
 import type { SurfaceRequest } from '../../../src/bake/bakeSurface.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../mesh/meshes.js';
@@ -130,7 +131,7 @@ test('smooth normals are added where asked for: split at the crease angle', () =
 
 test('only mesh and normals travel', () => {
   const request = requestFor(foldedQuad(60), { wantsNormals: true });
-  expect(bakeIndexedRequestBuffers(request)).toEqual([request.mesh.positions.buffer, request.mesh.indices.buffer]);
+  expect(bakeRequestBuffers(request)).toEqual([request.mesh.positions.buffer, request.mesh.indices.buffer]);
   const result = finish(bakeIndexed(request));
   const buffers = Object.values(result).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer] : []));
   expect(new Set(bakeIndexedResultBuffers(result))).toEqual(new Set(buffers));

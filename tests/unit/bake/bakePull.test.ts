@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { type BakeRequest, bake, bakeRequestBuffers } from '../../../src/bake/bake.js';
+import { type BakeRequest, bake } from '../../../src/bake/bake.js';
 import { bakePull, bakePullResultBuffers } from '../../../src/bake/bakePull.js';
+import { bakeRequestBuffers } from '../../../src/bake/bakeRequestBuffers.js';
 import { CORNER_STRIDE } from '../../../src/bake/cornerLayout.js';
 import { pullTextureSize } from '../../../src/bake/pullLayout.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';

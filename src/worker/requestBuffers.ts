@@ -1,0 +1,15 @@
+import { bakeRequestBuffers } from '../bake/bakeRequestBuffers.js';
+import { imageBuffers } from '../hatchImages/imageBuffers.js';
+import type { TaskName, TaskRequest } from './tasks.js';
+
+const buffersOf: { [Name in TaskName]: (request: TaskRequest<Name>) => ArrayBuffer[] } = {
+  bake: bakeRequestBuffers,
+  bakeIndexed: bakeRequestBuffers,
+  bakePull: bakeRequestBuffers,
+  generateHatchImages: () => [],
+  generateThresholds: () => [],
+  completeHatchImages: imageBuffers,
+};
+
+/** The buffers transferred with a request, whose type `runTask` has checked: the sender loses them. */
+export const requestBuffers = (name: TaskName, request: unknown): ArrayBuffer[] => buffersOf[name](request as never);
