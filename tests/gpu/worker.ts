@@ -1,5 +1,5 @@
 import bunny from 'bunny';
-import { BoxGeometry, BufferGeometry, Float32BufferAttribute, TorusGeometry } from 'three';
+import { BoxGeometry, BufferGeometry, CapsuleGeometry, Float32BufferAttribute, TorusGeometry } from 'three';
 import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
 import BakeWorker from '../../src/worker/bake.worker.js?worker';
 import { disposeHatchingWorkers, runTask } from '../../src/worker/runTask.js';
@@ -42,10 +42,14 @@ async function withoutWorkers<Result>(body: () => Promise<Result>): Promise<Resu
   }
 }
 
-async function prepareAndDigest(options?: PrepareHatchingGeometryOptions) {
+function bunnyGeometry(): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(bunny.positions.flat(), 3));
   geometry.setIndex(bunny.cells.flat());
+  return geometry;
+}
+
+async function prepareAndDigest(options?: PrepareHatchingGeometryOptions, geometry = bunnyGeometry()) {
   const prepared = await prepareHatchingGeometry(geometry, options);
   return { digest: await digest(prepared), statistics: prepared.userData.hatching, bounds: prepared.boundingSphere };
 }
@@ -64,6 +68,11 @@ const workerTests = {
   async bunnyIndexed() {
     const inWorker = await prepareAndDigest({ layout: 'indexed' });
     return { inWorker, onMainThread: await withoutWorkers(() => prepareAndDigest({ layout: 'indexed' })) };
+  },
+
+  async capsule() {
+    const prepare = () => prepareAndDigest({ weldTolerance: 1e-5 }, new CapsuleGeometry(1, 1, 16, 64));
+    return { inWorker: await prepare(), onMainThread: await withoutWorkers(prepare) };
   },
 
   async hatchImages() {

@@ -24,6 +24,12 @@ test('the indexed bunny has the same bytes from the worker and from the main thr
   expect(onMainThread).toEqual(inWorker);
 });
 
+test('a seam is joined to the same bytes in the worker and on the main thread', async ({ page }) => {
+  const { inWorker, onMainThread } = await page.evaluate(() => window.workerTests.capsule());
+  expect(inWorker.statistics).toMatchObject({ borderEdges: 0 });
+  expect(onMainThread).toEqual(inWorker);
+});
+
 test('hatch images have the same bytes from the worker and from the main thread', async ({ page }) => {
   const { inWorker, onMainThread } = await page.evaluate(() => window.workerTests.hatchImages());
   expect(inWorker).toHaveLength(15);
