@@ -1,7 +1,7 @@
 import { type BufferGeometry, DataTexture, FloatType, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from 'three';
 import type { PackedPull } from '../bake/packPull.js';
 import { pullTextureSize } from '../bake/pullLayout.js';
-import type { HatchingStatistics } from './HatchingStatistics.js';
+import { identityOf } from './identityOf.js';
 
 /** The textures of a geometry in the `pull` layout (see `pullLayout.ts`). */
 export class PulledVertices {
@@ -30,14 +30,14 @@ export class PulledVertices {
   }
 }
 
-/** By `userData.hatching`, an object that clones of a geometry share. */
-const pulledVertices = new WeakMap<HatchingStatistics, PulledVertices>();
+/** By the identity of `userData.hatching`, an object that clones of a geometry share. */
+const pulledVertices = new WeakMap<object, PulledVertices>();
 
-export const pulledVerticesOf = ({ userData }: BufferGeometry): PulledVertices | undefined =>
-  pulledVertices.get(userData.hatching);
+export const pulledVerticesOf = ({ userData: { hatching } }: BufferGeometry): PulledVertices | undefined =>
+  typeof hatching === 'object' && hatching !== null ? pulledVertices.get(identityOf(hatching)) : undefined;
 
 /** Attaches the textures to a geometry and its clones. They are freed when the geometry is disposed of. */
 export function setPulledVertices(geometry: BufferGeometry, vertices: PulledVertices): void {
-  pulledVertices.set(geometry.userData.hatching, vertices);
+  pulledVertices.set(identityOf(geometry.userData.hatching), vertices);
   geometry.addEventListener('dispose', () => vertices.dispose());
 }

@@ -1,6 +1,6 @@
 import {
   type BufferGeometry,
-  type Camera,
+  Camera,
   FloatType,
   GLSL3,
   type Material,
@@ -18,6 +18,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import { identityOf } from '../geometry/identityOf.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { deformationShaders } from './hatchingShaders.js';
 import { Pose } from './Pose.js';
@@ -31,7 +32,10 @@ class CornerPoints extends Points {
 }
 
 const noScene = new Scene();
+const noCamera = new Camera();
 const allCorners = { start: 0, count: Infinity };
+/** With this three.js builds the program, and then neither binds nor draws. */
+const noCorners = { start: 1, count: -2 };
 
 /**
  * Positions, normals and rotations of one mesh of the `pull` layout in its present pose: one texel per vertex, on one graphics
@@ -46,7 +50,7 @@ export class Deformation {
   private disposed = false;
 
   constructor(
-    readonly geometry: BufferGeometry,
+    private readonly geometry: BufferGeometry,
     { triangleVertices, positions }: PulledVertices,
   ) {
     const { width, height } = positions.image;
@@ -89,6 +93,10 @@ export class Deformation {
     return this.disposed;
   }
 
+  isOf(geometry: BufferGeometry): boolean {
+    return identityOf(geometry) === identityOf(this.geometry);
+  }
+
   /**
    * Brings the textures up to date while `renderer` draws `mesh` with `material` for `camera`. Does nothing if the pose has not
    * changed. Leaves the renderer's state as it was. Allocates nothing.
@@ -98,7 +106,12 @@ export class Deformation {
       this.users.add(material);
       material.addEventListener('dispose', this.dispose);
     }
-    if (this.pose.update(mesh)) this.draw(renderer, camera, mesh);
+    if (this.pose.update(mesh)) this.draw(renderer, camera, mesh, allCorners);
+  }
+
+  /** Builds the program, and draws nothing: the geometry need not be on the graphics card yet. */
+  compile(renderer: WebGLRenderer, mesh: Mesh): void {
+    this.draw(renderer, noCamera, mesh, noCorners);
   }
 
   /** Frees the graphics memory. Called when the geometry or a material that draws it is disposed of. */
@@ -110,7 +123,7 @@ export class Deformation {
     for (const material of this.users) material.removeEventListener('dispose', this.dispose);
   };
 
-  private draw(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
+  private draw(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, corners: typeof allCorners): void {
     const points = this.points;
     points.morphTargetInfluences = mesh.morphTargetInfluences;
     if ('isSkinnedMesh' in mesh) {
@@ -128,7 +141,7 @@ export class Deformation {
     this.geometry.setDrawRange(0, Infinity);
     renderer.setRenderTarget(this.target);
     // Not render(): that would begin a frame of its own, with lights, shadows, background and counters.
-    renderer.renderBufferDirect(camera, noScene, this.geometry, this.shader, points, allCorners);
+    renderer.renderBufferDirect(camera, noScene, this.geometry, this.shader, points, corners);
     renderer.setRenderTarget(target, face, level);
     this.geometry.setDrawRange(start, count);
     // Each camera of an ArrayCamera draws into its own part of the target.

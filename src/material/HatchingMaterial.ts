@@ -4,6 +4,7 @@ import {
   type Color,
   type Group,
   Material,
+  type Mesh,
   type Object3D,
   type Scene,
   type ShaderMaterial,
@@ -12,7 +13,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { bindVertices } from './bindVertices.js';
+import { bindVertices, compilePrePass, vertexLayoutOf } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { defaultOf } from './defaultOf.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
@@ -60,6 +61,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private drawnSwitches: number | undefined;
   /** Where the mesh drawn last has its adjacency. */
   private vertexLayout: VertexLayout = 'corner';
+  /** Meshes announced before the first program was built. */
+  private announced: Mesh[] = [];
 
   /** @throws Error if a choice is none of the known names, or `toneCurve` no curve. */
   constructor(parameters?: HatchingMaterialParameters) {
@@ -141,6 +144,24 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     });
   }
 
+  /**
+   * Announces a mesh that the material will draw, so that `renderer.compile` builds the very programs that the first frame
+   * uses. `applyHatching` does so.
+   *
+   * @internal
+   */
+  announce(mesh: Mesh): void {
+    this.announced.push(mesh);
+    this.useVertexLayout(vertexLayoutOf(mesh.geometry, mesh));
+  }
+
+  /** Called by the renderer. Builds the program of the pre-pass too, which only drawing does. */
+  override onBeforeCompile(_shader: unknown, renderer: WebGLRenderer): void {
+    for (const mesh of this.announced.splice(0)) {
+      if (this.readsAdjacency) compilePrePass(renderer, mesh);
+    }
+  }
+
   private beforeRender(
     renderer: WebGLRenderer,
     _scene: Scene,
@@ -156,8 +177,15 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms();
-    if (HATCHING_TECHNIQUES[this.technique].vertexData !== 'adjacency') return;
-    const layout = bindVertices(renderer, camera, geometry, object, this);
+    this.announced.length = 0;
+    if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
+  }
+
+  private get readsAdjacency(): boolean {
+    return HATCHING_TECHNIQUES[this.technique].vertexData === 'adjacency';
+  }
+
+  private useVertexLayout(layout: VertexLayout): void {
     if (layout === this.vertexLayout) return;
     this.vertexLayout = layout;
     this.writeProgram();
@@ -257,7 +285,6 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    */
   private writeProgram(): void {
     const { technique } = this;
-    const { vertexData } = HATCHING_TECHNIQUES[technique];
     const { vertexShader, fragmentShader } = hatchingShaders(technique);
     let hasChanged = this.vertexShader !== vertexShader || this.fragmentShader !== fragmentShader;
     Object.assign(this, { vertexShader, fragmentShader });
@@ -275,7 +302,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       else write(property.define, value ? '' : undefined);
     }
     write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
-    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(vertexData === 'adjacency' ? this.vertexLayout : 'corner'));
+    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(this.readsAdjacency ? this.vertexLayout : 'corner'));
     if (hasChanged) this.needsUpdate = true;
   }
 }

@@ -50,6 +50,8 @@ const MAP_SHARE = 0.2;
  * groups, skins and morph targets keep working; lines, points and sprites are left alone. Nothing in the scene changes before
  * everything is ready, and nothing at all if that fails or is aborted. Once aborted, the scene can be hatched again at once.
  *
+ * `await renderer.compileAsync(scene, camera)` afterwards builds every program that the first frame uses.
+ *
  * - A material shared by meshes becomes one shared material. If the meshes differ in scale, it becomes one per scale, since
  *   `strokeScale` counts in object space. Meshes that deform get a material of their own.
  * - Meshes that already have a `HatchingMaterial` are left alone.
@@ -106,7 +108,11 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     replacer.setStrokeScale(options.strokeScale ?? TILES_PER_RADIUS / radiusOf(looks));
     const used = new Set<Material>(looks.flatMap(({ material }) => material));
     const materials = replacer.materials.filter((material) => used.has(material));
-    return new HatchedScene(looks, materials, skipped, disposables, releaseMeshes);
+    const scene = new HatchedScene(looks, materials, skipped, disposables, releaseMeshes);
+    for (const { mesh } of looks) {
+      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
+    }
+    return scene;
   } catch (error) {
     for (const disposable of disposables) disposable.dispose();
     releaseMeshes();

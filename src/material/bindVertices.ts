@@ -9,16 +9,19 @@ import type {
   WebGLRenderer,
 } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
+import { identityOf } from '../geometry/identityOf.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
 import { deformationOf } from './deformationOf.js';
 import type { VertexLayout } from './shaderConventions.js';
 
-const warnedGeometries = new WeakSet<BufferGeometry>();
+/** Identities of geometries. */
+const warnedGeometries = new WeakSet<object>();
 
 /** Reports a problem of a geometry, once per geometry. */
 function warnOnce(geometry: BufferGeometry, problem: string): void {
-  if (warnedGeometries.has(geometry)) return;
-  warnedGeometries.add(geometry);
+  const identity = identityOf(geometry);
+  if (warnedGeometries.has(identity)) return;
+  warnedGeometries.add(identity);
   console.error(`HatchingMaterial: geometry "${geometry.name || geometry.uuid}" ${problem}`);
 }
 
@@ -59,6 +62,20 @@ export function bindVertices(
   bind(material, 'deformedNormals', deformation.normals);
   bind(material, 'deformedTurns', deformation.turns);
   return 'deforming';
+}
+
+/** Builds the program of the pre-pass that a mesh will need, if any. */
+export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
+  const { geometry } = mesh;
+  const vertices = pulledVerticesOf(geometry);
+  if (!vertices || !deforms(geometry, mesh) || !canDeform(renderer, geometry, mesh)) return;
+  deformationOf(renderer, mesh, geometry, vertices).compile(renderer, mesh);
+}
+
+/** The layout in which a material will find the vertices of a mesh, if the device can draw it. */
+export function vertexLayoutOf(geometry: BufferGeometry, object: Object3D): VertexLayout {
+  if (!pulledVerticesOf(geometry)) return 'corner';
+  return deforms(geometry, object) ? 'deforming' : 'pull';
 }
 
 /** Whether a skin or morph targets can move the vertices away from the rest pose. */

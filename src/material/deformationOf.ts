@@ -1,9 +1,10 @@
 import type { BufferGeometry, Mesh, WebGLRenderer } from 'three';
+import { identityOf } from '../geometry/identityOf.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { Deformation } from './Deformation.js';
 
-/** Per `renderer.properties`: three.js makes a new one when a lost context is restored, and the deformations must go too. */
-const deformations = new WeakMap<object, WeakMap<Mesh, Deformation>>();
+/** Per `renderer.properties`: three.js makes a new one when a lost context is restored. Then by the identity of the mesh. */
+const deformations = new WeakMap<object, WeakMap<object, Deformation>>();
 /** Frees a deformation when its mesh is garbage-collected: meshes have no `dispose()`. */
 const disposeWithMesh = new FinalizationRegistry<Deformation>((deformation) => deformation.dispose());
 
@@ -19,14 +20,15 @@ export function deformationOf(
     ofContext = new WeakMap();
     deformations.set(renderer.properties, ofContext);
   }
-  const known = ofContext.get(mesh);
-  if (known && !known.isDisposed && known.geometry === geometry) return known;
+  const identity = identityOf(mesh);
+  const known = ofContext.get(identity);
+  if (known && !known.isDisposed && known.isOf(geometry)) return known;
   if (known) {
     known.dispose();
     disposeWithMesh.unregister(known);
   }
   const deformation = new Deformation(geometry, vertices);
-  ofContext.set(mesh, deformation);
-  disposeWithMesh.register(mesh, deformation, deformation);
+  ofContext.set(identity, deformation);
+  disposeWithMesh.register(identity, deformation, deformation);
   return deformation;
 }

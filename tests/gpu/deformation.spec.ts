@@ -526,6 +526,26 @@ for (const what of ['geometry', 'material'] as const) {
   });
 }
 
+test('a geometry behind a proxy, as by ref of Vue, draws the same with the same pre-pass', async ({ page }) => {
+  const [plain, proxied, before, after] = await page.evaluate(async () => {
+    const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const { tubeGeometry, onBones, reactive } = window.deforming;
+    const renderer = makeRenderer();
+    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
+    mesh.skeleton.bones[1].rotation.z = 1;
+    const scene = sceneOf(mesh, sun());
+    pixelsOf(scene, renderer);
+    const plain = pixelsOf(scene, renderer);
+    const before = renderer.info.memory.textures;
+    mesh.geometry = reactive(geometry);
+    return [plain, pixelsOf(scene, renderer), before, renderer.info.memory.textures] as const;
+  });
+  expect(covered(plain)).toBeGreaterThan(1000);
+  expect(difference(plain, proxied)).toBe(0);
+  expect(after).toBe(before);
+});
+
 test('two renderers deform the same mesh, and a lost context comes back', async ({ page, pageProblems }) => {
   const [a, b, restored] = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
@@ -555,6 +575,55 @@ test('two renderers deform the same mesh, and a lost context comes back', async 
   expect(difference(a!, restored!)).toBe(0);
   expect(pageProblems.splice(0).filter((problem) => !/context (lost|restored)/i.test(problem))).toEqual([]);
 });
+
+for (const technique of ['adjacency', 'anchored'] as const) {
+  test(`after compileAsync the first frame builds no program, whatever the layout: ${technique}`, async ({
+    page,
+    pageProblems,
+  }) => {
+    const counts = await page.evaluate(async (technique) => {
+      const { THREE, applyHatching, greyMap, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
+      const { tubeGeometry, addMorphTargets, onBones } = window.deforming;
+      type Hatched = Parameters<typeof onBones>[1];
+      const paint = () => new THREE.MeshStandardMaterial() as unknown as Hatched;
+      const models = {
+        corner: new THREE.Mesh(new THREE.BoxGeometry(), paint()),
+        pull: new THREE.Mesh(new THREE.BoxGeometry(), paint()),
+        skinned: onBones(tubeGeometry(), paint()),
+        morphed: new THREE.Mesh(addMorphTargets(new THREE.CylinderGeometry(0.3, 0.3, 1), true), paint()),
+        both: onBones(addMorphTargets(tubeGeometry(), true), paint()),
+      };
+      const counts: Record<string, number[]> = {};
+      for (const [name, mesh] of Object.entries(models)) {
+        const renderer = makeRenderer();
+        const layout = name === 'pull' ? ('pull' as const) : ('auto' as const);
+        await applyHatching(mesh, { tonalArtMap: greyMap(), layout, material: { technique } });
+        const scene = sceneOf(mesh, sun(), new THREE.AmbientLight());
+        // The background has a program of its own.
+        scene.background = null;
+        await renderer.compileAsync(scene, makeCamera());
+        const compiled = renderer.info.programs!.length;
+        const first = pixelsOf(scene, renderer);
+        counts[name] = [compiled, renderer.info.programs!.length];
+        // What was prepared early is drawn anew in the pose of the frame.
+        const again = pixelsOf(scene, renderer);
+        const fresh = pixelsOf(scene);
+        counts[name].push(first.filter((x, i) => x !== again[i] || x !== fresh[i]).length);
+      }
+      return counts;
+    }, technique);
+    const prePass = technique === 'adjacency' ? 1 : 0;
+    expect(counts).toEqual({
+      corner: [1, 1, 0],
+      pull: [1, 1, 0],
+      skinned: [1 + prePass, 1 + prePass, 0],
+      morphed: [1 + prePass, 1 + prePass, 0],
+      both: [1 + prePass, 1 + prePass, 0],
+    });
+    // three.js says where it must wait for programs.
+    expect(pageProblems.splice(0).filter((problem) => !/KHR_parallel_shader_compile/.test(problem))).toEqual([]);
+  });
+}
 
 test('a mesh that is let go takes its pre-pass with it', async ({ page }) => {
   const collect = await page.context().newCDPSession(page);

@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { HatchingMaterial, HatchingMaterialParameters } from 'three-hatching';
 import { pulledVerticesOf } from '../../src/geometry/PulledVertices.js';
+import { reactive } from '../unit/geometry/reactive.js';
 
 export interface DeformedVertex {
   position: number[];
@@ -290,7 +291,7 @@ function drift(
   return { drift: largest, rigidTriangles: count, bones: rigid.size };
 }
 
-const deforming = { tubeGeometry, addMorphTargets, onBones, hatchedModel, deformedCorners, deviation, drift };
+const deforming = { tubeGeometry, addMorphTargets, onBones, hatchedModel, deformedCorners, deviation, drift, reactive };
 
 declare global {
   interface Window {

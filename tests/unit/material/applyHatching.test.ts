@@ -38,6 +38,7 @@ import { describe, expect, test, vi } from 'vitest';
 import { applyHatching } from '../../../src/material/applyHatching.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { reactive } from '../geometry/reactive.js';
 
 const tonalArtMap = TonalArtMap.fromHatchImages({
   size: 4,
@@ -500,6 +501,15 @@ describe('when something is wrong', () => {
     await expect(mount().scene).rejects.toThrow(/hatched already/);
     scene.dispose();
     expect(mesh.material).toBe(original);
+  });
+
+  test('a mesh and its proxy, as by ref of Vue, are one mesh', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const scene = await applyHatching(reactive(mesh), { tonalArtMap });
+    hatched(mesh);
+    await expect(applyHatching(mesh, { tonalArtMap })).rejects.toThrow(/hatched already/);
+    scene.dispose();
+    (await applyHatching(mesh, { tonalArtMap })).dispose();
   });
 
   test('a broken mesh stays as it is and is named; the others are hatched', async () => {
