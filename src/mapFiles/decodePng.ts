@@ -4,6 +4,9 @@ import { type Pixels, PNG_SIGNATURE } from './Pixels.js';
 const SAMPLES: Record<number, number> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
 const PALETTE = 3;
 
+/** Compressed bytes to inflate at once: one byte becomes up to a thousand. */
+const PIECE = 1 << 14;
+
 /** The header of a PNG file. */
 interface Header {
   width: number;
@@ -36,7 +39,7 @@ export async function decodePng(file: Uint8Array, maxSide: number): Promise<Pixe
   }
   if (!header || parts.length === 0) throw new Error(DAMAGED);
   const { width, height, colorType } = header;
-  const samples = unpackSamples(await inflate(parts), header);
+  const samples = unpackSamples(await inflate(parts, header), header);
   const onWhite = (grey: number, alpha: number): number => Math.round((grey * alpha) / 255 + 255 - alpha);
   const isGrey = colorType === 0 || colorType === 4;
   const data = new Uint8Array(width * height * (isGrey ? 1 : 3));
@@ -91,21 +94,52 @@ function readHeader(data: Uint8Array, maxSide: number): Header {
   return { width, height, depth, colorType };
 }
 
-async function inflate(parts: Uint8Array<ArrayBuffer>[]): Promise<Uint8Array> {
-  try {
-    const stream = new Blob(parts).stream().pipeThrough(new DecompressionStream('deflate'));
-    return new Uint8Array(await new Response(stream).arrayBuffer());
-  } catch {
-    throw new Error(DAMAGED);
+/** Bytes per row, without that of its filter. */
+const strideOf = ({ width, depth, colorType }: Header): number => Math.ceil((width * SAMPLES[colorType] * depth) / 8);
+
+/** Inflates as many bytes as the image has, and stops at the first one too many: a small file can hold gigabytes. */
+async function inflate(parts: Uint8Array<ArrayBuffer>[], header: Header): Promise<Uint8Array> {
+  const bytes = new Uint8Array(header.height * (strideOf(header) + 1));
+  const pieces = piecesOf(parts);
+  const compressed = new ReadableStream<Uint8Array<ArrayBuffer>>({
+    pull(controller) {
+      const { done, value } = pieces.next();
+      if (done) controller.close();
+      else controller.enqueue(value);
+    },
+  });
+  const reader = compressed.pipeThrough(new DecompressionStream('deflate')).getReader();
+  let filled = 0;
+  for (;;) {
+    const { done, value } = await reader.read().catch(() => {
+      throw new Error(DAMAGED);
+    });
+    if (done) break;
+    if (filled + value.length > bytes.length) {
+      reader.cancel().catch(() => {});
+      throw new Error(
+        `holds more data than its ${header.width} × ${header.height} pixels need, and was not read; save it again`,
+      );
+    }
+    bytes.set(value, filled);
+    filled += value.length;
+  }
+  if (filled < bytes.length) throw new Error(DAMAGED);
+  return bytes;
+}
+
+function* piecesOf(parts: Uint8Array<ArrayBuffer>[]): Generator<Uint8Array<ArrayBuffer>> {
+  for (const part of parts) {
+    for (let at = 0; at < part.length; at += PIECE) yield part.subarray(at, at + PIECE);
   }
 }
 
 /** Undoes the row filters and converts samples of any depth to eight bits; palette indices stay as they are. */
-function unpackSamples(bytes: Uint8Array, { width, height, depth, colorType }: Header): Uint8Array {
+function unpackSamples(bytes: Uint8Array, header: Header): Uint8Array {
+  const { width, height, depth, colorType } = header;
   const samplesPerRow = width * SAMPLES[colorType];
-  const stride = Math.ceil((samplesPerRow * depth) / 8);
+  const stride = strideOf(header);
   const pixelBytes = Math.max(1, (SAMPLES[colorType] * depth) / 8);
-  if (bytes.length < height * (stride + 1)) throw new Error(DAMAGED);
   const samples = new Uint8Array(samplesPerRow * height);
   const scale = colorType === PALETTE || depth >= 8 ? 1 : 255 / (2 ** depth - 1);
   let above: Uint8Array = new Uint8Array(stride);

@@ -110,7 +110,6 @@ async function withFileName<Result>(name: string, work: Promise<Result>): Promis
   try {
     return await work;
   } catch (error) {
-    if (error instanceof DOMException) throw error;
     fail(name, error instanceof Error ? error.message : String(error));
   }
 }

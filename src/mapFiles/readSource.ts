@@ -3,8 +3,22 @@ import { type ReadMap, readImages, readMap } from './readMapFiles.js';
 /** What `TonalArtMap.load` can load. */
 export type TonalArtMapSource = string | URL | readonly (string | URL)[] | readonly File[];
 
-/** Reads the source that `TonalArtMap.load` was given. */
-export function readSource(
+/** Reads the source that `TonalArtMap.load` was given. Rejects with the signal's reason when aborted. */
+export async function readSource(
+  source: TonalArtMapSource,
+  signal: AbortSignal | undefined,
+  onProgress: (progress: number) => void,
+): Promise<ReadMap> {
+  try {
+    return await readFrom(source, signal, onProgress);
+  } catch (error) {
+    // What was being read failed because of the abort, and says so in words of its own.
+    signal?.throwIfAborted();
+    throw error;
+  }
+}
+
+function readFrom(
   source: TonalArtMapSource,
   signal: AbortSignal | undefined,
   onProgress: (progress: number) => void,
@@ -33,16 +47,23 @@ export function readSource(
   return readImages([...files.keys()], read, true, onProgress);
 }
 
-/** Relative addresses are resolved against the page. */
-const absolute = (address: string | URL): string =>
-  new URL(address, typeof document === 'undefined' ? undefined : document.baseURI).href;
+/** Relative addresses are resolved against the page, in a worker against its script. */
+function absolute(address: string | URL): string {
+  const base = typeof document === 'undefined' ? globalThis.location?.href : document.baseURI;
+  try {
+    return new URL(address, base).href;
+  } catch {
+    throw new TypeError(
+      `TonalArtMap.load: "${String(address)}" is no address that can be resolved here (against ${base ?? 'nothing'}); give a whole one, with https://.`,
+    );
+  }
+}
 
 async function fetchFile(url: URL, signal: AbortSignal | undefined): Promise<Uint8Array> {
   let response: Response;
   try {
     response = await fetch(url, { signal: signal ?? null });
   } catch (error) {
-    signal?.throwIfAborted();
     throw new Error(
       `could not be fetched (${(error as Error).message}); check the address and whether its host allows it`,
     );

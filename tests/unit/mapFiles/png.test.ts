@@ -1,5 +1,6 @@
+import { deflateSync } from 'node:zlib';
 import { PNG } from 'pngjs';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { decodePng } from '../../../src/mapFiles/decodePng.js';
 import { encodePng } from '../../../src/mapFiles/encodePng.js';
 import { random } from '../../../src/strokes/random.js';
@@ -115,5 +116,33 @@ describe('decodePng', () => {
     ],
   ])('refuses %s', async (_, spoil, message) => {
     await expect(decodePng(spoil(rgba(6).file), 100)).rejects.toThrow(message);
+  });
+
+  it('stops inflating where the image ends, however much the file holds', async () => {
+    const sound = Buffer.from(await encodePng({ width: 64, height: 64, channels: 1, data: new Uint8Array(64 * 64) }));
+    // 200 MB of zeros in the place of 4 kB, as 200 kB.
+    const flood = deflateSync(Buffer.alloc(2e8));
+    const chunk = Buffer.alloc(12 + flood.length);
+    chunk.writeUInt32BE(flood.length);
+    chunk.write('IDAT', 4, 'latin1');
+    flood.copy(chunk, 8);
+    const file = Buffer.concat([sound.subarray(0, 33), chunk, sound.subarray(-12)]);
+
+    let inflated = 0;
+    const Native = DecompressionStream;
+    vi.stubGlobal('DecompressionStream', function (this: unknown, format: 'deflate') {
+      const { writable, readable } = new Native(format);
+      const count = new TransformStream<Uint8Array, Uint8Array>({
+        transform(bytes, controller) {
+          inflated += bytes.length;
+          controller.enqueue(bytes);
+        },
+      });
+      return { writable, readable: readable.pipeThrough(count) };
+    });
+    await expect(decodePng(file, 100)).rejects.toThrow(/holds more data than its 64 × 64 pixels need.*save it again/);
+    // What one piece of the file holds may be on its way.
+    expect(inflated).toBeLessThan(4e7);
+    vi.unstubAllGlobals();
   });
 });

@@ -114,6 +114,49 @@ describe("TonalArtMap.load of an artist's images", () => {
       'early',
     );
   });
+
+  it.each([new Error('enough'), new DOMException('enough', 'TimeoutError'), 'enough'])(
+    'rejects with the very reason it is aborted with, whatever it was doing: %s',
+    async (reason) => {
+      const controller = new AbortController();
+      // As browsers do: the fetch rejects with the reason, or, where they know none, with an AbortError.
+      vi.stubGlobal('fetch', async () => {
+        controller.abort(reason);
+        throw new DOMException('The operation was aborted.', 'AbortError');
+      });
+      const { signal } = controller;
+      await expect(TonalArtMap.load('http://maps.test/set/map.json', { signal })).rejects.toBe(reason);
+      const files = await artistsFiles();
+      const late = new AbortController();
+      const onProgress = (): void => {
+        if (!late.signal.aborted) late.abort(reason);
+      };
+      await expect(TonalArtMap.load(files, { signal: late.signal, onProgress })).rejects.toBe(reason);
+    },
+  );
+
+  it('names a file that the system no longer lets it read', async () => {
+    const [file] = await artistsFiles();
+    file.arrayBuffer = () => Promise.reject(new DOMException('The file was changed', 'NotReadableError'));
+    await expect(TonalArtMap.load([file])).rejects.toThrow(/^TonalArtMap\.load: 9\.png The file was changed/);
+  });
+
+  it('resolves addresses against the script in a worker, which has no document', async () => {
+    vi.stubGlobal('location', { href: 'http://maps.test/set/worker.js' });
+    serve(await (await TonalArtMap.generate({ size: 64, tones: 4, levels: 1 })).save());
+    expect((await TonalArtMap.load('map.json')).tones).toBe(4);
+    expect((await TonalArtMap.load(['tone-1-level-0.png', 'tone-2-level-0.png'])).tones).toBe(3);
+  });
+
+  it.each(['blob:http://maps.test/5c1a', undefined])(
+    'says when there is nothing to resolve against: %s',
+    async (href) => {
+      vi.stubGlobal('location', href && { href });
+      await expect(TonalArtMap.load('map.json')).rejects.toThrow(
+        /TonalArtMap\.load: "map\.json" is no address that can be resolved here .*give a whole one/,
+      );
+    },
+  );
 });
 
 describe('TonalArtMap.load refuses', () => {
