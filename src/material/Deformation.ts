@@ -50,6 +50,7 @@ export class Deformation {
   private disposed = false;
 
   constructor(
+    private readonly renderer: WebGLRenderer,
     private readonly geometry: BufferGeometry,
     { triangleVertices, positions }: PulledVertices,
   ) {
@@ -72,6 +73,7 @@ export class Deformation {
     });
     this.points = new CornerPoints(geometry);
     geometry.addEventListener('dispose', this.dispose);
+    renderer.domElement.addEventListener('webglcontextlost', this.dispose);
   }
 
   /** x, y, z of each vertex as drawn, in object space. */
@@ -98,33 +100,37 @@ export class Deformation {
   }
 
   /**
-   * Brings the textures up to date while `renderer` draws `mesh` with `material` for `camera`. Does nothing if the pose has not
+   * Brings the textures up to date while the renderer draws `mesh` with `material` for `camera`. Does nothing if the pose has not
    * changed. Leaves the renderer's state as it was. Allocates nothing.
    */
-  update(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, material: Material): void {
+  update(camera: Camera, mesh: Mesh, material: Material): void {
     if (!this.users.has(material)) {
       this.users.add(material);
       material.addEventListener('dispose', this.dispose);
     }
-    if (this.pose.update(mesh)) this.draw(renderer, camera, mesh, allCorners);
+    if (this.pose.update(mesh)) this.draw(camera, mesh, allCorners);
   }
 
   /** Builds the program, and draws nothing: the geometry need not be on the graphics card yet. */
-  compile(renderer: WebGLRenderer, mesh: Mesh): void {
-    this.draw(renderer, noCamera, mesh, noCorners);
+  compile(mesh: Mesh): void {
+    this.draw(noCamera, mesh, noCorners);
   }
 
-  /** Frees the graphics memory. Called when the geometry or a material that draws it is disposed of. */
+  /**
+   * Frees the graphics memory. Called when the geometry or a material that draws it is disposed of, and when the context is
+   * lost: later the names of what it held may mean something else, in a context that came back.
+   */
   readonly dispose = (): void => {
     this.disposed = true;
     this.target.dispose();
     this.shader.dispose();
     this.geometry.removeEventListener('dispose', this.dispose);
+    this.renderer.domElement.removeEventListener('webglcontextlost', this.dispose);
     for (const material of this.users) material.removeEventListener('dispose', this.dispose);
   };
 
-  private draw(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, corners: typeof allCorners): void {
-    const points = this.points;
+  private draw(camera: Camera, mesh: Mesh, corners: typeof allCorners): void {
+    const { points, renderer } = this;
     points.morphTargetInfluences = mesh.morphTargetInfluences;
     if ('isSkinnedMesh' in mesh) {
       const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;

@@ -57,7 +57,7 @@ export function bindVertices(
   if (!isDeforming || !canDeform(renderer, geometry, object)) return 'pull';
 
   const deformation = deformationOf(renderer, object as Mesh, geometry, vertices);
-  deformation.update(renderer, camera, object as Mesh, material);
+  deformation.update(camera, object as Mesh, material);
   bind(material, 'deformedPositions', deformation.positions);
   bind(material, 'deformedNormals', deformation.normals);
   bind(material, 'deformedTurns', deformation.turns);
@@ -69,7 +69,7 @@ export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
   const { geometry } = mesh;
   const vertices = pulledVerticesOf(geometry);
   if (!vertices || !deforms(geometry, mesh) || !canDeform(renderer, geometry, mesh)) return;
-  deformationOf(renderer, mesh, geometry, vertices).compile(renderer, mesh);
+  deformationOf(renderer, mesh, geometry, vertices).compile(mesh);
 }
 
 /** The layout in which a material will find the vertices of a mesh, if the device can draw it. */

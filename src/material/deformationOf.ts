@@ -27,7 +27,7 @@ export function deformationOf(
     known.dispose();
     disposeWithMesh.unregister(known);
   }
-  const deformation = new Deformation(geometry, vertices);
+  const deformation = new Deformation(renderer, geometry, vertices);
   ofContext.set(identity, deformation);
   disposeWithMesh.register(identity, deformation, deformation);
   return deformation;

@@ -1,5 +1,6 @@
 import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
+import { SilenceWatch } from './SilenceWatch.js';
 import { type TaskName, type TaskRequest, type TaskResult, taskNamed } from './tasks.js';
 
 /** Milliseconds after which an idle worker is ended. It holds a thread and tens of megabytes. */
@@ -32,8 +33,8 @@ type State = 'none' | 'starting' | 'ready' | 'unavailable';
  * - Without a worker, the tasks run in slices on the main thread. That is so where there is no `Worker`, and where a
  *   Content-Security-Policy forbids it, by an exception or by an error event. Requests are posted only after the worker has
  *   reported `ready`, so a worker that never starts loses nothing.
- * - When a running worker dies, the pending promises are rejected, because their buffers are lost with it. The next request
- *   starts a new worker.
+ * - When a running worker dies, or gives no sign of life for long, the pending promises are rejected, because their buffers are
+ *   lost with it. The next request starts a new worker.
  */
 export class TaskClient {
   private worker: Worker | null = null;
@@ -42,6 +43,11 @@ export class TaskClient {
   private readonly pending = new Map<number, Pending>();
   /** While starting: the limit for `ready`. While idle: the time until the worker is ended. */
   private timer: ReturnType<typeof setTimeout> | undefined;
+  /** Watches over a worker that has work to do. */
+  private readonly watch = new SilenceWatch(
+    () => this.send({ type: 'ping' }),
+    () => this.onWorkerError(`it gave no sign of life for ${SilenceWatch.SECONDS} s`),
+  );
 
   /**
    * @param createWorker makes the worker, or returns null if there is none; may throw.
@@ -54,7 +60,8 @@ export class TaskClient {
 
   /**
    * Runs a task. The buffers of `request` are transferred: pass copies of what you want to keep. Rejects with the signal's
-   * reason when aborted, with the task's error, or with an Error when the worker dies or is disposed of.
+   * reason when aborted, with the task's error, with an Error when the worker dies or is disposed of, or with a TypeError when
+   * `createWorker` makes no Worker.
    */
   run<Name extends TaskName>(
     task: Name,
@@ -64,6 +71,7 @@ export class TaskClient {
     const { signal } = options;
     if (signal?.aborted) return Promise.reject(signal.reason);
     return new Promise<unknown>((resolve, reject) => {
+      // What this throws rejects the promise.
       this.start();
       const id = this.nextId++;
       const onAbort = () => {
@@ -97,10 +105,11 @@ export class TaskClient {
       this.fallBack(error);
       return;
     }
-    if (!this.worker) {
+    if (this.worker === null) {
       this.state = 'unavailable';
       return;
     }
+    this.assertWorker(this.worker);
     this.state = 'starting';
     this.timer = setTimeout(() => this.fallBack(`it did not report within ${START_MS / 1000} s`), START_MS);
     const { worker } = this;
@@ -112,12 +121,24 @@ export class TaskClient {
     };
   }
 
+  private assertWorker(made: Worker): void {
+    if (typeof made?.postMessage === 'function' && typeof made.terminate === 'function') return;
+    this.worker = null;
+    const kind = made instanceof Promise ? 'a Promise' : made === undefined ? 'nothing' : 'something else';
+    throw new TypeError(
+      `createWorker must return a Worker, but returned ${kind}; pass a plain function such as () => new Worker(url, { type: 'module' }).`,
+    );
+  }
+
   private receive(message: FromWorker): void {
+    this.watch.hear();
     if (message.type === 'ready') {
       clearTimeout(this.timer);
       this.state = 'ready';
       for (const entry of this.pending.values()) this.dispatch(entry);
       this.startIdleTimer();
+    } else if (message.type === 'alive') {
+      // It was heard; there is no more to it.
     } else if (message.type === 'progress') {
       this.report(message.id, message.progress);
     } else if (message.type === 'done') {
@@ -145,6 +166,7 @@ export class TaskClient {
   }
 
   private dispatch({ id, task, request }: Pending): void {
+    this.watch.start();
     try {
       this.send({ type: 'run', id, task, request }, taskNamed(task).requestBuffers(request));
     } catch (error) {
@@ -196,6 +218,7 @@ export class TaskClient {
 
   private end(state: State): void {
     clearTimeout(this.timer);
+    this.watch.stop();
     if (this.worker) {
       // Messages of the ended worker may still arrive.
       this.worker.onmessage = this.worker.onmessageerror = this.worker.onerror = null;
@@ -218,6 +241,7 @@ export class TaskClient {
   /** Starts the idle timer if the worker has nothing to do. */
   private startIdleTimer(): void {
     if (this.pending.size > 0 || this.state !== 'ready') return;
+    this.watch.stop();
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       this.end('none');

@@ -15,6 +15,7 @@ const running = new Map<number, AbortController>();
 
 scope.onmessage = ({ data }) => {
   if (data.type === 'abort') running.get(data.id)?.abort();
+  else if (data.type === 'ping') scope.postMessage({ type: 'alive' });
   else void run(data);
 };
 

@@ -4,12 +4,16 @@ import type { TaskName } from './tasks.js';
 export type ToWorker =
   | { type: 'run'; id: number; task: TaskName; request: unknown }
   /** Stops the request. The worker sends no reply. */
-  | { type: 'abort'; id: number };
+  | { type: 'abort'; id: number }
+  /** Asks for a sign of life. */
+  | { type: 'ping' };
 
 /** What the worker sends to the client. */
 export type FromWorker =
   /** The first message: the script has loaded. Requests are posted only after it. */
   | { type: 'ready' }
+  /** The answer to `ping`, between two slices of work. */
+  | { type: 'alive' }
   | { type: 'progress'; id: number; progress: number }
   | { type: 'done'; id: number; result: unknown }
   | { type: 'failed'; id: number; error: TransportedError };

@@ -547,6 +547,7 @@ test('a geometry behind a proxy, as by ref of Vue, draws the same with the same 
 });
 
 test('two renderers deform the same mesh, and a lost context comes back', async ({ page, pageProblems }) => {
+  const collect = await page.context().newCDPSession(page);
   const [a, b, restored] = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
       window.toolkit;
@@ -568,8 +569,19 @@ test('two renderers deform the same mesh, and a lost context comes back', async 
     const back = heard('webglcontextrestored');
     setTimeout(() => renderer.forceContextRestore(), 0);
     await back;
-    return [a, b, pixelsOf(scene, renderer)];
+    const restored = pixelsOf(scene, renderer);
+    // The mesh is let go here. What was made for it in the context that was lost must not be freed in the one that came back.
+    const collected = { is: false, registry: new FinalizationRegistry(() => Object.assign(collected, { is: true })) };
+    collected.registry.register(mesh, undefined);
+    Object.assign(window, { collected, renderer });
+    return [a, b, restored];
   });
+  await expect
+    .poll(async () => {
+      await collect.send('HeapProfiler.collectGarbage');
+      return page.evaluate(() => (window as unknown as { collected: { is: boolean } }).collected.is);
+    })
+    .toBe(true);
   expect(covered(a!)).toBeGreaterThan(1000);
   expect(difference(a!, b!)).toBe(0);
   expect(difference(a!, restored!)).toBe(0);

@@ -9,7 +9,17 @@ export class FakeWorker {
   readonly transferred: Transferable[][] = [];
   isTerminated = false;
 
+  /** Answers questions for a sign of life. */
+  isAlive = true;
+  /** How often it was asked for one. */
+  pings = 0;
+
   postMessage(message: ToWorker, transfer: Transferable[]): void {
+    if (message.type === 'ping') {
+      this.pings++;
+      if (this.isAlive) this.say({ type: 'alive' });
+      return;
+    }
     this.received.push(structuredClone(message, { transfer }));
     this.transferred.push(transfer);
   }
@@ -25,7 +35,7 @@ export class FakeWorker {
 
   /** Ids of the requests that the worker has got. */
   get ids(): number[] {
-    return this.received.filter(({ type }) => type === 'run').map(({ id }) => id);
+    return this.received.flatMap((message) => (message.type === 'run' ? [message.id] : []));
   }
 
   static asWorker(worker: FakeWorker): Worker {

@@ -36,7 +36,7 @@ const create = () => {
 const onIdle = vi.fn();
 
 beforeEach(() => {
-  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
   workers = [];
   client = new TaskClient(create, onIdle);
   onIdle.mockReset();
@@ -248,6 +248,109 @@ describe('death of the worker', () => {
     started().onerror!({ message: 'boom' });
     client.run('bake', request());
     expect(workers).toHaveLength(2);
+  });
+});
+
+describe('a worker that ends without a word', () => {
+  const silent = (): FakeWorker => {
+    const worker = started();
+    worker.isAlive = false;
+    return worker;
+  };
+  const seconds = (count: number) => vi.advanceTimersByTime(1000 * count);
+  afterEach(() => vi.unstubAllGlobals());
+
+  test('rejects what is pending after 30 silent seconds; the next request gets a new worker', async () => {
+    const worker = silent();
+    const promises = [client.run('bake', request()), client.run('bake', request())];
+    seconds(29);
+    expect(await outcomeOf(promises[0])).toBe('pending');
+    seconds(1);
+    for (const promise of promises) {
+      await expect(promise).rejects.toThrow(/The hatching worker died \(it gave no sign of life for 30 s\).*Ask again/);
+    }
+    expect(worker.isTerminated).toBe(true);
+    expect(vi.getTimerCount()).toBe(0);
+    const again = client.run('bake', request());
+    workers[1].say({ type: 'ready' });
+    workers[1].say({ type: 'done', id: 3, result: result(3) });
+    expect(await again).toEqual({ id: 3 });
+  });
+
+  test('while it answers, or reports progress, work may take as long as it takes', async () => {
+    const worker = started();
+    const promise = client.run('bake', request());
+    seconds(300);
+    expect(worker.pings).toBe(300);
+    worker.isAlive = false;
+    for (let i = 0; i < 10; i++) {
+      seconds(20);
+      worker.say({ type: 'progress', id: 1, progress: i / 10 });
+    }
+    expect(await outcomeOf(promise)).toBe('pending');
+    worker.say({ type: 'done', id: 1, result: result(1) });
+    expect(await promise).toEqual({ id: 1 });
+  });
+
+  test('a worker without work is not asked', () => {
+    const worker = silent();
+    seconds(9);
+    expect(worker.pings).toBe(0);
+    client.run('bake', request()).catch(() => {});
+    seconds(5);
+    worker.say({ type: 'done', id: 1, result: result(1) });
+    seconds(9);
+    expect(worker.pings).toBe(5);
+  });
+
+  test('seconds in which the page is hidden do not count, and the count begins anew afterwards', async () => {
+    const page = { visibilityState: 'visible' };
+    vi.stubGlobal('document', page);
+    silent();
+    const promise = client.run('bake', request());
+    promise.catch(() => {});
+    seconds(29);
+    page.visibilityState = 'hidden';
+    seconds(100);
+    page.visibilityState = 'visible';
+    seconds(29);
+    expect(await outcomeOf(promise)).toBe('pending');
+    seconds(1);
+    expect(await outcomeOf(promise)).toBeInstanceOf(Error);
+  });
+
+  test('nor do those in which timers come late: of a page that sleeps, or works hard', async () => {
+    silent();
+    const promise = client.run('bake', request());
+    promise.catch(() => {});
+    const now = vi.spyOn(performance, 'now');
+    let slept = 0;
+    const clock = now.getMockImplementation() ?? performance.now.bind(performance);
+    now.mockImplementation(() => clock() + slept);
+    for (let i = 0; i < 10; i++) {
+      seconds(20);
+      slept += 60_000;
+      seconds(1);
+    }
+    expect(await outcomeOf(promise)).toBe('pending');
+    seconds(30);
+    expect(await outcomeOf(promise)).toBeInstanceOf(Error);
+  });
+});
+
+describe('a function that makes no worker', () => {
+  test.each<[string, () => unknown, RegExp]>([
+    ['an object', () => ({}), /must return a Worker, but returned something else; pass a plain function such as/],
+    ['a promise', async () => FakeWorker.asWorker(new FakeWorker()), /but returned a Promise/],
+    ['nothing', () => {}, /but returned nothing/],
+  ])('is refused at once: %s', async (_what, make, says) => {
+    client = new TaskClient(make as () => Worker);
+    for (let i = 0; i < 2; i++) {
+      const error = await client.run('bake', request()).catch((reason) => reason);
+      expect(error).toBeInstanceOf(TypeError);
+      expect(error.message).toMatch(says);
+    }
+    expect(vi.getTimerCount()).toBe(0);
   });
 });
 
