@@ -3,6 +3,7 @@ import { BoxGeometry, BufferGeometry, Float32BufferAttribute, TorusGeometry } fr
 import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
 import BakeWorker from '../../src/worker/bake.worker.js?worker';
 import { disposeHatchingWorkers, runTask } from '../../src/worker/runTask.js';
+import ClosingWorker from './workerClosing.js?worker';
 import DyingWorker from './workerDying.js?worker';
 
 /** SHA-256 of every array of a geometry, by name. */
@@ -84,6 +85,37 @@ const workerTests = {
     const after = await digest(torus);
     const again = await prepareHatchingGeometry(torus);
     return { before, error, after, triangles: again.userData.hatching.triangles };
+  },
+
+  /** Begins a request in a worker that closes itself while it works. */
+  async closing() {
+    const workers: Worker[] = [];
+    let onClosing: () => void = () => {};
+    const closing = new Promise<void>((resolve) => {
+      onClosing = resolve;
+    });
+    const createWorker = () => {
+      const worker = workers.length === 0 ? new ClosingWorker() : new BakeWorker();
+      workers.push(worker);
+      worker.addEventListener('message', ({ data }) => data.type === 'alive' && onClosing());
+      return worker;
+    };
+    const silenced = prepareHatchingGeometry(largeTorus(), { createWorker }).then(
+      () => 'resolved',
+      (reason: Error) => reason.message,
+    );
+    await closing;
+    Object.assign(workerTests, {
+      async closed() {
+        const error = await silenced;
+        const next = await prepareHatchingGeometry(new BoxGeometry(), { createWorker });
+        return { error, triangles: next.userData.hatching.triangles as number, workers: workers.length };
+      },
+    });
+  },
+
+  async closed(): Promise<{ error: string; triangles: number; workers: number }> {
+    throw new Error('call closing() first');
   },
 
   async turns() {

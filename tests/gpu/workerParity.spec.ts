@@ -39,6 +39,20 @@ test('a worker that dies midway rejects and leaves the geometry untouched; the n
   expect(triangles).toBe(180_000);
 });
 
+test('a worker that closes itself midway rejects when it has been silent for long; the next request works', async ({
+  page,
+}) => {
+  await page.clock.install();
+  await page.reload();
+  await page.waitForFunction(() => window.workerTests !== undefined);
+  await page.evaluate(() => window.workerTests.closing());
+  await page.clock.runFor(31_000);
+  const { error, triangles, workers } = await page.evaluate(() => window.workerTests.closed());
+  expect(error).toMatch(/The hatching worker died \(it gave no sign of life for 30 s\).*a new worker will be started/);
+  expect(triangles).toBe(12);
+  expect(workers).toBe(2);
+});
+
 test('requests take turns in one worker: a small one does not wait for a large one', async ({ page }) => {
   expect(await page.evaluate(() => window.workerTests.turns())).toEqual({ order: ['box', 'torus'], workersMade: 1 });
 });

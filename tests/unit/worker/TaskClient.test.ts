@@ -323,10 +323,9 @@ describe('a worker that ends without a word', () => {
     silent();
     const promise = client.run('bake', request());
     promise.catch(() => {});
-    const now = vi.spyOn(performance, 'now');
     let slept = 0;
-    const clock = now.getMockImplementation() ?? performance.now.bind(performance);
-    now.mockImplementation(() => clock() + slept);
+    const clock = performance.now.bind(performance);
+    vi.spyOn(performance, 'now').mockImplementation(() => clock() + slept);
     for (let i = 0; i < 10; i++) {
       seconds(20);
       slept += 60_000;
