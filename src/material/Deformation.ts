@@ -100,8 +100,8 @@ export class Deformation {
   }
 
   /**
-   * Brings the textures up to date while the renderer draws `mesh` with `material` for `camera`. Does nothing if the pose has not
-   * changed. Leaves the renderer's state as it was. Allocates nothing.
+   * Brings the textures up to date while the renderer draws `mesh` with `material` for `camera`. Does nothing if the pose has
+   * not changed. Leaves the renderer's state as it was. Allocates nothing.
    */
   update(camera: Camera, mesh: Mesh, material: Material): void {
     if (!this.users.has(material)) {

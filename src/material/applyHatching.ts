@@ -2,7 +2,9 @@ import { type BatchedMesh, type BufferGeometry, type Material, type Mesh, type O
 import { cornerLayout } from '../bake/cornerLayout.js';
 import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
+import { checkTaskOptions } from '../worker/checkTaskOptions.js';
 import { bakeGeometries } from './bakeGeometries.js';
+import { checkTonalArtMap } from './checkTonalArtMap.js';
 import { claimMeshes } from './claimMeshes.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
@@ -61,10 +63,12 @@ const MAP_SHARE = 0.2;
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
  *   was filled with prepared geometries.
  *
- * Rejects with an Error if part of `root` is hatched already; with the signal's reason when aborted; with the first mesh's
- * error if none can be hatched; and with the error of a map or a parameter.
+ * Rejects with a TypeError or RangeError if an option is not what it must be; with an Error if part of `root` is hatched
+ * already; with the signal's reason when aborted; with the first mesh's error if none can be hatched; and with the error of a
+ * map or a parameter.
  */
 export async function applyHatching(root: Object3D, options: ApplyHatchingOptions = {}): Promise<HatchedScene> {
+  checkOptions(options);
   options.signal?.throwIfAborted();
   if (!root?.isObject3D) {
     throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
@@ -120,6 +124,24 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
   } finally {
     options.signal?.removeEventListener('abort', releaseMeshes);
   }
+}
+
+/** The options of its own and of its tasks; those of the geometry are checked where they are used. */
+function checkOptions(options: ApplyHatchingOptions): void {
+  checkTaskOptions('applyHatching', options);
+  const { filter, material = {}, strokeScale = 1, tonalArtMap = null } = options;
+  if (filter !== undefined && typeof filter !== 'function') {
+    throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
+  }
+  if (material === null || !['object', 'function'].includes(typeof material)) {
+    throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
+  }
+  if (!(strokeScale > 0 && strokeScale < Infinity)) {
+    throw new RangeError(
+      `applyHatching: strokeScale is ${strokeScale}, but must be a positive number of tiles per world unit, or left out.`,
+    );
+  }
+  checkTonalArtMap(tonalArtMap);
 }
 
 const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;

@@ -5,6 +5,7 @@ import type { HatchImages } from '../hatchImages/HatchImages.js';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { readSource, type TonalArtMapSource } from '../mapFiles/readSource.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
+import { checkTaskOptions } from '../worker/checkTaskOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
@@ -66,9 +67,11 @@ export class TonalArtMap {
   /**
    * Draws a map, in a worker where there are any. The same options give the same bytes.
    *
-   * @throws RangeError (as a rejection) if an option is out of its range; the signal's reason if it aborts
+   * @throws RangeError or TypeError (as a rejection) if an option is out of its range or no option at all; the signal's reason if
+   *   it aborts
    */
   static async generate(options: TonalArtMapOptions = {}): Promise<TonalArtMap> {
+    checkTaskOptions('TonalArtMap.generate', options);
     const { style, seed, size, tones, levels, strokeWidth, ...taskOptions } = options;
     const request: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
     resolveHatchImageOptions(request);
@@ -106,6 +109,7 @@ export class TonalArtMap {
    * @throws Error (as a rejection) naming the file that is missing or wrong and what to do; the signal's reason if it aborts
    */
   static async load(source: TonalArtMapSource, options: TaskOptions = {}): Promise<TonalArtMap> {
+    checkTaskOptions('TonalArtMap.load', options);
     const { signal, onProgress } = options;
     signal?.throwIfAborted();
     const onRead = (progress: number): void => onProgress?.(READING_SHARE * progress);
