@@ -23,10 +23,14 @@ export interface HatchImageReport {
  *
  * @throws TypeError or RangeError naming what is wrong and where
  */
-export function assertHatchImages({ size, images, strokeWidth = DEFAULT_STROKE_WIDTH }: HatchImages): void {
+export function assertHatchImages(hatchImages: HatchImages): void {
   const fail = (Fault: typeof TypeError | typeof RangeError, text: string): never => {
     throw new Fault(`TonalArtMap.fromHatchImages: ${text}`);
   };
+  if (typeof hatchImages !== 'object' || hatchImages === null) {
+    fail(TypeError, `expected { size, images }, but got ${String(hatchImages)}.`);
+  }
+  const { size, images, strokeWidth = DEFAULT_STROKE_WIDTH } = hatchImages;
   if (!Number.isInteger(size) || size < 1 || size > 4096 || (size & (size - 1)) !== 0) {
     fail(
       RangeError,
@@ -61,6 +65,12 @@ export function assertHatchImages({ size, images, strokeWidth = DEFAULT_STROKE_W
       const side = size >> level;
       if (!(image instanceof Uint8Array)) {
         fail(TypeError, `images[${tone}][${level}] must be a Uint8Array with one byte per texel, 255 = paper.`);
+      }
+      if (image.length === 0) {
+        fail(
+          TypeError,
+          `images[${tone}][${level}] is empty: its buffer was transferred, or it never had any bytes. Pass a copy that was not given away, image.slice().`,
+        );
       }
       if (image.length !== side * side) {
         fail(

@@ -14,9 +14,11 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
+import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { defaultOf } from './defaultOf.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
+import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { HatchingProperty } from './HatchingProperty.js';
@@ -180,7 +182,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     // The cameras of an ArrayCamera have a part of the target each.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
-    this.writeUniforms();
+    this.writeUniforms(renderer.capabilities.maxTextureSize);
     warnIfStale(geometry);
     this.announced.length = 0;
     if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
@@ -263,16 +265,18 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /** Properties are plain values; this is the one place that brings them to the shader. Allocates nothing. */
-  private writeUniforms(): void {
+  private writeUniforms(maxTextureSize = Infinity): void {
     const u = this.uniforms;
+    const usesThresholds = this.crisp || HATCHING_TECHNIQUES[this.technique].map === 'thresholdMap';
+    const map = fittingMap(this.tonalArtMap, usesThresholds, maxTextureSize);
     writePropertyUniforms(this, u);
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
     u.texelPixels.value =
       this.strokeWidth === null ? this.texelPixels : this.strokeWidth / (this.tonalArtMap?.strokeWidth ?? 1);
     u.creaseCosine.value = Math.cos(this.creaseAngle);
-    u.tonalArtMap.value = this.tonalArtMap?.texture ?? blankTonalArtMap();
-    u.tonalArtMapTones.value = this.tonalArtMap?.tones ?? 2;
+    u.tonalArtMap.value = map?.texture ?? blankTonalArtMap();
+    u.tonalArtMapTones.value = map?.tones ?? 2;
 
     // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
     const { strokeScale: scale, strokeOffset: offset } = this;
@@ -280,12 +284,17 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const sin = Math.sin(this.strokeRotation);
     u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
     u.strokeDirection.value.set(cos, sin);
-    if (this.tonalArtMap !== null && (this.crisp || HATCHING_TECHNIQUES[this.technique].map === 'thresholdMap')) {
-      u.thresholdMap.value = this.tonalArtMap.thresholdTexture;
-      u.thresholdMapLevels.value = this.tonalArtMap.levels;
-      const { variance, coarserVariance, covariance } = this.tonalArtMap.thresholdMoments;
+    if (map === null) {
+      u.thresholdMap.value = blankThresholdMap();
+      u.thresholdMapLevels.value = 1;
+      u.thresholdMoments.value.set(1, 1, 0);
+      u.thresholdMapSize.value = 1;
+    } else if (usesThresholds) {
+      u.thresholdMap.value = map.thresholdTexture;
+      u.thresholdMapLevels.value = map.levels;
+      const { variance, coarserVariance, covariance } = map.thresholdMoments;
       u.thresholdMoments.value.set(variance, coarserVariance, covariance);
-      u.thresholdMapSize.value = this.tonalArtMap.size;
+      u.thresholdMapSize.value = map.size;
     }
   }
 

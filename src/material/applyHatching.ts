@@ -3,6 +3,7 @@ import { cornerLayout } from '../bake/cornerLayout.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
+import { checkTonalArtMap } from './checkTonalArtMap.js';
 import { claimMeshes } from './claimMeshes.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
@@ -74,6 +75,7 @@ const MAP_SHARE = 0.2;
  */
 export async function applyHatching(root: Object3D, options: ApplyHatchingOptions = {}): Promise<HatchedScene> {
   checkPrepareOptions('applyHatching', options, OWN_OPTIONS);
+  checkOwnOptions(options);
   options.signal?.throwIfAborted();
   if (!root?.isObject3D) {
     throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
@@ -130,6 +132,23 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
   } finally {
     options.signal?.removeEventListener('abort', releaseMeshes);
   }
+}
+
+/** The options of its own and of its tasks; those of the geometry are checked where they are used. */
+function checkOwnOptions(options: ApplyHatchingOptions): void {
+  const { filter, material = {}, strokeScale = 1, tonalArtMap = null } = options;
+  if (filter !== undefined && typeof filter !== 'function') {
+    throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
+  }
+  if (material === null || !['object', 'function'].includes(typeof material)) {
+    throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
+  }
+  if (!(strokeScale > 0 && strokeScale < Infinity)) {
+    throw new RangeError(
+      `applyHatching: strokeScale is ${strokeScale}, but must be a positive number of tiles per world unit, or left out.`,
+    );
+  }
+  checkTonalArtMap(tonalArtMap);
 }
 
 const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;

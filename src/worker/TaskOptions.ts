@@ -11,8 +11,8 @@ export interface TaskOptions {
    *     import BakeWorker from 'three-hatching/bake.worker?worker';
    *     const createWorker = () => new BakeWorker();
    *
-   * Requests with the same function share one worker, so keep the function. Where no worker can be made, tasks run on the main
-   * thread in slices of a few milliseconds.
+   * Anything but a Worker is refused with a TypeError. Requests with the same function share one worker, so keep the function.
+   * Where no worker can be made, tasks run on the main thread in slices of a few milliseconds.
    */
   createWorker?: (() => Worker) | undefined;
 }

@@ -35,16 +35,23 @@ export function checkNames(
 export function checkOptions(caller: string, options: TaskOptions, known: Readonly<Record<string, true>>): void {
   checkNames(caller, 'options', options, known);
   const { signal, onProgress, createWorker } = options;
-  if (signal !== undefined && typeof signal?.throwIfAborted !== 'function') {
+  if (isGiven(signal) && !isSignal(signal)) {
     throw new TypeError(
       `${caller}: signal is ${describe(signal)}, but must be an AbortSignal, such as the signal of an AbortController.`,
     );
   }
   for (const [name, value] of Object.entries({ onProgress, createWorker })) {
-    if (value === undefined || typeof value === 'function') continue;
+    if (!isGiven(value) || typeof value === 'function') continue;
     throw new TypeError(`${caller}: ${name} is ${describe(value)}, but must be a function, or left out.`);
   }
 }
+
+/** null stands for left out, as for `fetch`. */
+const isGiven = <Value>(value: Value | null | undefined): value is Value => value !== undefined && value !== null;
+
+/** Not `instanceof`: a signal may come from another frame. */
+const isSignal = (signal: Partial<AbortSignal>): boolean =>
+  typeof signal.aborted === 'boolean' && typeof signal.throwIfAborted === 'function';
 
 const describe = (value: unknown): string =>
   typeof value === 'object' && value !== null ? `an object (${value.constructor?.name ?? 'Object'})` : String(value);

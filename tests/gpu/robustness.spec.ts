@@ -127,3 +127,45 @@ test('a hook of one’s own runs beside the material’s', async ({ page }) => {
   expect(centre([...pixels])).toEqual([255, 0, 0]);
   expect(calls).toEqual([true, true, true]);
 });
+
+test('a map too large for the device leaves the paper blank and says so, once; one that fits is drawn', async ({
+  page,
+  pageProblems,
+}) => {
+  const inks = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(4, 4));
+    const inks: Record<string, number> = {};
+    // 64 texels per side, and 66 for the thresholds.
+    for (const [technique, limit] of [
+      ['adjacency', 63],
+      ['adjacency', 64],
+      ['anchored', 65],
+      ['anchored', 66],
+      ['none', 66],
+    ] as const) {
+      const renderer = makeRenderer();
+      renderer.capabilities.maxTextureSize = limit;
+      const material = new HatchingMaterial({
+        technique: technique === 'none' ? 'anchored' : technique,
+        tonalArtMap: technique === 'none' ? null : stripedMap(),
+      });
+      // Dark, but not without any light.
+      const scene = sceneOf(new THREE.Mesh(geometry, material), new THREE.AmbientLight(0xffffff, 0.6));
+      pixelsOf(scene, renderer);
+      const pixels = pixelsOf(scene, renderer);
+      inks[`${technique} ${limit}`] = pixels.filter((value, i) => i % 4 === 0 && value < 128).length;
+    }
+    return inks;
+  });
+  expect(inks['adjacency 63']).toBe(0);
+  expect(inks['adjacency 64']).toBeGreaterThan(1000);
+  expect(inks['anchored 65']).toBe(inks['none 66']);
+  expect(inks['anchored 65']).toBe(0);
+  expect(inks['anchored 66']).toBeGreaterThan(1000);
+  const said = pageProblems.splice(0);
+  expect(said).toHaveLength(2);
+  expect(said[0]).toMatch(/a map of 64 texels per side needs a texture 64 texels wide, but this device allows 63/);
+  expect(said[1]).toMatch(/needs a texture 66 texels wide, but this device allows 65.*give it a smaller map/);
+});

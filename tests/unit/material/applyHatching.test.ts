@@ -602,6 +602,38 @@ describe('when something is wrong', () => {
     (await applyHatching(root, { tonalArtMap })).restore();
   });
 
+  const misuses: [what: string, options: unknown, says: RegExp][] = [
+    ['null', null, /^applyHatching: the options are null\. Pass an object/],
+    ['a map in its place', 5, /^applyHatching: the options are 5/],
+    [
+      'a signal that is none',
+      { signal: new AbortController() },
+      /^applyHatching: signal is .*, but must be an AbortSignal/,
+    ],
+    ['a word for a signal', { signal: 'stop' }, /^applyHatching: signal is .*, but must be an AbortSignal/],
+    ['a listener that is none', { onProgress: true }, /^applyHatching: onProgress is true, but must be a function/],
+    [
+      'a worker for its maker',
+      { createWorker: {} },
+      /^applyHatching: createWorker is an object .*, but must be a function/,
+    ],
+    ['a filter that is none', { filter: 'crate' }, /^applyHatching: filter must be a function/],
+    ['a material of null', { material: null }, /^applyHatching: material must be an object/],
+    [
+      'a size that is no number',
+      { strokeScale: Number.NaN },
+      /^applyHatching: strokeScale is NaN, but must be a positive/,
+    ],
+    ['a map that is none', { tonalArtMap: 5 }, /tonalArtMap: 5 is no TonalArtMap/],
+  ];
+  test.each(misuses)('options that are none say so at once, and claim nothing: %s', async (_what, options, says) => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const error = await applyHatching(mesh, options as object).catch((reason) => reason);
+    expect(error.message).toMatch(says);
+    expect([TypeError, RangeError]).toContain(error.constructor);
+    (await applyHatching(mesh, { tonalArtMap })).dispose();
+  });
+
   test('a scene of nothing but broken meshes rejects with what is wrong, no scene at all with what to pass', async () => {
     await expect(applyHatching(brokenMesh(), { tonalArtMap })).rejects.toThrow(/must be finite/);
     await expect(applyHatching({ scene: new Group() } as unknown as Group)).rejects.toThrow(/pass gltf\.scene/);

@@ -148,7 +148,7 @@ describe('TonalArtMap.generate', () => {
       'TonalArtMap.load: unknown option "style". The known ones are signal, onProgress, createWorker.',
     );
     expect(() => TonalArtMap.fromHatchImages({ size: 4, images: [], levels: 1 } as never)).toThrow(
-      'TonalArtMap.fromHatchImages: unknown option "levels". The known ones are size, images.',
+      'TonalArtMap.fromHatchImages: unknown option "levels". The known ones are size, images, strokeWidth.',
     );
     await expect(TonalArtMap.generate({ size: 100 })).rejects.toThrow('TonalArtMap.generate: size is 100');
   });

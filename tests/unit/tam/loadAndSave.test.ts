@@ -161,6 +161,33 @@ describe("TonalArtMap.load of an artist's images", () => {
   );
 });
 
+describe('misuse', () => {
+  it.each<[unknown, RegExp]>([
+    [null, /: the options are null\. Pass an object/],
+    ['hatching', /: the options are hatching\. Pass an object/],
+    [{ signal: {} }, /: signal is .* but must be an AbortSignal/],
+    [{ onProgress: 5 }, /: onProgress is 5, but must be a function, or left out/],
+    [{ createWorker: 'worker.js' }, /: createWorker is worker.js, but must be a function, or left out/],
+  ])('is named at once: options %j', async (options, says) => {
+    for (const call of [TonalArtMap.generate(options as object), TonalArtMap.load([], options as object)]) {
+      const error = await call.catch((reason) => reason);
+      expect(error).toBeInstanceOf(TypeError);
+      expect(error.message).toMatch(says);
+    }
+  });
+
+  it('names images whose buffers were given away, and what is no images at all', () => {
+    const images = [255, 0].map((byte) => [new Uint8Array(16).fill(byte)]);
+    structuredClone(images[1][0], { transfer: [images[1][0].buffer] });
+    expect(() => TonalArtMap.fromHatchImages({ size: 4, images })).toThrow(
+      /^TonalArtMap\.fromHatchImages: images\[1\]\[0\] is empty: its buffer was transferred.*Pass a copy/,
+    );
+    expect(() => TonalArtMap.fromHatchImages(null as never)).toThrow(
+      'TonalArtMap.fromHatchImages: the hatch images are null.',
+    );
+  });
+});
+
 describe('TonalArtMap.load refuses', () => {
   const description = {
     format: 'three-hatching tonal art map',

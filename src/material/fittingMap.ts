@@ -1,0 +1,30 @@
+import { identityOf } from '../geometry/identityOf.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
+
+/** Identities of maps that were complained about. */
+const refused = new WeakSet<object>();
+
+/**
+ * The map if the device can hold its textures, otherwise null: a texture that is too large would draw everything black. Says
+ * so once per map.
+ *
+ * @param usesThresholds whether the threshold texture is used, about twice as wide as the map, and not the map itself alone
+ * @param maxTextureSize of the device, in texels
+ */
+export function fittingMap(
+  map: TonalArtMap | null,
+  usesThresholds: boolean,
+  maxTextureSize: number,
+): TonalArtMap | null {
+  if (map === null) return null;
+  const width = usesThresholds ? map.thresholdTexture.image.width : map.size;
+  if (width <= maxTextureSize) return map;
+  const identity = identityOf(map);
+  if (!refused.has(identity)) {
+    refused.add(identity);
+    console.error(
+      `HatchingMaterial.tonalArtMap: a map of ${map.size} texels per side needs a texture ${width} texels wide, but this device allows ${maxTextureSize}. The surface stays blank paper; give it a smaller map.`,
+    );
+  }
+  return null;
+}
