@@ -197,10 +197,7 @@ for (const depth of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) 
         return mesh;
       };
       const scene = sceneOf(hatched, plain(-0.7, -0.001), plain(0.2, 0.001), sun(Math.PI, [0, 0, 1]));
-      // three.js 0.170 has the option under an older name.
-      const parameters =
-        depth === 'reversedDepthBuffer' ? { [depth]: true, reverseDepthBuffer: true } : { [depth]: true };
-      return pixelsOf(scene, makeRenderer(parameters));
+      return pixelsOf(scene, makeRenderer({ [depth]: true }));
     }, depth);
     // Left the plain square stands a hair behind the hatched one, right a hair before it.
     expect(at(pixels, 33, 48)).toEqual([255, 255, 255]);
