@@ -1,5 +1,6 @@
 // R: the radiance that a white surface shows under the scene's lights, for each of its tone normals.
 // three's own <lights_fragment_begin> walks the lights and calls RE_Direct with each, shadows included.
+#include "environment"
 
 uniform float shininess;
 uniform float reflectedLight; // share of each light that the surroundings throw back
@@ -45,6 +46,7 @@ float indirectRadiance(const in vec3 n) {
   #if NUM_HEMI_LIGHTS > 0
     for (int i = 0; i < NUM_HEMI_LIGHTS; i++) irradiance += getHemisphereLightIrradiance(hemisphereLights[i], n);
   #endif // NUM_HEMI_LIGHTS
+  irradiance += environmentIrradiance(n);
   return luminance(irradiance) * RECIPROCAL_PI;
 }
 

@@ -12,6 +12,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
+import { bindEnvironment } from './bindEnvironment.js';
 import { bindVertices } from './bindVertices.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { defaultOf } from './defaultOf.js';
@@ -143,7 +144,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
 
   private beforeRender(
     renderer: WebGLRenderer,
-    _scene: Scene,
+    scene: Scene,
     camera: Camera,
     geometry: BufferGeometry,
     object: Object3D,
@@ -156,6 +157,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms();
+    bindEnvironment(renderer, scene, camera, this.uniforms);
     if (HATCHING_TECHNIQUES[this.technique].vertexData !== 'adjacency') return;
     const layout = bindVertices(renderer, camera, geometry, object, this);
     if (layout === this.vertexLayout) return;

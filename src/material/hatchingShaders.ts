@@ -1,3 +1,4 @@
+import { environmentLayout } from './environmentLayout.js';
 import type { HatchingTechnique } from './hatchingProperties.js';
 import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk } from './shaderConventions.js';
@@ -50,5 +51,6 @@ function chunksFor(technique?: HatchingTechnique): Record<string, string> {
     // Another technique's chunks are no business of this one's.
     if (!name.startsWith('techniques/')) chunks[name] = text;
   }
+  chunks['environment/layout'] = chunks[`environment/${environmentLayout}`];
   return chunks;
 }

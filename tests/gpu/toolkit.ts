@@ -1,5 +1,6 @@
 /** What the embedding tests build their scenes from, as a global, since a test's own code runs inside `evaluate`. */
 import * as THREE from 'three';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import {
   applyHatching,
@@ -82,6 +83,7 @@ function pixelsOf(
 const toolkit = {
   THREE,
   GLTFLoader,
+  RoomEnvironment,
   applyHatching,
   HatchingMaterial,
   prepareHatchingGeometry,
