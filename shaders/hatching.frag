@@ -5,6 +5,8 @@
 #include "technique/varyings"
 
 uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float emissiveIntensity;
 uniform float opacity;
 
 varying vec3 vViewPosition;
@@ -17,10 +19,15 @@ varying vec3 vViewPosition;
 #include <alphamap_pars_fragment>
 #include <alphatest_pars_fragment>
 #include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
 #include <fog_pars_fragment>
 #include <lights_pars_begin>
 #include <normal_pars_fragment>
 #include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
 #include <logdepthbuf_pars_fragment>
 #include <clipping_planes_pars_fragment>
 
@@ -44,11 +51,18 @@ void main() {
   // Texture derivatives are taken before anything may discard.
   HatchingParameters parameters = readHatchingParameters();
 
+  vec3 totalEmissiveRadiance = emissiveIntensity * emissive;
+  #include <emissivemap_fragment>
+
   #include <normal_fragment_begin>
+  #if TONE_NORMAL == TONE_NORMAL_SMOOTH
+    #include <normal_fragment_maps>
+  #endif // TONE_NORMAL
   HatchingSurface material = HatchingSurface(readToneNormals(normal, faceDirection), PerToneNormal(0.0));
   #include <lights_fragment_begin>
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
+  material.radiance += luminance(totalEmissiveRadiance);
   PerToneNormal tone = toneFromRadiance(material.radiance);
 
   vec4 printed = printedColor(paper * diffuseColor.rgb, hatch(parameters, tone));

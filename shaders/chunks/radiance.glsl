@@ -57,7 +57,14 @@ vec4 indirectRadiance(const in mat4x3 normals) {
 }
 
 void addIndirectRadiance(inout HatchingSurface surface) {
-  surface.radiance += indirectRadiance(surface.normals);
+  PerToneNormal radiance = indirectRadiance(surface.normals);
+  #ifdef USE_LIGHTMAP
+    radiance += lightMapIntensity * luminance(texture2D(lightMap, vLightMapUv).rgb) * RECIPROCAL_PI;
+  #endif // USE_LIGHTMAP
+  #ifdef USE_AOMAP
+    radiance *= 1.0 - aoMapIntensity * (1.0 - texture2D(aoMap, vAoMapUv).r);
+  #endif // USE_AOMAP
+  surface.radiance += radiance;
 }
 
 // What the surroundings throw back of one light: they are a sky of that light from the opposite side, so shade is

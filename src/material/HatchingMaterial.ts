@@ -4,9 +4,11 @@ import {
   type Color,
   type Group,
   Material,
+  type NormalMapTypes,
   type Object3D,
   type Scene,
   type ShaderMaterial,
+  TangentSpaceNormalMap,
   type Texture,
   type Vector2,
   Vector4,
@@ -51,6 +53,9 @@ const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PR
 export class HatchingMaterial extends HatchingMaterialProperties {
   readonly isHatchingMaterial = true;
   override readonly type: string = 'HatchingMaterial';
+
+  /** Of which space `normalMap` is, as in three's own materials: `TangentSpaceNormalMap` or `ObjectSpaceNormalMap`. */
+  normalMapType: NormalMapTypes = TangentSpaceNormalMap;
 
   /** Choices that were made, and the technique, on which the defaults of the others depend. */
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
@@ -169,6 +174,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     // Not ShaderMaterial's copy: that clones every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
     this.fog = source.fog;
+    this.normalMapType = source.normalMapType;
     this.lights = source.lights;
     this.clipping = source.clipping;
     this.wireframe = source.wireframe;
