@@ -104,6 +104,7 @@ test('face normals stay those of the triangles under a normal map', async ({ pag
     const normalMap = new THREE.DataTexture(new Uint8Array([250, 128, 150, 255]), 1, 1);
     normalMap.needsUpdate = true;
     const geometry = new THREE.SphereGeometry(1, 24, 16);
+    geometry.computeTangents();
     return [
       pixelsOf(sceneOf(await hatchedMesh(geometry), sun())),
       pixelsOf(sceneOf(await hatchedMesh(geometry, { normalMap }), sun())),
