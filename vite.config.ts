@@ -44,6 +44,7 @@ export default defineConfig(
         '@pmndrs/assets/models/suzi.glb.js',
         ...[
           'controls/OrbitControls.js',
+          'environments/RoomEnvironment.js',
           'loaders/GLTFLoader.js',
           'loaders/OBJLoader.js',
           'loaders/MTLLoader.js',

@@ -3,7 +3,7 @@ import type { NumberRange } from '../src/material/HatchingProperty.js';
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
 
-export type PropertyGroup = 'Strokes' | 'Tone' | 'Colour' | 'Checking';
+export type PropertyGroup = 'Strokes' | 'Tone' | 'Surface' | 'Colour' | 'Checking';
 
 interface BaseRow {
   group: PropertyGroup;
@@ -37,10 +37,12 @@ export interface ColorRow extends BaseRow {
   uniform?: string;
 }
 
+/** A uniform of the same name, unless `uniform` is `false`: then others are computed from it. */
 export interface Vector2Row extends BaseRow {
   kind: 'vector2';
   default: readonly [number, number];
   unit: string;
+  uniform?: false;
 }
 
 /** A texture with its transform: the uniforms `name` and `nameTransform`. */

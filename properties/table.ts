@@ -50,6 +50,7 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: [0, 0],
     unit: 'tiles',
+    uniform: false,
     techniques: ['triangle', 'adjacency'],
     sentence: 'Shift of the strokes along T and B.',
   },
@@ -213,6 +214,85 @@ export const PROPERTIES = {
     range: { from: 0, to: 1 },
     sentence:
       'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it.',
+  },
+  normalMap: {
+    kind: 'texture',
+    group: 'Surface',
+    default: null,
+    sentence:
+      "Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face normals stay those of the triangles.",
+  },
+  normalScale: {
+    kind: 'vector2',
+    group: 'Surface',
+    default: [1, 1],
+    unit: '',
+    sentence: 'How far the normal map turns the normal, along x and y.',
+  },
+  bumpMap: {
+    kind: 'texture',
+    group: 'Surface',
+    default: null,
+    sentence:
+      'Heights that turn the smooth tone normal, where there is no normal map; face normals stay those of the triangles.',
+  },
+  bumpScale: {
+    kind: 'number',
+    group: 'Surface',
+    default: 1,
+    sentence: 'How far the bump map turns the normal.',
+  },
+  flatShading: {
+    kind: 'switch',
+    group: 'Surface',
+    default: false,
+    sentence: 'Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it.',
+  },
+  aoMap: {
+    kind: 'texture',
+    group: 'Surface',
+    default: null,
+    sentence: 'Ambient occlusion (red channel): dims light without a direction, the environment and the light map.',
+  },
+  aoMapIntensity: {
+    kind: 'number',
+    group: 'Surface',
+    default: 1,
+    range: { from: 0 },
+    sentence: 'How much the ambient occlusion counts.',
+  },
+  lightMap: {
+    kind: 'texture',
+    group: 'Surface',
+    default: null,
+    sentence: 'Light baked into a map, added to that of the scene; coloured light counts by its luminance.',
+  },
+  lightMapIntensity: {
+    kind: 'number',
+    group: 'Surface',
+    default: 1,
+    range: { from: 0 },
+    sentence: 'How much the light map counts.',
+  },
+  emissive: {
+    kind: 'color',
+    group: 'Surface',
+    default: 0x000000,
+    defaultWords: 'black',
+    sentence: 'Light that the surface gives off; its luminance lowers the tone.',
+  },
+  emissiveIntensity: {
+    kind: 'number',
+    group: 'Surface',
+    default: 1,
+    range: { from: 0 },
+    sentence: 'How strong that light is.',
+  },
+  emissiveMap: {
+    kind: 'texture',
+    group: 'Surface',
+    default: null,
+    sentence: 'Map of that light, multiplied by `emissive`.',
   },
   ink: {
     kind: 'color',

@@ -85,7 +85,8 @@ export type ${type} = ${Object.keys(choices)
 function runtimeFields(name: string, row: PropertyRow): string[] {
   const fields = [`kind: '${row.kind}'`];
   if (row.kind === 'color') fields.push(`uniform: '${row.uniform ?? name}'`);
-  if (row.kind === 'texture' || (row.kind === 'number' && row.uniform !== false)) fields.push(`uniform: '${name}'`);
+  if (row.kind === 'texture' || ((row.kind === 'number' || row.kind === 'vector2') && row.uniform !== false))
+    fields.push(`uniform: '${name}'`);
   if (row.kind === 'texture') fields.push(`transform: '${name}Transform'`);
   if (row.kind === 'switch' || (row.kind === 'choice' && row.isDefine !== false))
     fields.push(`define: '${constantCase(name)}'`);

@@ -1,10 +1,13 @@
 // Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the fragment shader stage.
 // What is included as "technique/…", here and in the chunks, comes from the folder of the material's technique.
 #include "conventions"
+#include "smoothNormal"
 #include "strokeLayers"
 #include "technique/varyings"
 
 uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float emissiveIntensity;
 uniform float opacity;
 
 varying vec3 vViewPosition;
@@ -18,10 +21,15 @@ varying vec3 vViewPosition;
 #include <alphamap_pars_fragment>
 #include <alphatest_pars_fragment>
 #include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
 #include <fog_pars_fragment>
 #include <lights_pars_begin>
 #include <normal_pars_fragment>
 #include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
 #include <logdepthbuf_pars_fragment>
 #include <clipping_planes_pars_fragment>
 
@@ -45,11 +53,18 @@ void main() {
   // Texture derivatives are taken before anything may discard.
   HatchingParameters parameters = readHatchingParameters();
 
+  vec3 totalEmissiveRadiance = emissiveIntensity * emissive;
+  #include <emissivemap_fragment>
+
   #include <normal_fragment_begin>
+  #if TONE_NORMAL == TONE_NORMAL_SMOOTH
+    #include <normal_fragment_maps>
+  #endif // TONE_NORMAL
   HatchingSurface material = HatchingSurface(readToneNormals(normal, faceDirection), PerToneNormal(0.0));
   #include <lights_fragment_begin>
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
+  material.radiance += luminance(totalEmissiveRadiance);
   PerToneNormal tone = toneFromRadiance(material.radiance);
 
   vec4 printed = printedColor(paper * diffuseColor.rgb, hatch(parameters, tone));

@@ -1,5 +1,6 @@
 // R: the radiance that a white surface shows under the scene's lights, for each of its tone normals.
 // three's own <lights_fragment_begin> walks the lights and calls RE_Direct with each, shadows included.
+#include "environment"
 
 uniform float shininess;
 uniform float reflectedLight; // share of each light that the surroundings throw back
@@ -45,6 +46,7 @@ float indirectRadiance(const in vec3 n) {
   #if NUM_HEMI_LIGHTS > 0
     for (int i = 0; i < NUM_HEMI_LIGHTS; i++) irradiance += getHemisphereLightIrradiance(hemisphereLights[i], n);
   #endif // NUM_HEMI_LIGHTS
+  irradiance += environmentIrradiance(n);
   return luminance(irradiance) * RECIPROCAL_PI;
 }
 
@@ -55,7 +57,14 @@ vec4 indirectRadiance(const in mat4x3 normals) {
 }
 
 void addIndirectRadiance(inout HatchingSurface surface) {
-  surface.radiance += indirectRadiance(surface.normals);
+  PerToneNormal radiance = indirectRadiance(surface.normals);
+  #ifdef USE_LIGHTMAP
+    radiance += lightMapIntensity * luminance(texture2D(lightMap, vLightMapUv).rgb) * RECIPROCAL_PI;
+  #endif // USE_LIGHTMAP
+  #ifdef USE_AOMAP
+    radiance *= 1.0 - aoMapIntensity * (1.0 - texture2D(aoMap, vAoMapUv).r);
+  #endif // USE_AOMAP
+  surface.radiance += radiance;
 }
 
 // What the surroundings throw back of one light: they are a sky of that light from the opposite side, so shade is

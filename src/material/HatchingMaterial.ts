@@ -5,14 +5,17 @@ import {
   type Group,
   Material,
   type Mesh,
+  type NormalMapTypes,
   type Object3D,
   type Scene,
   type ShaderMaterial,
+  TangentSpaceNormalMap,
   type Texture,
   type Vector2,
   Vector4,
   type WebGLRenderer,
 } from 'three';
+import { bindEnvironment } from './bindEnvironment.js';
 import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
@@ -55,6 +58,9 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   readonly isHatchingMaterial = true;
   /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
   override readonly type: string = 'HatchingMaterial';
+
+  /** Of which space `normalMap` is, as in three's own materials: `TangentSpaceNormalMap` or `ObjectSpaceNormalMap`. */
+  normalMapType: NormalMapTypes = TangentSpaceNormalMap;
 
   /** Choices that were made, and the technique, on which the defaults of the others depend. */
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
@@ -170,7 +176,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
 
   private beforeRender(
     renderer: WebGLRenderer,
-    _scene: Scene,
+    scene: Scene,
     camera: Camera,
     geometry: BufferGeometry,
     object: Object3D,
@@ -183,6 +189,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms(renderer.capabilities.maxTextureSize);
+    bindEnvironment(renderer, scene, camera, this.uniforms);
     warnIfStale(geometry);
     this.announced.length = 0;
     if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
@@ -202,6 +209,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     // Not ShaderMaterial's copy: that clones every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
     this.fog = source.fog;
+    this.normalMapType = source.normalMapType;
     this.lights = source.lights;
     this.clipping = source.clipping;
     this.wireframe = source.wireframe;

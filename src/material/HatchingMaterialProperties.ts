@@ -109,6 +109,39 @@ export interface HatchingMaterialOptions {
    * shade is darkest at the terminator, as engravers draw it. In [0, 1]. Default `0`.
    */
   reflectedLight: number;
+  /**
+   * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
+   * normals stay those of the triangles. Default `null`.
+   */
+  normalMap: Texture | null;
+  /** How far the normal map turns the normal, along x and y. Default `(1, 1)`. */
+  normalScale: Vector2;
+  /**
+   * Heights that turn the smooth tone normal, where there is no normal map; face normals stay those of the triangles.
+   * Default `null`.
+   */
+  bumpMap: Texture | null;
+  /** How far the bump map turns the normal. Default `1`. */
+  bumpScale: number;
+  /**
+   * Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it. Default `false`.
+   * Another value builds another program.
+   */
+  flatShading: boolean;
+  /** Ambient occlusion (red channel): dims light without a direction, the environment and the light map. Default `null`. */
+  aoMap: Texture | null;
+  /** How much the ambient occlusion counts. In [0, ∞). Default `1`. */
+  aoMapIntensity: number;
+  /** Light baked into a map, added to that of the scene; coloured light counts by its luminance. Default `null`. */
+  lightMap: Texture | null;
+  /** How much the light map counts. In [0, ∞). Default `1`. */
+  lightMapIntensity: number;
+  /** Light that the surface gives off; its luminance lowers the tone. Default black. */
+  emissive: ColorRepresentation;
+  /** How strong that light is. In [0, ∞). Default `1`. */
+  emissiveIntensity: number;
+  /** Map of that light, multiplied by `emissive`. Default `null`. */
+  emissiveMap: Texture | null;
   /** Colour of the strokes. Default black. */
   ink: ColorRepresentation;
   /** Colour of the ground between strokes, multiplied by the surface colour. Default white. */
@@ -148,6 +181,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     toneSteps: HATCHING_DEFAULTS.toneSteps as number,
     shininess: HATCHING_DEFAULTS.shininess as number,
     reflectedLight: HATCHING_DEFAULTS.reflectedLight as number,
+    bumpScale: HATCHING_DEFAULTS.bumpScale as number,
+    aoMapIntensity: HATCHING_DEFAULTS.aoMapIntensity as number,
+    lightMapIntensity: HATCHING_DEFAULTS.lightMapIntensity as number,
+    emissiveIntensity: HATCHING_DEFAULTS.emissiveIntensity as number,
     paperOpacity: HATCHING_DEFAULTS.paperOpacity as number,
   };
 
@@ -378,6 +415,89 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   set reflectedLight(value: number) {
     this.numbers.reflectedLight = checkNumber('reflectedLight', value, HATCHING_PROPERTIES.reflectedLight.range);
   }
+
+  /**
+   * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
+   * normals stay those of the triangles. Default `null`.
+   */
+  normalMap: Texture | null = HATCHING_DEFAULTS.normalMap;
+
+  /** How far the normal map turns the normal, along x and y. Default `(1, 1)`. */
+  readonly normalScale: Vector2 = new Vector2(...HATCHING_DEFAULTS.normalScale);
+
+  /**
+   * Heights that turn the smooth tone normal, where there is no normal map; face normals stay those of the triangles.
+   * Default `null`.
+   */
+  bumpMap: Texture | null = HATCHING_DEFAULTS.bumpMap;
+
+  /** How far the bump map turns the normal. Default `1`. */
+  get bumpScale(): number {
+    return this.numbers.bumpScale;
+  }
+
+  set bumpScale(value: number) {
+    this.numbers.bumpScale = checkNumber('bumpScale', value);
+  }
+
+  /**
+   * Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it. Default `false`.
+   * Another value builds another program.
+   */
+  get flatShading(): boolean {
+    return this.choice('flatShading') as boolean;
+  }
+
+  set flatShading(value: boolean) {
+    this.choose('flatShading', value);
+  }
+
+  /** Ambient occlusion (red channel): dims light without a direction, the environment and the light map. Default `null`. */
+  aoMap: Texture | null = HATCHING_DEFAULTS.aoMap;
+
+  /** How much the ambient occlusion counts. In [0, ∞). Default `1`. */
+  get aoMapIntensity(): number {
+    return this.numbers.aoMapIntensity;
+  }
+
+  set aoMapIntensity(value: number) {
+    this.numbers.aoMapIntensity = checkNumber('aoMapIntensity', value, HATCHING_PROPERTIES.aoMapIntensity.range);
+  }
+
+  /** Light baked into a map, added to that of the scene; coloured light counts by its luminance. Default `null`. */
+  lightMap: Texture | null = HATCHING_DEFAULTS.lightMap;
+
+  /** How much the light map counts. In [0, ∞). Default `1`. */
+  get lightMapIntensity(): number {
+    return this.numbers.lightMapIntensity;
+  }
+
+  set lightMapIntensity(value: number) {
+    this.numbers.lightMapIntensity = checkNumber(
+      'lightMapIntensity',
+      value,
+      HATCHING_PROPERTIES.lightMapIntensity.range,
+    );
+  }
+
+  /** Light that the surface gives off; its luminance lowers the tone. Default black. */
+  readonly emissive: Color = new Color(HATCHING_DEFAULTS.emissive);
+
+  /** How strong that light is. In [0, ∞). Default `1`. */
+  get emissiveIntensity(): number {
+    return this.numbers.emissiveIntensity;
+  }
+
+  set emissiveIntensity(value: number) {
+    this.numbers.emissiveIntensity = checkNumber(
+      'emissiveIntensity',
+      value,
+      HATCHING_PROPERTIES.emissiveIntensity.range,
+    );
+  }
+
+  /** Map of that light, multiplied by `emissive`. Default `null`. */
+  emissiveMap: Texture | null = HATCHING_DEFAULTS.emissiveMap;
 
   /** Colour of the strokes. Default black. */
   readonly ink: Color = new Color(HATCHING_DEFAULTS.ink);

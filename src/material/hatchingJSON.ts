@@ -1,4 +1,4 @@
-import type { Material, Texture } from 'three';
+import type { Material, Texture, Vector2 } from 'three';
 import { isDefault } from './defaultOf.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
@@ -34,8 +34,10 @@ export function setFromJSON(
   if (json.userData !== undefined) material.userData = json.userData;
   for (const [name, value] of Object.entries(json)) {
     if (NOT_SET.has(name) || !(name in material)) continue;
-    if (name === 'map' || name === 'alphaMap') material[name] = textures[value as string] ?? null;
-    else if (name === 'strokeOffset') material.strokeOffset.fromArray(value as [number, number]);
+    const kind = HATCHING_PROPERTIES[name as HatchingPropertyName]?.kind;
+    if (kind === 'texture') Object.assign(material, { [name]: textures[value as string] ?? null });
+    else if (kind === 'vector2')
+      (material[name as HatchingPropertyName] as Vector2).fromArray(value as [number, number]);
     else material.setValues({ [name]: value });
   }
 }

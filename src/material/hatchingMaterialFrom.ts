@@ -1,4 +1,4 @@
-import { type Color, Material, type Texture } from 'three';
+import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 } from 'three';
 import { HatchingMaterial } from './HatchingMaterial.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 
@@ -7,13 +7,42 @@ interface SurfaceMaterial extends Material {
   color?: Color;
   map?: Texture | null;
   alphaMap?: Texture | null;
+  normalMap?: Texture | null;
+  normalMapType?: NormalMapTypes;
+  normalScale?: Vector2;
+  bumpMap?: Texture | null;
+  bumpScale?: number;
+  flatShading?: boolean;
+  aoMap?: Texture | null;
+  aoMapIntensity?: number;
+  lightMap?: Texture | null;
+  lightMapIntensity?: number;
+  emissive?: Color;
+  emissiveIntensity?: number;
+  emissiveMap?: Texture | null;
   fog?: boolean;
   wireframe?: boolean;
   wireframeLinewidth?: number;
 }
 
+const plainProperties = [
+  'map',
+  'alphaMap',
+  'normalMap',
+  'normalMapType',
+  'bumpMap',
+  'bumpScale',
+  'flatShading',
+  'aoMap',
+  'aoMapIntensity',
+  'lightMap',
+  'lightMapIntensity',
+  'emissiveIntensity',
+  'emissiveMap',
+] as const satisfies (keyof SurfaceMaterial)[];
+
 /**
- * A hatching material that replaces `source`, with its colour, maps (shared, not copied), opacity, sides, vertex
+ * A hatching material that replaces `source`, with its colour, maps and what goes with them (shared, not copied), emitted light, opacity, sides, vertex
  * colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility and user data.
  *
  * @param parameters override what is taken over from `source`
@@ -25,10 +54,14 @@ export function hatchingMaterialFrom(source: Material, parameters: HatchingMater
   material.userData = { ...source.userData };
   // Shared, so that planes that move keep clipping.
   material.clippingPlanes = source.clippingPlanes;
-  const { color, map, alphaMap, fog, wireframe, wireframeLinewidth } = source as SurfaceMaterial;
+  const surface: SurfaceMaterial = source;
+  const { color, emissive, normalScale, fog, wireframe, wireframeLinewidth } = surface;
   if (color) material.color.copy(color);
-  material.map = map ?? null;
-  material.alphaMap = alphaMap ?? null;
+  if (emissive) material.emissive.copy(emissive);
+  if (normalScale) material.normalScale.copy(normalScale);
+  for (const name of plainProperties) {
+    if (surface[name] !== undefined) Object.assign(material, { [name]: surface[name] });
+  }
   material.fog = fog ?? true;
   material.wireframe = wireframe ?? false;
   material.wireframeLinewidth = wireframeLinewidth ?? 1;

@@ -1,3 +1,4 @@
+import { environmentLayout } from './environmentLayout.js';
 import type { HatchingTechnique } from './hatchingProperties.js';
 import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, packingChunk } from './shaderConventions.js';
@@ -54,5 +55,6 @@ function chunksFor(technique?: HatchingTechnique): Record<string, string> {
     // Another technique's chunks are no business of this one's.
     if (!name.startsWith('techniques/')) chunks[name] = text;
   }
+  chunks['environment/layout'] = chunks[`environment/${environmentLayout}`];
   return chunks;
 }

@@ -28,6 +28,11 @@ export function createHatchingUniforms(): Uniforms {
       thresholdMoments: { value: new Vector3(1, 1, 0) },
       tonalArtMap: { value: null },
       tonalArtMapTones: { value: 2 },
+      // of the scene's environment
+      environment: { value: null },
+      environmentAtlas: { value: new Vector3() },
+      environmentIntensity: { value: 0 },
+      environmentRotation: { value: new Matrix3() },
       // of the mesh that is drawn
       deformedNormals: { value: null },
       deformedPositions: { value: null },

@@ -5,10 +5,11 @@ import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js
  * What three.js builds a program by but looks at only once `needsUpdate` is set, as one number: whether there are textures and
  * which coordinates they go by, sides, vertex colours and the like. Another number needs another program.
  */
-export function programSwitches(material: HatchingMaterialProperties): number {
-  const { side, blending } = material;
+export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
+  const { side, blending, normalMapType } = material;
   const { transparent, alphaHash, alphaToCoverage, dithering, premultipliedAlpha, vertexColors } = material;
-  let switches = textureSwitches(material.map) * 16 + textureSwitches(material.alphaMap);
+  let switches: number = normalMapType;
+  for (const name of textureNames) switches = switches * 16 + textureSwitches(material[name]);
   switches = switches * 4 + side;
   switches = switches * 8 + blending;
   for (const isOn of [transparent, alphaHash, alphaToCoverage, dithering, premultipliedAlpha, vertexColors]) {
@@ -16,6 +17,16 @@ export function programSwitches(material: HatchingMaterialProperties): number {
   }
   return switches;
 }
+
+const textureNames = [
+  'map',
+  'alphaMap',
+  'normalMap',
+  'bumpMap',
+  'aoMap',
+  'lightMap',
+  'emissiveMap',
+] as const satisfies (keyof HatchingMaterialProperties)[];
 
 /** In [0, 16). */
 function textureSwitches(texture: Texture | null): number {

@@ -1,5 +1,6 @@
 /** What the embedding tests build their scenes from, as a global, since a test's own code runs inside `evaluate`. */
 import * as THREE from 'three';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
@@ -86,6 +87,7 @@ const toolkit = {
   GLTFLoader,
   GLTFExporter,
   mergeGeometries,
+  RoomEnvironment,
   applyHatching,
   HatchingMaterial,
   prepareHatchingGeometry,

@@ -18,12 +18,17 @@ vStrokeUvBetaGamma = vec4(strokesBeta.xy, strokesGamma.xy);
   vCrossing = vec4(strokesC.z, strokesAlpha.z, strokesBeta.z, strokesGamma.z);
 #endif // STROKE_LAYERS
 // −1 at the vertex that does not belong to the neighbour (Algorithm 2): corner 2 for α, 0 for β, 1 for γ.
-vBlendFactors = vec3(
+vec3 blendFactors = vec3(
   drawn.corner == 2 ? -1.0 : sharedBlendFactor(normalC, normalAlpha),
   drawn.corner == 0 ? -1.0 : sharedBlendFactor(normalC, normalBeta),
   drawn.corner == 1 ? -1.0 : sharedBlendFactor(normalC, normalGamma)
 );
-// A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
-vFaceNormals = mat4x3(
-  normalC * viewToObject, normalAlpha * viewToObject, normalBeta * viewToObject, normalGamma * viewToObject
-);
+#if TONE_NORMAL == TONE_NORMAL_SMOOTH
+  vBlendFactors = blendFactors;
+#else
+  // A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
+  vFaceNormalCentral = normalC * viewToObject;
+  vFaceNormalAlpha = vec4(normalAlpha * viewToObject, blendFactors.x);
+  vFaceNormalBeta = vec4(normalBeta * viewToObject, blendFactors.y);
+  vFaceNormalGamma = vec4(normalGamma * viewToObject, blendFactors.z);
+#endif // TONE_NORMAL

@@ -2,9 +2,11 @@
 #define FaceNormals mat4x3
 #define PerFaceNormal vec4
 
-mat4x3 readFaceNormals(const in float side) {
-  return mat4x3(
-    safeNormalize(vFaceNormals[0]) * side, safeNormalize(vFaceNormals[1]) * side,
-    safeNormalize(vFaceNormals[2]) * side, safeNormalize(vFaceNormals[3]) * side
-  );
-}
+#if TONE_NORMAL == TONE_NORMAL_FACE
+  mat4x3 readFaceNormals(const in float side) {
+    return mat4x3(
+      safeNormalize(vFaceNormalCentral) * side, safeNormalize(vFaceNormalAlpha.xyz) * side,
+      safeNormalize(vFaceNormalBeta.xyz) * side, safeNormalize(vFaceNormalGamma.xyz) * side
+    );
+  }
+#endif // TONE_NORMAL

@@ -12,7 +12,12 @@ HatchingParameters readHatchingParameters() {
   h.uv[3] = vStrokeUvBetaGamma.zw;
   // −1 at the opposite vertex gives the slope of figure 7, it is no contribution to subtract. Clamping the vertices
   // instead would stretch the support over the whole triangle.
-  h.weights = vec4(1.0, max(vBlendFactors, 0.0));
+  #if TONE_NORMAL == TONE_NORMAL_SMOOTH
+    vec3 blendFactors = vBlendFactors;
+  #else
+    vec3 blendFactors = vec3(vFaceNormalAlpha.w, vFaceNormalBeta.w, vFaceNormalGamma.w);
+  #endif // TONE_NORMAL
+  h.weights = vec4(1.0, max(blendFactors, 0.0));
   return h;
 }
 

@@ -2,8 +2,16 @@
 
 varying vec4 vStrokeUvCentralAlpha; // (u, v) in the frame of c, then of α
 varying vec4 vStrokeUvBetaGamma; // (u, v) in the frame of β, then of γ
-varying vec3 vBlendFactors; // f of α, β, γ; may be negative: clamped per fragment, after interpolation
-varying mat4x3 vFaceNormals; // of c, α, β, γ, view space; equal at the three corners, so they need no `flat`
+// f of α, β, γ may be negative: it is clamped per fragment, after interpolation. Normals are equal at the three corners, so they
+// need no `flat`. Each shares a row with a normal: WebGL 2 promises 15 rows, and shadows and maps want theirs.
+#if TONE_NORMAL == TONE_NORMAL_SMOOTH
+  varying vec3 vBlendFactors;
+#else
+  varying vec3 vFaceNormalCentral; // view space, as the others
+  varying vec4 vFaceNormalAlpha; // and the blend factor
+  varying vec4 vFaceNormalBeta;
+  varying vec4 vFaceNormalGamma;
+#endif // TONE_NORMAL
 #if STROKE_LAYERS == 2
   varying vec4 vCrossing; // how far the lights disagree in the frames of c, α, β, γ
 #endif // STROKE_LAYERS

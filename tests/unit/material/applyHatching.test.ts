@@ -20,6 +20,7 @@ import {
   MeshDepthMaterial,
   MeshStandardMaterial,
   type Object3D,
+  ObjectSpaceNormalMap,
   Plane,
   PlaneGeometry,
   Points,
@@ -30,6 +31,7 @@ import {
   SphereGeometry,
   Sprite,
   Texture,
+  Vector2,
   Vector3,
 } from 'three';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -110,6 +112,19 @@ describe('what it makes of a scene', () => {
       color: '#336699',
       map: new Texture(),
       alphaMap: new Texture(),
+      normalMap: new Texture(),
+      normalMapType: ObjectSpaceNormalMap,
+      normalScale: new Vector2(0.5, -1),
+      bumpMap: new Texture(),
+      bumpScale: 0.5,
+      flatShading: true,
+      aoMap: new Texture(),
+      aoMapIntensity: 0.6,
+      lightMap: new Texture(),
+      lightMapIntensity: 0.7,
+      emissive: 'gold',
+      emissiveIntensity: 0.8,
+      emissiveMap: new Texture(),
       alphaTest: 0.25,
       opacity: 0.5,
       transparent: true,
@@ -140,6 +155,17 @@ describe('what it makes of a scene', () => {
       'name',
       'map',
       'alphaMap',
+      'normalMap',
+      'normalMapType',
+      'bumpMap',
+      'bumpScale',
+      'flatShading',
+      'aoMap',
+      'aoMapIntensity',
+      'lightMap',
+      'lightMapIntensity',
+      'emissiveIntensity',
+      'emissiveMap',
       'alphaTest',
       'opacity',
       'transparent',
@@ -166,6 +192,8 @@ describe('what it makes of a scene', () => {
     }
     expect(material.color.equals(new Color('#336699'))).toBe(true);
     expect(material.color).not.toBe(source.color);
+    expect(material.emissive.equals(new Color('gold'))).toBe(true);
+    expect(material.normalScale.toArray()).toEqual([0.5, -1]);
     expect(material.userData.self).toBe(circular);
     expect(material.uniforms.map.value).not.toBe(undefined);
   });

@@ -1,0 +1,78 @@
+import {
+  CubeReflectionMapping,
+  CubeRefractionMapping,
+  type CubeTexture,
+  EquirectangularReflectionMapping,
+  EquirectangularRefractionMapping,
+  PMREMGenerator,
+  type Texture,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+
+/** The environments of one graphics context. */
+interface Environments {
+  generator: PMREMGenerator;
+  blurred: WeakMap<Texture, ReturnType<PMREMGenerator['fromCubemap']>>;
+}
+
+/** Per `renderer.properties`: three.js makes a new one when a lost context is restored, and what was drawn is lost with it. */
+const environments = new WeakMap<object, Environments>();
+
+/**
+ * An environment as three's PMREMGenerator blurs it, made on first use and freed with the texture; null while it is loading.
+ * three.js does this for its own materials alone. A texture that is blurred already is returned as it is.
+ */
+export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): Texture | null {
+  if (isBlurred(texture)) return texture;
+  const isCube = texture.mapping === CubeReflectionMapping || texture.mapping === CubeRefractionMapping;
+  if (!isCube && !isEquirectangular(texture)) return null;
+  const { generator, blurred } = environmentsOf(renderer);
+  const known = blurred.get(texture);
+  const hasChanged = texture.isRenderTargetTexture && known?.texture.pmremVersion !== texture.pmremVersion;
+  if (known && !hasChanged) return known.texture;
+  if (!isLoaded(texture, isCube)) return null;
+  const made = isCube
+    ? generator.fromCubemap(texture as CubeTexture, known)
+    : generator.fromEquirectangular(texture, known);
+  made.texture.pmremVersion = texture.pmremVersion;
+  if (!known) {
+    blurred.set(texture, made);
+    disposeWith(texture, made, renderer);
+  }
+  return made.texture;
+}
+
+/** `CubeUVReflectionMapping` of three.js before 0.187, which later ones no longer name. */
+const ATLAS_MAPPING = 306;
+
+const isBlurred = ({ mapping, isPMREMTexture }: Texture): boolean =>
+  isPMREMTexture === true || (mapping as number) === ATLAS_MAPPING;
+
+const isEquirectangular = ({ mapping }: Texture): boolean =>
+  mapping === EquirectangularReflectionMapping || mapping === EquirectangularRefractionMapping;
+
+function isLoaded({ image }: Texture, isCube: boolean): boolean {
+  if (isCube) return Array.isArray(image) && [0, 1, 2, 3, 4, 5].every((face) => image[face] !== undefined);
+  return image !== null && image !== undefined && (image as { height: number }).height > 0;
+}
+
+function environmentsOf(renderer: WebGLRenderer): Environments {
+  let known = environments.get(renderer.properties);
+  if (!known) {
+    known = { generator: new PMREMGenerator(renderer), blurred: new WeakMap() };
+    environments.set(renderer.properties, known);
+  }
+  return known;
+}
+
+function disposeWith(texture: Texture, target: WebGLRenderTarget, renderer: WebGLRenderer): void {
+  const context = renderer.properties;
+  const dispose = (): void => {
+    texture.removeEventListener('dispose', dispose);
+    environments.get(context)?.blurred.delete(texture);
+    // What belonged to a lost context is gone.
+    if (renderer.properties === context) target.dispose();
+  };
+  texture.addEventListener('dispose', dispose);
+}

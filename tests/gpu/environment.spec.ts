@@ -1,0 +1,216 @@
+import { expect, test } from '../browser/test.js';
+import { at, centre, difference, SIZE } from './pixels.js';
+
+/** Light from the scene's environment, against three's own Lambert material in the same scene. */
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+/** What is compared, in words, for every pixel inside the silhouette. */
+const luminance = ([r, g, b]: number[]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+
+function worst(tone: number[], lambert: number[]): { difference: number; compared: number; spread: number } {
+  const inside: [number, number][] = [];
+  for (let y = 1; y < SIZE - 1; y++) {
+    for (let x = 1; x < SIZE - 1; x++) {
+      const near = [at(lambert, x - 1, y), at(lambert, x + 1, y), at(lambert, x, y - 1), at(lambert, x, y + 1)];
+      if (near.some(([r, g]) => r === 0 && g === 255)) continue;
+      inside.push([at(tone, x, y)[0], luminance(at(lambert, x, y))]);
+    }
+  }
+  const wanted = inside.map(([, value]) => value);
+  return {
+    difference: Math.max(...inside.map(([shown, value]) => Math.abs(shown - value))),
+    compared: inside.length,
+    spread: Math.max(...wanted) - Math.min(...wanted),
+  };
+}
+
+for (const light of ['alone', 'with a sun'] as const) {
+  test(`a room lights as it lights three's Lambert, ${light}`, async ({ page }, testInfo) => {
+    const shown = await page.evaluate(async (light) => {
+      const { THREE, RoomEnvironment, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const renderer = makeRenderer();
+      const geometry = new THREE.SphereGeometry(1, 48, 32);
+      const scene = sceneOf(new THREE.Group());
+      scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+      scene.environmentIntensity = 0.7;
+      scene.environmentRotation.set(0.5, 1.2, -0.4);
+      if (light === 'with a sun') {
+        scene.environmentIntensity = 0.3;
+        scene.add(sun(1.5));
+      }
+      const show = (mesh: InstanceType<typeof THREE.Mesh>) => {
+        scene.add(mesh);
+        const pixels = pixelsOf(scene, renderer);
+        scene.remove(mesh);
+        return pixels;
+      };
+      const compared: Record<string, [number[], number[]]> = {};
+      for (const toneNormal of ['face', 'smooth'] as const) {
+        const flatShading = toneNormal === 'face';
+        const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
+        for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+          // No blend with neighbours, whose tone is another.
+          const creaseAngle = technique === 'adjacency' ? { creaseAngle: 0 } : {};
+          const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...creaseAngle }));
+          compared[`${technique}, ${toneNormal}`] = [tone, lambert];
+        }
+      }
+      return compared;
+    }, light);
+    for (const [name, [tone, lambert]] of Object.entries(shown)) {
+      const found = worst(tone, lambert);
+      testInfo.annotations.push({ type: name, description: JSON.stringify(found) });
+      expect(found.compared, name).toBeGreaterThan(1500);
+      expect(found.spread, name).toBeGreaterThan(30);
+      expect(found.difference, name).toBeLessThanOrEqual(6);
+    }
+  });
+}
+
+test("cube textures and render targets light as they light three's Lambert", async ({ page }) => {
+  // A software rasterizer takes its time over blurring four of them.
+  test.slow();
+  const shown = await page.evaluate(async () => {
+    const { THREE, RoomEnvironment, hatchedMesh, sceneOf, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const faces = ['#f66', '#6f6', '#fff', '#333', '#99f', '#aaa'].map((color) => {
+      const canvas = document.createElement('canvas');
+      canvas.width = canvas.height = 16;
+      const context = canvas.getContext('2d');
+      if (!context) throw new Error('There is no canvas to draw on.');
+      context.fillStyle = color;
+      context.fillRect(0, 0, 16, 16);
+      return canvas;
+    });
+    const cube = new THREE.CubeTexture(faces);
+    cube.needsUpdate = true;
+
+    const target = new THREE.WebGLCubeRenderTarget(64, { type: THREE.HalfFloatType });
+    new THREE.CubeCamera(0.1, 100, target).update(renderer, new RoomEnvironment());
+
+    const hatched = await hatchedMesh(new THREE.SphereGeometry(1, 24, 16), {
+      technique: 'anchored',
+      debugView: 'tone',
+    });
+    const lambert = new THREE.Mesh(hatched.geometry, new THREE.MeshLambertMaterial());
+    const scene = sceneOf(hatched, lambert);
+    scene.environmentIntensity = 0.6;
+    scene.environmentRotation.y = 1;
+    return [cube, target.texture].map((environment) => {
+      scene.environment = environment;
+      return [hatched, lambert].map((mesh) => {
+        hatched.visible = mesh === hatched;
+        lambert.visible = mesh === lambert;
+        return pixelsOf(scene, renderer);
+      });
+    });
+  });
+  for (const [tone, lambert] of shown) {
+    const found = worst(tone, lambert);
+    expect(found.spread).toBeGreaterThan(20);
+    expect(found.difference).toBeLessThanOrEqual(6);
+  }
+});
+
+test('an environment that comes, turns, dims and goes builds no program, and its blur is freed with it', async ({
+  page,
+  pageProblems,
+}) => {
+  const { shown, linked, textures, allocated } = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+    const scene = sceneOf(mesh);
+    const environment = new THREE.DataTexture(null, 0, 0, THREE.RGBAFormat, THREE.FloatType);
+    environment.mapping = THREE.EquirectangularReflectionMapping;
+    const gl = renderer.getContext();
+    let linked = 0;
+    const link = gl.linkProgram.bind(gl);
+    gl.linkProgram = (program) => {
+      linked++;
+      link(program);
+    };
+    await renderer.compileAsync(scene, makeCamera());
+    const links: number[] = [linked];
+    const shown: number[][] = [];
+    const textures: number[] = [];
+    const show = () => {
+      linked = 0;
+      shown.push(pixelsOf(scene, renderer));
+      links.push(linked);
+      textures.push(renderer.info.memory.textures);
+    };
+    show();
+    scene.environment = environment;
+    show();
+    const image = { data: new Float32Array(64 * 32 * 4).fill(0.5), width: 64, height: 32 };
+    Object.assign(environment, { image, needsUpdate: true });
+    show();
+    scene.environmentIntensity = 0.5;
+    scene.environmentRotation.x = 2;
+    linked = 0;
+    show();
+    let allocated = 0;
+    const create = gl.createTexture.bind(gl);
+    gl.createTexture = () => {
+      allocated++;
+      return create();
+    };
+    for (let i = 0; i < 3; i++) show();
+    scene.environment = null;
+    show();
+    environment.dispose();
+    textures.push(renderer.info.memory.textures);
+    return {
+      shown: shown.map((pixels) => pixels.slice(4 * (48 * 96 + 48), 4 * (48 * 96 + 48) + 3)),
+      linked: links,
+      textures,
+      allocated,
+    };
+  });
+  // A software rasterizer compiles while one waits.
+  expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);
+  const near = (pixel: number[], value: number) => expect(Math.abs(pixel[0] - value)).toBeLessThanOrEqual(2);
+  const [dark, loading, bright, ...dimmed] = shown;
+  const gone = dimmed.pop();
+  expect(dark).toEqual([0, 0, 0]);
+  expect(loading).toEqual([0, 0, 0]);
+  near(bright, 128);
+  for (const pixel of dimmed) near(pixel, 64);
+  expect(gone).toEqual([0, 0, 0]);
+  // One program for the material; three's PMREMGenerator builds its own once.
+  expect(linked[0]).toBe(1);
+  expect(linked.filter((_, i) => i > 0 && i !== 3).every((count) => count === 0)).toBe(true);
+  expect(allocated).toBe(0);
+  expect(textures[textures.length - 1]).toBeLessThan(textures[textures.length - 2]);
+});
+
+test('an environment is there again after a lost context came back', async ({ page, pageProblems }) => {
+  const [before, after] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+    const scene = sceneOf(mesh);
+    const data = new Float32Array(64 * 32 * 4).fill(0.5);
+    const environment = new THREE.DataTexture(data, 64, 32, THREE.RGBAFormat, THREE.FloatType);
+    environment.mapping = THREE.EquirectangularReflectionMapping;
+    environment.needsUpdate = true;
+    scene.environment = environment;
+    const before = pixelsOf(scene, renderer);
+    const restored = new Promise((resolve) => {
+      renderer.domElement.addEventListener('webglcontextrestored', resolve);
+    });
+    renderer.forceContextLoss();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    renderer.forceContextRestore();
+    await restored;
+    return [before, pixelsOf(scene, renderer)];
+  });
+  expect(Math.abs(centre(before)[0] - 128)).toBeLessThanOrEqual(2);
+  expect(difference(before, after)).toBe(0);
+  expect(pageProblems.splice(0).filter((problem) => !/context (lost|restored)/i.test(problem))).toEqual([]);
+});

@@ -1,0 +1,68 @@
+import { expect, test } from '../browser/test.js';
+import { varyingRows } from './varyingRows.js';
+
+/** WebGL 2 promises 15 rows of four varyings between the stages, and no more. */
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
+});
+
+const ROWS = 15;
+
+for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+  for (const secondLayer of [false, true]) {
+    test(`four shadows, clipping, fog, vertex colours and two maps fit: ${technique}, ${secondLayer ? 'two layers' : 'one layer'}`, async ({
+      page,
+    }, testInfo) => {
+      const programs = await page.evaluate(
+        async ([technique, secondLayer]) => {
+          const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+          const renderer = makeRenderer();
+          renderer.shadowMap.enabled = true;
+          renderer.localClippingEnabled = true;
+          const gl = renderer.getContext() as WebGL2RenderingContext;
+          const geometry = new THREE.PlaneGeometry(2, 2);
+          geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(12).fill(1), 3));
+          const map = new THREE.DataTexture(new Uint8Array(4).fill(255), 1, 1);
+          map.needsUpdate = true;
+          const sources: [string, string, string][] = [];
+          for (const toneNormal of ['face', 'smooth'] as const) {
+            const mesh = await hatchedMesh(geometry, {
+              technique,
+              secondLayer,
+              toneNormal,
+              map,
+              alphaMap: map,
+              vertexColors: true,
+              clippingPlanes: [new THREE.Plane(new THREE.Vector3(1, 0, 0), 2)],
+              ...(technique === 'anchored' ? {} : { levelRule: 'depth' }),
+            });
+            mesh.receiveShadow = true;
+            const spot = new THREE.SpotLight(0xffffff, 3);
+            const lights = [sun(), sun(1, [0, 1, 1]), sun(1, [1, 0, 1]), spot];
+            for (const light of lights) light.castShadow = true;
+            const scene = sceneOf(mesh, ...lights);
+            scene.fog = new THREE.Fog(0xffffff, 1, 90);
+            pixelsOf(scene, renderer);
+            const { currentProgram } = renderer.properties.get(mesh.material) as {
+              currentProgram: { vertexShader: WebGLShader; fragmentShader: WebGLShader };
+            };
+            const [vertex, fragment] = [currentProgram.vertexShader, currentProgram.fragmentShader].map(
+              (shader) => gl.getShaderSource(shader) ?? '',
+            );
+            sources.push([toneNormal, vertex, fragment]);
+          }
+          return sources;
+        },
+        [technique, secondLayer] as const,
+      );
+      for (const [toneNormal, vertex, fragment] of programs) {
+        const { rows, names } = varyingRows(vertex, fragment);
+        testInfo.annotations.push({ type: toneNormal, description: `${rows} rows: ${names.join(', ')}` });
+        expect(names.join(), 'what is asked for').toMatch(/vDirectionalShadowCoord\[3\].*vClipPosition/);
+        expect(rows, names.join()).toBeLessThanOrEqual(ROWS);
+      }
+    });
+  }
+}
