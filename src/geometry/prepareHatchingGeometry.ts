@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import { checkOptions, TASK_OPTIONS } from '../worker/checkOptions.js';
+import { checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { checkGeometry } from './checkGeometry.js';
@@ -50,8 +50,7 @@ const PREPARE_OPTIONS = {
   creaseAngle: true,
   smoothingRadius: true,
   weldTolerance: true,
-  ...TASK_OPTIONS,
-} satisfies Record<keyof PrepareHatchingGeometryOptions, true>;
+} satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions>, true>;
 
 /**
  * Checks the names of the options and what all tasks have in common.

@@ -2,7 +2,7 @@ import { type Camera, type IUniform, Matrix4, type Scene, type Vector4, type Web
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { environmentLayout } from './environmentLayout.js';
 
-const rotation = new Matrix4();
+const rotation = /* @__PURE__ */ new Matrix4();
 
 /** Sets the uniforms of the scene's environment, which three.js hands to its own materials alone. */
 export function bindEnvironment(
@@ -19,7 +19,7 @@ export function bindEnvironment(
   uniforms.environmentRotation.value
     .setFromMatrix4(rotation.makeRotationFromEuler(scene.environmentRotation))
     .transpose();
-  if (environmentLayout === 'atlas') {
+  if (environmentLayout() === 'atlas') {
     // As three's WebGLProgram has it: three cubes' faces side by side, of 112 texels at least.
     const { height } = texture.image as { height: number };
     const finest = Math.log2(height) - 2;

@@ -55,6 +55,6 @@ function chunksFor(technique?: HatchingTechnique): Record<string, string> {
     // Another technique's chunks are no business of this one's.
     if (!name.startsWith('techniques/')) chunks[name] = text;
   }
-  chunks['environment/layout'] = chunks[`environment/${environmentLayout}`];
+  chunks['environment/layout'] = chunks[`environment/${environmentLayout()}`];
   return chunks;
 }

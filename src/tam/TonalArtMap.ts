@@ -4,7 +4,7 @@ import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThre
 import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import type { TonalArtMapSource } from '../mapFiles/readSource.js';
-import { checkNames, checkOptions, TASK_OPTIONS } from '../worker/checkOptions.js';
+import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
@@ -22,7 +22,7 @@ const READING_SHARE = 0.5;
 /** What `TonalArtMap.generate` accepts: what to draw, and how to follow and stop the task. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
 
-/** The names of the options of `generate`. */
+/** The names of the options of `generate`, beside those of every long task. */
 const GENERATE_OPTIONS = {
   style: true,
   seed: true,
@@ -30,8 +30,7 @@ const GENERATE_OPTIONS = {
   tones: true,
   levels: true,
   strokeWidth: true,
-  ...TASK_OPTIONS,
-} satisfies Record<keyof TonalArtMapOptions, true>;
+} satisfies Record<keyof HatchImageOptions, true>;
 
 /** What `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeWidth: true } satisfies Record<keyof HatchImages, true>;
@@ -125,7 +124,7 @@ export class TonalArtMap {
    * @throws Error (as a rejection) naming the file that is missing or wrong and what to do; the signal's reason if it aborts
    */
   static async load(source: TonalArtMapSource, options: TaskOptions = {}): Promise<TonalArtMap> {
-    checkOptions('TonalArtMap.load', options, TASK_OPTIONS);
+    checkOptions('TonalArtMap.load', options);
     const { signal, onProgress } = options;
     signal?.throwIfAborted();
     const onRead = (progress: number): void => onProgress?.(READING_SHARE * progress);

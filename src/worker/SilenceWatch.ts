@@ -4,6 +4,9 @@ const TICK_MS = 1000;
 /** Ticks without a sign of life after which the other side counts as gone. */
 const SILENT_TICKS = 30;
 
+/** Seconds of silence after which the other side counts as gone. */
+export const SILENCE_SECONDS = (SILENT_TICKS * TICK_MS) / 1000;
+
 /**
  * Notices that a worker is gone although no event says so: it was terminated, closed itself or was killed by the system. Asks
  * for a sign of life every second; any message is one.
@@ -15,12 +18,9 @@ export class SilenceWatch {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private silentTicks = 0;
 
-  /** Seconds of silence before `onSilence` is called. */
-  static readonly SECONDS = (SILENT_TICKS * TICK_MS) / 1000;
-
   /**
    * @param ask asks for a sign of life
-   * @param onSilence called once, when there was none for {@link SilenceWatch.SECONDS} seconds
+   * @param onSilence called once, when there was none for {@link SILENCE_SECONDS} seconds
    */
   constructor(
     private readonly ask: () => void,

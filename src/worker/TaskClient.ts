@@ -1,7 +1,7 @@
 import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { requestBuffers } from './requestBuffers.js';
-import { SilenceWatch } from './SilenceWatch.js';
+import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 
 /** Milliseconds after which an idle worker is ended. It holds a thread and tens of megabytes. */
@@ -47,7 +47,7 @@ export class TaskClient {
   /** Watches over a worker that has work to do. */
   private readonly watch = new SilenceWatch(
     () => this.send({ type: 'ping' }),
-    () => this.onWorkerError(`it gave no sign of life for ${SilenceWatch.SECONDS} s`),
+    () => this.onWorkerError(`it gave no sign of life for ${SILENCE_SECONDS} s`),
   );
 
   /**

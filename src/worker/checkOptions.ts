@@ -1,10 +1,7 @@
 import type { TaskOptions } from './TaskOptions.js';
 
 /** The names of the options of every long task. */
-export const TASK_OPTIONS = { signal: true, onProgress: true, createWorker: true } satisfies Record<
-  keyof TaskOptions,
-  true
->;
+const TASK_OPTIONS = { signal: true, onProgress: true, createWorker: true } satisfies Record<keyof TaskOptions, true>;
 
 /**
  * Checks that `options` is an object with no other names than those in `known`.
@@ -30,10 +27,11 @@ export function checkNames(
 /**
  * Checks the names of all options and the values of those that every long task has.
  *
+ * @param own the names of the options beside those
  * @throws TypeError naming the caller, the option and what it may be
  */
-export function checkOptions(caller: string, options: TaskOptions, known: Readonly<Record<string, true>>): void {
-  checkNames(caller, 'options', options, known);
+export function checkOptions(caller: string, options: TaskOptions, own: Readonly<Record<string, true>> = {}): void {
+  checkNames(caller, 'options', options, { ...own, ...TASK_OPTIONS });
   const { signal, onProgress, createWorker } = options;
   if (isGiven(signal) && !isSignal(signal)) {
     throw new TypeError(

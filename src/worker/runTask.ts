@@ -1,14 +1,29 @@
-import BakeWorker from './bake.worker.js?worker&inline';
 import { TaskClient } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 
-const createInlineWorker = (): Worker | null => (typeof Worker === 'undefined' ? null : new BakeWorker());
+type CreateWorker = () => Worker | null;
+
+const createNoWorker: CreateWorker = () => null;
+
+let inlineWorker: Promise<CreateWorker> | undefined;
+
+/** Loads what makes the library's own worker, once; again if that failed, as without a network. */
+function loadInlineWorker(): Promise<CreateWorker> {
+  inlineWorker ??= import('./inlineWorker.js').then(
+    ({ createInlineWorker }) => createInlineWorker,
+    (error) => {
+      inlineWorker = undefined;
+      throw error;
+    },
+  );
+  return inlineWorker;
+}
 
 /** One client per `createWorker` function, for as long as it has a worker. */
-const clients = new Map<() => Worker | null, TaskClient>();
+const clients = /* @__PURE__ */ new Map<CreateWorker, TaskClient>();
 
-function clientFor(createWorker: () => Worker | null): TaskClient {
+function clientFor(createWorker: CreateWorker): TaskClient {
   let client = clients.get(createWorker);
   if (!client) {
     client = new TaskClient(createWorker, () => clients.delete(createWorker));
@@ -26,7 +41,10 @@ export function runTask<Name extends TaskName>(
   request: TaskRequest<Name>,
   options: TaskOptions = {},
 ): Promise<TaskResult<Name>> {
-  return clientFor(options.createWorker ?? createInlineWorker).run(name, request, options);
+  const run = (createWorker: CreateWorker): Promise<TaskResult<Name>> =>
+    clientFor(createWorker).run(name, request, options);
+  if (options.createWorker) return run(options.createWorker);
+  return typeof Worker === 'undefined' ? run(createNoWorker) : loadInlineWorker().then(run);
 }
 
 /**

@@ -35,7 +35,7 @@ describe('the shaders', () => {
     const used = new Set(all.split('\n'));
     // How an environment is laid out depends on the version of three.js: one of the two is for others.
     const unused = files
-      .filter((path) => path !== `shaders/environment/${environmentLayout === 'cube' ? 'atlas' : 'cube'}.glsl`)
+      .filter((path) => path !== `shaders/environment/${environmentLayout() === 'cube' ? 'atlas' : 'cube'}.glsl`)
       .filter((path) =>
         readFileSync(path, 'utf8')
           .split('\n')
