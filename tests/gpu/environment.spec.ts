@@ -214,3 +214,39 @@ test('an environment is there again after a lost context came back', async ({ pa
   expect(difference(before, after)).toBe(0);
   expect(pageProblems.splice(0).filter((problem) => !/context (lost|restored)/i.test(problem))).toEqual([]);
 });
+
+test('a surface under half a bright sky shows as much of it as it faces', async ({ page }) => {
+  const shown = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, pixelsOf, makeRenderer, SIZE } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+    const renderer = makeRenderer();
+    /** White on the side of `axis`, black on the other. */
+    const halfSky = (axis: InstanceType<typeof THREE.Vector3>) => {
+      const [width, height] = [64, 32];
+      const data = new Float32Array(4 * width * height);
+      for (let i = 0; i < width * height; i++) {
+        const longitude = (((i % width) + 0.5) / width - 0.5) * 2 * Math.PI;
+        const latitude = ((Math.floor(i / width) + 0.5) / height - 0.5) * Math.PI;
+        const direction = new THREE.Vector3(Math.cos(longitude), Math.tan(latitude), Math.sin(longitude));
+        data.fill(direction.dot(axis) > 0 ? 1 : 0, 4 * i, 4 * i + 4);
+      }
+      const texture = new THREE.DataTexture(data, width, height, THREE.RGBAFormat, THREE.FloatType);
+      texture.mapping = THREE.EquirectangularReflectionMapping;
+      texture.needsUpdate = true;
+      return texture;
+    };
+    const axes = [new THREE.Vector3(0, 0, 1), new THREE.Vector3(0, 1, 0), new THREE.Vector3(1, 0, 0)];
+    axes.push(new THREE.Vector3(0, 0, -1));
+    return axes.map((axis) => {
+      const scene = sceneOf(mesh);
+      scene.environment = halfSky(axis);
+      const pixels = pixelsOf(scene, renderer);
+      scene.environment.dispose();
+      return pixels[4 * (SIZE / 2) * (SIZE + 1)];
+    });
+  });
+  // (1 + n · axis) / 2 of the light of the whole sky; three's blur is an approximation.
+  for (const [i, share] of [1, 0.5, 0.5, 0].entries()) {
+    expect(Math.abs(shown[i] - 255 * share), shown.join()).toBeLessThanOrEqual(12);
+  }
+});
