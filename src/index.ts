@@ -20,6 +20,7 @@ export type {
   ToneModel,
   ToneNormal,
 } from './material/hatchingProperties.js';
+export { HATCHING_DEFAULTS } from './material/hatchingProperties.js';
 export type { StrokeStyleName } from './strokes/strokeStyles.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';
