@@ -108,12 +108,14 @@ for (const [args, message] of [
 }
 
 test('the command, interrupted, leaves nothing behind', async () => {
-  const child = spawn(process.execPath, [script, 'tam', '--size', '1024', '--out', 'half'], { cwd: work });
+  // A map that takes many seconds, and enough of them for Node to start on a busy machine.
+  const options = ['--style', 'stippling', '--size', '1024', '--tones', '16', '--out', 'half'];
+  const child = spawn(process.execPath, [script, 'tam', ...options], { cwd: work });
   let said = '';
   child.stderr.on('data', (text) => {
     said += text;
   });
-  await new Promise((resolve) => setTimeout(resolve, 1000));
+  await new Promise((resolve) => setTimeout(resolve, 4000));
   child.kill('SIGINT');
   const code = await new Promise((resolve) => child.on('close', resolve));
   expect([code, said]).toEqual([130, 'three-hatching: interrupted; nothing was written.\n']);

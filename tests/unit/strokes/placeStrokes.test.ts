@@ -88,13 +88,11 @@ describe('placeStrokes', () => {
     }
   });
 
-  it('reports progress that rises within [0, 1], often enough to be stopped', () => {
-    for (const style of styleNames) {
-      const progress = [...placeStrokes(request({ style }))];
-      expect(progress.length).toBeGreaterThan(50);
-      expect(progress).toEqual(progress.toSorted((a, b) => a - b));
-      expect(progress[0]).toBeGreaterThan(0);
-      expect(progress.at(-1)).toBeLessThanOrEqual(1);
-    }
+  it.each(styleNames)('reports progress that rises within [0, 1], often enough to be stopped: %s', (style) => {
+    const progress = [...placeStrokes(request({ style }))];
+    expect(progress.length).toBeGreaterThan(50);
+    expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+    expect(progress[0]).toBeGreaterThan(0);
+    expect(progress.at(-1)).toBeLessThanOrEqual(1);
   });
 });
