@@ -46,7 +46,9 @@ float indirectRadiance(const in vec3 n) {
   #if NUM_HEMI_LIGHTS > 0
     for (int i = 0; i < NUM_HEMI_LIGHTS; i++) irradiance += getHemisphereLightIrradiance(hemisphereLights[i], n);
   #endif // NUM_HEMI_LIGHTS
-  irradiance += environmentIrradiance(n);
+  #ifdef ENVIRONMENT
+    irradiance += environmentIrradiance(n);
+  #endif // ENVIRONMENT
   return luminance(irradiance) * RECIPROCAL_PI;
 }
 

@@ -69,6 +69,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private curve: ToneCurve = HATCHING_DEFAULTS.toneCurve;
   /** Whose shaders these are. They are set when the technique changes, so that a user may change them. */
   private shaderTechnique: HatchingTechnique | undefined;
+  /** Whether the scene drawn last has an environment. */
+  private hasEnvironment = false;
   /** Of the frame before. */
   private drawnSwitches: number | undefined;
   /** Where the mesh drawn last has its adjacency. */
@@ -189,10 +191,16 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms(renderer.capabilities.maxTextureSize);
-    bindEnvironment(renderer, scene, camera, this.uniforms);
+    this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
     warnIfStale(geometry);
     this.announced.length = 0;
     if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
+  }
+
+  private useEnvironment(isThere: boolean): void {
+    if (isThere === this.hasEnvironment) return;
+    this.hasEnvironment = isThere;
+    this.writeProgram();
   }
 
   private get readsAdjacency(): boolean {
@@ -217,6 +225,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.vertexShader = source.vertexShader;
     this.fragmentShader = source.fragmentShader;
     this.shaderTechnique = source.shaderTechnique;
+    this.hasEnvironment = source.hasEnvironment;
     this.defines = { ...source.defines };
     for (const name of propertyNames) this.copyProperty(name, source);
     this.writeProgram();
@@ -331,6 +340,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       else write(property.define, value ? '' : undefined);
     }
     write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
+    write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
     write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(this.readsAdjacency ? this.vertexLayout : 'corner'));
     if (hasChanged) this.needsUpdate = true;
   }

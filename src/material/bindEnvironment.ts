@@ -4,17 +4,21 @@ import { environmentLayout } from './environmentLayout.js';
 
 const rotation = /* @__PURE__ */ new Matrix4();
 
-/** Sets the uniforms of the scene's environment, which three.js hands to its own materials alone. */
+/**
+ * Sets the uniforms of the scene's environment, which three.js hands to its own materials alone.
+ *
+ * @returns whether there is one to be lit by
+ */
 export function bindEnvironment(
   renderer: WebGLRenderer,
   scene: Scene,
   camera: Camera,
   uniforms: Record<string, IUniform>,
-): void {
+): boolean {
   const texture = scene.environment ? blurredEnvironment(renderer, scene.environment) : null;
   uniforms.environment.value = texture;
-  uniforms.environmentIntensity.value = texture ? scene.environmentIntensity : 0;
-  if (!texture) return;
+  uniforms.environmentIntensity.value = scene.environmentIntensity;
+  if (!texture) return false;
   // Transposed, a rotation is inverted: the image turns, so directions turn back.
   uniforms.environmentRotation.value
     .setFromMatrix4(rotation.makeRotationFromEuler(scene.environmentRotation))
@@ -28,4 +32,5 @@ export function bindEnvironment(
   // What has just been blurred leaves the whole target as the viewport; the cameras of an ArrayCamera have a part each.
   const { viewport } = camera as Camera & { viewport?: Vector4 };
   if (viewport) renderer.state.viewport(viewport);
+  return true;
 }
