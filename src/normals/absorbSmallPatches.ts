@@ -59,9 +59,9 @@ export function* absorbSmallPatches(
   );
 }
 
-function joinRange(adjacency: Adjacency, patches: Uint32Array, start: number, end: number): void {
+function joinRange({ twins, canonicalCorners }: Adjacency, patches: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = consistentTwin(adjacency, corner);
+    const twin = consistentTwin(twins, canonicalCorners, corner);
     if (twin < corner) continue;
     join(patches, triangleOf(corner), triangleOf(twin));
   }

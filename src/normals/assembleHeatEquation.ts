@@ -116,10 +116,11 @@ function dotFrom(positions: Float32Array, origin: number, a: number, b: number):
 
 /** Counts the edges of each fan. A half-edge counts for the fan it starts from and, without a twin, for the one it ends in. */
 function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end: number): void {
+  const { twins, canonicalCorners } = surface;
   const { ofCorner } = surface.fans;
   for (let corner = start; corner < end; corner++) {
     sizes[ofCorner[corner]]++;
-    if (consistentTwin(surface, corner) === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
+    if (consistentTwin(twins, canonicalCorners, corner) === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
   }
 }
 
@@ -131,11 +132,12 @@ function scatterRange(
   start: number,
   end: number,
 ): void {
+  const { twins, canonicalCorners } = surface;
   const { ofCorner } = surface.fans;
   for (let corner = start; corner < end; corner++) {
     const from = ofCorner[corner];
     const to = ofCorner[nextCorner(corner)];
-    const twin = consistentTwin(surface, corner);
+    const twin = consistentTwin(twins, canonicalCorners, corner);
     const across = twin === NO_TWIN ? 0 : cotangents[previousCorner(twin)];
     const weight = 0.5 * (cotangents[previousCorner(corner)] + across);
     let slot = --starts[from];

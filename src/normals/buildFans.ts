@@ -42,9 +42,9 @@ export function* buildFans(adjacency: Adjacency): Generator<number, Fans, void> 
 }
 
 /** Joins the corners at both ends of an edge with those of its twin. */
-function joinRange(adjacency: Adjacency, parents: Uint32Array, start: number, end: number): void {
+function joinRange({ twins, canonicalCorners }: Adjacency, parents: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = consistentTwin(adjacency, corner);
+    const twin = consistentTwin(twins, canonicalCorners, corner);
     if (twin < corner) continue;
     join(parents, corner, nextCorner(twin));
     join(parents, nextCorner(corner), twin);

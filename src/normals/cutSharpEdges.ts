@@ -77,6 +77,7 @@ function filterRange(
   start: number,
   end: number,
 ): void {
+  const { twins, canonicalCorners } = adjacency;
   for (let first = 3 * start; first < 3 * end; first += 3) {
     const own = areas[triangleOf(first)];
     const x = normals[first];
@@ -86,7 +87,7 @@ function filterRange(
     let sumY = own * y;
     let sumZ = own * z;
     for (let corner = first; corner < first + 3; corner++) {
-      const twin = consistentTwin(adjacency, corner);
+      const twin = consistentTwin(twins, canonicalCorners, corner);
       if (twin === NO_TWIN) continue;
       const neighbour = triangleOf(twin);
       const neighbourX = normals[3 * neighbour];
