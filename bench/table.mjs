@@ -13,5 +13,14 @@ export function figure(value) {
   return Math.abs(value) >= 100 ? value.toFixed(0) : String(Number(value.toPrecision(3)));
 }
 
-/** A ratio or an exponent with its interval. @param {readonly number[]} interval */
-export const withInterval = ([value, low, high]) => `${value.toFixed(2)} [${low.toFixed(2)}, ${high.toFixed(2)}]`;
+/**
+ * A ratio or an exponent with its interval; empty where there is none, as for a phase that takes no time. A number that is none
+ * is null in a file.
+ *
+ * @param {readonly (number | null)[]} interval
+ */
+export const withInterval = (interval) => {
+  if (!interval.every(Number.isFinite)) return '';
+  const [value, low, high] = interval.map((number) => number.toFixed(2));
+  return `${value} [${low}, ${high}]`;
+};
