@@ -143,9 +143,10 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     type Hook = Material['onBeforeRender'];
     const after = (hook?: Hook): Hook => {
       const { beforeRender } = this;
-      return function (this: HatchingMaterial, ...parameters) {
-        beforeRender.apply(this, parameters);
-        hook?.apply(this, parameters);
+      // Named one by one: rest parameters would be an array for every mesh of every frame.
+      return function (this: HatchingMaterial, renderer, scene, camera, geometry, object, group) {
+        beforeRender.call(this, renderer, scene, camera, geometry, object, group);
+        hook?.call(this, renderer, scene, camera, geometry, object, group);
       };
     };
     let current = after();

@@ -1,32 +1,26 @@
 import type { Texture } from 'three';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 
 /**
  * What three.js builds a program by but looks at only once `needsUpdate` is set, as one number: whether there are textures and
- * which coordinates they go by, sides, vertex colours and the like. Another number needs another program.
+ * which coordinates they go by, sides, vertex colours and the like. Another number needs another program. Allocates nothing.
  */
 export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
-  const { side, blending, normalMapType } = material;
-  const { transparent, alphaHash, alphaToCoverage, dithering, premultipliedAlpha, vertexColors } = material;
-  let switches: number = normalMapType;
-  for (const name of textureNames) switches = switches * 16 + textureSwitches(material[name]);
-  switches = switches * 4 + side;
-  switches = switches * 8 + blending;
-  for (const isOn of [transparent, alphaHash, alphaToCoverage, dithering, premultipliedAlpha, vertexColors]) {
-    switches = switches * 2 + Number(isOn);
+  let switches: number = material.normalMapType;
+  for (const name in HATCHING_PROPERTIES) {
+    if (HATCHING_PROPERTIES[name as HatchingPropertyName].kind !== 'texture') continue;
+    switches = switches * 16 + textureSwitches(material[name as HatchingPropertyName] as Texture | null);
   }
-  return switches;
+  switches = switches * 4 + material.side;
+  switches = switches * 8 + material.blending;
+  switches = switches * 2 + Number(material.transparent);
+  switches = switches * 2 + Number(material.alphaHash);
+  switches = switches * 2 + Number(material.alphaToCoverage);
+  switches = switches * 2 + Number(material.dithering);
+  switches = switches * 2 + Number(material.premultipliedAlpha);
+  return switches * 2 + Number(material.vertexColors);
 }
-
-const textureNames = [
-  'map',
-  'alphaMap',
-  'normalMap',
-  'bumpMap',
-  'aoMap',
-  'lightMap',
-  'emissiveMap',
-] as const satisfies (keyof HatchingMaterialProperties)[];
 
 /** In [0, 16). */
 function textureSwitches(texture: Texture | null): number {
