@@ -79,9 +79,9 @@ const DEFAULT_CREASE_ANGLE = Math.PI / 2;
  *   Has an index even if the source had none, 16-bit where that is enough.
  *
  * The result is a new geometry of the triangles in the draw range. All other attributes of the source keep their types; morph
- * targets, groups, name and user data are kept too. Normals that are missing, zero or not finite are computed. Other values that
- * three reads and that are not finite become 0. Both are counted. `userData.hatching` holds a
- * `HatchingStatistics`. `geometry` itself is never changed.
+ * targets, groups, name and user data are kept too. Normals that are missing, or zero or not finite at a vertex that a triangle
+ * uses, are computed. Other values that three reads and that are not finite become 0. Both are counted. `userData.hatching`
+ * holds a `HatchingStatistics`. `geometry` itself is never changed.
  *
  * Vertices at the same position count as one, so seams of uv or normal do not separate triangles; so do vertices at borders
  * within the `weldTolerance`, unless that would join a chain wider than four tolerances or collapse a triangle. Border edges,
@@ -104,11 +104,12 @@ export async function prepareHatchingGeometry(
   const range = cornerRange(geometry, label);
   const kept = keptAttributes(geometry);
   const position = geometry.attributes.position;
-  const computedNormals = countUnusableNormals(geometry, position.count);
   const prepared = startGeometry(geometry, range);
+  const mesh = extractMesh(geometry, range);
+  const computedNormals = countUnusableNormals(geometry, mesh.indices);
   const request = {
     label,
-    mesh: extractMesh(geometry, range),
+    mesh,
     creaseAngle,
     smoothingRadius: options.smoothingRadius,
     weldTolerance: options.weldTolerance,

@@ -40,6 +40,16 @@ describe.each(layouts)('normals that cannot be used, layout %s', (layout) => {
     }
   });
 
+  test('of a vertex that no triangle uses they are not computed, and the others stay', async () => {
+    const source = plane([[0, 0, 0]]);
+    // Of the plane's two triangles, 0 2 1 and 2 3 1, the second alone.
+    source.setDrawRange(3, 3);
+    const prepared = await prepareHatchingGeometry(source, { layout });
+    expect(prepared.userData.hatching.computedNormals).toBe(0);
+    const leaning = valuesOf(prepared, 'normal').filter(([x]) => x === Math.fround(0.6));
+    expect(leaning).toHaveLength(3);
+  });
+
   test('quantised zeros are computed in their type', async () => {
     const source = new PlaneGeometry(1, 1);
     source.setAttribute('normal', new BufferAttribute(new Int8Array(12), 3, true));
