@@ -1,6 +1,7 @@
 import { clusterPositions } from '../mesh/clusterPositions.js';
 import { isDegenerate } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, nextCorner, triangleOf } from '../mesh/corners.js';
+import { findNearPositions } from '../mesh/findNearPositions.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import { comparePositions, matchNonManifoldEdge } from './matchNonManifoldEdge.js';
@@ -36,10 +37,10 @@ const WIDEST = 4;
 export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness): Generator<number, void, void> {
   const { positions, canonicalCorners, pairing } = mesh;
   if (!(tolerance > 0) || pairing.borders.length === 0) return;
-  const ends = endsOf(mesh);
-  const { first, steps } = yield* asPhase(clusterPositions(positions, ends, tolerance), 0, 0.5);
-  pairing.steps += steps;
-  const joined = joinedVertices(positions, ends, first, tolerance);
+  const { near, steps } = yield* asPhase(findNearPositions(positions, endsOf(mesh), tolerance), 0, 0.2);
+  const { first, steps: clusterSteps } = yield* asPhase(clusterPositions(positions, near, tolerance), 0.2, 0.5);
+  pairing.steps += steps + clusterSteps;
+  const joined = joinedVertices(positions, near, first, tolerance);
   if (joined === null) return;
   const corners: number[] = [];
   yield* asPhase(
