@@ -57,15 +57,14 @@ export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness
 /** The canonical vertices at the ends of all border edges, each once. */
 function endsOf({ positions, canonicalCorners, pairing }: PairedMesh): Uint32Array {
   const isEnd = new Uint8Array(positions.length / 3);
-  const ends: number[] = [];
   for (const corner of pairing.borders) {
-    for (const vertex of [canonicalCorners[corner], canonicalCorners[nextCorner(corner)]]) {
-      if (isEnd[vertex] === 1) continue;
-      isEnd[vertex] = 1;
-      ends.push(vertex);
-    }
+    isEnd[canonicalCorners[corner]] = 1;
+    isEnd[canonicalCorners[nextCorner(corner)]] = 1;
   }
-  return Uint32Array.from(ends);
+  const ends = new Uint32Array(2 * pairing.borders.length);
+  let count = 0;
+  for (let vertex = 0; vertex < isEnd.length; vertex++) if (isEnd[vertex] === 1) ends[count++] = vertex;
+  return ends.subarray(0, count);
 }
 
 /**
