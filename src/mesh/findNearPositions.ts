@@ -36,7 +36,10 @@ export function* findNearPositions(
   yield* forEachChunk(vertices.length, (start, end) => {
     steps += enterRange(positions, vertices, tolerance, table, isNear, start, end);
   });
-  return { near: vertices.filter((_, i) => isNear[i] === 1), steps };
+  const near = new Uint32Array(vertices.length);
+  let count = 0;
+  for (let i = 0; i < vertices.length; i++) if (isNear[i] === 1) near[count++] = vertices[i];
+  return { near: near.subarray(0, count), steps };
 }
 
 /** Enters positions into `table` (entry + 1, so that 0 means empty) and marks those that meet. Returns the slots visited. */
