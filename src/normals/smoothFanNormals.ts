@@ -106,7 +106,7 @@ function* flow(
   rate: number,
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const coefficients = heatSeries(steps, TOLERANCE);
-  const result = normals.map((value) => coefficients[0] * value);
+  const result = scaled(normals, coefficients[0]);
   let current = normals;
   let previous = new Float32Array(normals.length);
   const share = 1 / Math.max(1, coefficients.length - 1);
@@ -121,6 +121,13 @@ function* flow(
     );
     [current, previous] = [previous, current];
   }
+  return result;
+}
+
+/** A loop: `map` calls a function for each value, which measured ten times as slow. */
+function scaled(values: Float32Array, factor: number): Float32Array<ArrayBuffer> {
+  const result = new Float32Array(values.length);
+  for (let i = 0; i < values.length; i++) result[i] = factor * values[i];
   return result;
 }
 
