@@ -19,7 +19,9 @@ import { bindEnvironment } from './bindEnvironment.js';
 import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
+import { blurredEnvironment } from './blurredEnvironment.js';
 import { defaultOf } from './defaultOf.js';
+import { environmentAround } from './environmentAround.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
@@ -170,10 +172,18 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.useVertexLayout(vertexLayoutOf(mesh.geometry, mesh));
   }
 
-  /** Called by the renderer. Builds the program of the pre-pass too, which only drawing does. */
+  /** Called by the renderer when it is about to choose a program: the last moment to see the scene of an announced mesh. */
+  override customProgramCacheKey(): string {
+    if (this.announced.some(environmentAround)) this.useEnvironment(true);
+    return super.customProgramCacheKey();
+  }
+
+  /** Called by the renderer. Builds the programs of the pre-pass and of the environment's blur too, which only drawing does. */
   override onBeforeCompile(_shader: unknown, renderer: WebGLRenderer): void {
     for (const mesh of this.announced.splice(0)) {
       if (this.readsAdjacency) compilePrePass(renderer, mesh);
+      const environment = environmentAround(mesh);
+      if (environment) blurredEnvironment(renderer, environment);
     }
   }
 

@@ -25,16 +25,13 @@ const environments = new WeakMap<object, Environments>();
  */
 export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): Texture | null {
   if (isBlurred(texture)) return texture;
-  const isCube = texture.mapping === CubeReflectionMapping || texture.mapping === CubeRefractionMapping;
-  if (!isCube && !isEquirectangular(texture)) return null;
+  if (!isCube(texture) && !isEquirectangular(texture)) return null;
   const { generator, blurred } = environmentsOf(renderer);
   const known = blurred.get(texture);
   const hasChanged = texture.isRenderTargetTexture && known?.texture.pmremVersion !== texture.pmremVersion;
   if (known && !hasChanged) return known.texture;
-  if (!isLoaded(texture, isCube)) return null;
-  const made = isCube
-    ? generator.fromCubemap(texture as CubeTexture, known)
-    : generator.fromEquirectangular(texture, known);
+  if (!isLoaded(texture)) return null;
+  const made = isCube(texture) ? generator.fromCubemap(texture, known) : generator.fromEquirectangular(texture, known);
   made.texture.pmremVersion = texture.pmremVersion;
   if (!known) {
     blurred.set(texture, made);
@@ -43,17 +40,25 @@ export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): T
   return made.texture;
 }
 
+/** Whether `blurredEnvironment` finds light in a texture by now. */
+export const lightsAlready = (texture: Texture): boolean =>
+  isBlurred(texture) || ((isCube(texture) || isEquirectangular(texture)) && isLoaded(texture));
+
 /** `CubeUVReflectionMapping` of three.js before 0.187, which later ones no longer name. */
 const ATLAS_MAPPING = 306;
 
 const isBlurred = ({ mapping, isPMREMTexture }: Texture): boolean =>
   isPMREMTexture === true || (mapping as number) === ATLAS_MAPPING;
 
+const isCube = (texture: Texture): texture is CubeTexture =>
+  texture.mapping === CubeReflectionMapping || texture.mapping === CubeRefractionMapping;
+
 const isEquirectangular = ({ mapping }: Texture): boolean =>
   mapping === EquirectangularReflectionMapping || mapping === EquirectangularRefractionMapping;
 
-function isLoaded({ image }: Texture, isCube: boolean): boolean {
-  if (isCube) return Array.isArray(image) && [0, 1, 2, 3, 4, 5].every((face) => image[face] !== undefined);
+function isLoaded(texture: Texture): boolean {
+  const image: unknown = texture.image;
+  if (isCube(texture)) return Array.isArray(image) && [0, 1, 2, 3, 4, 5].every((face) => image[face] !== undefined);
   return image !== null && image !== undefined && (image as { height: number }).height > 0;
 }
 

@@ -190,6 +190,62 @@ test('an environment builds one program when it comes, none when it turns, dims 
   expect(textures[textures.length - 1]).toBeLessThan(textures[textures.length - 2]);
 });
 
+test('after compileAsync the first frame in an environment links no program', async ({ page, pageProblems }) => {
+  const counts = await page.evaluate(async () => {
+    const { THREE, RoomEnvironment, applyHatching, greyMap, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } =
+      window.toolkit;
+    const sky = new THREE.DataTexture(
+      new Float32Array(64 * 32 * 4).fill(0.5),
+      64,
+      32,
+      THREE.RGBAFormat,
+      THREE.FloatType,
+    );
+    sky.mapping = THREE.EquirectangularReflectionMapping;
+    sky.needsUpdate = true;
+    const counts: Record<string, number[]> = {};
+    for (const name of ['sky', 'blurred'] as const) {
+      for (const technique of ['adjacency', 'anchored'] as const) {
+        const renderer = makeRenderer();
+        const gl = renderer.getContext();
+        const environment =
+          name === 'sky' ? sky : new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+        const root = new THREE.Group().add(
+          new THREE.Mesh(new THREE.SphereGeometry(), new THREE.MeshStandardMaterial()),
+        );
+        await applyHatching(root, { tonalArtMap: greyMap(), material: { technique } });
+        // Only now does it come into a scene, as a model does that has just been loaded.
+        const scene = sceneOf(root, sun());
+        scene.background = null;
+        scene.environment = environment;
+        await renderer.compileAsync(scene, makeCamera());
+        let linked = 0;
+        const link = gl.linkProgram.bind(gl);
+        gl.linkProgram = (program) => {
+          linked++;
+          link(program);
+        };
+        const first = pixelsOf(scene, renderer);
+        const inFirst = linked;
+        const again = pixelsOf(scene, renderer);
+        scene.environment = null;
+        const without = pixelsOf(scene, renderer);
+        const differing = (pixels: number[]) => first.filter((x, i) => x !== pixels[i]).length;
+        counts[`${name}, ${technique}`] = [inFirst, differing(again), Number(differing(without) > 1000)];
+      }
+    }
+    return counts;
+  });
+  expect(counts).toEqual({
+    'sky, adjacency': [0, 0, 1],
+    'sky, anchored': [0, 0, 1],
+    'blurred, adjacency': [0, 0, 1],
+    'blurred, anchored': [0, 0, 1],
+  });
+  // A software rasterizer compiles while one waits.
+  expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);
+});
+
 test('an environment is there again after a lost context came back', async ({ page, pageProblems }) => {
   const [before, after] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, pixelsOf, makeRenderer } = window.toolkit;
