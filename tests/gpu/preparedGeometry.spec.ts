@@ -47,9 +47,17 @@ test('geometry that is moved after the bake is named, once, with the remedy', as
     draw(cloned, 'adjacency');
     draw(cloned.rotateX(1), 'adjacency');
     draw((await prepare('moved', 'corner')).translate(0, 1, 0), 'adjacency');
+    const sameAgain = await prepare('sameAgain', 'corner');
+    sameAgain.setAttribute('position', sameAgain.getAttribute('position').clone());
+    draw(sameAgain, 'anchored');
+    const moved = () => new THREE.SphereGeometry().toNonIndexed().getAttribute('position');
     const replaced = await prepare('replaced', 'corner');
-    replaced.setAttribute('position', replaced.getAttribute('position').clone());
     draw(replaced, 'anchored');
+    replaced.setAttribute('position', moved());
+    draw(replaced, 'anchored');
+    const replacedInClone = (await prepare('replacedInClone', 'pull')).clone();
+    replacedInClone.setAttribute('position', moved());
+    draw(replacedInClone, 'adjacency');
     const indexed = (await prepare('indexed', 'indexed')).scale(1, 2, 1);
     draw(indexed, 'anchored');
     const freed = (await prepare('freed', 'indexed')).center().deleteAttribute('hatchNormal');
@@ -59,9 +67,9 @@ test('geometry that is moved after the bake is named, once, with the remedy', as
   const named = problems.map(
     (problem) => /positions of geometry "(\w+)" have changed since it was prepared/.exec(problem)?.[1],
   );
-  expect(named).toEqual(['cloned', 'moved', 'replaced', 'indexed']);
-  for (const problem of problems.slice(0, 3)) expect(problem).toContain('Move the mesh instead of the geometry');
-  expect(problems[3]).toContain("geometry.deleteAttribute('hatchNormal')");
+  expect(named).toEqual(['cloned', 'moved', 'replaced', 'replacedInClone', 'indexed']);
+  for (const problem of problems.slice(0, 4)) expect(problem).toContain('Move the mesh instead of the geometry');
+  expect(problems[4]).toContain("geometry.deleteAttribute('hatchNormal')");
 });
 
 test('geometry without its adjacency is told what to do', async ({ page, pageProblems }) => {
