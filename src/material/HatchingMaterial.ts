@@ -144,10 +144,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private hookBeforeRender(): void {
     type Hook = Material['onBeforeRender'];
     const after = (hook?: Hook): Hook => {
-      const { beforeRender } = this;
+      // The renderer may know the material by a proxy, whose textures would be proxies too, and others to the renderer.
+      const own = this;
       // Named one by one: rest parameters would be an array for every mesh of every frame.
       return function (this: HatchingMaterial, renderer, scene, camera, geometry, object, group) {
-        beforeRender.call(this, renderer, scene, camera, geometry, object, group);
+        own.beforeRender(renderer, scene, camera, geometry, object, group);
         hook?.call(this, renderer, scene, camera, geometry, object, group);
       };
     };

@@ -546,6 +546,54 @@ test('a geometry behind a proxy, as by ref of Vue, draws the same with the same 
   expect(after).toBe(before);
 });
 
+test('a material behind a proxy draws the same, with the same textures: meshes that deform, and in an environment', async ({
+  page,
+}) => {
+  const { pictures, textures } = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
+      window.toolkit;
+    const { tubeGeometry, onBones, reactive } = window.deforming;
+    const sky = new THREE.DataTexture(
+      new Float32Array(64 * 32 * 4).fill(0.3),
+      64,
+      32,
+      THREE.RGBAFormat,
+      THREE.FloatType,
+    );
+    sky.mapping = THREE.EquirectangularReflectionMapping;
+    sky.needsUpdate = true;
+    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const map = greyMap();
+    const pictures: number[][][] = [];
+    const textures: number[][] = [];
+    for (const environment of [null, sky]) {
+      const renderer = makeRenderer();
+      const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: map }));
+      mesh.skeleton.bones[1].rotation.z = 1;
+      const still = new THREE.Mesh(geometry, mesh.material);
+      still.position.x = 0.7;
+      const scene = sceneOf(mesh, still, sun());
+      scene.environment = environment;
+      const show = () => {
+        // The bone texture, made in the first frame, is a new pose in the second.
+        pixelsOf(scene, renderer);
+        return { pixels: pixelsOf(scene, renderer), textures: renderer.info.memory.textures };
+      };
+      const plain = show();
+      mesh.material = still.material = reactive(new HatchingMaterial({ tonalArtMap: map }));
+      const proxied = show();
+      pictures.push([plain.pixels, proxied.pixels]);
+      textures.push([plain.textures, proxied.textures]);
+    }
+    return { pictures, textures };
+  });
+  for (const [plain, proxied] of pictures) {
+    expect(covered(plain)).toBeGreaterThan(1000);
+    expect(difference(plain, proxied)).toBe(0);
+  }
+  for (const [plain, proxied] of textures) expect(proxied).toBe(plain);
+});
+
 test('two renderers deform the same mesh, and a lost context comes back', async ({ page, pageProblems }) => {
   const collect = await page.context().newCDPSession(page);
   const [a, b, restored] = await page.evaluate(async () => {
