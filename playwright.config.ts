@@ -13,6 +13,7 @@ const core = [
   /what three\.js computes on the processor: skin/,
   /under half a bright sky/,
   /first frame in an environment/,
+  /make the tone of three's Lambert/,
 ];
 
 export default defineConfig<object, ThreeOptions>({

@@ -16,7 +16,8 @@ varying vec3 vViewPosition;
 #include "packing"
 #include <dithering_pars_fragment>
 #include <color_pars_fragment>
-#include <uv_pars_fragment>
+#include "mapCoordinates"
+#include "mapTransforms"
 #include <map_pars_fragment>
 #include <alphamap_pars_fragment>
 #include <alphatest_pars_fragment>

@@ -9,7 +9,7 @@ varying vec3 vViewPosition;
 
 #include <common>
 #include <batching_pars_vertex>
-#include <uv_pars_vertex>
+#include "mapCoordinates"
 #include <color_pars_vertex>
 #include <fog_pars_vertex>
 #include <normal_pars_vertex>
@@ -23,7 +23,7 @@ varying vec3 vViewPosition;
 #include "technique/vertex"
 
 void main() {
-  #include <uv_vertex>
+  #include "emitMapCoordinates"
   #include <color_vertex>
   #include <morphinstance_vertex>
   #include <morphcolor_vertex>

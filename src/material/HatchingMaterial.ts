@@ -38,7 +38,13 @@ import {
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
 import { programSwitches } from './programSwitches.js';
-import { TONE_CURVES, VERTEX_LAYOUTS, type VertexLayout } from './shaderConventions.js';
+import {
+  CHANNEL_VARYINGS,
+  channelDefine,
+  TONE_CURVES,
+  VERTEX_LAYOUTS,
+  type VertexLayout,
+} from './shaderConventions.js';
 import { isUsedBy, warnOfUnused } from './unusedProperties.js';
 
 const viewport = /* @__PURE__ */ new Vector4();
@@ -88,6 +94,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.fog = true;
     this.clipping = true;
     this.hookBeforeRender();
+    this.hookProgramChoice();
     // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
     this.forceSinglePass = false;
     this.setValues(parameters);
@@ -163,6 +170,27 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
+   * Keeps a function that is set as `customProgramCacheKey`, and brings the program up to date before it is called: the renderer
+   * is about to choose a program, before a frame or for `compile`.
+   */
+  private hookProgramChoice(): void {
+    const own = this;
+    let current = this.customProgramCacheKey;
+    const hook = function (this: HatchingMaterial): string {
+      if (own.announced.some(environmentAround)) own.hasEnvironment = true;
+      own.writeProgram();
+      return current.call(this);
+    };
+    Object.defineProperty(this, 'customProgramCacheKey', {
+      get: () => hook,
+      set: (given: () => string) => {
+        current = given;
+      },
+      configurable: true,
+    });
+  }
+
+  /**
    * Announces a mesh that the material will draw, so that `renderer.compile` builds the very programs that the first frame
    * uses. `applyHatching` does so.
    *
@@ -171,12 +199,6 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   announce(mesh: Mesh): void {
     this.announced.push(mesh);
     this.useVertexLayout(vertexLayoutOf(mesh.geometry, mesh));
-  }
-
-  /** Called by the renderer when it is about to choose a program: the last moment to see the scene of an announced mesh. */
-  override customProgramCacheKey(): string {
-    if (this.announced.some(environmentAround)) this.useEnvironment(true);
-    return super.customProgramCacheKey();
   }
 
   /** Called by the renderer. Builds the programs of the pre-pass and of the environment's blur too, which only drawing does. */
@@ -344,14 +366,22 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       if (value === undefined) delete this.defines[define];
       else this.defines[define] = value;
     };
+    let usesFirstChannel = false;
     for (const name of propertyNames) {
       const property = propertyOf(name);
+      if (property.kind === 'texture') {
+        const texture = this[name] as Texture | null;
+        write(channelDefine(property), texture ? CHANNEL_VARYINGS[texture.channel] : undefined);
+        usesFirstChannel ||= texture?.channel === 0;
+      }
       if (!('define' in property) || property.define === undefined) continue;
       const value = isUsedBy(technique, property) ? this.choice(name) : this.defaultChoice(name);
       if (property.kind === 'choice') write(property.define, property.choices.indexOf(value as string));
       else write(property.define, value ? '' : undefined);
     }
     write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
+    // As three.js has USE_UV1 to USE_UV3.
+    write('USE_UV0', usesFirstChannel ? '' : undefined);
     write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
     write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(this.readsAdjacency ? this.vertexLayout : 'corner'));
     if (hasChanged) this.needsUpdate = true;

@@ -1,7 +1,7 @@
 import { environmentLayout } from './environmentLayout.js';
 import type { HatchingTechnique } from './hatchingProperties.js';
 import { resolveIncludes } from './resolveIncludes.js';
-import { conventionsChunk, cornerAttributesChunk, packingChunk } from './shaderConventions.js';
+import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
 
 /** The text of a program's two stages: ours resolved; three resolves its own includes when it compiles. */
 export interface Shaders {
@@ -44,6 +44,7 @@ function chunksFor(technique?: HatchingTechnique): Record<string, string> {
   const chunks: Record<string, string> = {
     conventions: conventionsChunk(),
     cornerAttributes: cornerAttributesChunk(),
+    mapTransforms: mapTransformsChunk(),
     packing: packingChunk(),
   };
   for (const [path, text] of Object.entries(files)) {

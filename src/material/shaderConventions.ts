@@ -1,6 +1,6 @@
 import { ShaderChunk } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
-import type { HatchingProperty } from './HatchingProperty.js';
+import type { HatchingProperty, HatchingTexture } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES } from './hatchingProperties.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
@@ -28,6 +28,23 @@ export const conventionsChunk = (): string =>
     // Versions of three.js before sun lights do not replace the name by their number.
     ...(ShaderChunk.lights_pars_begin.includes('NUM_SUN_LIGHTS') ? [] : ['#define NUM_SUN_LIGHTS 0']),
   ].join('\n');
+
+/** The define of a map that says by which varying it goes; not there where there is no map. */
+export const channelDefine = ({ uniform }: HatchingTexture): string => `${uniform.toUpperCase()}_CHANNEL`;
+
+/** Where the fragment finds the coordinates of a channel. */
+export const CHANNEL_VARYINGS = ['vUv', 'vUv1', 'vUv2', 'vUv3'] as const;
+
+/** What three's chunks call a map's coordinates: those of its channel, moved by its transform. */
+export const mapTransformsChunk = (): string =>
+  Object.values<HatchingProperty>(HATCHING_PROPERTIES)
+    .filter((property) => property.kind === 'texture')
+    .map((texture) => {
+      const { uniform, transform } = texture;
+      const coordinates = `v${uniform[0].toUpperCase()}${uniform.slice(1)}Uv`;
+      return `uniform mat3 ${transform};\n#define ${coordinates} (${transform} * vec3(${channelDefine(texture)}, 1.0)).xy`;
+    })
+    .join('\n');
 
 /** What shadows of older versions of three.js unpack depth with; a version may come that has no such chunk any more. */
 export const packingChunk = (): string => ('packing' in ShaderChunk ? '#include <packing>' : '');

@@ -32,19 +32,22 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       const renderer = makeRenderer();
       const geometry = new THREE.SphereGeometry(1, 24, 16);
       const { uv } = geometry.attributes;
-      geometry.setAttribute(
-        'uv1',
-        new THREE.BufferAttribute(
-          uv.array.map((x: number) => 1 - x),
-          2,
-        ),
-      );
+      for (const [name, shift] of [
+        ['uv1', 1],
+        ['uv2', 0.7],
+        ['uv3', 0.4],
+      ] as const) {
+        const shifted = uv.array.map((x: number) => shift - x);
+        geometry.setAttribute(name, new THREE.BufferAttribute(shifted, 2));
+      }
       const texture = (color: (x: number, y: number) => number[], channel = 0) => {
         const texels = Uint8Array.from({ length: 32 * 32 * 4 }, (_, i) => color((i >> 2) % 32, i >> 7)[i % 4] ?? 255);
         const made = new THREE.DataTexture(texels, 32, 32);
         made.magFilter = made.minFilter = THREE.LinearFilter;
         made.wrapS = made.wrapT = THREE.RepeatWrapping;
         made.repeat.set(2, 1);
+        made.offset.set(0.1 * channel, 0.2);
+        made.rotation = 0.3 + channel;
         made.channel = channel;
         made.needsUpdate = true;
         return made;
@@ -66,6 +69,14 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
           emissiveIntensity: 1.5,
         },
         'a map of emitted light': { emissive: new THREE.Color(0.5, 0.4, 0.3), emissiveMap: grey(0) },
+        'maps of four channels': {
+          lightMap: grey(0),
+          lightMapIntensity: 0.5,
+          aoMap: grey(1),
+          bumpMap: grey(2),
+          emissive: new THREE.Color(0.3, 0.3, 0.2),
+          emissiveMap: grey(3),
+        },
         'flat shading': { flatShading: true },
       };
       const scene = sceneOf(new THREE.AmbientLight(0xffffff, 0.9), sun(1.2));

@@ -1,6 +1,6 @@
 /** Counting the rows of varyings that two stages of a program need, after GLSL ES 3.00, section 11. */
 
-/** What is left of a shader once its conditions are decided. */
+/** What is left of a shader once its conditions are decided, and the names of maps' coordinates replaced by what they stand for. */
 export function preprocessed(source: string): string {
   const macros = new Map<string, string>();
   const open: { isOn: boolean; wasOn: boolean }[] = [];
@@ -12,6 +12,10 @@ export function preprocessed(source: string): string {
       .replace(/defined\s*\(?\s*(\w+)\s*\)?/g, (_, name: string) => (macros.has(name) ? '1' : '0'));
     for (let i = 0; i < 5; i++) text = text.replace(/\b[A-Za-z_]\w*\b/g, (name) => `(${macros.get(name) || '0'})`);
     return Boolean(new Function(`return (${text});`)());
+  };
+  const expanded = (line: string): string => {
+    const replaced = line.replace(/\b(v[A-Z]\w*Uv|[A-Z]+_CHANNEL)\b/g, (name) => macros.get(name) ?? name);
+    return replaced === line ? line : expanded(replaced);
   };
   for (const line of source.replace(/\/\*[\s\S]*?\*\//g, '').split('\n')) {
     const [, directive, rest = ''] = /^\s*#\s*(\w+)\s*(.*)$/.exec(line) ?? [];
@@ -30,7 +34,7 @@ export function preprocessed(source: string): string {
       const [, name, value] = /^(\w+)\s*(.*?)\s*(?:\/\/.*)?$/.exec(rest) ?? [];
       macros.set(name, value);
     } else if (directive === 'undef') macros.delete(rest.trim());
-    else lines.push(line.replace(/\/\/.*/, ''));
+    else lines.push(expanded(line.replace(/\/\/.*/, '')));
   }
   return lines.join('\n');
 }

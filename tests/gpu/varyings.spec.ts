@@ -12,7 +12,7 @@ const ROWS = 15;
 
 for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
   for (const secondLayer of [false, true]) {
-    test(`four shadows, clipping, fog, vertex colours and two maps fit: ${technique}, ${secondLayer ? 'two layers' : 'one layer'}`, async ({
+    test(`four shadows, clipping, fog, vertex colours and all maps, of two channels, fit: ${technique}, ${secondLayer ? 'two layers' : 'one layer'}`, async ({
       page,
     }, testInfo) => {
       const programs = await page.evaluate(
@@ -24,16 +24,27 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
           const gl = renderer.getContext() as WebGL2RenderingContext;
           const geometry = new THREE.PlaneGeometry(2, 2);
           geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(12).fill(1), 3));
-          const map = new THREE.DataTexture(new Uint8Array(4).fill(255), 1, 1);
-          map.needsUpdate = true;
+          geometry.setAttribute('uv1', geometry.getAttribute('uv'));
+          const texture = (channel: number) => {
+            const made = new THREE.DataTexture(new Uint8Array(4).fill(255), 1, 1);
+            made.channel = channel;
+            made.needsUpdate = true;
+            return made;
+          };
+          const [first, second] = [texture(0), texture(1)];
           const sources: [string, string, string][] = [];
           for (const toneNormal of ['face', 'smooth'] as const) {
             const mesh = await hatchedMesh(geometry, {
               technique,
               secondLayer,
               toneNormal,
-              map,
-              alphaMap: map,
+              map: first,
+              alphaMap: first,
+              normalMap: first,
+              bumpMap: first,
+              emissiveMap: first,
+              aoMap: second,
+              lightMap: second,
               vertexColors: true,
               clippingPlanes: [new THREE.Plane(new THREE.Vector3(1, 0, 0), 2)],
               ...(technique === 'anchored' ? {} : { levelRule: 'depth' }),
@@ -60,7 +71,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       for (const [toneNormal, vertex, fragment] of programs) {
         const { rows, names } = varyingRows(vertex, fragment);
         testInfo.annotations.push({ type: toneNormal, description: `${rows} rows: ${names.join(', ')}` });
-        expect(names.join(), 'what is asked for').toMatch(/vDirectionalShadowCoord\[3\].*vClipPosition/);
+        expect(names.join(), 'what is asked for').toMatch(/vUv,.*vUv1,.*vDirectionalShadowCoord\[3\].*vClipPosition/);
         expect(rows, names.join()).toBeLessThanOrEqual(ROWS);
       }
     });

@@ -9,6 +9,20 @@ const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v)
 afterEach(() => vi.restoreAllMocks());
 
 describe('HatchingMaterial', () => {
+  test("knows the channels of its maps when the renderer is about to choose a program, beside a key of one's own", () => {
+    const material = new HatchingMaterial();
+    material.customProgramCacheKey = () => 'mine';
+    material.map = new Texture();
+    material.aoMap = new Texture();
+    material.aoMap.channel = 2;
+    expect(material.customProgramCacheKey()).toBe('mine');
+    expect(material.defines).toMatchObject({ MAP_CHANNEL: 'vUv', AOMAP_CHANNEL: 'vUv2', USE_UV0: '' });
+    material.map = null;
+    material.customProgramCacheKey();
+    expect(Object.keys(material.defines)).not.toContain('MAP_CHANNEL');
+    expect(Object.keys(material.defines)).not.toContain('USE_UV0');
+  });
+
   test('can be made without parameters, with the documented defaults', () => {
     const material = new HatchingMaterial();
     expect(material.isHatchingMaterial).toBe(true);
