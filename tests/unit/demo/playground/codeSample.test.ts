@@ -5,8 +5,8 @@ import { codeSample } from '../../../../src/demo/playground/codeSample.js';
 import { PRESETS, type PresetName, presetLook } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { LightRig } from '../../../../src/demo/stage/LightRig.js';
-import { applyHatching } from '../../../../src/material/applyHatching.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { applyHatching } from '../../../../src/scene/applyHatching.js';
 
 /** Runs a sample in a project that has a scene, and returns the scene. */
 async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {

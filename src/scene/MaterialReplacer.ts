@@ -1,7 +1,7 @@
 import type { Material, Mesh } from 'three';
-import { deforms } from './bindVertices.js';
-import type { HatchingMaterial } from './HatchingMaterial.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import { deforms } from '../material/bindVertices.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
 import { isSurface } from './surfaceMeshes.js';
 

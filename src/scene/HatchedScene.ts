@@ -1,5 +1,5 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
-import type { HatchingMaterial } from './HatchingMaterial.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
 /** A mesh that was left as it was, and why. */
 export interface SkippedMesh {

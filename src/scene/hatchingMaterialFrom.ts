@@ -1,6 +1,6 @@
 import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 } from 'three';
-import { HatchingMaterial } from './HatchingMaterial.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 
 /** Properties of three's own surface materials beyond the base class. Other materials may have them too. */
 interface SurfaceMaterial extends Material {

@@ -1,13 +1,13 @@
 import { type BatchedMesh, type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
+import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
+import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
-import { checkTonalArtMap } from './checkTonalArtMap.js';
 import { claimMeshes } from './claimMeshes.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import { HATCHING_TECHNIQUES } from './hatchingProperties.js';
 import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
 import { materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
