@@ -48,7 +48,7 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
   run('creases', cutCreases(adjacency, Math.PI / 2));
   const twins = run('creases', cutSharpEdges(adjacency));
   const hatchNormals = smoothNormals({ mesh, twins, canonicalCorners, areaNormals }, bounds.radius, run);
-  const surface: Surface = { adjacency, bounds, hatchNormals, smoothNormals: null };
+  const surface: Surface = { adjacency, bounds, hatchNormals, smoothNormals: null, lines: null };
   return {
     steps: adjacency.steps,
     corner: {
@@ -74,7 +74,10 @@ function smoothNormals(faces: FanSurface, boundingRadius: number, run: Run): Fan
   const radius = DEFAULT_SMOOTHING_SHARE * boundingRadius;
   const fans = run('normals', buildFans(faces));
   const smoothed = run('normals', smoothFanNormals({ ...faces, fans }, radius));
-  run('normals', absorbSmallPatches(faces, fans, Math.PI * (radius / 2) ** 2));
+  run(
+    'normals',
+    absorbSmallPatches(faces, fans, (area) => !(area >= Math.PI * (radius / 2) ** 2)),
+  );
   return { fans, normals: run('normals', fanDirections(smoothed, faces.areaNormals, fans)) };
 }
 

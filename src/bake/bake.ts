@@ -3,6 +3,7 @@ import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './b
 import type { VertexWords } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
 import { type PackedCorners, packCorners } from './packCorners.js';
+import { lineBuffers } from './packLines.js';
 
 /** The input of the bake of the `corner` and `pull` layouts. Plain data: it is posted to the worker. */
 export interface BakeRequest extends SurfaceRequest {
@@ -22,8 +23,8 @@ export function* bake(request: BakeRequest): Generator<number, BakeResult, void>
   const { mesh, attributes } = request;
   const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
   const packed = yield* asPhase(packCorners(mesh, surface.adjacency.twins), 0.7, 0.85);
-  const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 1);
-  return { ...packed, ...reportOf(surface), ...ofCorners };
+  const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 0.97);
+  return { ...packed, ...(yield* asPhase(reportOf(surface, mesh.indices), 0.97, 1)), ...ofCorners };
 }
 
 /** The buffers of a result, to be transferred with it. */
@@ -31,4 +32,5 @@ export const bakeResultBuffers = (result: BakeResult): ArrayBuffer[] => [
   result.positions.buffer,
   result.corners.buffer,
   ...cornerAttributeBuffers(result),
+  ...lineBuffers(result.lines),
 ];

@@ -1,6 +1,7 @@
 import { asPhase } from '../slices/asPhase.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
 import { packHatchNormals } from './packHatchNormals.js';
+import { lineBuffers } from './packLines.js';
 import { packNormals } from './packNormals.js';
 import { splitVertices } from './splitVertices.js';
 
@@ -30,11 +31,11 @@ export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeInd
   const split = yield* asPhase(splitVertices(request.mesh, adjacency.areaNormals, hatchNormals.fans), 0.85, 0.95);
   const { indices, addedVertices, cornerOfVertex } = split;
   return {
-    ...reportOf(surface),
+    ...(yield* asPhase(reportOf(surface, indices), 0.95, 0.97)),
     indices: cornerOfVertex.length <= MOST_SHORT_VERTICES ? new Uint16Array(indices) : indices,
     addedVertices,
-    hatchNormals: yield* asPhase(packHatchNormals(hatchNormals, cornerOfVertex), 0.95, 0.98),
-    normals: smoothNormals && (yield* asPhase(packNormals(smoothNormals, cornerOfVertex), 0.98, 1)),
+    hatchNormals: yield* asPhase(packHatchNormals(hatchNormals, cornerOfVertex), 0.97, 0.99),
+    normals: smoothNormals && (yield* asPhase(packNormals(smoothNormals, cornerOfVertex), 0.99, 1)),
   };
 }
 
@@ -44,9 +45,11 @@ export const bakeIndexedResultBuffers = ({
   addedVertices,
   hatchNormals,
   normals,
+  lines,
 }: BakeIndexedResult): ArrayBuffer[] => [
   indices.buffer,
   addedVertices.buffer,
   hatchNormals.buffer,
   ...(normals ? [normals.buffer] : []),
+  ...lineBuffers(lines),
 ];

@@ -5,6 +5,7 @@ import type { BakeRequest } from './bake.js';
 import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
 import { expandPerCorner } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
+import { lineBuffers } from './packLines.js';
 import { type PackedPull, packPull } from './packPull.js';
 import { splitVertices } from './splitVertices.js';
 
@@ -30,8 +31,9 @@ export function* bakePull(request: BakeRequest): Generator<number, BakePullResul
   const packed = yield* asPhase(packPull(positions, indices, adjacency.twins), 0.75, 0.82);
   const words = new Uint32Array(mesh.positions.buffer);
   const expanded = yield* asPhase(expandPerCorner({ words, wordsPerVertex: 3 }, mesh.indices), 0.82, 0.85);
-  const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 1);
-  return { ...packed, ...reportOf(surface), ...ofCorners, positions: new Float32Array(expanded.buffer) };
+  const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 0.97);
+  const report = yield* asPhase(reportOf(surface, indices), 0.97, 1);
+  return { ...packed, ...report, ...ofCorners, positions: new Float32Array(expanded.buffer) };
 }
 
 /** The buffers of a result, to be transferred with it. */
@@ -40,4 +42,5 @@ export const bakePullResultBuffers = (result: BakePullResult): ArrayBuffer[] => 
   result.triangleVertices.buffer,
   result.vertexPositions.buffer,
   ...cornerAttributeBuffers(result),
+  ...lineBuffers(result.lines),
 ];

@@ -5,13 +5,17 @@ import { type Bounds, measureBounds } from '../mesh/measureBounds.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { validateTriangleMesh } from '../mesh/validateTriangleMesh.js';
 import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
-import { buildFans, type Fans } from '../normals/buildFans.js';
+import type { FanSurface } from '../normals/assembleHeatEquation.js';
+import { buildFans } from '../normals/buildFans.js';
 import { computeSmoothNormals } from '../normals/computeSmoothNormals.js';
 import { cutCreases } from '../normals/cutCreases.js';
 import { cutSharpEdges } from '../normals/cutSharpEdges.js';
+import type { FanNormals } from '../normals/FanNormals.js';
 import { fanDirections } from '../normals/fanDirections.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
+import { bakeLines, type LineRequest, type LineSurface } from './bakeLines.js';
+import { type PackedLines, packLines } from './packLines.js';
 
 /** The input of the bake for every layout. Plain data: it is posted to the worker. */
 export interface SurfaceRequest {
@@ -26,12 +30,8 @@ export interface SurfaceRequest {
   smoothingRadius?: number | undefined;
   /** Whether to compute smooth normals, for a mesh that has none. */
   wantsNormals: boolean;
-}
-
-/** Unit normals, one per fan: x, y, z in the order of the fans' numbers. */
-export interface FanNormals {
-  fans: Fans;
-  normals: Float32Array<ArrayBuffer>;
+  /** What lines to bake, if any. */
+  lines?: LineRequest | null | undefined;
 }
 
 /** The part of the bake that all layouts share. */
@@ -42,6 +42,8 @@ export interface Surface {
   hatchNormals: FanNormals;
   /** The smooth normals, if requested. Their fans are those of the hatch normals or unions of them, except small patches. */
   smoothNormals: FanNormals | null;
+  /** What lines are drawn from, if requested. */
+  lines: LineSurface | null;
 }
 
 /**
@@ -65,18 +67,37 @@ export function nearnessOf({ radius }: Bounds, share = DEFAULT_WELD_TOLERANCE): 
   return { tolerance: used * radius, rounding: Math.min(used, SINGLE_ROUNDING) * radius };
 }
 
-/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals and the smooth ones. */
+/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones and the lines. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
   const { mesh } = request;
-  yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03);
-  const bounds = yield* asPhase(measureBounds(mesh), 0.03, 0.06);
+  const share = request.lines ? 0.6 : 1;
+  yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03 * share);
+  const bounds = yield* asPhase(measureBounds(mesh), 0.03 * share, 0.06 * share);
   const nearness = nearnessOf(bounds, request.weldTolerance);
-  const adjacency = yield* asPhase(buildTriangleAdjacency(mesh, nearness), 0.06, 0.3);
-  yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3, 0.33);
-  const smoothNormals = request.wantsNormals ? yield* asPhase(bakeSmoothNormals(adjacency), 0.33, 0.4) : null;
+  const adjacency = yield* asPhase(buildTriangleAdjacency(mesh, nearness), 0.06 * share, 0.3 * share);
+  const joinedTwins = request.lines ? adjacency.twins.slice() : null;
+  yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3 * share, 0.33 * share);
+  const smoothNormals = request.wantsNormals
+    ? yield* asPhase(bakeSmoothNormals(adjacency), 0.33 * share, 0.4 * share)
+    : null;
   const radius = request.smoothingRadius ?? DEFAULT_SMOOTHING_SHARE * bounds.radius;
-  const hatchNormals = yield* asPhase(bakeHatchNormals(mesh, adjacency, radius), 0.4, 1);
-  return { adjacency, bounds, hatchNormals, smoothNormals };
+  const surface = yield* asPhase(separateFans(mesh, adjacency), 0.4 * share, 0.5 * share);
+  const fansWithPatches = joinedTwins && { ...surface.fans, ofCorner: surface.fans.ofCorner.slice() };
+  const hatchNormals = yield* asPhase(bakeHatchNormals(surface, radius), 0.5 * share, share);
+  const lines =
+    joinedTwins &&
+    (yield* asPhase(
+      bakeLines(
+        { ...surface, fans: fansWithPatches! },
+        { ...adjacency, twins: joinedTwins },
+        hatchNormals.fans.ofCorner,
+        bounds.radius,
+        request.lines!,
+      ),
+      share,
+      1,
+    ));
+  return { adjacency, bounds, hatchNormals, smoothNormals, lines };
 }
 
 function* bakeSmoothNormals(adjacency: TriangleAdjacency): Generator<number, FanNormals, void> {
@@ -84,37 +105,52 @@ function* bakeSmoothNormals(adjacency: TriangleAdjacency): Generator<number, Fan
   return { fans, normals: yield* asPhase(computeSmoothNormals(adjacency.areaNormals, fans), 0.5, 1) };
 }
 
-/**
- * Normals at the scale of `radius`, split at sharp edges. Patches smaller than a disc of that diameter take the normals of
- * the surface around them and do not influence it.
- */
-function* bakeHatchNormals(
-  mesh: TriangleMesh,
-  adjacency: TriangleAdjacency,
-  radius: number,
-): Generator<number, FanNormals, void> {
+/** Cuts the surface at sharp edges, and finds the fans that are left. */
+function* separateFans(mesh: TriangleMesh, adjacency: TriangleAdjacency): Generator<number, FanSurface, void> {
   const { canonicalCorners, areaNormals } = adjacency;
-  const twins = yield* asPhase(cutSharpEdges(adjacency), 0, 0.15);
-  const fans = yield* asPhase(buildFans({ twins, canonicalCorners }), 0.15, 0.22);
-  const smoothed = yield* asPhase(
-    smoothFanNormals({ mesh, twins, canonicalCorners, areaNormals, fans }, radius),
-    0.22,
-    0.9,
-  );
+  const twins = yield* asPhase(cutSharpEdges(adjacency), 0, 0.7);
+  const fans = yield* asPhase(buildFans({ twins, canonicalCorners }), 0.7, 1);
+  return { mesh, twins, canonicalCorners, areaNormals, fans };
+}
+
+/**
+ * Normals at the scale of `radius`. Patches smaller than a disc of that diameter take the normals of the surface around them
+ * and do not influence it: their corners are moved to its fans, in place.
+ */
+function* bakeHatchNormals(surface: FanSurface, radius: number): Generator<number, FanNormals, void> {
+  const { areaNormals, fans } = surface;
+  const smoothed = yield* asPhase(smoothFanNormals(surface, radius), 0, 0.85);
+  const smallest = Math.PI * (radius / 2) ** 2;
+  // Negated, so that areas that are not numbers are small too.
   yield* asPhase(
-    absorbSmallPatches({ twins, canonicalCorners, areaNormals }, fans, Math.PI * (radius / 2) ** 2),
-    0.9,
-    0.96,
+    absorbSmallPatches(surface, fans, (area) => !(area >= smallest)),
+    0.85,
+    0.93,
   );
-  return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.96, 1) };
+  return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.93, 1) };
 }
 
 /** What a bake of any layout found out about the mesh. */
 export interface BakeReport extends EdgeCounts {
   bounds: Bounds;
+  /** What lines are drawn from, if requested. */
+  lines: PackedLines | null;
 }
 
-export const reportOf = ({ adjacency, bounds }: Surface): BakeReport => {
+/** @param indices the vertex of each corner in the layout that is baked */
+export function* reportOf(
+  { adjacency, bounds, lines }: Surface,
+  indices: Uint32Array,
+): Generator<number, BakeReport, void> {
+  const packed = lines && (yield* packLines(lines, indices));
+  yield 1;
   const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles } = adjacency;
-  return { bounds, borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles };
-};
+  return {
+    bounds,
+    borderEdges,
+    nonManifoldEdges,
+    inconsistentEdges,
+    degenerateTriangles,
+    lines: packed,
+  };
+}

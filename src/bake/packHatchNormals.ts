@@ -1,6 +1,6 @@
+import type { FanNormals } from '../normals/FanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import type { FanNormals } from './bakeSurface.js';
 import { hatchNormal } from './hatchNormal.js';
 import { packNormals } from './packNormals.js';
 

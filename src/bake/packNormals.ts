@@ -1,5 +1,5 @@
+import type { FanNormals } from '../normals/FanNormals.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import type { FanNormals } from './bakeSurface.js';
 import { NO_CORNER } from './splitVertices.js';
 
 /**

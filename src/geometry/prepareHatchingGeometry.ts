@@ -1,16 +1,19 @@
 import type { BufferGeometry } from 'three';
-import { checkOptions } from '../worker/checkOptions.js';
+import type { LineRequest } from '../bake/bakeLines.js';
+import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { checkGeometry } from './checkGeometry.js';
 import { applyCorners } from './cornerGeometry.js';
-import { cornerRange } from './cornerRange.js';
+import { type CornerRange, cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import { applyIndexed } from './indexedGeometry.js';
+import { lineDataOf } from './LineData.js';
 import { startGeometry } from './preparedGeometry.js';
 import { applyPull } from './pulledGeometry.js';
 import { countUnusableNormals, zeroBadValues } from './repairValues.js';
+import { triangleGroups } from './triangleGroups.js';
 import { extractWords, keptAttributes } from './vertexAttributes.js';
 
 /** Options of `prepareHatchingGeometry`. */
@@ -43,13 +46,35 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * only what lies at exactly the same position. What is drawn keeps its positions.
    */
   weldTolerance?: number | undefined;
+  /**
+   * Bakes what `HatchingLines` draws contours, borders and creases from: 16 bytes per triangle, 32 per vertex and 16 per
+   * feature edge, and 24 per vertex on the heap. `true` or limits of the creases that are drawn. Default: nothing.
+   */
+  lines?: boolean | LineOptions | undefined;
 }
+
+/** Which edges are creases. */
+export interface LineOptions {
+  /**
+   * Edges whose triangles' normals differ by this angle or more, in radians from 0 to π, are creases. Default: edges sharper
+   * than 50° once the normals are freed of noise.
+   */
+  creaseAngle?: number | undefined;
+  /**
+   * Creases that hang together are drawn if they are this long in all, in object units; 0 draws all. Default: 0.2 times the
+   * radius of the bounding sphere, without which scans bristle.
+   */
+  creaseLength?: number | undefined;
+}
+
+const LINE_OPTIONS = { creaseAngle: true, creaseLength: true } satisfies Record<keyof LineOptions, true>;
 
 const PREPARE_OPTIONS = {
   layout: true,
   creaseAngle: true,
   smoothingRadius: true,
   weldTolerance: true,
+  lines: true,
 } satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions>, true>;
 
 /**
@@ -114,6 +139,7 @@ export async function prepareHatchingGeometry(
     smoothingRadius: options.smoothingRadius,
     weldTolerance: options.weldTolerance,
     wantsNormals: computedNormals > 0,
+    lines: lineRequest(options.lines, range),
   };
 
   const layout = chooseLayout(geometry, options);
@@ -130,12 +156,24 @@ export async function prepareHatchingGeometry(
       ...kept.map((entry, i) => ({ ...entry, ...copied[i] })),
     ];
     applyIndexed(prepared, attributes, { ...(await runTask('bakeIndexed', request, options)), ...repairs });
-    return prepared;
+    return withWorker(prepared, options);
   }
   const baking = { ...request, attributes: copied };
   if (layout === 'pull') applyPull(prepared, kept, { ...(await runTask('bakePull', baking, options)), ...repairs });
   else applyCorners(prepared, kept, { ...(await runTask('bake', baking, options)), ...repairs });
+  return withWorker(prepared, options);
+}
+
+/** Lets lines search for contours in the worker that the options name. */
+function withWorker(prepared: BufferGeometry, { createWorker }: TaskOptions): BufferGeometry {
+  const lines = lineDataOf(prepared);
+  if (lines) lines.createWorker = createWorker;
   return prepared;
+}
+
+function lineRequest(lines: PrepareHatchingGeometryOptions['lines'], range: CornerRange): LineRequest | null {
+  if (!lines) return null;
+  return { ...(lines === true ? {} : lines), triangleGroups: triangleGroups(range) };
 }
 
 function chooseLayout(
@@ -147,7 +185,7 @@ function chooseLayout(
 }
 
 function checkValues(
-  { layout = 'auto', smoothingRadius = 0, weldTolerance = 0 }: PrepareHatchingGeometryOptions,
+  { layout = 'auto', smoothingRadius = 0, weldTolerance = 0, lines }: PrepareHatchingGeometryOptions,
   creaseAngle: number,
 ): void {
   if (!['auto', 'corner', 'pull', 'indexed'].includes(layout)) {
@@ -155,11 +193,8 @@ function checkValues(
       `prepareHatchingGeometry: unknown layout '${layout}'. Use 'auto', 'corner', 'pull' or 'indexed'.`,
     );
   }
-  if (!(creaseAngle >= 0 && creaseAngle <= Math.PI)) {
-    throw new RangeError(
-      `prepareHatchingGeometry: creaseAngle is ${creaseAngle}. Pass an angle in radians from 0 to π; 60 degrees is Math.PI / 3.`,
-    );
-  }
+  checkAngle('creaseAngle', creaseAngle);
+  if (lines !== undefined && typeof lines !== 'boolean') checkLines(lines);
   if (!(smoothingRadius >= 0 && smoothingRadius < Infinity)) {
     throw new RangeError(
       `prepareHatchingGeometry: smoothingRadius is ${smoothingRadius}. Pass a length in object units, 0 or more, or leave the option out.`,
@@ -170,4 +205,21 @@ function checkValues(
       `prepareHatchingGeometry: weldTolerance is ${String(weldTolerance)}. Pass a share of the bounding radius, 0 or more, such as 1e-6, or leave the option out.`,
     );
   }
+}
+
+function checkLines(lines: LineOptions): void {
+  checkNames('prepareHatchingGeometry', 'lines', lines, LINE_OPTIONS);
+  if (lines.creaseAngle !== undefined) checkAngle('lines.creaseAngle', lines.creaseAngle);
+  const { creaseLength = 0 } = lines;
+  if (creaseLength >= 0 && creaseLength < Infinity) return;
+  throw new RangeError(
+    `prepareHatchingGeometry: lines.creaseLength is ${creaseLength}. Pass a length in object units, 0 or more, or leave the option out.`,
+  );
+}
+
+function checkAngle(name: string, angle: number): void {
+  if (angle >= 0 && angle <= Math.PI) return;
+  throw new RangeError(
+    `prepareHatchingGeometry: ${name} is ${angle}. Pass an angle in radians from 0 to π; 60 degrees is Math.PI / 3.`,
+  );
 }

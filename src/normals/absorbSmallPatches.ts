@@ -13,15 +13,16 @@ const NO_FAN = 0xffffffff;
 
 /**
  * Moves the corners of small patches, in place, to the largest fan at their vertex that belongs to no small patch, if there
- * is one. A patch is a set of triangles bounded by edges without twins; it is small if its area is below `smallestArea`, in
- * square object units. Small patches are the folds, spikes and doubled triangles of scans and decimated meshes, and all
+ * is one. A patch is a set of triangles bounded by edges without twins. Small patches are the folds, spikes and doubled triangles of scans and decimated meshes, and all
  * degenerate triangles: too small for a stroke. An object that is small as a whole keeps its edges. The numbers of emptied
  * fans stay unused.
+ *
+ * @param isSmall says so of a patch, by its area in square object units and its number of triangles
  */
 export function* absorbSmallPatches(
   adjacency: Adjacency,
   { ofCorner, count }: Fans,
-  smallestArea: number,
+  isSmall: (area: number, triangles: number) => boolean,
 ): Generator<number, void, void> {
   const { canonicalCorners, areaNormals } = adjacency;
   const cornerCount = ofCorner.length;
@@ -32,28 +33,34 @@ export function* absorbSmallPatches(
     0.4,
   );
   const patchAreas = new Float64Array(cornerCount / 3);
+  const patchSizes = new Uint32Array(cornerCount / 3);
   const fanAreas = new Float64Array(count);
   yield* asPhase(
     forEachChunk(cornerCount / 3, (start, end) =>
-      addAreas(areaNormals, ofCorner, patches, patchAreas, fanAreas, start, end),
+      addAreas(areaNormals, ofCorner, patches, patchAreas, patchSizes, fanAreas, start, end),
     ),
     0.4,
     0.6,
   );
-  const isSmall = (corner: number) => !(patchAreas[rootOf(patches, triangleOf(corner))] >= smallestArea);
+  const isInSmall = (corner: number): boolean => {
+    const patch = rootOf(patches, triangleOf(corner));
+    return isSmall(patchAreas[patch], patchSizes[patch]);
+  };
   let vertexCount = 0;
   for (let corner = 0; corner < cornerCount; corner++)
     vertexCount = Math.max(vertexCount, canonicalCorners[corner] + 1);
   const largestFans = new Uint32Array(vertexCount).fill(NO_FAN);
   yield* asPhase(
     forEachChunk(cornerCount, (start, end) =>
-      findLargestFans(canonicalCorners, ofCorner, fanAreas, isSmall, largestFans, start, end),
+      findLargestFans(canonicalCorners, ofCorner, fanAreas, isInSmall, largestFans, start, end),
     ),
     0.6,
     0.8,
   );
   yield* asPhase(
-    forEachChunk(cornerCount, (start, end) => moveRange(canonicalCorners, ofCorner, isSmall, largestFans, start, end)),
+    forEachChunk(cornerCount, (start, end) =>
+      moveRange(canonicalCorners, ofCorner, isInSmall, largestFans, start, end),
+    ),
     0.8,
     1,
   );
@@ -67,19 +74,22 @@ function joinRange({ twins, canonicalCorners }: Adjacency, patches: Uint32Array,
   }
 }
 
-/** Adds the areas of some triangles to those of their patches and of their fans. */
+/** Adds the areas of some triangles to those of their patches and of their fans, and counts them. */
 function addAreas(
   areaNormals: Float64Array,
   ofCorner: Uint32Array,
   patches: Uint32Array,
   patchAreas: Float64Array,
+  patchSizes: Uint32Array,
   fanAreas: Float64Array,
   start: number,
   end: number,
 ): void {
   for (let triangle = start; triangle < end; triangle++) {
     const area = 0.5 * doubleArea(areaNormals, triangle);
-    patchAreas[rootOf(patches, triangle)] += area;
+    const patch = rootOf(patches, triangle);
+    patchAreas[patch] += area;
+    patchSizes[patch]++;
     for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) fanAreas[ofCorner[corner]] += area;
   }
 }

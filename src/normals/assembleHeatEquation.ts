@@ -18,7 +18,7 @@ export interface FanSurface {
   /** Twins with NO_TWIN wherever two fans meet, except where windings contradict each other. */
   twins: Int32Array<ArrayBuffer>;
   canonicalCorners: Uint32Array<ArrayBuffer>;
-  areaNormals: Float64Array;
+  areaNormals: Float64Array<ArrayBuffer>;
   fans: Fans;
 }
 

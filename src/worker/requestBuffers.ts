@@ -1,4 +1,5 @@
 import { bakeRequestBuffers } from '../bake/bakeRequestBuffers.js';
+import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
 import { imageBuffers } from '../hatchImages/imageBuffers.js';
 import type { TaskName, TaskRequest } from './tasks.js';
 
@@ -6,6 +7,7 @@ const buffersOf: { [Name in TaskName]: (request: TaskRequest<Name>) => ArrayBuff
   bake: bakeRequestBuffers,
   bakeIndexed: bakeRequestBuffers,
   bakePull: bakeRequestBuffers,
+  searchContours: contourSearchBuffers,
   generateHatchImages: () => [],
   generateThresholds: () => [],
   completeHatchImages: imageBuffers,

@@ -1,6 +1,8 @@
 import { bake, bakeResultBuffers } from '../bake/bake.js';
 import { bakeIndexed, bakeIndexedResultBuffers } from '../bake/bakeIndexed.js';
 import { bakePull, bakePullResultBuffers } from '../bake/bakePull.js';
+import { type ContourSearchResult, searchContours } from '../features/contourCandidates.js';
+import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
 import { completeHatchImages } from '../hatchImages/completeHatchImages.js';
 import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
@@ -25,6 +27,10 @@ export const tasks = {
   bake: /* @__PURE__ */ task({ run: bake, resultBuffers: bakeResultBuffers }),
   bakeIndexed: /* @__PURE__ */ task({ run: bakeIndexed, resultBuffers: bakeIndexedResultBuffers }),
   bakePull: /* @__PURE__ */ task({ run: bakePull, resultBuffers: bakePullResultBuffers }),
+  searchContours: /* @__PURE__ */ task({
+    run: searchContours,
+    resultBuffers: ({ search }: ContourSearchResult) => contourSearchBuffers({ search }),
+  }),
   generateHatchImages: /* @__PURE__ */ task({ run: generateHatchImages, resultBuffers: imageBuffers }),
   generateThresholds: /* @__PURE__ */ task({ run: generateThresholds, resultBuffers: thresholdBuffers }),
   completeHatchImages: /* @__PURE__ */ task({

@@ -1,0 +1,238 @@
+import { doubleArea, isDegenerate } from '../mesh/computeAreaNormals.js';
+import { NO_TWIN, nextCorner, triangleOf } from '../mesh/corners.js';
+import { disjointSets, join, rootOf } from '../mesh/disjointSets.js';
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
+import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, DRAWN_WHOLE, MATERIAL_BORDER } from './edgeFlags.js';
+
+/** A mesh in which feature edges are looked for. */
+export interface FeatureSurface {
+  mesh: TriangleMesh;
+  /** For each corner the vertex, with all vertices at one position the same. */
+  canonicalCorners: Uint32Array;
+  areaNormals: Float64Array;
+  /** Twins before any edge was cut. */
+  joinedTwins: Int32Array;
+  /** Twins with NO_TWIN at sharp edges too. */
+  sharpTwins: Int32Array;
+  /** The fan of each corner. */
+  ofCorner: Uint32Array;
+  /** Unit normals, three per fan. */
+  normals: Float32Array;
+  /** The group of each triangle; null where there is one alone. */
+  triangleGroups: Uint16Array | null;
+}
+
+/** Which sharp edges are drawn. */
+export interface CreaseLimits {
+  /** Edges whose triangles differ by this angle or more, in radians, are creases; null: those the bake cuts as sharp. */
+  creaseAngle: number | null;
+  /** Creases that hang together are drawn if they are this long in all, in object units. */
+  creaseLength: number;
+}
+
+/** Edges that are drawn, or that the contour may run along. */
+export interface FeatureEdges {
+  /** Per edge the fans to its left, at its start and end, and to its right. A border has the left ones twice. */
+  fans: Uint32Array<ArrayBuffer>;
+  /** Per edge what it is: the bits of `edgeFlags.ts`. */
+  flags: Uint8Array<ArrayBuffer>;
+}
+
+/** On a mesh built with exactly the crease angle, rounding must not drop some edges and keep others. */
+const COSINE_TOLERANCE = 1e-6;
+
+/** Sharp edges with a flatter angle than 30° were cut for another reason, such as a `creaseAngle` of 0. This is its cosine. */
+const FLATTEST_CREASE = Math.cos(Math.PI / 6);
+
+/** A line turns at a vertex if its two edges lie off a straight line by more than 40°; this is |d₁ + d₂|² of that. */
+const TURN_SQUARED = 2 - 2 * Math.cos((40 * Math.PI) / 180);
+
+/**
+ * Finds borders, creases, edges between groups, and edges along which the contour runs because the normals on either side
+ * differ. Creases are filtered by their length: those of scans are many and short, those of machine parts long.
+ */
+export function* findFeatureEdges(
+  surface: FeatureSurface,
+  limits: CreaseLimits,
+): Generator<number, FeatureEdges, void> {
+  const { mesh, canonicalCorners, joinedTwins } = surface;
+  const corners: number[] = [];
+  const kinds: number[] = [];
+  const creaseCosine = limits.creaseAngle === null ? null : Math.cos(limits.creaseAngle) + COSINE_TOLERANCE;
+  yield* asPhase(
+    forEachChunk(mesh.indices.length, (start, end) => collectRange(surface, creaseCosine, corners, kinds, start, end)),
+    0,
+    0.7,
+  );
+  yield* asPhase(dropShortCreases(surface, corners, kinds, limits.creaseLength), 0.7, 0.85);
+
+  // An edge that is nothing any more and has the same fans on both sides is none.
+  const kept: number[] = [];
+  for (let i = 0; i < corners.length; i++) if (kinds[i] !== 0 || separatesFans(surface, corners[i])) kept.push(i);
+  const numbers = Uint32Array.from(kept);
+  const fans = new Uint32Array(4 * numbers.length);
+  const flags = new Uint8Array(numbers.length);
+  for (let i = 0; i < numbers.length; i++) {
+    const corner = corners[numbers[i]];
+    writeFans(surface, corner, fans, 4 * i);
+    flags[i] = kinds[numbers[i]];
+    const twin = joinedTwins[corner];
+    if (twin !== NO_TWIN && canonicalCorners[twin] === canonicalCorners[corner]) flags[i] |= CONTRARY;
+  }
+  markCorners(surface, corners, numbers, flags);
+  yield 1;
+  return { fans, flags };
+}
+
+/** Collects the half-edges of some corners that may be features, one per edge, and what they are. */
+function collectRange(
+  surface: FeatureSurface,
+  creaseCosine: number | null,
+  corners: number[],
+  kinds: number[],
+  start: number,
+  end: number,
+): void {
+  const { areaNormals, joinedTwins, sharpTwins, canonicalCorners, triangleGroups } = surface;
+  for (let corner = start; corner < end; corner++) {
+    const twin = joinedTwins[corner];
+    const triangle = triangleOf(corner);
+    if (twin === NO_TWIN) {
+      if (isDegenerate(areaNormals, triangle)) continue;
+      corners.push(corner);
+      kinds.push(BORDER);
+      continue;
+    }
+    if (twin < corner) continue;
+    const other = triangleOf(twin);
+    let kind = triangleGroups !== null && triangleGroups[triangle] !== triangleGroups[other] ? MATERIAL_BORDER : 0;
+    // Where the windings contradict each other, no angle can be told.
+    if (canonicalCorners[corner] !== canonicalCorners[twin]) {
+      const isCrease =
+        creaseCosine === null
+          ? sharpTwins[corner] === NO_TWIN && bends(surface, corner)
+          : cosineBetween(areaNormals, triangle, other) <= creaseCosine;
+      if (isCrease) kind |= CREASE;
+    }
+    if (kind === 0 && !separatesFans(surface, corner)) continue;
+    corners.push(corner);
+    kinds.push(kind);
+  }
+}
+
+function cosineBetween(areaNormals: Float64Array, a: number, b: number): number {
+  const dot =
+    areaNormals[3 * a] * areaNormals[3 * b] +
+    areaNormals[3 * a + 1] * areaNormals[3 * b + 1] +
+    areaNormals[3 * a + 2] * areaNormals[3 * b + 2];
+  return dot / doubleArea(areaNormals, a) / doubleArea(areaNormals, b);
+}
+
+/** Whether the fans on the two sides of an edge differ at either end. */
+function separatesFans({ ofCorner, joinedTwins, canonicalCorners }: FeatureSurface, corner: number): boolean {
+  const twin = joinedTwins[corner];
+  if (twin === NO_TWIN) return true;
+  if (canonicalCorners[corner] === canonicalCorners[twin]) return true;
+  return ofCorner[corner] !== ofCorner[nextCorner(twin)] || ofCorner[nextCorner(corner)] !== ofCorner[twin];
+}
+
+/** Whether the normals on the two sides of an edge with a twin differ by more than those of a flat crease at either end. */
+function bends({ ofCorner, joinedTwins, normals }: FeatureSurface, corner: number): boolean {
+  const twin = joinedTwins[corner];
+  const start = cosineOf(normals, ofCorner[corner], ofCorner[nextCorner(twin)]);
+  const end = cosineOf(normals, ofCorner[nextCorner(corner)], ofCorner[twin]);
+  return Math.min(start, end) < FLATTEST_CREASE;
+}
+
+const cosineOf = (normals: Float32Array, a: number, b: number): number =>
+  normals[3 * a] * normals[3 * b] + normals[3 * a + 1] * normals[3 * b + 1] + normals[3 * a + 2] * normals[3 * b + 2];
+
+function writeFans(
+  { ofCorner, joinedTwins, canonicalCorners }: FeatureSurface,
+  corner: number,
+  fans: Uint32Array,
+  target: number,
+): void {
+  const twin = joinedTwins[corner];
+  fans[target] = ofCorner[corner];
+  fans[target + 1] = ofCorner[nextCorner(corner)];
+  const isBorder = twin === NO_TWIN;
+  const isContrary = !isBorder && canonicalCorners[corner] === canonicalCorners[twin];
+  const start = isBorder ? corner : isContrary ? twin : nextCorner(twin);
+  const end = isBorder ? nextCorner(corner) : isContrary ? nextCorner(twin) : twin;
+  fans[target + 2] = ofCorner[start];
+  fans[target + 3] = ofCorner[end];
+}
+
+/** Takes CREASE from creases that are shorter than `shortest`, all that hang together counted. */
+function* dropShortCreases(
+  { mesh, canonicalCorners }: FeatureSurface,
+  corners: readonly number[],
+  kinds: number[],
+  shortest: number,
+): Generator<number, void, void> {
+  if (shortest <= 0) return;
+  const vertexCount = mesh.positions.length / 3;
+  const chains = disjointSets(vertexCount);
+  const ends = (i: number) => [canonicalCorners[corners[i]], canonicalCorners[nextCorner(corners[i])]] as const;
+  for (let i = 0; i < corners.length; i++) if (kinds[i] & CREASE) join(chains, ...ends(i));
+  yield 0.4;
+  const lengths = new Float64Array(vertexCount);
+  for (let i = 0; i < corners.length; i++) {
+    if (kinds[i] & CREASE) lengths[rootOf(chains, ends(i)[0])] += distance(mesh.positions, ...ends(i));
+  }
+  yield 0.8;
+  for (let i = 0; i < corners.length; i++) {
+    if (kinds[i] & CREASE && lengths[rootOf(chains, ends(i)[0])] < shortest) kinds[i] &= ~CREASE;
+  }
+  yield 1;
+}
+
+function distance(positions: Float32Array, a: number, b: number): number {
+  const x = positions[3 * b] - positions[3 * a];
+  const y = positions[3 * b + 1] - positions[3 * a + 1];
+  const z = positions[3 * b + 2] - positions[3 * a + 2];
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
+/** Marks the ends of edges that are drawn whole at which the line ends, branches or turns. */
+function markCorners(
+  { mesh, canonicalCorners }: FeatureSurface,
+  corners: readonly number[],
+  numbers: Uint32Array,
+  flags: Uint8Array,
+): void {
+  const { positions } = mesh;
+  const degrees = new Uint32Array(positions.length / 3);
+  const sums = new Float32Array(positions.length);
+  const ends = (i: number) => {
+    const corner = corners[numbers[i]];
+    return [canonicalCorners[corner], canonicalCorners[nextCorner(corner)]] as const;
+  };
+  for (let i = 0; i < numbers.length; i++) {
+    if (!(flags[i] & DRAWN_WHOLE)) continue;
+    const [a, b] = ends(i);
+    const length = distance(positions, a, b) || 1;
+    degrees[a]++;
+    degrees[b]++;
+    for (let axis = 0; axis < 3; axis++) {
+      const direction = (positions[3 * b + axis] - positions[3 * a + axis]) / length;
+      sums[3 * a + axis] += direction;
+      sums[3 * b + axis] -= direction;
+    }
+  }
+  const isCorner = (vertex: number): boolean => {
+    const x = sums[3 * vertex];
+    const y = sums[3 * vertex + 1];
+    const z = sums[3 * vertex + 2];
+    return degrees[vertex] !== 2 || x * x + y * y + z * z > TURN_SQUARED;
+  };
+  for (let i = 0; i < numbers.length; i++) {
+    if (!(flags[i] & DRAWN_WHOLE)) continue;
+    const [a, b] = ends(i);
+    if (isCorner(a)) flags[i] |= CORNER_AT_START;
+    if (isCorner(b)) flags[i] |= CORNER_AT_END;
+  }
+}

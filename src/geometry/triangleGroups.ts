@@ -1,0 +1,11 @@
+import type { CornerRange } from './cornerRange.js';
+
+/** For each triangle 1 + the material of its group, 0 in none; null if all are in one, or there are no groups. */
+export function triangleGroups({ count, groups }: CornerRange): Uint16Array<ArrayBuffer> | null {
+  if (groups.length === 0 || (groups.length === 1 && groups[0].count === count)) return null;
+  const ofTriangle = new Uint16Array(count / 3);
+  for (const { start, count: length, materialIndex = 0 } of groups) {
+    ofTriangle.fill(1 + materialIndex, start / 3, (start + length) / 3);
+  }
+  return ofTriangle;
+}
