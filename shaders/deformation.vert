@@ -1,5 +1,6 @@
 // The pre-pass of a mesh that deforms. Drawn with its corners as points: each vertex lands on its texel, at the first of its
 // corners, with the position and normal that three's own chunks give it, and the rotation in its skin. The other corners are dropped.
+// A mesh with an index is drawn by it, and each vertex lands on its texel.
 
 #include <common>
 #include <morphtarget_pars_vertex>
@@ -7,18 +8,25 @@
 #include "perTriangle/pulledVertices"
 #include "perTriangle/turns"
 
+uniform vec2 targetSize;
+
 flat varying vec3 vPosition;
 flat varying vec3 vNormal;
 flat varying vec4 vTurn;
 
 void main() {
   gl_PointSize = 1.0;
-  uvec4 own = ownVertices(gl_VertexID / 3);
-  int k = gl_VertexID % 3;
-  if ((own.w & (1u << k)) == 0u) {
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-    return;
-  }
+  #ifdef VERTEX_PER_TEXEL
+    int vertex = gl_VertexID;
+  #else
+    uvec4 own = ownVertices(gl_VertexID / 3);
+    int k = gl_VertexID % 3;
+    int vertex = int(own[k]);
+    if ((own.w & (1u << k)) == 0u) {
+      gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+      return;
+    }
+  #endif // VERTEX_PER_TEXEL
 
   #include <beginnormal_vertex>
   #include <morphnormal_vertex>
@@ -34,7 +42,6 @@ void main() {
     vTurn = turnOf(mat3(skinMatrix));
   #endif // USE_SKINNING
 
-  ivec2 size = textureSize(restPositions, 0);
-  vec2 texel = vec2(texelOf(int(own[k]), size.x)) + 0.5;
-  gl_Position = vec4(2.0 * texel / vec2(size) - 1.0, 0.0, 1.0);
+  vec2 texel = vec2(texelOf(vertex, int(targetSize.x))) + 0.5;
+  gl_Position = vec4(2.0 * texel / targetSize - 1.0, 0.0, 1.0);
 }

@@ -1,13 +1,14 @@
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
-export type { PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
+export type { LineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
 export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
 export type { HatchImages } from './hatchImages/HatchImages.js';
+export { HatchingLineMaterial, type HatchingLineParameters } from './lines/HatchingLineMaterial.js';
+export { HatchingLines } from './lines/HatchingLines.js';
+export { HATCHING_LINE_DEFAULTS } from './lines/lineProperties.js';
+export { millimetresToPixels } from './lines/millimetresToPixels.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
-export type { ApplyHatchingOptions } from './scene/applyHatching.js';
-export { applyHatching } from './scene/applyHatching.js';
 export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
-export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
 export type { HatchingMaterialOptions } from './material/HatchingMaterialProperties.js';
@@ -21,6 +22,9 @@ export type {
   ToneNormal,
 } from './material/hatchingProperties.js';
 export { HATCHING_DEFAULTS } from './material/hatchingProperties.js';
+export type { ApplyHatchingOptions } from './scene/applyHatching.js';
+export { applyHatching } from './scene/applyHatching.js';
+export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export type { StrokeStyleName } from './strokes/strokeStyles.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';

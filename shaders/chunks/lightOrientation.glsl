@@ -8,10 +8,7 @@
 // `crossing` ∈ [0, 1] is how far the lights disagree: 1 − A of the tensor, 0 where they lie in one line, 1 where no
 // direction prevails.
 
-// three declares luminance() for fragment shaders only; these are its Rec. 709 weights.
-float lightLuminance(const in vec3 rgb) {
-  return dot(rgb, vec3(0.2126, 0.7152, 0.0722));
-}
+#include "lightLuminance"
 
 // A unit vector perpendicular to n, built on the coordinate axis that n leans to least.
 vec3 anyTangent(const in vec3 n) {

@@ -14,16 +14,18 @@ import {
   type Skeleton,
   type SkinnedMesh,
   type Texture,
+  Vector2,
   type Vector4,
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import { pullTextureSize } from '../bake/pullLayout.js';
 import { identityOf } from '../geometry/identityOf.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { deformationShaders } from './hatchingShaders.js';
 import { Pose } from './Pose.js';
 
-/** The corners of a mesh as points. three.js uploads bones and morph targets for them as for the mesh. */
+/** The corners of a mesh as points; with an index, its vertices. three.js uploads bones and morph targets for them as for the mesh. */
 class CornerPoints extends Points {
   isSkinnedMesh = false;
   skeleton: Skeleton | undefined;
@@ -38,8 +40,8 @@ const allCorners = { start: 0, count: Infinity };
 const noCorners = { start: 1, count: -2 };
 
 /**
- * Positions, normals and rotations of one mesh of the `pull` layout in its present pose: one texel per vertex, on one graphics
- * context. Each vertex is deformed once per pose, however many corners, materials, cameras and frames use it.
+ * Positions, normals and rotations of one mesh of the `pull` or `indexed` layout in its present pose: one texel per vertex, on
+ * one graphics context. Each vertex is deformed once per pose, however many corners, materials, cameras and frames use it.
  */
 export class Deformation {
   private readonly points: CornerPoints;
@@ -52,9 +54,9 @@ export class Deformation {
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly geometry: BufferGeometry,
-    { triangleVertices, positions }: PulledVertices,
+    vertices: PulledVertices | null,
   ) {
-    const { width, height } = positions.image;
+    const { width, height } = vertices?.positions.image ?? pullTextureSize(geometry.attributes.position.count);
     this.target = new WebGLRenderTarget(width, height, {
       count: 3,
       type: FloatType,
@@ -64,7 +66,11 @@ export class Deformation {
     });
     this.shader = new ShaderMaterial({
       name: 'HatchingDeformation',
-      uniforms: { triangleVertices: { value: triangleVertices }, restPositions: { value: positions } },
+      uniforms: {
+        triangleVertices: { value: vertices?.triangleVertices ?? null },
+        targetSize: { value: new Vector2(width, height) },
+      },
+      defines: vertices ? {} : { VERTEX_PER_TEXEL: '' },
       ...deformationShaders(),
       glslVersion: GLSL3,
       blending: NoBlending,

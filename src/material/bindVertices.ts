@@ -107,7 +107,7 @@ export function warnIfStale(geometry: BufferGeometry): void {
 export const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
   'isSkinnedMesh' in object || morphAttributes.position !== undefined || morphAttributes.normal !== undefined;
 
-function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Object3D): boolean {
+export function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, object: Object3D): boolean {
   if (!renderer.extensions.has('EXT_color_buffer_float')) {
     warnOnce(
       geometry,

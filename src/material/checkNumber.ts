@@ -1,12 +1,12 @@
 import type { NumberRange } from './HatchingProperty.js';
 
 /** @throws RangeError unless `value` is a finite number in `range`, naming the property and the range */
-export function checkNumber(name: string, value: unknown, range: NumberRange = {}): number {
+export function checkNumber(name: string, value: unknown, range: NumberRange = {}, owner = 'HatchingMaterial'): number {
   const { above = -Infinity, from = -Infinity, to = Infinity } = range;
   if (typeof value === 'number' && Number.isFinite(value) && value > above && value >= from && value <= to)
     return value;
   throw new RangeError(
-    `HatchingMaterial.${name}: ${String(value)} is not a number${Object.keys(range).length > 0 ? ` in ${describeRange(range)}` : ''}.`,
+    `${owner}.${name}: ${String(value)} is not a number${Object.keys(range).length > 0 ? ` in ${describeRange(range)}` : ''}.`,
   );
 }
 

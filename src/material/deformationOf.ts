@@ -8,12 +8,16 @@ const deformations = new WeakMap<object, WeakMap<object, Deformation>>();
 /** Frees a deformation when its mesh is garbage-collected: meshes have no `dispose()`. */
 const disposeWithMesh = /* @__PURE__ */ new FinalizationRegistry<Deformation>((deformation) => deformation.dispose());
 
-/** The deformation of a mesh on the renderer's graphics context, made on first use. Meshes that share a geometry have one each. */
+/**
+ * The deformation of a mesh on the renderer's graphics context, made on first use. Meshes that share a geometry have one each.
+ *
+ * @param vertices the textures of the `pull` layout; null: the geometry has an index, and its vertices are deformed
+ */
 export function deformationOf(
   renderer: WebGLRenderer,
   mesh: Mesh,
   geometry: BufferGeometry,
-  vertices: PulledVertices,
+  vertices: PulledVertices | null,
 ): Deformation {
   let ofContext = deformations.get(renderer.properties);
   if (!ofContext) {

@@ -9,8 +9,8 @@ export interface Shaders {
   fragmentShader: string;
 }
 
-/** Every file of shaders/, as text. */
-const files: Readonly<Record<string, string>> = import.meta.glob('../../shaders/**', {
+/** Every file of shaders/ but those of lines, as text. */
+const files: Readonly<Record<string, string>> = import.meta.glob(['../../shaders/**', '!../../shaders/lines/**'], {
   query: '?raw',
   import: 'default',
   eager: true,

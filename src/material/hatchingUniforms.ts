@@ -46,10 +46,15 @@ export function createHatchingUniforms(): Uniforms {
     uniforms[property.uniform] = { value: null };
     if (property.kind === 'texture') uniforms[property.transform] = { value: new Matrix3() };
   }
-  // Vue wraps what goes by the name of Object. Behind a proxy a texture is another to the renderer, and one that is drawn into
-  // would be black.
-  return Object.defineProperty(uniforms, Symbol.toStringTag, { value: 'Uniforms' });
+  return keptFromProxies(uniforms);
 }
+
+/**
+ * Uniforms that Vue does not wrap, since it wraps what goes by the name of Object. Behind a proxy a texture is another to the
+ * renderer, and one that is drawn into would be black.
+ */
+export const keptFromProxies = (uniforms: Uniforms): Uniforms =>
+  Object.defineProperty(uniforms, Symbol.toStringTag, { value: 'Uniforms' });
 
 /** Brings the properties that have a uniform of their own to it. Allocates nothing. */
 export function writePropertyUniforms(material: HatchingMaterialProperties, uniforms: Uniforms): void {

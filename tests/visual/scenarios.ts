@@ -1,4 +1,6 @@
-import type { HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
+import type { HatchingLineParameters, HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
+
+type LineSetting = 'lineWidth' | 'creases' | 'suggestiveContours' | 'wobble' | 'overshoot';
 
 type Triple = readonly [x: number, y: number, z: number];
 
@@ -46,6 +48,8 @@ export interface Scenario {
       | 'levelRule'
     >
   >;
+  /** Of the lines, if there are any. */
+  lines?: Pick<HatchingLineParameters, LineSetting>;
   /** Pixels. */
   size: readonly [width: number, height: number];
 }
@@ -213,6 +217,31 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'Anchored strokes, sized on the screen.',
     lights: sun(1.2, 1, 1),
     material: { technique: 'anchored', strokeRotation: QUARTER_TURN, screenConstancy: 1 },
+  },
+  {
+    ...dragon,
+    name: 'lines-dragon',
+    figure: 0,
+    sentence: 'Contours, heavier in the shade, over strokes that leave the lit side white.',
+    lights: sun(-1, 1.5, 1.2),
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenConstancy: 1 },
+    lines: { lineWidth: 2 },
+  },
+  {
+    ...chair,
+    name: 'lines-chair',
+    figure: 0,
+    sentence: 'Borders and creases by an unsteady hand that runs on past corners.',
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenConstancy: 1 },
+    lines: { lineWidth: 2, wobble: 1.5, overshoot: 5 },
+  },
+  {
+    ...face,
+    name: 'lines-face',
+    figure: 0,
+    sentence: 'Suggestive contours beside contours.',
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenConstancy: 1 },
+    lines: { lineWidth: 2, suggestiveContours: 0.6 },
   },
   {
     ...bunny,

@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { lineShaders } from '../../../src/lines/lineShaders.js';
 import { environmentLayout } from '../../../src/material/environmentLayout.js';
 import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../../src/material/hatchingProperties.js';
 import { deformationShaders, hatchingShaders } from '../../../src/material/hatchingShaders.js';
@@ -17,6 +18,12 @@ describe('the shaders', () => {
     expect(fragmentShader).toContain('void main()');
   });
 
+  test('of lines have no include of ours left, and are resolved once', () => {
+    const { vertexShader, fragmentShader } = lineShaders();
+    for (const text of [vertexShader, fragmentShader]) expect(text).not.toMatch(/#include[^<\n]*"/);
+    expect(lineShaders()).toBe(lineShaders());
+  });
+
   test('are resolved once and differ by technique', () => {
     for (const technique of names) expect(hatchingShaders(technique)).toBe(hatchingShaders(technique));
     expect(new Set(names.map((technique) => hatchingShaders(technique).vertexShader)).size).toBe(names.length);
@@ -29,7 +36,7 @@ describe('the shaders', () => {
   });
 
   test('no file lies there for nothing', () => {
-    const all = [deformationShaders(), ...names.map(hatchingShaders)]
+    const all = [deformationShaders(), lineShaders(), ...names.map(hatchingShaders)]
       .flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader])
       .join('\n');
     const used = new Set(all.split('\n'));

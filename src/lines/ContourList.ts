@@ -1,0 +1,109 @@
+import { DataTexture, RGBAIntegerFormat, UnsignedIntType, type Vector4 } from 'three';
+import { pullTextureSize } from '../bake/pullLayout.js';
+import { type ContourSearch, findCandidates } from '../features/contourCandidates.js';
+import type { LineData } from '../geometry/LineData.js';
+import { runTask } from '../worker/runTask.js';
+
+/** The sine of the angle that the direction to the eye may turn by before a list must be made anew: the smaller, the shorter it is. */
+const SINE = Math.sin((0.75 * Math.PI) / 180);
+/** The same for the worker, whose lists come late. A new one is asked for at half of it. */
+const SINE_IN_WORKER = Math.sin((3 * Math.PI) / 180);
+/** A list grows by so much more than it needs, and is never made smaller. */
+const SPARE = 1.3;
+
+/** Primitives of one geometry that may hold a line, as one camera sees it. */
+export class ContourList {
+  /** Four numbers to a texel. */
+  texture: DataTexture | null = null;
+  count = 0;
+  /** What was searched, and the eye that the list was made for. */
+  private data: LineData | null = null;
+  private eye: [number, number, number, number] = [0, 0, 0, 0];
+  /** How far the eye may move; less than 0 without a list. */
+  private reach = -1;
+  private isSearching = false;
+  private isDisposed = false;
+
+  /**
+   * Brings the list up to date. Allocates nothing unless the camera has moved.
+   *
+   * @param eye in object space, w is 0 for an orthographic camera, and xyz then a unit direction
+   * @param distance from the eye to the bounding sphere, in object units; 0 or less inside
+   * @returns whether the list serves for this eye. If not, every primitive must be tested.
+   */
+  update(data: LineData, eye: Vector4, distance: number): boolean {
+    const room = eye.w === 0 ? 1 : distance;
+    if (!(room > 0)) return false;
+    const { isSearchedInWorker, search } = data;
+    if (data !== this.data) {
+      // The mesh has got another geometry.
+      this.data = data;
+      this.reach = -1;
+    }
+    const moved = this.distanceTo(eye);
+    if (moved <= (isSearchedInWorker ? 0.5 : 1) * this.reach) return true;
+    if (isSearchedInWorker) {
+      if (search && !this.isSearching) this.searchInWorker(data, search, eye, SINE_IN_WORKER * room);
+      return moved <= this.reach;
+    }
+    this.remember(eye, SINE * room);
+    this.fill(search!, findCandidates(search!, this.eye, SINE));
+    return true;
+  }
+
+  dispose(): void {
+    this.isDisposed = true;
+    this.texture?.dispose();
+    this.texture = null;
+    this.reach = -1;
+  }
+
+  private distanceTo({ x, y, z, w }: Vector4): number {
+    const [eyeX, eyeY, eyeZ, eyeW] = this.eye;
+    return w === eyeW ? Math.sqrt((x - eyeX) ** 2 + (y - eyeY) ** 2 + (z - eyeZ) ** 2) : Infinity;
+  }
+
+  private remember({ x, y, z, w }: Vector4, reach: number): void {
+    this.eye = [x, y, z, w];
+    this.reach = reach;
+  }
+
+  private searchInWorker(data: LineData, search: ContourSearch, eye: Vector4, reach: number): void {
+    const asked = eye.clone();
+    const request = { search, eye: [eye.x, eye.y, eye.z, eye.w] as const, sine: SINE_IN_WORKER };
+    this.isSearching = true;
+    data.search = null;
+    runTask('searchContours', request, { createWorker: data.createWorker })
+      .then(({ search: returned, count }) => {
+        data.search = returned;
+        if (this.isDisposed || this.data !== data) return;
+        this.remember(asked, reach);
+        this.fill(returned, count);
+      })
+      .catch(() => {
+        // The worker died and took the arrays along. Every primitive is tested meanwhile, and nothing is missing.
+        if (this.data === data) this.reach = -1;
+        data.restoreSearch();
+      })
+      .finally(() => {
+        this.isSearching = false;
+      });
+  }
+
+  private fill({ list }: ContourSearch, count: number): void {
+    this.count = count;
+    const texture = this.textureFor(count);
+    const words = texture.image.data as Uint32Array;
+    words.set(list.length === count ? list : list.subarray(0, count));
+    texture.needsUpdate = true;
+  }
+
+  private textureFor(count: number): DataTexture {
+    if (this.texture && (this.texture.image.data as Uint32Array).length >= count) return this.texture;
+    this.texture?.dispose();
+    const { width, height } = pullTextureSize(Math.max(1, Math.ceil((SPARE * count) / 4)));
+    const words = new Uint32Array(4 * width * height);
+    this.texture = new DataTexture(words, width, height, RGBAIntegerFormat, UnsignedIntType);
+    return this.texture;
+  }
+}

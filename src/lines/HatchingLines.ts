@@ -1,0 +1,285 @@
+import {
+  Box3,
+  BufferGeometry,
+  type Camera,
+  Frustum,
+  type InstancedMesh,
+  type Material,
+  Matrix4,
+  type Mesh,
+  Object3D,
+  type PerspectiveCamera,
+  type Scene,
+  Sphere,
+  Vector3,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { type LineData, lineDataOf } from '../geometry/LineData.js';
+import { pulledVerticesOf } from '../geometry/PulledVertices.js';
+import { canDeform, deforms } from '../material/bindVertices.js';
+import { deformationOf } from '../material/deformationOf.js';
+import { ContourList } from './ContourList.js';
+import { HatchingLineMaterial, type HatchingLineParameters } from './HatchingLineMaterial.js';
+
+const frustum = /* @__PURE__ */ new Frustum();
+const matrix = /* @__PURE__ */ new Matrix4();
+const sphere = /* @__PURE__ */ new Sphere();
+const place = /* @__PURE__ */ new Vector3();
+/** With a count below 0 three.js does not draw at all; with 0 it does, and asks for textures that are not there. */
+const NOTHING = -1;
+/** Cameras that a list is kept for: more than the six of a CubeCamera and two eyes. */
+const MOST_LISTS = 12;
+/** Vertices that each primitive is drawn with. */
+const VERTICES = 3;
+
+/**
+ * Draws the contours, borders and creases of a mesh: the lines that finish a drawing. A child of the mesh, whose geometry must
+ * come from `prepareHatchingGeometry(geometry, { lines: true })`.
+ *
+ *     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { lines: true });
+ *     mesh.add(new HatchingLines(mesh, { lineWidth: 2 }));
+ *
+ * Follows skins, morph targets and instances, and hides what the surface hides. It casts no shadow, is left out of raycasts,
+ * bounding boxes, exporters and passes with an override material, and draws nothing where its mesh is drawn with another
+ * geometry than a prepared one.
+ */
+export class HatchingLines extends Object3D {
+  readonly isHatchingLines = true;
+  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
+  override readonly type: string = 'HatchingLines';
+  /**
+   * Drawn by three.js as a sprite is: from triangles, in the order of transparent objects. As a mesh it would be exported, cast
+   * shadows and be walked into by whatever looks for surfaces.
+   *
+   * @internal
+   */
+  readonly isSprite = true;
+  /** True while instances are drawn, for three.js to look at. @internal */
+  isInstancedMesh = false;
+  /** @internal */
+  instanceMatrix: InstancedMesh['instanceMatrix'] | null = null;
+  /** @internal */
+  override count = 0;
+  /** Has no attributes: vertices read what they need from textures, and other materials draw nothing. @internal */
+  readonly geometry = new BufferGeometry();
+  material: HatchingLineMaterial;
+
+  private ownMesh: Mesh | null;
+  private ownsMaterial: boolean;
+  /** By camera. */
+  private readonly lists = new Map<Camera, ContourList>();
+  private hasWarned = false;
+
+  /**
+   * @param mesh whose lines they are. Left out: the mesh they are a child of.
+   * @param look the material, or what it is made from. One that is given is not disposed of with the lines.
+   */
+  constructor(mesh?: Mesh | null, look: HatchingLineMaterial | HatchingLineParameters = {}) {
+    super();
+    this.ownMesh = mesh ?? null;
+    this.ownsMaterial = !(look instanceof HatchingLineMaterial);
+    this.material = look instanceof HatchingLineMaterial ? look : new HatchingLineMaterial(look);
+    this.frustumCulled = false;
+    this.geometry.boundingBox = new Box3();
+    this.geometry.boundingSphere = new Sphere(new Vector3(), -1);
+  }
+
+  /** Whose lines are drawn: the mesh that was given, or else the parent, if that is a mesh. */
+  get mesh(): Mesh | null {
+    if (this.ownMesh) return this.ownMesh;
+    return this.parent !== null && 'isMesh' in this.parent ? (this.parent as Mesh) : null;
+  }
+
+  set mesh(mesh: Mesh | null) {
+    this.ownMesh = mesh;
+  }
+
+  override copy(source: this, recursive?: boolean): this {
+    super.copy(source, recursive);
+    if (this.ownsMaterial) this.material.dispose();
+    this.material = source.material;
+    this.ownsMaterial = false;
+    // A clone of the mesh draws its own lines.
+    this.ownMesh = source.ownMesh === source.parent ? null : source.ownMesh;
+    return this;
+  }
+
+  /** Lines are no surface to hit. */
+  override raycast(): void {}
+
+  /** An empty object in their place: lines are made anew from the geometry, and loaders do not know them. */
+  override toJSON(meta?: Parameters<Object3D['toJSON']>[0]): ReturnType<Object3D['toJSON']> {
+    const empty = new Object3D().copy(this);
+    empty.uuid = this.uuid;
+    return empty.toJSON(meta);
+  }
+
+  /** Frees what the lines hold on graphics cards, their own material among it; the geometry's data is freed with that. */
+  override dispose(): void {
+    // Older versions of three.js have nothing to dispose of.
+    super.dispose?.();
+    this.geometry.dispose();
+    if (this.ownsMaterial) this.material.dispose();
+    for (const list of this.lists.values()) list.dispose();
+    this.lists.clear();
+  }
+
+  /**
+   * three.js sorts sprites by where their matrix places them and meshes by the centre of their sphere. Until it is drawn, this
+   * stands where the mesh's sphere does, so that lines on a transparent surface follow right after it.
+   */
+  override updateMatrixWorld(force?: boolean): void {
+    super.updateMatrixWorld(force);
+    this.moveToCentre();
+  }
+
+  override updateWorldMatrix(updateParents: boolean, updateChildren: boolean): void {
+    super.updateWorldMatrix(updateParents, updateChildren);
+    this.moveToCentre();
+  }
+
+  private moveToCentre(): void {
+    const mesh = this.mesh;
+    if (!mesh) return;
+    this.matrixWorld.copy(mesh.matrixWorld);
+    const bounds = boundsOf(mesh);
+    if (!bounds) return;
+    // In the very steps of the renderer, so that both come to the same number.
+    place.copy(bounds.center).applyMatrix4(mesh.matrixWorld);
+    this.matrixWorld.setPosition(place);
+  }
+
+  override readonly onBeforeRender = (renderer: WebGLRenderer, _scene: Scene, camera: Camera): void => {
+    const { geometry, mesh } = this;
+    geometry.setDrawRange(0, NOTHING);
+    if (!mesh) return;
+    this.matrixWorld.copy(mesh.matrixWorld);
+    const data = lineDataOf(mesh.geometry);
+    if (!data) {
+      this.warnOfLack(mesh);
+      return;
+    }
+    if (mesh.frustumCulled && !isInSight(mesh, camera)) return;
+    this.prepareInstances(mesh);
+    const isDeformed = this.bindDeformation(renderer, camera, mesh);
+    this.bindData(data);
+    this.bindCamera(renderer, camera, mesh);
+    const list = isDeformed || this.isInstancedMesh ? null : this.listFor(camera, data, mesh);
+    const { uniforms } = this.material;
+    uniforms.isListed.value = list !== null;
+    uniforms.candidates.value = list?.texture ?? data.primitives;
+    geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
+    this.material.writeUniforms(isDeformed, Array.isArray(mesh.material));
+  };
+
+  override readonly onAfterRender = (): void => {
+    this.isInstancedMesh = false;
+    this.instanceMatrix = null;
+    this.moveToCentre();
+  };
+
+  private warnOfLack({ geometry }: Mesh): void {
+    if (this.hasWarned) return;
+    this.hasWarned = true;
+    console.error(
+      `HatchingLines: geometry "${geometry.name || geometry.uuid}" has no lines to draw; draw the result of await prepareHatchingGeometry(geometry, { lines: true }) instead.`,
+    );
+  }
+
+  private prepareInstances(mesh: Mesh): void {
+    if (!('isInstancedMesh' in mesh)) return;
+    const { instanceMatrix, count } = mesh as InstancedMesh;
+    this.isInstancedMesh = true;
+    this.instanceMatrix = instanceMatrix;
+    this.count = count;
+  }
+
+  /** Brings the pre-pass of a mesh that deforms up to date. Returns whether there is one. */
+  private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
+    const { geometry } = mesh;
+    if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return false;
+    if (!canDeform(renderer, geometry, mesh)) return false;
+    const deformation = deformationOf(renderer, mesh, geometry, pulledVerticesOf(geometry) ?? null);
+    deformation.update(camera, mesh, this.material);
+    const { uniforms } = this.material;
+    uniforms.deformedPositions.value = deformation.positions;
+    uniforms.deformedNormals.value = deformation.normals;
+    uniforms.deformedTurns.value = deformation.turns;
+    return true;
+  }
+
+  private bindData({ points, primitives, radius }: LineData): void {
+    const { uniforms } = this.material;
+    uniforms.linePoints.value = points;
+    uniforms.linePrimitives.value = primitives;
+    uniforms.radius.value = radius || 1;
+  }
+
+  private bindCamera(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
+    const { uniforms } = this.material;
+    const eye = uniforms.eye.value as Vector4;
+    matrix.copy(mesh.matrixWorld).invert();
+    // The projection tells, not the class: virtual reality has cameras of its own. Its last row ends in 1 without perspective.
+    if (camera.projectionMatrix.elements[15] === 1) {
+      place.setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(matrix);
+      eye.set(place.x, place.y, place.z, 0);
+    } else {
+      place.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(matrix);
+      eye.set(place.x, place.y, place.z, 1);
+    }
+    const determinant = mesh.matrixWorld.determinant();
+    uniforms.objectScale.value = Math.cbrt(Math.abs(determinant)) || 1;
+    uniforms.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
+    // The cameras of an ArrayCamera have a part of the target each.
+    const { viewport } = camera as Camera & { viewport?: Vector4 };
+    if (viewport) (uniforms.viewport.value as Vector4).copy(viewport);
+    else renderer.getCurrentViewport(uniforms.viewport.value as Vector4);
+  }
+
+  private listFor(camera: Camera, data: LineData, mesh: Mesh): ContourList | null {
+    // Suggestive contours lie anywhere on what faces the eye.
+    if (this.material.suggestiveContours > 0) return null;
+    const { boundingSphere } = mesh.geometry;
+    if (!boundingSphere) return null;
+    const list = this.lists.get(camera) ?? this.addList(camera);
+    const eye = this.material.uniforms.eye.value as Vector4;
+    const { center, radius } = boundingSphere;
+    const distance = Math.hypot(eye.x - center.x, eye.y - center.y, eye.z - center.z) - radius;
+    return list.update(data, eye, distance) ? list : null;
+  }
+
+  /** Cameras come and go; the list of the one that came first goes when there are too many. */
+  private addList(camera: Camera): ContourList {
+    const [oldest] = this.lists;
+    if (this.lists.size >= MOST_LISTS) {
+      oldest[1].dispose();
+      this.lists.delete(oldest[0]);
+    }
+    const list = new ContourList();
+    this.lists.set(camera, list);
+    return list;
+  }
+}
+
+/** What three.js sorts and culls a mesh by; null before it has been computed. */
+function boundsOf(mesh: Mesh): Sphere | null {
+  const own = (mesh as Mesh & { boundingSphere?: Sphere | null }).boundingSphere;
+  return (own === undefined ? mesh.geometry.boundingSphere : own) ?? null;
+}
+
+function isInSight(mesh: Mesh, camera: Camera): boolean {
+  const bounds = boundsOf(mesh);
+  if (!bounds) return true;
+  matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+  const { coordinateSystem, reversedDepth } = camera as Camera & { reversedDepth?: boolean };
+  frustum.setFromProjectionMatrix(matrix, coordinateSystem, reversedDepth);
+  return frustum.intersectsSphere(sphere.copy(bounds).applyMatrix4(mesh.matrixWorld));
+}
+
+/** Whether an object draws lines of ours. */
+export const isHatchingLines = (object: Object3D): object is HatchingLines => 'isHatchingLines' in object;
+
+/** Whether a material draws them. */
+export const isLineMaterial = (material: Material): material is HatchingLineMaterial =>
+  'isHatchingLineMaterial' in material;

@@ -1,0 +1,33 @@
+import type { NumberRange } from '../material/HatchingProperty.js';
+
+/** The defaults of everything that `HatchingLineMaterial` can be told; colours as 0xrrggbb. */
+export const HATCHING_LINE_DEFAULTS = {
+  lineWidth: 1.8,
+  contours: 1,
+  borders: 1,
+  creases: 0.6,
+  materialBorders: 0.6,
+  suggestiveContours: 0,
+  taper: 0.8,
+  wobble: 0,
+  overshoot: 0,
+  ink: 0x000000,
+  shadeWeights: [0.5, 1.4],
+} as const;
+
+/** The range of every number among them. Its uniform has its name. */
+export const LINE_NUMBERS = {
+  lineWidth: { above: 0 },
+  contours: { from: 0 },
+  borders: { from: 0 },
+  creases: { from: 0 },
+  materialBorders: { from: 0 },
+  suggestiveContours: { from: 0 },
+  taper: { from: 0 },
+  wobble: { from: 0 },
+  overshoot: { from: 0 },
+} as const satisfies Partial<Record<keyof typeof HATCHING_LINE_DEFAULTS, NumberRange>>;
+
+export type LineNumberName = keyof typeof LINE_NUMBERS;
+
+export const LINE_NUMBER_NAMES = /* @__PURE__ */ Object.keys(LINE_NUMBERS) as LineNumberName[];

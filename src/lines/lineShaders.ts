@@ -1,0 +1,29 @@
+import type { Shaders } from '../material/hatchingShaders.js';
+import { resolveIncludes } from '../material/resolveIncludes.js';
+import { conventionsChunk } from '../material/shaderConventions.js';
+import { lineConventionsChunk } from './lineConventions.js';
+
+/** The files of shaders/lines and what they share with those of the material, as text. */
+const files: Readonly<Record<string, string>> = import.meta.glob(
+  ['../../shaders/lines/*', '../../shaders/chunks/lightLuminance.glsl', '../../shaders/perTriangle/turns.glsl'],
+  { query: '?raw', import: 'default', eager: true },
+);
+
+let made: Shaders | undefined;
+
+/** The shaders of lines, resolved when first asked for. */
+export function lineShaders(): Shaders {
+  if (made) return made;
+  const chunks: Record<string, string> = {
+    conventions: conventionsChunk(),
+    'lines/conventions': lineConventionsChunk(),
+  };
+  for (const [path, text] of Object.entries(files)) {
+    chunks[path.replace('../../shaders/', '').replace('chunks/', '').replace('.glsl', '')] = text;
+  }
+  made = {
+    vertexShader: resolveIncludes(chunks['lines/lines.vert'], chunks),
+    fragmentShader: resolveIncludes(chunks['lines/lines.frag'], chunks),
+  };
+  return made;
+}

@@ -1,0 +1,32 @@
+import { type IUniform, UniformsLib, UniformsUtils, Vector4 } from 'three';
+import { keptFromProxies } from '../material/hatchingUniforms.js';
+import { LINE_NUMBER_NAMES } from './lineProperties.js';
+
+/** The uniforms of one line material: those of its properties, of what is drawn, and of lights and fog. */
+export const createLineUniforms = (): Record<string, IUniform> =>
+  keptFromProxies(
+    UniformsUtils.merge([
+      UniformsLib.lights,
+      UniformsLib.fog,
+      Object.fromEntries(LINE_NUMBER_NAMES.map((name) => [name, { value: 0 }])),
+      {
+        ink: { value: null },
+        opacity: { value: 1 },
+        shadeWeights: { value: null },
+        // of the geometry and the mesh that is drawn
+        linePoints: { value: null },
+        linePrimitives: { value: null },
+        radius: { value: 1 },
+        deformedNormals: { value: null },
+        deformedPositions: { value: null },
+        deformedTurns: { value: null },
+        // of the camera
+        candidates: { value: null },
+        isListed: { value: false },
+        eye: { value: new Vector4() },
+        nearDistance: { value: 0 },
+        objectScale: { value: 1 },
+        viewport: { value: new Vector4() },
+      },
+    ]),
+  );

@@ -1,0 +1,14 @@
+const MILLIMETRES_PER_INCH = 25.4;
+
+/**
+ * A width on paper in pixels of the picture, for `lineWidth` and `strokeWidth`.
+ *
+ * @param dpi pixels per inch of the print, such as 300 or 600
+ * @throws RangeError if either is not a positive number
+ */
+export function millimetresToPixels(millimetres: number, dpi: number): number {
+  if (millimetres > 0 && dpi > 0 && millimetres * dpi < Infinity) return (millimetres * dpi) / MILLIMETRES_PER_INCH;
+  throw new RangeError(
+    `millimetresToPixels: ${millimetres} mm at ${dpi} dpi. Pass two positive numbers, such as 0.25 and 600.`,
+  );
+}
