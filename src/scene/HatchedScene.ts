@@ -1,4 +1,5 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
+import type { HatchingLines } from '../lines/HatchingLines.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
 /** A mesh that was left as it was, and why. */
@@ -22,6 +23,7 @@ export class HatchedScene {
    * Gives the meshes their new looks, all at once.
    *
    * @param materials every material made; change them freely
+   * @param lines the lines of every mesh, if asked for; change their materials freely
    * @param skipped meshes that could not be hatched
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called once the meshes are restored
@@ -29,25 +31,28 @@ export class HatchedScene {
   constructor(
     looks: readonly MeshLook[],
     readonly materials: readonly HatchingMaterial[],
+    readonly lines: readonly HatchingLines[],
     readonly skipped: readonly SkippedMesh[],
     private readonly disposables: { dispose(): void }[],
     private readonly releaseMeshes: () => void,
   ) {
     this.originals = looks.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
     applyLooks(looks);
+    for (const one of lines) one.mesh?.add(one);
   }
 
   /**
-   * Gives every mesh back the geometry and material it had. A second call does nothing. The new geometries and materials stay
+   * Gives every mesh back the geometry and material it had, and takes its lines. A second call does nothing. The new geometries and materials stay
    * usable until `dispose()`.
    */
   restore(): void {
+    for (const one of this.lines) one.removeFromParent();
     applyLooks(this.originals);
     this.originals = [];
     this.releaseMeshes();
   }
 
-  /** Restores, and frees everything that was made: geometries, materials and, unless one was given, the map. */
+  /** Restores, and frees everything that was made: geometries, materials, lines and, unless one was given, the map. */
   dispose(): void {
     this.restore();
     for (const disposable of this.disposables.splice(0)) disposable.dispose();

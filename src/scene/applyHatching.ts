@@ -1,6 +1,11 @@
-import { type BatchedMesh, type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
+import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
-import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import {
+  checkPrepareOptions,
+  type LineOptions,
+  type PrepareHatchingGeometryOptions,
+} from '../geometry/prepareHatchingGeometry.js';
+import type { HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
 import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
@@ -8,12 +13,13 @@ import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
+import { LineMaker } from './LineMaker.js';
 import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
-import { materialsOf, surfaceMeshes } from './surfaceMeshes.js';
+import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
-export interface ApplyHatchingOptions extends PrepareHatchingGeometryOptions {
+export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'lines'> {
   /**
    * The map for materials whose parameters name none. By default one in the style `hatching` is generated; `dispose()` of the
    * result frees it. `null`: none for now; the meshes stay blank paper until you set one.
@@ -29,6 +35,11 @@ export interface ApplyHatchingOptions extends PrepareHatchingGeometryOptions {
    * radius of the whole scene. A `strokeScale` among the materials' parameters counts per unit of object space instead.
    */
   strokeScale?: number | undefined;
+  /**
+   * Draws contours, borders and creases: gives every mesh a child, `HatchingLines`. `true`, or which edges are creases
+   * (`LineOptions`) and how lines look (the properties of `HatchingLineMaterial`). Default: no lines.
+   */
+  lines?: boolean | (LineOptions & HatchingLineParameters) | undefined;
   /** Which meshes to hatch. Default: all. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
 }
@@ -67,6 +78,7 @@ const MAP_SHARE = 0.2;
  * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`. So is a mesh whose geometry or material
  *   was exchanged meanwhile.
  * - Unless given, the layout is `'indexed'` for geometries that only `anchored` draws.
+ * - `lines` draws contours, borders and creases of every mesh but a `BatchedMesh`.
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
  *   was filled with prepared geometries.
  *
@@ -99,11 +111,16 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
 
     const withoutMap = replacer.materials.filter(({ tonalArtMap }) => tonalArtMap === null);
     const mapShare = withoutMap.length > 0 && options.tonalArtMap === undefined ? MAP_SHARE : 0;
-    const { tonalArtMap: givenMap, material: _material, strokeScale, filter: _filter, ...baking } = options;
+    const { tonalArtMap: givenMap, material: _material, strokeScale, filter: _filter, lines, ...baking } = options;
+    const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;
     const { onProgress, signal, createWorker } = baking;
     const baked = await bakeGeometries(
       layoutsFor(planned, options.layout),
-      { ...baking, onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)) },
+      {
+        ...baking,
+        lines: lineMaker?.creases ?? false,
+        onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)),
+      },
       (geometry) => disposables.push(geometry),
     );
     const { looks, skipped } = collectLooks(planned, baked);
@@ -120,7 +137,9 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / radiusOf(looks));
     const used = new Set<Material>(looks.flatMap(({ material }) => material));
     const materials = replacer.materials.filter((material) => used.has(material));
-    const scene = new HatchedScene(looks, materials, skipped, disposables, releaseMeshes);
+    const drawn = lineMaker?.linesFor(looks) ?? [];
+    if (lineMaker) disposables.push(lineMaker);
+    const scene = new HatchedScene(looks, materials, drawn, skipped, disposables, releaseMeshes);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
     }
@@ -136,9 +155,12 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
 
 /** The options of its own and of its tasks; those of the geometry are checked where they are used. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {
-  const { filter, material = {}, strokeScale = 1, tonalArtMap = null } = options;
+  const { filter, lines = false, material = {}, strokeScale = 1, tonalArtMap = null } = options;
   if (filter !== undefined && typeof filter !== 'function') {
     throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
+  }
+  if (typeof lines !== 'boolean' && (typeof lines !== 'object' || lines === null)) {
+    throw new TypeError('applyHatching: lines must be true, false or an object of creases and parameters of lines.');
   }
   if (material === null || !['object', 'function'].includes(typeof material)) {
     throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
@@ -150,8 +172,6 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
   }
   checkTonalArtMap(tonalArtMap);
 }
-
-const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;
 
 /** Whether all that draws a mesh does without triangle adjacency. */
 const needsNoAdjacency = (plan: PlannedMesh): boolean =>

@@ -1,4 +1,4 @@
-import type { Material, Mesh, Object3D } from 'three';
+import type { BatchedMesh, Material, Mesh, Object3D } from 'three';
 
 /**
  * Every mesh at or below `root` that draws a surface, visible or not. Leaves out lines, points and sprites, also lines that
@@ -23,3 +23,5 @@ export const isSurface = (material: Material): boolean =>
   !('isShadowMaterial' in material || 'isLineMaterial' in material);
 
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
+
+export const isBatched = (mesh: Mesh): mesh is BatchedMesh => 'isBatchedMesh' in mesh;

@@ -217,3 +217,71 @@ test.describe('loaded glTF', () => {
     });
   }
 });
+
+test('lines come with a scene, go with it, and leave nothing on the graphics card', async ({ page }) => {
+  const result = await page.evaluate(async () => {
+    const { THREE, applyHatching, greyMap, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
+    const renderer = makeRenderer();
+    const root = new THREE.Group();
+    const paint = new THREE.MeshLambertMaterial();
+    const torus = new THREE.Mesh(new THREE.TorusGeometry(0.5, 0.2, 12, 24), paint);
+    torus.layers.set(1);
+    const boxes = new THREE.InstancedMesh(new THREE.BoxGeometry(0.3, 0.3, 0.3), paint, 2);
+    boxes.setMatrixAt(1, new THREE.Matrix4().makeTranslation(0.8, 0, 0));
+    root.add(torus, boxes);
+    const scene = sceneOf(sun(), root);
+    const camera = makeCamera();
+    camera.layers.enable(1);
+    renderer.render(scene, camera);
+    const before = { ...renderer.info.memory, children: torus.children.length };
+    const hatched = await applyHatching(root, { tonalArtMap: greyMap(), lines: { lineWidth: 3, creaseLength: 0 } });
+    renderer.compile(scene, camera);
+    renderer.render(scene, camera);
+    const [first] = hatched.lines;
+    const during = {
+      lines: hatched.lines.length,
+      onTorus: torus.children[0] === first,
+      layers: first.layers.mask === torus.layers.mask,
+      width: first.material.lineWidth,
+      drawn: hatched.lines.every(({ geometry }) => geometry.drawRange.count > 0),
+      textures: renderer.info.memory.textures,
+    };
+    // A clone of the scene has lines of its own, on its own meshes.
+    const clone = root.clone();
+    const clonedMesh = clone.children[0];
+    const rebound = (clonedMesh.children[0] as typeof first).mesh === clonedMesh;
+    hatched.restore();
+    const restored = { children: torus.children.length, material: torus.material === paint };
+    hatched.dispose();
+    renderer.render(scene, camera);
+    const after = { ...renderer.info.memory, children: torus.children.length };
+    return { before, during, rebound, restored, after };
+  });
+  const { before, during, rebound, restored, after } = result;
+  expect(during).toMatchObject({ lines: 2, onTorus: true, layers: true, width: 3, drawn: true });
+  expect(during.textures).toBeGreaterThan(before.textures);
+  expect(rebound).toBe(true);
+  expect(restored).toEqual({ children: 0, material: true });
+  expect(after.textures).toBeLessThanOrEqual(during.textures - 4);
+  expect(after.geometries).toBe(before.geometries);
+});
+
+test('lines that cannot be are refused before anything changes', async ({ page }) => {
+  const messages = await page.evaluate(async () => {
+    const { THREE, applyHatching } = window.toolkit;
+    const mesh = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial());
+    const { geometry } = mesh;
+    const tried = [{ lines: 3 }, { lines: { lineWidth: 0 } }, { lines: { creaseAngle: 7 } }];
+    const messages: string[] = [];
+    for (const options of tried) {
+      await applyHatching(mesh, options as object).catch((error: Error) => messages.push(error.message));
+    }
+    if (mesh.geometry !== geometry || mesh.children.length > 0) throw new Error('the mesh was changed');
+    return messages;
+  });
+  expect(messages).toEqual([
+    expect.stringMatching(/lines must be true, false or an object/),
+    expect.stringMatching(/lineWidth: 0 is not a number in \(0, ∞\)/),
+    expect.stringMatching(/lines\.creaseAngle is 7/),
+  ]);
+});

@@ -37,8 +37,8 @@ import {
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { describe, expect, test, vi } from 'vitest';
-import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 import { reactive } from '../geometry/reactive.js';
 

@@ -1,0 +1,48 @@
+import type { LineOptions } from '../geometry/prepareHatchingGeometry.js';
+import { HatchingLineMaterial, type HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
+import { HatchingLines } from '../lines/HatchingLines.js';
+import { deforms } from '../material/bindVertices.js';
+import type { MeshLook } from './HatchedScene.js';
+import { isBatched } from './surfaceMeshes.js';
+
+/** Makes the lines of a scene: one material for meshes that deform, which need another program, and one for all others. */
+export class LineMaker {
+  /** Which edges the bake takes for creases. */
+  readonly creases: LineOptions;
+  private readonly parameters: HatchingLineParameters;
+  private readonly materials = new Map<boolean, HatchingLineMaterial>();
+  private readonly made: HatchingLines[] = [];
+
+  constructor({ creaseAngle, creaseLength, ...parameters }: LineOptions & HatchingLineParameters) {
+    this.creases = { creaseAngle, creaseLength };
+    this.parameters = parameters;
+    // What is wrong with them is said before anything is baked.
+    this.materialFor(false);
+  }
+
+  /** Lines for every mesh whose geometry was baked. They are not in the scene yet. */
+  linesFor(looks: readonly MeshLook[]): readonly HatchingLines[] {
+    for (const { mesh, geometry } of looks) {
+      if (isBatched(mesh)) continue;
+      const lines = new HatchingLines(mesh, this.materialFor(deforms(geometry, mesh)));
+      lines.layers.mask = mesh.layers.mask;
+      this.made.push(lines);
+    }
+    return this.made;
+  }
+
+  dispose(): void {
+    for (const lines of this.made) lines.dispose();
+    for (const material of this.materials.values()) material.dispose();
+  }
+
+  private materialFor(isDeforming: boolean): HatchingLineMaterial {
+    let material = this.materials.get(isDeforming);
+    if (!material) {
+      material = new HatchingLineMaterial(this.parameters);
+      material.writeUniforms(isDeforming, false);
+      this.materials.set(isDeforming, material);
+    }
+    return material;
+  }
+}
