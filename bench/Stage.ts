@@ -1,4 +1,6 @@
-import { DirectionalLight, type Object3D, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { DirectionalLight, type Object3D, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+
+const UP = new Vector3(0, 1, 0);
 
 /** A lit scene on a square canvas that shows one object at a time and tells how long it takes to draw. */
 export class Stage {
@@ -17,6 +19,12 @@ export class Stage {
     this.camera.lookAt(0, 0, 0);
     this.renderer.setSize(size, size, false);
     document.body.append(this.renderer.domElement);
+  }
+
+  /** Moves the camera around what is shown. */
+  turnCamera(degrees: number): void {
+    this.camera.position.applyAxisAngle(UP, (degrees * Math.PI) / 180);
+    this.camera.lookAt(0, 0, 0);
   }
 
   /** Milliseconds from the first command to the last pixel. */

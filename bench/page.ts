@@ -1,6 +1,7 @@
 /** The page that measures: loads what one benchmark needs, and nothing else. */
 const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
+  lines: async () => (await import('./lines/measureLines.js')).measureLines,
   bake: async () => (await import('./bake/measureBake.js')).measureBake,
   upload: async () => (await import('./upload/measureUpload.js')).measureUpload,
   map: async () => (await import('./tam/measureMap.js')).measureMap,

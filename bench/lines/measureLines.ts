@@ -1,0 +1,141 @@
+import {
+  Bone,
+  type BufferGeometry,
+  Float32BufferAttribute,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  Skeleton,
+  SkinnedMesh,
+  Uint16BufferAttribute,
+} from 'three';
+import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { loadModel } from '../loadModel.js';
+import { Stage } from '../Stage.js';
+
+const WARM_UP_TURNS = 2;
+/** Degrees that the camera turns by from one frame to the next while the script is timed. */
+const STEP = 1;
+
+/** Milliseconds, one per turn or step. */
+export interface LineTimes {
+  triangles: number;
+  /** Primitives that were drawn of how many. */
+  listed: number;
+  primitives: number;
+  /** Whole frames of everything that was drawn. */
+  times: Record<string, number[]>;
+  /** What the lines' part of each frame took on the main thread while the camera turned. */
+  script: number[];
+}
+
+/**
+ * Frames of a hatched model without lines and with them: with the list of candidates, testing every triangle, and, if
+ * `isMoving`, as one instance and as a mesh with a skin, which have no list.
+ */
+export async function measureLines(model: string, turns: number, size: number, isMoving: boolean): Promise<LineTimes> {
+  const plain = await loadModel(model);
+  const geometry = await prepareHatchingGeometry(plain, { layout: 'indexed', lines: true });
+  const material = new HatchingMaterial({ tonalArtMap: await TonalArtMap.generate(), technique: 'anchored' });
+  const hatched = new Mesh(geometry, material);
+  const lined = withLines(new Mesh(geometry, material));
+  const tested = withLines(new Mesh(geometry, material));
+  // Draws nothing at such a weight, but asks for every triangle.
+  linesOf(tested).material.suggestiveContours = 1e-9;
+  const meshes: Record<string, Mesh> = { hatched, 'with lines': lined, 'with lines, no list': tested };
+  if (isMoving) {
+    meshes.instance = instanceOf(geometry, material);
+    meshes['instance with lines'] = withLines(instanceOf(geometry, material));
+    const skinned = await prepareHatchingGeometry(withSkin(plain), { layout: 'indexed', lines: true });
+    meshes.skinned = onBone(skinned, material.clone());
+    meshes['skinned with lines'] = withLines(onBone(skinned, material.clone()));
+  }
+
+  const stage = new Stage(size);
+  const order = Object.keys(meshes);
+  const times = Object.fromEntries(order.map((name) => [name, [] as number[]]));
+  await listReady(stage, lined);
+  for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
+    // Every other turn backwards: what is drawn before may make a difference.
+    for (const name of turn % 2 === 0 ? order : order.toReversed()) {
+      const time = stage.timeFrame(meshes[name]);
+      if (turn >= 0) times[name].push(time);
+    }
+  }
+  const listed = linesOf(lined).geometry.drawRange.count / 3;
+  const primitives = linesOf(tested).geometry.drawRange.count / 3;
+  const script = await timeScript(stage, lined);
+  return { triangles: geometry.index!.count / 3, listed, primitives, times, script };
+}
+
+function withLines<Kind extends Mesh>(mesh: Kind): Kind {
+  mesh.add(new HatchingLines(mesh));
+  return mesh;
+}
+
+const linesOf = (mesh: Mesh): HatchingLines => mesh.children.find((child) => child instanceof HatchingLines)!;
+
+function instanceOf(geometry: BufferGeometry, material: HatchingMaterial): InstancedMesh {
+  const mesh = new InstancedMesh(geometry, material, 1);
+  mesh.setMatrixAt(0, new Matrix4());
+  return mesh;
+}
+
+/** Gives every vertex to one bone. */
+function withSkin(plain: BufferGeometry): BufferGeometry {
+  const { count } = plain.attributes.position;
+  const geometry = plain.clone();
+  geometry.setAttribute('skinIndex', new Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+  geometry.setAttribute(
+    'skinWeight',
+    new Float32BufferAttribute(
+      Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)),
+      4,
+    ),
+  );
+  return geometry;
+}
+
+function onBone(geometry: BufferGeometry, material: HatchingMaterial): SkinnedMesh {
+  const mesh = new SkinnedMesh(geometry, material);
+  const bone = new Bone();
+  mesh.add(bone);
+  mesh.bind(new Skeleton([bone]));
+  // A pose anew for every frame, as of a figure that walks.
+  mesh.onBeforeRender = () => {
+    bone.rotation.y += 1e-5;
+  };
+  return mesh;
+}
+
+/** Draws until the worker has sent the list of candidates. */
+async function listReady(stage: Stage, mesh: Mesh): Promise<void> {
+  stage.timeFrame(mesh);
+  const first = linesOf(mesh).geometry.drawRange.count;
+  for (let i = 0; i < 100; i++) {
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    stage.timeFrame(mesh);
+    if (linesOf(mesh).geometry.drawRange.count < first) return;
+  }
+}
+
+/** What the lines' own function takes while the camera turns. */
+async function timeScript(stage: Stage, mesh: Mesh): Promise<number[]> {
+  const lines = linesOf(mesh);
+  const own = lines.onBeforeRender;
+  const times: number[] = [];
+  Object.assign(lines, {
+    onBeforeRender: (...args: Parameters<typeof own>) => {
+      const start = performance.now();
+      own.apply(lines, args);
+      times.push(performance.now() - start);
+    },
+  });
+  for (let i = 0; i < 60; i++) {
+    stage.turnCamera(STEP);
+    stage.timeFrame(mesh);
+    await new Promise((resolve) => setTimeout(resolve, 0));
+  }
+  // The first ones compile.
+  return times.slice(10);
+}
