@@ -8,8 +8,9 @@ import {
   type Object3D,
   type Texture,
 } from 'three';
-import type { HatchingMaterial, TonalArtMap } from 'three-hatching';
+import type { HatchingLineMaterial, HatchingLines, HatchingMaterial, TonalArtMap } from 'three-hatching';
 import type { Settings } from '../settings/settings.js';
+import { lineLook } from '../settings/settingValues.js';
 import { applyToMaterial } from './applyToMaterial.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
@@ -50,12 +51,14 @@ const WHITE = new Color('white');
 export class HatchedModel {
   private readonly pairs: readonly MaterialPair[];
   private readonly meshes: readonly { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
+  private readonly lineMaterials: ReadonlySet<HatchingLineMaterial>;
 
   /**
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
    *   of the source, and strokes of one tile per world unit.
    * @param bounds of the root, in all poses
    * @param motion its clips and morph targets, if it has any
+   * @param lines of its meshes; several may share a material
    * @param free called when the model is disposed
    */
   constructor(
@@ -64,6 +67,7 @@ export class HatchedModel {
     readonly statistics: ModelStatistics,
     readonly motion: Motion | undefined,
     materials: readonly HatchingMaterial[],
+    private readonly lines: readonly HatchingLines[],
     private readonly free: () => void,
   ) {
     this.pairs = materials.map((drawn) => ({
@@ -78,6 +82,7 @@ export class HatchedModel {
       const { material } = mesh;
       return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(copyOf) : copyOf(material) };
     });
+    this.lineMaterials = new Set(lines.map(({ material }) => material));
   }
 
   /** Applies the settings. */
@@ -90,17 +95,22 @@ export class HatchedModel {
         showSurface(material, surface, settings.surfaceColors === 'shown');
       }
     }
+    // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
+    const isLined = settings.lines === 'on' && settings.debugView === 'none';
+    for (const lines of this.lines) lines.visible = isLined && !isCutOut(lines.mesh!);
   }
 
   set tonalArtMap(map: TonalArtMap) {
     for (const { drawn, compared } of this.pairs) drawn.tonalArtMap = compared.tonalArtMap = map;
   }
 
-  /** @param strokeWidth in pixels of the render target */
-  set strokeWidth(strokeWidth: number) {
+  /** Sets how wide strokes and lines are. @param pixelRatio pixels of the render target per CSS pixel */
+  setWidths(settings: Settings, pixelRatio: number): void {
     for (const { drawn, compared } of this.pairs) {
-      drawn.strokeWidth = compared.strokeWidth = strokeWidth;
+      drawn.strokeWidth = compared.strokeWidth = settings.strokeWidth * pixelRatio;
     }
+    const look = lineLook(settings, pixelRatio);
+    for (const material of this.lineMaterials) material.setValues(look);
   }
 
   /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
@@ -146,6 +156,9 @@ function surfaceOf(material: HatchingMaterial): Surface {
     premultipliedAlpha,
   };
 }
+
+/** Whether a map cuts holes into all of a mesh. Its outline, that of a card with leaves on it, say, is not where its edges are. */
+const isCutOut = (mesh: Mesh): boolean => [mesh.material].flat().every(({ alphaTest }) => alphaTest > 0);
 
 function showSurface(material: HatchingMaterial, surface: Surface, isShown: boolean): void {
   material.color.multiply(isShown ? surface.color : WHITE);

@@ -10,10 +10,14 @@ export interface BakedMesh {
   side: Side;
 }
 
-/** Bakes a mesh for hatching, in the library's worker. Missing normals are computed there, with creases kept. */
+/**
+ * Bakes a mesh for hatching, in the library's worker. Missing normals are computed there, with creases kept.
+ *
+ * @param options.lines whether contours, borders and creases are to be drawn too
+ */
 export async function bakeMesh(
   mesh: PlainMesh,
-  options: { signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
+  options: { lines?: boolean; signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
 ): Promise<BakedMesh> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(mesh.positions, 3));

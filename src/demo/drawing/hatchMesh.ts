@@ -1,5 +1,5 @@
 import { Group, Mesh } from 'three';
-import { HatchingMaterial } from 'three-hatching';
+import { HatchingLines, HatchingMaterial } from 'three-hatching';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
@@ -9,10 +9,13 @@ export async function hatchMesh(
   mesh: PlainMesh,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
 ): Promise<HatchedModel> {
-  const { geometry, statistics, side } = await bakeMesh(mesh, options);
+  const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, lines: true });
   const material = new HatchingMaterial({ strokeScale: 1, vertexColors: mesh.colors !== null, side });
-  const root = new Group().add(new Mesh(geometry, material));
-  return new HatchedModel(root, geometry.boundingBox!, statistics, undefined, [material], () => {
+  const drawn = new Mesh(geometry, material);
+  const lines = new HatchingLines(drawn);
+  const root = new Group().add(drawn.add(lines));
+  return new HatchedModel(root, geometry.boundingBox!, statistics, undefined, [material], [lines], () => {
+    lines.dispose();
     geometry.dispose();
     material.dispose();
   });

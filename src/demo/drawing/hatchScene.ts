@@ -33,7 +33,7 @@ export async function hatchScene(
   const bounds = fitScene(holder, motion);
 
   // One tile per world unit. The settings scale it.
-  const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, ...options });
+  const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
   for (const { mesh } of hatched.skipped) mesh.visible = false;
   for (const mesh of meshesOf(root)) {
     // Its bounding sphere is that of the rest pose.
@@ -45,6 +45,7 @@ export async function hatchScene(
     statisticsOf(root),
     motion.canMove ? motion : undefined,
     hatched.materials,
+    hatched.lines,
     () => {
       motion.dispose();
       hatched.dispose();

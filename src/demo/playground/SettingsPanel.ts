@@ -5,6 +5,9 @@ import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../setti
 /** At 300 dots per inch. */
 const MILLIMETRES_PER_PIXEL = 25.4 / 300;
 
+/** The settings of lines, which have no effect without lines. */
+const LINE_KEYS = SETTING_KEYS.filter((key) => SETTINGS[key].group === 'Lines' && key !== 'lines');
+
 /** A button of the panel. */
 export interface PanelAction {
   label: string;
@@ -15,8 +18,8 @@ export interface PanelAction {
 /** The controls, built from the table of settings. Each has a label and a unit, and is reset by double-click. */
 export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
-  /** The width of a stroke in print, if the picture is saved in the chosen size. */
-  private readonly printNote = note('');
+  /** The widths of strokes and lines in print, if the picture is saved in the chosen size. */
+  private readonly printNotes = { strokeWidth: note(''), lineWidth: note('') };
 
   constructor(
     container: HTMLElement,
@@ -73,8 +76,11 @@ export class SettingsPanel {
           settings.screenConstancy === 100
         ),
       );
-    const printedPixels = settings.strokeWidth * Number(settings.pictureSize);
-    this.printNote.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
+    for (const [key, element] of Object.entries(this.printNotes)) {
+      const printedPixels = settings[key as keyof typeof this.printNotes] * Number(settings.pictureSize);
+      element.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
+    }
+    for (const key of LINE_KEYS) this.show(key, settings.lines === 'on');
     this.show('strokeAngle', settings.strokeDirection === 'angle');
     this.show('toneSteps', settings.toneModel === 'toon');
     this.show('shininess', settings.toneModel === 'phong');
@@ -110,7 +116,7 @@ export class SettingsPanel {
         unit.textContent = setting.unit;
         controller.$widget.append(unit);
         if (setting.ends) controller.$widget.append(note(...setting.ends));
-        if (key === 'strokeWidth') controller.$widget.append(this.printNote);
+        if (key === 'strokeWidth' || key === 'lineWidth') controller.$widget.append(this.printNotes[key]);
         return this.finish(controller, setting);
       }
     }

@@ -1,5 +1,6 @@
+import { HATCHING_LINE_DEFAULTS } from 'three-hatching';
 import { SETTINGS, type Settings } from '../settings/settings.js';
-import { isCrisp, SECOND_LIGHT_AZIMUTH, TONE_CURVES } from '../settings/settingValues.js';
+import { isCrisp, lineLook, SECOND_LIGHT_AZIMUTH, TONE_CURVES } from '../settings/settingValues.js';
 
 /**
  * Code that gives the look of the page to a model in the user's own project.
@@ -71,6 +72,7 @@ scene.add(second);
   if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
   if (!isScene) classes.add('Mesh');
   const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
+  const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;
   const [imports, use] = isScene
     ? [
         'applyHatching, TonalArtMap',
@@ -80,15 +82,25 @@ await applyHatching(model, {
   strokeScale: ${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world
   material: {
 ${parameters.map((line) => `    ${line}`).join('\n')}
-  },
+  },${lines ? `\n  lines: {\n${lines.map((line) => `    ${line},`).join('\n')}\n  },` : ''}
 });`,
       ]
     : [
-        'HatchingMaterial, prepareHatchingGeometry, TonalArtMap',
+        `${lines ? 'HatchingLines, ' : ''}HatchingMaterial, prepareHatchingGeometry, TonalArtMap`,
         `const material = new HatchingMaterial({
 ${parameters.map((line) => `  ${line}`).join('\n')}
 });
-scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));`,
+${
+  lines
+    ? `const mesh = new Mesh(await prepareHatchingGeometry(geometry, { lines: true }), material);
+mesh.add(
+  new HatchingLines(mesh, {
+${lines.map((line) => `    ${line},`).join('\n')}
+  }),
+);
+scene.add(mesh);`
+    : 'scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));'
+}`,
       ];
   return `import { ${[...classes].sort().join(', ')} } from 'three';
 ${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${imports} } from 'three-hatching';
@@ -97,6 +109,22 @@ const tonalArtMap = await ${settings.mapStyle === 'file' ? "TonalArtMap.load('ma
 ${use}
 
 ${lights.join('')}`;
+}
+
+/** The parameters of lines that are not at their defaults, and those in pixels. */
+function lineParameters(settings: Settings): string[] {
+  const { lineWidth, wobble, overshoot, ink, shadeWeights, ...weights } = lineLook(settings, 1);
+  const inPixels = { lineWidth, wobble, overshoot };
+  return [
+    ...Object.entries(inPixels)
+      .filter(([, value]) => value > 0)
+      .map(([name, value]) => `${name}: ${round(value)} * renderer.getPixelRatio()`),
+    ...Object.entries(weights)
+      .filter(([name, value]) => value !== HATCHING_LINE_DEFAULTS[name as keyof typeof weights])
+      .map(([name, value]) => `${name}: ${round(value)}`),
+    `shadeWeights: [${shadeWeights.map(round).join(', ')}]`,
+    `ink: '${ink}'`,
+  ];
 }
 
 /** A value as source code. */

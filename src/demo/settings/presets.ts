@@ -1,6 +1,6 @@
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 
-/** The settings that a preset sets: all but the model, the light, the view and the export. */
+/** The settings that a preset sets: all but the model, the light, the view and the export, and whether there are lines. */
 const LOOK_KEYS = [
   'technique',
   'mapStyle',
@@ -25,6 +25,13 @@ const LOOK_KEYS = [
   'lightStrength',
   'inkBlend',
   'levelRule',
+  'lineWidth',
+  'lineContours',
+  'lineBorders',
+  'lineCreases',
+  'lineSuggestive',
+  'lineShade',
+  'lineHand',
   'ink',
   'paper',
   'color',
@@ -51,13 +58,22 @@ export const PRESETS = {
       strokeDirection: 'along',
       lightStrength: 130,
       reflectedLight: 19,
+      lineWidth: 3,
+      lineHand: 0,
       ink: '#120e0a',
       paper: '#ece0c4',
     },
   },
   stipple: {
     label: 'Stipple',
-    look: { mapStyle: 'stippling', screenConstancy: 100, strokeWidth: 2.2, lightStrength: 125, reflectedLight: 36 },
+    look: {
+      mapStyle: 'stippling',
+      screenConstancy: 100,
+      strokeWidth: 2.2,
+      lightStrength: 125,
+      reflectedLight: 36,
+      lineWidth: 1,
+    },
   },
   pencil: {
     label: 'Pencil',
@@ -68,6 +84,8 @@ export const PRESETS = {
       edge: 2,
       lightStrength: 120,
       reflectedLight: 46,
+      lineWidth: 1.5,
+      lineHand: 1,
       ink: '#4b4a50',
       paper: '#fbfaf6',
     },
@@ -79,6 +97,8 @@ export const PRESETS = {
       strokeWidth: 2.6,
       strokeScale: 2.2,
       reflectedLight: 30,
+      lineWidth: 3,
+      lineHand: 1,
       ink: '#24211f',
       paper: '#efe9dc',
     },

@@ -19,3 +19,32 @@ export const TONE_CURVES = {
 export function isCrisp(technique: Settings['technique']): boolean {
   return technique === 'anchored' || technique === 'adjacencyCrisp';
 }
+
+/** Pixels that a line runs on past a corner, per pixel that the hand strays. */
+const OVERSHOOT_PER_WOBBLE = 3;
+/** Weight that lines lose in full light and gain in full shade, if the shade weight is 100 %. */
+const LOST_IN_LIGHT = 1;
+const GAINED_IN_SHADE = 0.8;
+
+/**
+ * What the material of lines takes, from the settings.
+ *
+ * @param pixelRatio pixels of the picture per CSS pixel
+ */
+export function lineLook(settings: Settings, pixelRatio: number) {
+  const shade = settings.lineShade / 100;
+  const creases = settings.lineCreases / 100;
+  const wobble = settings.lineHand * pixelRatio;
+  return {
+    lineWidth: settings.lineWidth * pixelRatio,
+    contours: settings.lineContours / 100,
+    borders: settings.lineBorders / 100,
+    creases,
+    materialBorders: creases,
+    suggestiveContours: settings.lineSuggestive / 100,
+    shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
+    wobble,
+    overshoot: OVERSHOOT_PER_WOBBLE * wobble,
+    ink: settings.ink,
+  };
+}

@@ -73,11 +73,11 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
    * Draws one tile of a picture that is `viewWidth` wide. The tile begins `x` pixels from the left and fills the
    * canvas. The tile of an ordinary frame is the whole picture.
    *
-   * @param pixelRatio pixels of the picture per CSS pixel; stroke widths are scaled by it
+   * @param pixelRatio pixels of the picture per CSS pixel; the widths of strokes and lines are scaled by it
    */
   function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
     const share = divider?.();
-    if (model && settings) model.strokeWidth = settings.strokeWidth * pixelRatio;
+    if (settings) model?.setWidths(settings, pixelRatio);
     model?.useMaterials('drawn');
     if (share === undefined) {
       renderer.render(scene, camera);
