@@ -98,6 +98,16 @@ export function likeness(picture: PNG, larger: PNG, region: Region): number {
   return covariance(0, 1) / Math.sqrt(covariance(0, 0) * covariance(1, 1));
 }
 
+/** The leftmost ink of a row: where it starts, and how wide it is, in pixels. */
+export function inkRun(picture: PNG, row: number): { start: number; width: number } {
+  const isInk = (x: number): boolean => darkness(picture, 4 * (row * picture.width + x)) > 0.5;
+  let start = 0;
+  while (start < picture.width && !isInk(start)) start++;
+  let end = start;
+  while (end < picture.width && isInk(end)) end++;
+  return { start, width: end - start };
+}
+
 /** The angle between two directions that have no sign, in [0, 90]. */
 export function angleBetween(a: number, b: number): number {
   const difference = Math.abs(a - b) % 180;

@@ -4,7 +4,10 @@ import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js
 import { codeSample } from '../../../../src/demo/playground/codeSample.js';
 import { PRESETS, type PresetName, presetLook } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
+import { lineLook } from '../../../../src/demo/settings/settingValues.js';
 import { LightRig } from '../../../../src/demo/stage/LightRig.js';
+import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
+import { HatchingLines } from '../../../../src/lines/HatchingLines.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 
@@ -14,6 +17,7 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
   const loader = loaded ? ['three/addons/loaders/GLTFLoader.js'] : [];
   expect(names.map(([, , from]) => from)).toEqual(['three', ...loader, 'three-hatching']);
   const given: Record<string, unknown> = {
+    HatchingLines,
     HatchingMaterial,
     applyHatching,
     GLTFLoader: class {
@@ -35,6 +39,23 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
   return given.scene as THREE.Scene;
 }
 
+/** The line material that the page draws with. */
+const lineMaterialOf = (settings: Settings): HatchingLineMaterial => new HatchingLineMaterial(lineLook(settings, 1));
+
+function expectLines(lines: HatchingLines | undefined, settings: Settings): void {
+  const expected = lineMaterialOf(settings);
+  const made = lines!.material;
+  for (const [key, value] of Object.entries(lineLook(settings, 1))) {
+    if (typeof value === 'number') expect(made[key as 'lineWidth'], key).toBeCloseTo(value, 3);
+  }
+  expect(made.shadeWeights.distanceTo(expected.shadeWeights)).toBeCloseTo(0, 3);
+  expect(made.ink.equals(expected.ink)).toBe(true);
+  expect(made.taper).toBe(expected.taper);
+}
+
+const linesIn = (root: THREE.Object3D): HatchingLines | undefined =>
+  root.children.find((child) => child instanceof HatchingLines);
+
 const looks: Record<string, Partial<Settings>> = {
   ...Object.fromEntries(Object.keys(PRESETS).map((name) => [name, presetLook(name as PresetName)])),
   'two lights': { secondLight: 'left', secondStrength: 80, lightKind: 'spot' },
@@ -53,6 +74,7 @@ const looks: Record<string, Partial<Settings>> = {
     offsetU: 0.25,
     creaseAngle: 30,
   },
+  'other lines': { lineWidth: 3.3, lineContours: 150, lineCreases: 0, lineSuggestive: 60, lineShade: 100, lineHand: 0 },
   'toon, perceptual': {
     technique: 'adjacencyCrisp',
     toneModel: 'toon',
@@ -69,7 +91,9 @@ describe('codeSample', () => {
 
     const expected = new HatchingMaterial();
     applyToMaterial(expected, settings);
-    const { material } = scene.children.find((child) => child instanceof THREE.Mesh) as THREE.Mesh;
+    const mesh = scene.children.find((child) => child instanceof THREE.Mesh) as THREE.Mesh;
+    const { material } = mesh;
+    expectLines(linesIn(mesh), settings);
     const made = material as HatchingMaterial;
     // The sample leaves out the second layer if there is no second light.
     if (settings.secondLight === 'none') expected.secondLayer = false;
@@ -118,6 +142,17 @@ describe('codeSample', () => {
       expect(made.strokeScale * 5).toBeCloseTo(settings.strokeScale, 0);
       expect(made.color.equals(new THREE.Color(surfaceColors === 'shown' ? 'tomato' : 'white'))).toBe(true);
       expect(made.map).toBe(surfaceColors === 'shown' ? paint.map : null);
+      expectLines(linesIn(model), settings);
     },
   );
+
+  test('draws no lines if the page draws none', async () => {
+    const settings: Settings = { ...defaultSettings(), lines: 'off' };
+    expect(codeSample(settings, undefined)).not.toMatch(/lines/i);
+    const scene = await run(codeSample(settings, undefined));
+    expect(scene.children.find((child) => child instanceof THREE.Mesh)!.children).toEqual([]);
+    const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 2), new THREE.MeshStandardMaterial());
+    await run(codeSample(settings, 5), model);
+    expect(model.children).toEqual([]);
+  });
 });
