@@ -67,8 +67,8 @@ test('width, weights and hand of the lines have labels and change the drawing', 
   let before = await readDrawing(page);
   for (const [label, value] of [
     ['Line width', '5'],
-    ['Creases', '200'],
-    ['Contours', '0'],
+    ['Contours', '200'],
+    ['Creases', '0'],
     ['Shade weight', '0'],
     ['Hand', '4'],
   ]) {
@@ -82,7 +82,7 @@ test('width, weights and hand of the lines have labels and change the drawing', 
   }
   await expect(page.getByLabel('Borders', { exact: true })).toBeVisible();
   await expect(page.getByLabel('Suggestive', { exact: true })).toBeVisible();
-  await expect.poll(() => page.url()).toMatch(/lineWidth=5&lineContours=0.*lineHand=4/);
+  await expect.poll(() => page.url()).toMatch(/lineWidth=5&lineContours=200.*lineHand=4/);
   await page.reload();
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });

@@ -73,6 +73,7 @@ export const PRESETS = {
       lightStrength: 125,
       reflectedLight: 36,
       lineWidth: 1,
+      lineShade: 30,
     },
   },
   pencil: {

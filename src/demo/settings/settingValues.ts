@@ -20,8 +20,12 @@ export function isCrisp(technique: Settings['technique']): boolean {
   return technique === 'anchored' || technique === 'adjacencyCrisp';
 }
 
-/** Pixels that a line runs on past a corner, per pixel that the hand strays. */
-const OVERSHOOT_PER_WOBBLE = 3;
+/**
+ * A hand that strays by more than this many pixels also runs on past corners, by so many pixels more for each. A lighter one
+ * does not, because creases of scans have corners everywhere, and lines would stand out from them like thorns.
+ */
+const LIGHT_HAND = 1;
+const OVERSHOOT = 3;
 /** Weight that lines lose in full light and gain in full shade, if the shade weight is 100 %. */
 const LOST_IN_LIGHT = 1;
 const GAINED_IN_SHADE = 0.8;
@@ -34,7 +38,6 @@ const GAINED_IN_SHADE = 0.8;
 export function lineLook(settings: Settings, pixelRatio: number) {
   const shade = settings.lineShade / 100;
   const creases = settings.lineCreases / 100;
-  const wobble = settings.lineHand * pixelRatio;
   return {
     lineWidth: settings.lineWidth * pixelRatio,
     contours: settings.lineContours / 100,
@@ -43,8 +46,8 @@ export function lineLook(settings: Settings, pixelRatio: number) {
     materialBorders: creases,
     suggestiveContours: settings.lineSuggestive / 100,
     shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
-    wobble,
-    overshoot: OVERSHOOT_PER_WOBBLE * wobble,
+    wobble: settings.lineHand * pixelRatio,
+    overshoot: OVERSHOOT * Math.max(0, settings.lineHand - LIGHT_HAND) * pixelRatio,
     ink: settings.ink,
   };
 }

@@ -74,7 +74,7 @@ const looks: Record<string, Partial<Settings>> = {
     offsetU: 0.25,
     creaseAngle: 30,
   },
-  'other lines': { lineWidth: 3.3, lineContours: 150, lineCreases: 0, lineSuggestive: 60, lineShade: 100, lineHand: 0 },
+  'other lines': { lineWidth: 3.3, lineContours: 150, lineCreases: 0, lineSuggestive: 60, lineShade: 100, lineHand: 3 },
   'toon, perceptual': {
     technique: 'adjacencyCrisp',
     toneModel: 'toon',
