@@ -1,0 +1,100 @@
+import {
+  BoxGeometry,
+  Float32BufferAttribute,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  type Object3D,
+  Texture,
+} from 'three';
+import { describe, expect, test } from 'vitest';
+import { hatchMesh } from '../../../../src/demo/drawing/hatchMesh.js';
+import { hatchScene } from '../../../../src/demo/drawing/hatchScene.js';
+import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
+import { HatchingLines } from '../../../../src/lines/HatchingLines.js';
+
+const OPTIONS = { signal: new AbortController().signal, onProgress: () => {} };
+
+function linesIn(root: Object3D): HatchingLines[] {
+  const lines: HatchingLines[] = [];
+  root.traverse((object) => {
+    if (object instanceof HatchingLines) lines.push(object);
+  });
+  return lines;
+}
+
+const settingsWith = (some: Partial<Settings>): Settings => ({ ...defaultSettings(), ...some });
+
+async function hatchedBox() {
+  const { attributes, index } = new BoxGeometry();
+  const positions = Float32Array.from(attributes.position.array);
+  const indices = Uint32Array.from(index!.array);
+  return hatchMesh({ positions, indices, normals: null, colors: null }, OPTIONS);
+}
+
+/** Two plain meshes, one of which is drawn several times, one that deforms, and a card with leaves cut out of it. */
+function someScene(): Group {
+  const material = new MeshStandardMaterial();
+  const instances = new InstancedMesh(new BoxGeometry(), material, 2);
+  instances.setMatrixAt(1, new Matrix4().makeTranslation(2, 0, 0));
+  const morphed = new BoxGeometry();
+  const raised = Float32Array.from(morphed.getAttribute('position').array, (x) => 2 * x);
+  morphed.morphAttributes.position = [new Float32BufferAttribute(raised, 3)];
+  const leaves = new MeshStandardMaterial({ alphaTest: 0.5, map: new Texture() });
+  const card = new Mesh(new BoxGeometry(1, 1, 0.01), leaves);
+  card.name = 'card';
+  return new Group().add(new Mesh(new BoxGeometry(), material), instances, new Mesh(morphed, material), card);
+}
+
+describe('the lines of a model', () => {
+  test('are as wide as the settings say, times the pixels of the picture per pixel of the page', async () => {
+    const model = await hatchedBox();
+    const [lines] = linesIn(model.root);
+    const settings = settingsWith({ lineWidth: 2, lineHand: 2, ink: '#203080' });
+    model.setWidths(settings, 1);
+    const { overshoot } = lines.material;
+    model.setWidths(settings, 3);
+    expect(lines.material).toMatchObject({ lineWidth: 6, wobble: 6, overshoot: 3 * overshoot });
+    expect(lines.material.ink.getHexString()).toBe('203080');
+    expect(overshoot).toBeGreaterThan(0);
+    model.dispose();
+  });
+
+  test('are freed with the model', async () => {
+    const model = await hatchedBox();
+    const [lines] = linesIn(model.root);
+    let freed = 0;
+    for (const one of [lines.geometry, lines.material]) one.addEventListener('dispose', () => freed++);
+    model.dispose();
+    expect(freed).toBe(2);
+  });
+
+  test('are drawn unless they are switched off or a debug view is shown', async () => {
+    const model = await hatchedBox();
+    const [lines] = linesIn(model.root);
+    const visibleWith = (some: Partial<Settings>): boolean => {
+      model.apply(settingsWith(some));
+      return lines.visible;
+    };
+    expect(visibleWith({})).toBe(true);
+    expect(visibleWith({ lines: 'off' })).toBe(false);
+    expect(visibleWith({ debugView: 'tone' })).toBe(false);
+    expect(visibleWith({ compare: 'triangle' })).toBe(true);
+    model.dispose();
+  });
+
+  test('belong to every mesh of a scene but cut-outs, and share a material unless a mesh deforms', async () => {
+    const { model } = await hatchScene({ root: someScene(), animations: [] }, OPTIONS);
+    const lines = linesIn(model.root);
+    expect(lines).toHaveLength(4);
+    model.apply(settingsWith({}));
+    expect(lines.filter(({ visible }) => !visible).map(({ mesh }) => mesh?.name)).toEqual(['card']);
+    expect(new Set(lines.map(({ material }) => material)).size).toBe(2);
+    model.setWidths(settingsWith({ lineWidth: 5 }), 1);
+    for (const { material } of lines) expect(material.lineWidth).toBe(5);
+    model.dispose();
+    expect(linesIn(model.root)).toEqual([]);
+  });
+});
