@@ -69,7 +69,7 @@ test('width, weights and hand of the lines have labels and change the drawing', 
     ['Line width', '5'],
     ['Contours', '200'],
     ['Creases', '0'],
-    ['Shade weight', '0'],
+    ['Shade', '0'],
     ['Hand', '4'],
   ]) {
     const field = page.getByLabel(label, { exact: true });
