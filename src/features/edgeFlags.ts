@@ -6,7 +6,7 @@ export const CREASE = 2;
 export const MATERIAL_BORDER = 4;
 /** The windings of its two triangles contradict each other. */
 export const CONTRARY = 8;
-/** The line turns or ends at the edge's start, or its end. */
+/** A straight run ends, branches or turns at the edge's start, or its end. */
 export const CORNER_AT_START = 16;
 export const CORNER_AT_END = 32;
 

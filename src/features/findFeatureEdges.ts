@@ -28,7 +28,7 @@ export interface FeatureSurface {
 export interface CreaseLimits {
   /** Edges whose triangles differ by this angle or more, in radians, are creases; null: those the bake cuts as sharp. */
   creaseAngle: number | null;
-  /** Creases that hang together are drawn if they are this long in all, in object units. */
+  /** Creases that hang together are drawn if they are this long in all, in object units; straight runs overshoot from it on. */
   creaseLength: number;
 }
 
@@ -81,7 +81,7 @@ export function* findFeatureEdges(
     const twin = joinedTwins[corner];
     if (twin !== NO_TWIN && canonicalCorners[twin] === canonicalCorners[corner]) flags[i] |= CONTRARY;
   }
-  markCorners(surface, corners, numbers, flags);
+  markCorners(surface, corners, numbers, flags, limits.creaseLength);
   yield 1;
   return { fans, flags };
 }
@@ -197,12 +197,16 @@ function distance(positions: Float32Array, a: number, b: number): number {
   return Math.sqrt(x * x + y * y + z * z);
 }
 
-/** Marks the ends of edges that are drawn whole at which the line ends, branches or turns. */
+/**
+ * Marks the ends of edges that are drawn whole at which the line ends, branches or turns, if it has run straight for at least
+ * `shortest` before. A hand runs on past such a corner, and not past each of the many corners of a scan.
+ */
 function markCorners(
   { mesh, canonicalCorners }: FeatureSurface,
   corners: readonly number[],
   numbers: Uint32Array,
   flags: Uint8Array,
+  shortest: number,
 ): void {
   const { positions } = mesh;
   const degrees = new Uint32Array(positions.length / 3);
@@ -229,8 +233,25 @@ function markCorners(
     const z = sums[3 * vertex + 2];
     return degrees[vertex] !== 2 || x * x + y * y + z * z > TURN_SQUARED;
   };
+
+  // Edges that go on straight into one another are one run.
+  const runs = disjointSets(numbers.length);
+  const edgeAt = new Map<number, number>();
   for (let i = 0; i < numbers.length; i++) {
     if (!(flags[i] & DRAWN_WHOLE)) continue;
+    for (const vertex of ends(i)) {
+      if (isCorner(vertex)) continue;
+      const other = edgeAt.get(vertex);
+      if (other === undefined) edgeAt.set(vertex, i);
+      else join(runs, other, i);
+    }
+  }
+  const lengths = new Float64Array(numbers.length);
+  for (let i = 0; i < numbers.length; i++) {
+    if (flags[i] & DRAWN_WHOLE) lengths[rootOf(runs, i)] += distance(positions, ...ends(i));
+  }
+  for (let i = 0; i < numbers.length; i++) {
+    if (!(flags[i] & DRAWN_WHOLE) || lengths[rootOf(runs, i)] < shortest) continue;
     const [a, b] = ends(i);
     if (isCorner(a)) flags[i] |= CORNER_AT_START;
     if (isCorner(b)) flags[i] |= CORNER_AT_END;

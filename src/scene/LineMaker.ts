@@ -1,9 +1,13 @@
+import type { Material } from 'three';
 import type { LineOptions } from '../geometry/prepareHatchingGeometry.js';
 import { HatchingLineMaterial, type HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
 import { HatchingLines } from '../lines/HatchingLines.js';
 import { deforms } from '../material/bindVertices.js';
 import type { MeshLook } from './HatchedScene.js';
-import { isBatched } from './surfaceMeshes.js';
+import { isBatched, materialsOf } from './surfaceMeshes.js';
+
+/** Whether parts of a surface are cut out by a map. Its lines would show the card, and not what is drawn on it. */
+const isCutOut = ({ alphaTest, alphaHash }: Material): boolean => alphaTest > 0 || alphaHash;
 
 /** Makes the lines of a scene: one material for meshes that deform, which need another program, and one for all others. */
 export class LineMaker {
@@ -20,10 +24,10 @@ export class LineMaker {
     this.materialFor(false);
   }
 
-  /** Lines for every mesh whose geometry was baked. They are not in the scene yet. */
+  /** Lines for every mesh whose geometry was baked, but for cut-outs. They are not in the scene yet. */
   linesFor(looks: readonly MeshLook[]): readonly HatchingLines[] {
-    for (const { mesh, geometry } of looks) {
-      if (isBatched(mesh)) continue;
+    for (const { mesh, geometry, material } of looks) {
+      if (isBatched(mesh) || materialsOf({ material }).every(isCutOut)) continue;
       const lines = new HatchingLines(mesh, this.materialFor(deforms(geometry, mesh)));
       lines.layers.mask = mesh.layers.mask;
       this.made.push(lines);

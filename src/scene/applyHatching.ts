@@ -78,7 +78,8 @@ const MAP_SHARE = 0.2;
  * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`. So is a mesh whose geometry or material
  *   was exchanged meanwhile.
  * - Unless given, the layout is `'indexed'` for geometries that only `anchored` draws.
- * - `lines` draws contours, borders and creases of every mesh but a `BatchedMesh`.
+ * - `lines` draws contours, borders and creases of every mesh but a `BatchedMesh` and cut-outs (`alphaTest`,
+ *   `alphaHash`).
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
  *   was filled with prepared geometries.
  *

@@ -97,7 +97,7 @@ export class HatchedModel {
     }
     // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
     const isLined = settings.lines === 'on' && settings.debugView === 'none';
-    for (const lines of this.lines) lines.visible = isLined && !isCutOut(lines.mesh!);
+    for (const lines of this.lines) lines.visible = isLined;
   }
 
   set tonalArtMap(map: TonalArtMap) {
@@ -156,9 +156,6 @@ function surfaceOf(material: HatchingMaterial): Surface {
     premultipliedAlpha,
   };
 }
-
-/** Whether a map cuts holes into all of a mesh. Its outline, that of a card with leaves on it, say, is not where its edges are. */
-const isCutOut = (mesh: Mesh): boolean => [mesh.material].flat().every(({ alphaTest }) => alphaTest > 0);
 
 function showSurface(material: HatchingMaterial, surface: Surface, isShown: boolean): void {
   material.color.multiply(isShown ? surface.color : WHITE);

@@ -271,6 +271,16 @@ describe('groups', () => {
     expect(crossing.map(({ isCorner }) => isCorner)).toEqual([true, true, true, true]);
   });
 
+  test('have corners where a straight run of the length asked for ends, subdivided or not', () => {
+    for (const parts of [1, 4]) {
+      const mesh = patch(parts, parts, (u, v) => [u, v, 0]);
+      const cornersOf = (creaseLength: number) =>
+        edgesOf(mesh, { creaseLength }).flatMap(({ ends }) => ends.filter(({ isCorner }) => isCorner)).length;
+      expect(cornersOf(0.99)).toBe(8);
+      expect(cornersOf(1.01)).toBe(0);
+    }
+  });
+
   test('reach the bake', () => {
     const { edges } = linesOf(foldedQuad(0), { lines: { triangleGroups: new Uint16Array([1, 0]) } });
     expect([...edges.flags].filter((flag) => flag & MATERIAL_BORDER)).toHaveLength(1);
