@@ -643,3 +643,72 @@ test('a geometry without lines is named once, and the scene goes on', async ({ p
     expect.stringMatching(/geometry "plain" has no lines to draw; .*lines: true/),
   ]);
 });
+
+test('on a transparent canvas lines bring their own alpha; a multisampled target has the same lines', async ({
+  page,
+}) => {
+  const { alphas, ink, sampled } = await page.evaluate(async () => {
+    const { THREE, linedMesh, lookFrom, paperScene, draw, rendererOf, total } = window.lining;
+    const mesh = await linedMesh(new THREE.IcosahedronGeometry(1, 20), { isClear: true, lineWidth: 3 });
+    const scene = new THREE.Scene();
+    scene.add(mesh);
+    const camera = lookFrom(0, 0, 4.2);
+    const renderer = rendererOf(300, { alpha: true, premultipliedAlpha: false });
+    renderer.setClearAlpha(0);
+    renderer.render(scene, camera);
+    const gl = renderer.getContext();
+    const pixels = new Uint8Array(4 * 300 * 300);
+    gl.readPixels(0, 0, 300, 300, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const alphas = pixels.filter((_, i) => i % 4 === 3);
+    const ink = total(draw(paperScene(mesh), camera, rendererOf(300, { antialias: false })));
+    const sampled = total(draw(paperScene(mesh), camera, rendererOf(300, { antialias: true })));
+    return { alphas: alphas.reduce((sum, alpha) => sum + alpha / 255, 0), ink, sampled };
+  });
+  expect(ink).toBeGreaterThan(1000);
+  expect(alphas / ink).toBeGreaterThan(0.98);
+  expect(alphas / ink).toBeLessThan(1.02);
+  expect(sampled / ink).toBeGreaterThan(0.97);
+  expect(sampled / ink).toBeLessThan(1.03);
+});
+
+test('between the groups of a mesh with several materials there is a line, and on one with one there is none', async ({
+  page,
+}) => {
+  const inks = await page.evaluate(async () => {
+    const { THREE, linedMesh, paperScene, lookFrom, draw, pixelOf, inkNear } = window.lining;
+    const sheet = new THREE.PlaneGeometry(2, 2, 4, 4);
+    sheet.addGroup(0, 48, 0);
+    sheet.addGroup(48, 48, 1);
+    const camera = lookFrom(0, 0, 4.2);
+    const mesh = await linedMesh(sheet);
+    const middle = () =>
+      inkNear(draw(paperScene(mesh), camera), 400, pixelOf(new THREE.Vector3(0.3, 0, 0), camera, 400), 1.5);
+    const one = middle();
+    const paper = mesh.material;
+    Object.assign(mesh, { material: [paper, paper] });
+    return [one, middle()];
+  });
+  expect(inks[0]).toBe(0);
+  expect(inks[1]).toBeGreaterThan(0.5);
+});
+
+test('the hand that strays belongs to the object: its lines move no more than the lines themselves', async ({
+  page,
+}) => {
+  const { strays, moved } = await page.evaluate(async () => {
+    const { THREE, linedMesh, linesOf, paperScene, lookFrom, draw, strayInk, mostDifferent } = window.lining;
+    const mesh = await linedMesh(new THREE.BoxGeometry(1.4, 0.9, 1.1), { wobble: 3, creases: 1 });
+    const scene = paperScene(mesh);
+    const from = (degrees: number) => {
+      const angle = (degrees * Math.PI) / 180;
+      return draw(scene, lookFrom(5 * Math.sin(angle), 2.4, 5 * Math.cos(angle), 28));
+    };
+    const steady = from(30);
+    const strays = [strayInk(steady, from(30.5), 400, 3)];
+    linesOf(mesh).material.wobble = 0;
+    strays.push(strayInk(from(30), from(30.5), 400, 3));
+    return { strays, moved: mostDifferent(steady, from(30)) };
+  });
+  expect(moved).toBeGreaterThan(0.5);
+  expect(strays[0]).toBeLessThanOrEqual(strays[1] + 0.005);
+});
