@@ -6,6 +6,9 @@ type Techniques = keyof typeof TECHNIQUES;
 const ofTechniques = (read: (row: TechniqueRow) => string): Record<Techniques, string> =>
   Object.fromEntries(Object.entries(TECHNIQUES).map(([name, row]) => [name, read(row)])) as Record<Techniques, string>;
 
+/** Techniques whose strokes come from a map. */
+const WITH_MAP = ['triangle', 'adjacency', 'anchored'] as const;
+
 /**
  * Every property of `HatchingMaterial`. `npm run properties` writes from it the fields with their documentation, what the
  * material needs to know of them at run time, and the table in docs/material.md.
@@ -42,6 +45,7 @@ export const PROPERTIES = {
     default: 0,
     unit: 'radians',
     uniform: false,
+    techniques: WITH_MAP,
     sentence:
       'Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it (figure 14).',
   },
@@ -94,7 +98,7 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: 0,
     range: { from: 0, to: 1 },
-    techniques: ['anchored'],
+    techniques: ['anchored', 'engraved'],
     sentence:
       'What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In between, strokes grow less than the object does as it comes nearer.',
   },
@@ -106,6 +110,7 @@ export const PROPERTIES = {
     range: { above: 0 },
     uniform: false,
     clears: 'strokeWidth',
+    techniques: WITH_MAP,
     sentence:
       'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels wide.',
   },
@@ -118,6 +123,7 @@ export const PROPERTIES = {
     range: { above: 0 },
     uniform: false,
     clears: 'texelPixels',
+    techniques: WITH_MAP,
     sentence:
       'Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words. Setting one of the two clears the other. `null` leaves it to `texelPixels`.',
   },
@@ -127,6 +133,7 @@ export const PROPERTIES = {
     default: 1,
     unit: 'pixels',
     range: { from: 0 },
+    techniques: WITH_MAP,
     sentence: 'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard.',
   },
   anchorSpacing: {
@@ -138,6 +145,58 @@ export const PROPERTIES = {
     techniques: ['anchored'],
     sentence:
       'Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes.',
+  },
+  lineField: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'LineField',
+    typeSentence: 'What the lines of `engraved` are cut by.',
+    choices: {
+      light: 'planes across the light: lines run around it, tangent to it.',
+      towards: 'planes that hold the direction of the light: lines run towards it.',
+      x: 'planes across the x axis of the object: lines stay where they are while the light moves.',
+      y: 'the same across its y axis.',
+      z: 'the same across its z axis.',
+    },
+    default: 'light',
+    techniques: ['engraved'],
+    sentence: 'What the lines are cut by.',
+  },
+  lineSpacing: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 5,
+    unit: 'pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0',
+    range: { above: 0 },
+    techniques: ['engraved'],
+    sentence: 'Distance between lines. As one comes nearer new ones are born between them, thin at first.',
+  },
+  crossFrom: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0.52,
+    range: { from: 0, to: 1 },
+    techniques: ['engraved'],
+    sentence: 'Tone above which other lines cross the first; at 1 none do.',
+  },
+  crossAngle: {
+    kind: 'number',
+    group: 'Strokes',
+    default: Math.PI / 3,
+    defaultSource: 'Math.PI / 3',
+    unit: 'radians',
+    range: { above: 0, to: Math.PI / 2 },
+    techniques: ['engraved'],
+    sentence: 'Angle between the planes that cut the first lines and those that cut the lines across them.',
+  },
+  handmade: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0.4,
+    range: { from: 0, to: 1 },
+    techniques: ['engraved'],
+    sentence:
+      'How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine.',
   },
   creaseAngle: {
     kind: 'number',
@@ -155,6 +214,7 @@ export const PROPERTIES = {
     kind: 'switch',
     group: 'Strokes',
     default: false,
+    techniques: WITH_MAP,
     sentence:
       'Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep the tone. With one light there is no difference.',
   },

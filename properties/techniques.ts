@@ -5,7 +5,7 @@ export interface TechniqueRow {
   /** What it asks of a geometry's vertices: the primitive of six, or a normal at the scale of a stroke. */
   vertexData: 'adjacency' | 'hatchNormal';
   /** The texture it reads, unless the material is crisp: that takes thresholds. */
-  map: 'tonalArtMap' | 'thresholdMap';
+  map: 'tonalArtMap' | 'thresholdMap' | 'none';
   /** The normal tone is computed from where none is asked for. */
   toneNormal: 'face' | 'smooth';
 }
@@ -29,6 +29,13 @@ export const TECHNIQUES = {
       'goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([anchored.md](anchored.md)).',
     vertexData: 'hatchNormal',
     map: 'thresholdMap',
+    toneNormal: 'smooth',
+  },
+  engraved: {
+    sentence:
+      'goes beyond it too. Lines are level sets of a function on the object: they never break, swell with the tone and cross in the darks, as in an engraved plate. Draws without a map ([engraved.md](engraved.md)).',
+    vertexData: 'hatchNormal',
+    map: 'none',
     toneNormal: 'smooth',
   },
 } as const satisfies Record<string, TechniqueRow>;

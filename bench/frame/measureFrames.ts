@@ -29,6 +29,7 @@ export async function measureFrames(model: string, turns: number, size: number):
     'anchored corner': hatched('anchored', corner),
     'anchored pull': hatched('anchored', pull),
     'anchored indexed': hatched('anchored', indexed),
+    'engraved indexed': hatched('engraved', indexed),
   };
 
   const stage = new Stage(size);

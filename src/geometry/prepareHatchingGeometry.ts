@@ -24,7 +24,7 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * - `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per triangle. For every technique.
    * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and corners read all six from it: 32 bytes per
    *   triangle and 16 per vertex. Draws the same pixels. For every technique, and for meshes that deform.
-   * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. Only for `anchored`, which draws without adjacency.
+   * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. Only for `anchored` and `engraved`, which draw without adjacency.
    * - `'auto'` (default): `'pull'` for a geometry with a skin or with morph targets of position or normal, else `'corner'`.
    */
   layout?: 'auto' | 'corner' | 'pull' | 'indexed' | undefined;

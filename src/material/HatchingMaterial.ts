@@ -12,6 +12,7 @@ import {
   TangentSpaceNormalMap,
   type Texture,
   type Vector2,
+  type Vector3,
   Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -226,9 +227,18 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms(renderer.capabilities.maxTextureSize);
     this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
+    this.useFieldCentre(geometry);
     warnIfStale(geometry);
     this.announced.length = 0;
     if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
+  }
+
+  /** Lines of `engraved` count from the centre of the object. It differs between meshes, and three uploads uniforms once for all. */
+  private useFieldCentre({ boundingSphere }: BufferGeometry): void {
+    const centre = this.uniforms.fieldCentre.value as Vector3;
+    if (!boundingSphere || centre.equals(boundingSphere.center)) return;
+    centre.copy(boundingSphere.center);
+    this.uniformsNeedUpdate = true;
   }
 
   private useEnvironment(isThere: boolean): void {

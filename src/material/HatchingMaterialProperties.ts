@@ -12,6 +12,7 @@ import {
   type HatchingTechnique,
   type InkBlend,
   type LevelRule,
+  type LineField,
   type StrokeAnchor,
   type ToneModel,
   type ToneNormal,
@@ -30,7 +31,7 @@ export interface HatchingMaterialOptions {
   strokeScale: number;
   /**
    * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
-   * (figure 14). Radians. Default `0`.
+   * (figure 14). Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -50,24 +51,25 @@ export interface HatchingMaterialOptions {
   levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
-   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`.
+   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`,
+   * `'engraved'`.
    */
   screenConstancy: number;
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
    * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
+   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   texelPixels: number;
   /**
    * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
    * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
-   * Default `null`.
+   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   strokeWidth: number | null;
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
-   * Default `1`.
+   * Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   edgePixels: number;
   /**
@@ -75,6 +77,25 @@ export interface HatchingMaterialOptions {
    * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`.
    */
   anchorSpacing: number;
+  /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
+  lineField: LineField;
+  /**
+   * Distance between lines. As one comes nearer new ones are born between them, thin at first. Pixels of the drawing
+   * buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
+   */
+  lineSpacing: number;
+  /** Tone above which other lines cross the first; at 1 none do. In [0, 1]. Default `0.52`. Only `'engraved'`. */
+  crossFrom: number;
+  /**
+   * Angle between the planes that cut the first lines and those that cut the lines across them. Radians in (0,
+   * 1.5707963267948966]. Default `Math.PI / 3`. Only `'engraved'`.
+   */
+  crossAngle: number;
+  /**
+   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. In [0,
+   * 1]. Default `0.4`. Only `'engraved'`.
+   */
+  handmade: number;
   /**
    * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
@@ -83,7 +104,8 @@ export interface HatchingMaterialOptions {
   creaseAngle: number;
   /**
    * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
-   * the tone. With one light there is no difference. Default `false`. Another value builds another program.
+   * the tone. With one light there is no difference. Default `false`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * Another value builds another program.
    */
   secondLayer: boolean;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
@@ -94,7 +116,7 @@ export interface HatchingMaterialOptions {
   shininess: number;
   /**
    * The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again. Default
-   * `'face'`, for `'anchored'` `'smooth'`. Another value builds another program.
+   * `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
    */
   toneNormal: ToneNormal | 'auto';
   /**
@@ -177,6 +199,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     strokeWidth: HATCHING_DEFAULTS.strokeWidth as number | null,
     edgePixels: HATCHING_DEFAULTS.edgePixels as number,
     anchorSpacing: HATCHING_DEFAULTS.anchorSpacing as number,
+    lineSpacing: HATCHING_DEFAULTS.lineSpacing as number,
+    crossFrom: HATCHING_DEFAULTS.crossFrom as number,
+    crossAngle: HATCHING_DEFAULTS.crossAngle as number,
+    handmade: HATCHING_DEFAULTS.handmade as number,
     creaseAngle: HATCHING_DEFAULTS.creaseAngle as number,
     toneSteps: HATCHING_DEFAULTS.toneSteps as number,
     shininess: HATCHING_DEFAULTS.shininess as number,
@@ -220,7 +246,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
-   * (figure 14). Radians. Default `0`.
+   * (figure 14). Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   get strokeRotation(): number {
     return this.numbers.strokeRotation;
@@ -269,7 +295,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
-   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`.
+   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`,
+   * `'engraved'`.
    */
   get screenConstancy(): number {
     return this.numbers.screenConstancy;
@@ -282,7 +309,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
    * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`.
+   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   get texelPixels(): number {
     return this.numbers.texelPixels;
@@ -296,7 +323,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
    * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
-   * Default `null`.
+   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   get strokeWidth(): number | null {
     return this.numbers.strokeWidth;
@@ -310,7 +337,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
-   * Default `1`.
+   * Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   get edgePixels(): number {
     return this.numbers.edgePixels;
@@ -332,6 +359,60 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.numbers.anchorSpacing = checkNumber('anchorSpacing', value, HATCHING_PROPERTIES.anchorSpacing.range);
   }
 
+  /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
+  get lineField(): LineField {
+    return this.choice('lineField') as LineField;
+  }
+
+  set lineField(value: LineField) {
+    this.choose('lineField', value);
+  }
+
+  /**
+   * Distance between lines. As one comes nearer new ones are born between them, thin at first. Pixels of the drawing
+   * buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
+   */
+  get lineSpacing(): number {
+    return this.numbers.lineSpacing;
+  }
+
+  set lineSpacing(value: number) {
+    this.numbers.lineSpacing = checkNumber('lineSpacing', value, HATCHING_PROPERTIES.lineSpacing.range);
+  }
+
+  /** Tone above which other lines cross the first; at 1 none do. In [0, 1]. Default `0.52`. Only `'engraved'`. */
+  get crossFrom(): number {
+    return this.numbers.crossFrom;
+  }
+
+  set crossFrom(value: number) {
+    this.numbers.crossFrom = checkNumber('crossFrom', value, HATCHING_PROPERTIES.crossFrom.range);
+  }
+
+  /**
+   * Angle between the planes that cut the first lines and those that cut the lines across them. Radians in (0,
+   * 1.5707963267948966]. Default `Math.PI / 3`. Only `'engraved'`.
+   */
+  get crossAngle(): number {
+    return this.numbers.crossAngle;
+  }
+
+  set crossAngle(value: number) {
+    this.numbers.crossAngle = checkNumber('crossAngle', value, HATCHING_PROPERTIES.crossAngle.range);
+  }
+
+  /**
+   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. In [0,
+   * 1]. Default `0.4`. Only `'engraved'`.
+   */
+  get handmade(): number {
+    return this.numbers.handmade;
+  }
+
+  set handmade(value: number) {
+    this.numbers.handmade = checkNumber('handmade', value, HATCHING_PROPERTIES.handmade.range);
+  }
+
   /**
    * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
@@ -347,7 +428,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
-   * the tone. With one light there is no difference. Default `false`. Another value builds another program.
+   * the tone. With one light there is no difference. Default `false`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * Another value builds another program.
    */
   get secondLayer(): boolean {
     return this.choice('secondLayer') as boolean;
@@ -386,7 +468,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again. Default
-   * `'face'`, for `'anchored'` `'smooth'`. Another value builds another program.
+   * `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
    */
   get toneNormal(): ToneNormal {
     return this.choice('toneNormal') as ToneNormal;

@@ -66,5 +66,5 @@ export interface HatchingTechniqueData {
   /** What it asks of a geometry's vertices: the primitive of six, or a normal at the scale of a stroke. */
   vertexData: 'adjacency' | 'hatchNormal';
   /** The texture it reads, unless the material is crisp: that takes thresholds. */
-  map: 'tonalArtMap' | 'thresholdMap';
+  map: 'tonalArtMap' | 'thresholdMap' | 'none';
 }

@@ -8,8 +8,10 @@ import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty
  * - `adjacency`: Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).
  * - `anchored`: goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of
  *   to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh.
+ * - `engraved`: goes beyond it too. Lines are level sets of a function on the object: they never break, swell with the
+ *   tone and cross in the darks, as in an engraved plate. Draws without a map.
  */
-export type HatchingTechnique = 'triangle' | 'adjacency' | 'anchored';
+export type HatchingTechnique = 'triangle' | 'adjacency' | 'anchored' | 'engraved';
 
 /**
  * What strokes are fixed to on a mesh that deforms.
@@ -26,6 +28,16 @@ export type StrokeAnchor = 'rest' | 'deformed';
  *   on, and foreshortened like the surface elsewhere.
  */
 export type LevelRule = 'derivatives' | 'depth';
+
+/**
+ * What the lines of `engraved` are cut by.
+ * - `light`: planes across the light: lines run around it, tangent to it.
+ * - `towards`: planes that hold the direction of the light: lines run towards it.
+ * - `x`: planes across the x axis of the object: lines stay where they are while the light moves.
+ * - `y`: the same across its y axis.
+ * - `z`: the same across its z axis.
+ */
+export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z';
 
 /**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
@@ -74,6 +86,11 @@ export const HATCHING_DEFAULTS = {
   strokeWidth: null,
   edgePixels: 1,
   anchorSpacing: 0.45,
+  lineField: 'light',
+  lineSpacing: 5,
+  crossFrom: 0.52,
+  crossAngle: Math.PI / 3,
+  handmade: 0.4,
   creaseAngle: Math.PI / 2,
   secondLayer: false,
   toneModel: 'lambert',
@@ -107,9 +124,9 @@ export const HATCHING_DEFAULTS = {
 /** Every property of `HatchingMaterial`, by name. */
 export const HATCHING_PROPERTIES = {
   tonalArtMap: { kind: 'tonalArtMap' },
-  technique: { kind: 'choice', choices: ['triangle', 'adjacency', 'anchored'] },
+  technique: { kind: 'choice', choices: ['triangle', 'adjacency', 'anchored', 'engraved'] },
   strokeScale: { kind: 'number', uniform: 'strokeScale', range: { above: 0 } },
-  strokeRotation: { kind: 'number' },
+  strokeRotation: { kind: 'number', techniques: ['triangle', 'adjacency', 'anchored'] },
   strokeOffset: { kind: 'vector2', techniques: ['triangle', 'adjacency'] },
   strokeAnchor: { kind: 'choice', define: 'STROKE_ANCHOR', choices: ['rest', 'deformed'] },
   crisp: { kind: 'switch', define: 'CRISP', techniques: ['triangle', 'adjacency'] },
@@ -119,13 +136,38 @@ export const HATCHING_PROPERTIES = {
     choices: ['derivatives', 'depth'],
     techniques: ['triangle', 'adjacency'],
   },
-  screenConstancy: { kind: 'number', uniform: 'screenConstancy', range: { from: 0, to: 1 }, techniques: ['anchored'] },
-  texelPixels: { kind: 'number', range: { above: 0 } },
-  strokeWidth: { kind: 'number', range: { above: 0 } },
-  edgePixels: { kind: 'number', uniform: 'edgePixels', range: { from: 0 } },
+  screenConstancy: {
+    kind: 'number',
+    uniform: 'screenConstancy',
+    range: { from: 0, to: 1 },
+    techniques: ['anchored', 'engraved'],
+  },
+  texelPixels: { kind: 'number', range: { above: 0 }, techniques: ['triangle', 'adjacency', 'anchored'] },
+  strokeWidth: { kind: 'number', range: { above: 0 }, techniques: ['triangle', 'adjacency', 'anchored'] },
+  edgePixels: {
+    kind: 'number',
+    uniform: 'edgePixels',
+    range: { from: 0 },
+    techniques: ['triangle', 'adjacency', 'anchored'],
+  },
   anchorSpacing: { kind: 'number', uniform: 'anchorSpacing', range: { above: 0 }, techniques: ['anchored'] },
+  lineField: {
+    kind: 'choice',
+    define: 'LINE_FIELD',
+    choices: ['light', 'towards', 'x', 'y', 'z'],
+    techniques: ['engraved'],
+  },
+  lineSpacing: { kind: 'number', uniform: 'lineSpacing', range: { above: 0 }, techniques: ['engraved'] },
+  crossFrom: { kind: 'number', uniform: 'crossFrom', range: { from: 0, to: 1 }, techniques: ['engraved'] },
+  crossAngle: {
+    kind: 'number',
+    uniform: 'crossAngle',
+    range: { above: 0, to: 1.5707963267948966 },
+    techniques: ['engraved'],
+  },
+  handmade: { kind: 'number', uniform: 'handmade', range: { from: 0, to: 1 }, techniques: ['engraved'] },
   creaseAngle: { kind: 'number', range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
-  secondLayer: { kind: 'switch', define: 'SECOND_LAYER' },
+  secondLayer: { kind: 'switch', define: 'SECOND_LAYER', techniques: ['triangle', 'adjacency', 'anchored'] },
   toneModel: { kind: 'choice', define: 'TONE_MODEL', choices: ['lambert', 'halfLambert', 'phong', 'toon'] },
   toneSteps: { kind: 'number', uniform: 'toneSteps', range: { from: 2 } },
   shininess: { kind: 'number', uniform: 'shininess', range: { from: 0 } },
@@ -133,7 +175,7 @@ export const HATCHING_PROPERTIES = {
     kind: 'choice',
     define: 'TONE_NORMAL',
     choices: ['face', 'smooth'],
-    defaultFor: { triangle: 'face', adjacency: 'face', anchored: 'smooth' },
+    defaultFor: { triangle: 'face', adjacency: 'face', anchored: 'smooth', engraved: 'smooth' },
   },
   toneCurve: { kind: 'curve' },
   reflectedLight: { kind: 'number', uniform: 'reflectedLight', range: { from: 0, to: 1 } },
@@ -166,4 +208,5 @@ export const HATCHING_TECHNIQUES = {
   triangle: { vertexData: 'adjacency', map: 'tonalArtMap' },
   adjacency: { vertexData: 'adjacency', map: 'tonalArtMap' },
   anchored: { vertexData: 'hatchNormal', map: 'thresholdMap' },
+  engraved: { vertexData: 'hatchNormal', map: 'none' },
 } as const satisfies Record<HatchingTechnique, HatchingTechniqueData>;

@@ -13,6 +13,7 @@ export function createHatchingUniforms(): Uniforms {
     {
       alphaTest: { value: 0 },
       creaseCosine: { value: 0 },
+      fieldCentre: { value: new Vector3() },
       opacity: { value: 1 },
       strokeDirection: { value: new Vector2() },
       strokeTransform: { value: new Matrix3() },

@@ -77,7 +77,8 @@ const MAP_SHARE = 0.2;
  * - Meshes that already have a `HatchingMaterial` are left alone.
  * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`. So is a mesh whose geometry or material
  *   was exchanged meanwhile.
- * - Unless given, the layout is `'indexed'` for geometries that only `anchored` draws.
+ * - Unless given, the layout is `'indexed'` for geometries that only `anchored` or `engraved` draws, and no map is drawn for the
+ *   latter.
  * - `lines` draws contours, borders and creases of every mesh but a `BatchedMesh` and cut-outs (`alphaTest`,
  *   `alphaHash`).
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
@@ -110,7 +111,9 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
       });
     disposables.push(...replacer.materials);
 
-    const withoutMap = replacer.materials.filter(({ tonalArtMap }) => tonalArtMap === null);
+    const withoutMap = replacer.materials.filter(
+      ({ tonalArtMap, technique }) => tonalArtMap === null && HATCHING_TECHNIQUES[technique].map !== 'none',
+    );
     const mapShare = withoutMap.length > 0 && options.tonalArtMap === undefined ? MAP_SHARE : 0;
     const { tonalArtMap: givenMap, material: _material, strokeScale, filter: _filter, lines, ...baking } = options;
     const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;

@@ -196,6 +196,7 @@ function writeCoordinates(material: HatchingMaterial, first: 0 | 2): void {
       triangle: 'gl_FragColor = vec4(parameters.uv, parameters.uv);',
       adjacency: `gl_FragColor = vec4(parameters.uv[${first}], parameters.uv[${first + 1}]);`,
       anchored: `gl_FragColor = vec4(${ofAnchored}, ${ofAnchored});`,
+      engraved: 'gl_FragColor = vec4(parameters.point, 1.0);',
     }[material.technique],
   );
   // Each corner is a point on a pixel of its own, whatever the camera.

@@ -46,6 +46,8 @@ export interface Scenario {
       | 'reflectedLight'
       | 'secondLayer'
       | 'levelRule'
+      | 'lineField'
+      | 'handmade'
     >
   >;
   /** Of the lines, if there are any. */
@@ -242,6 +244,22 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'Suggestive contours beside contours.',
     material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenConstancy: 1 },
     lines: { lineWidth: 2, suggestiveContours: 0.6 },
+  },
+  {
+    ...dragon,
+    name: 'engraved-dragon',
+    figure: 0,
+    sentence: 'Engraved around the light, crossed in the darks, with contours.',
+    lights: sun(-1, 1.5, 1.2),
+    material: { technique: 'engraved', reflectedLight: 0.12, screenConstancy: 1 },
+    lines: { lineWidth: 2 },
+  },
+  {
+    ...bunny,
+    name: 'engraved-fixed',
+    figure: 0,
+    sentence: 'Lines cut across an axis of the object by a ruling machine; only their width answers the light.',
+    material: { technique: 'engraved', lineField: 'y', handmade: 0, screenConstancy: 1 },
   },
   {
     ...bunny,

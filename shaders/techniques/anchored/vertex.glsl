@@ -1,3 +1,1 @@
-#include "technique/rotationBetween"
-
-attribute vec3 hatchNormal; // smoothed to the scale of a stroke; zero where the geometry has none
+#include "perFragment/vertex"

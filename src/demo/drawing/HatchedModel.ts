@@ -108,6 +108,7 @@ export class HatchedModel {
   setWidths(settings: Settings, pixelRatio: number): void {
     for (const { drawn, compared } of this.pairs) {
       drawn.strokeWidth = compared.strokeWidth = settings.strokeWidth * pixelRatio;
+      drawn.lineSpacing = compared.lineSpacing = settings.lineSpacing * pixelRatio;
     }
     const look = lineLook(settings, pixelRatio);
     for (const material of this.lineMaterials) material.setValues(look);

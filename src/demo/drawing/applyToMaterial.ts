@@ -20,6 +20,9 @@ export function applyToMaterial(
   material.strokeOffset.copy(offset.set(settings.offsetU, settings.offsetV));
   material.screenConstancy = settings.screenConstancy / 100;
   material.anchorSpacing = settings.anchorSpacing;
+  material.lineField = settings.lineField;
+  material.crossFrom = settings.crossFrom / 100;
+  material.handmade = settings.handmade / 100;
   material.edgePixels = settings.edge;
   material.toneModel = settings.toneModel;
   material.toneSteps = settings.toneSteps;

@@ -59,8 +59,12 @@ export class SettingsPanel {
     const techniques = [settings.technique, settings.compare];
     const isAnchored = techniques.includes('anchored');
     const isCrisp = isAnchored || techniques.includes('adjacencyCrisp');
-    const isPaper = techniques.some((technique) => technique !== 'anchored' && technique !== 'none');
-    this.show('screenConstancy', isAnchored);
+    const isEngraved = techniques.includes('engraved');
+    const hasStrokes = techniques.some((technique) => technique !== 'engraved' && technique !== 'none');
+    const isPaper = ['adjacency', 'adjacencyCrisp', 'triangle'].some((one) => (techniques as string[]).includes(one));
+    this.show('screenConstancy', isAnchored || isEngraved);
+    for (const key of ['lineField', 'lineSpacing', 'crossFrom', 'handmade'] as const) this.show(key, isEngraved);
+    for (const key of ['mapStyle', 'strokeDirection'] as const) this.show(key, hasStrokes);
     this.show('anchorSpacing', isAnchored);
     this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
     this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
@@ -81,7 +85,7 @@ export class SettingsPanel {
       element.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
     }
     for (const key of LINE_KEYS) this.show(key, settings.lines === 'on');
-    this.show('strokeAngle', settings.strokeDirection === 'angle');
+    this.show('strokeAngle', hasStrokes && settings.strokeDirection === 'angle');
     this.show('toneSteps', settings.toneModel === 'toon');
     this.show('shininess', settings.toneModel === 'phong');
     this.show('lightDistance', isLocal);

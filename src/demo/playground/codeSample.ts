@@ -21,7 +21,15 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined):
   if (technique === 'anchored') {
     material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
   }
-  if (isCrisp(technique) || settings.levelRule === 'depth') {
+  if (technique === 'engraved') {
+    material.push(
+      `screenConstancy: ${settings.screenConstancy / 100}`,
+      `lineField: '${settings.lineField}'`,
+      `lineSpacing: ${settings.lineSpacing} * renderer.getPixelRatio()`,
+      `crossFrom: ${settings.crossFrom / 100}`,
+      `handmade: ${settings.handmade / 100}`,
+    );
+  } else if (isCrisp(technique) || settings.levelRule === 'depth') {
     material.push(`strokeWidth: ${settings.strokeWidth} * renderer.getPixelRatio()`);
   }
   if (isCrisp(technique)) material.push(`edgePixels: ${settings.edge}`);
@@ -31,7 +39,8 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined):
       `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
     );
   }
-  material.push(`strokeRotation: ${rotation[settings.strokeDirection]}`, `toneModel: '${settings.toneModel}'`);
+  if (technique !== 'engraved') material.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
+  material.push(`toneModel: '${settings.toneModel}'`);
   const { offsetU, offsetV, creaseAngle } = settings;
   if (offsetU !== 0 || offsetV !== 0) material.push(`strokeOffset: new Vector2(${offsetU}, ${offsetV})`);
   if (creaseAngle !== SETTINGS.creaseAngle.default) material.push(`creaseAngle: (${creaseAngle} / 180) * Math.PI`);

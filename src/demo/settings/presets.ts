@@ -10,6 +10,10 @@ const LOOK_KEYS = [
   'screenConstancy',
   'strokeWidth',
   'strokeScale',
+  'lineField',
+  'lineSpacing',
+  'crossFrom',
+  'handmade',
   'strokeDirection',
   'strokeAngle',
   'anchorSpacing',
@@ -48,6 +52,17 @@ export interface Preset {
 
 export const PRESETS = {
   pen: { label: 'Pen', look: {} },
+  engraving: {
+    label: 'Engraving',
+    look: {
+      technique: 'engraved',
+      screenConstancy: 100,
+      lightStrength: 125,
+      reflectedLight: 16,
+      lineWidth: 1.6,
+      lineHand: 0,
+    },
+  },
   woodcut: {
     label: 'Woodcut',
     look: {

@@ -4,6 +4,7 @@ import type { NumberSetting, Setting } from './Setting.js';
 
 const TECHNIQUES = {
   anchored: 'Anchored',
+  engraved: 'Engraved',
   adjacency: 'Adjacency',
   adjacencyCrisp: 'Adjacency, crisp',
   triangle: 'Per triangle',
@@ -87,6 +88,40 @@ export const SETTINGS = {
     max: 8,
     step: 0.1,
   },
+  lineField: {
+    kind: 'choice',
+    label: 'Cut',
+    group: 'Drawing',
+    default: 'light',
+    choices: {
+      light: 'Around the light',
+      towards: 'Towards the light',
+      x: 'Across x, fixed',
+      y: 'Across y, fixed',
+      z: 'Across z, fixed',
+    },
+  },
+  lineSpacing: {
+    kind: 'number',
+    label: 'Spacing',
+    group: 'Drawing',
+    default: 4,
+    unit: 'px',
+    min: 2,
+    max: 20,
+    step: 0.1,
+  },
+  crossFrom: {
+    kind: 'number',
+    label: 'Crossing from',
+    group: 'Drawing',
+    default: 52,
+    unit: '%',
+    min: 0,
+    max: 100,
+    step: 1,
+  },
+  handmade: { kind: 'number', label: 'Hand', group: 'Drawing', default: 40, unit: '%', min: 0, max: 100, step: 1 },
   strokeDirection: {
     kind: 'choice',
     label: 'Direction',

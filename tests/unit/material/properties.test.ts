@@ -121,7 +121,7 @@ describe('every property', () => {
 });
 
 describe('a property that does not count for the technique', () => {
-  const unused = rows.flatMap(([name, { techniques }]) =>
+  const unused = together.flatMap(([name, { techniques }]) =>
     Object.keys(PROPERTIES.technique.choices)
       .filter((technique) => techniques && !techniques.includes(technique))
       .map((technique) => [name, technique as HatchingMaterial['technique']] as const),

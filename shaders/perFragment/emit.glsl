@@ -1,0 +1,24 @@
+mat3 deformedToRest = mat3(1.0);
+#ifdef USE_SKINNING
+  mat3 skin = mat3(skinMatrix);
+  if (determinant(skin) != 0.0) deformedToRest = inverse(skin);
+#endif // USE_SKINNING
+#ifdef USE_MORPHNORMALS
+  // Morph targets move vertices, they turn nothing. What they do to the normal is all that is known here.
+  deformedToRest = rotationBetween(morphedNormal, normal) * deformedToRest;
+#endif // USE_MORPHNORMALS
+
+// Geometry that was never prepared still has its own normals.
+vStrokeNormal = dot(hatchNormal, hatchNormal) > 0.25 ? hatchNormal : normal;
+#if STROKE_ANCHOR == STROKE_ANCHOR_REST
+  vRestPosition = position;
+  mat3 viewToAnchor = deformedToRest * viewToObject;
+#else
+  vRestPosition = transformed;
+  // From the left is the transpose: what the inverse transpose of the deformation is to the normal.
+  vStrokeNormal = vStrokeNormal * deformedToRest;
+  mat3 viewToAnchor = viewToObject;
+#endif // STROKE_ANCHOR
+vViewToObject = viewToAnchor;
+vToViewer = viewToAnchor * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition);
+vUnitsPerPixel = unitsPerPixel(viewToAnchor, mvPosition);

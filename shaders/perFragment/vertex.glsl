@@ -1,0 +1,3 @@
+#include "perFragment/rotationBetween"
+
+attribute vec3 hatchNormal; // smoothed to the scale of a stroke; zero where the geometry has none

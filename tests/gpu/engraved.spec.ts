@@ -1,0 +1,168 @@
+import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
+
+/** The technique `engraved`: how dark its lines are, how far apart, and what they are fixed to. */
+
+const test = onOnePage('tests/gpu/lines.html');
+
+test.beforeEach(async ({ page }) => {
+  await page.waitForFunction(() => window.lining !== undefined);
+});
+
+test('the mean darkness is the tone, at every distance between octaves, where lines cross and where they do not', async ({
+  page,
+}) => {
+  const errors = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2).rotateZ(0.3), { layout: 'indexed' });
+    const material = new HatchingMaterial({ technique: 'engraved', handmade: 0, lineField: 'y', screenConstancy: 1 });
+    const mesh = new THREE.Mesh(geometry, material);
+    const light = new THREE.AmbientLight(0xffffff, 0);
+    const scene = paperScene(mesh, light);
+    const camera = new THREE.OrthographicCamera(-0.6, 0.6, 0.6, -0.6, 0.1, 10);
+    camera.position.z = 2;
+    const errors: number[] = [];
+    for (const crossFrom of [0.52, 1]) {
+      material.crossFrom = crossFrom;
+      for (const tone of [0.1, 0.3, 0.5, 0.7, 0.85, 0.95]) {
+        // A white surface shows a radiance of the intensity over π.
+        light.intensity = Math.PI * (1 - tone);
+        for (const zoom of [1, 1.2, 1.45, 1.7]) {
+          camera.zoom = zoom;
+          camera.updateProjectionMatrix();
+          const ink = draw(scene, camera, rendererOf(300));
+          errors.push(Math.abs(ink.reduce((sum, one) => sum + one, 0) / ink.length - tone));
+        }
+      }
+    }
+    return errors;
+  });
+  expect(errors).toHaveLength(48);
+  for (const error of errors) expect(error).toBeLessThan(0.02);
+});
+
+test('lines lie as far apart as asked on the screen, from near and far, or half as far where new ones are born', async ({
+  page,
+}) => {
+  const spacings = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(8, 8), { layout: 'indexed' });
+    const material = new HatchingMaterial({
+      technique: 'engraved',
+      handmade: 0,
+      lineField: 'y',
+      screenConstancy: 1,
+      lineSpacing: 6,
+      crossFrom: 1,
+    });
+    const scene = paperScene(new THREE.Mesh(geometry, material), new THREE.AmbientLight(0xffffff, 0.6 * Math.PI));
+    const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);
+    return [1, 1.6, 2.3, 3.4, 5].map((distance) => {
+      camera.position.z = distance;
+      const ink = draw(scene, camera, rendererOf(300));
+      // Lines are level: count where a column gets dark.
+      let lines = 0;
+      for (let y = 1; y < 300; y++) if (ink[y * 300 + 150] >= 0.2 && ink[(y - 1) * 300 + 150] < 0.2) lines++;
+      return 300 / lines;
+    });
+  });
+  for (const spacing of spacings) {
+    expect(spacing).toBeGreaterThan(2.9);
+    expect(spacing).toBeLessThan(7);
+  }
+});
+
+test('lines cut by an axis stay while the light moves; those cut by the light turn with it', async ({ page }) => {
+  const { still, turned } = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom, mostDifferent } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const geometry = await prepareHatchingGeometry(new THREE.IcosahedronGeometry(1, 20), { layout: 'indexed' });
+    const material = new HatchingMaterial({ technique: 'engraved', screenConstancy: 1 });
+    const sun = new THREE.DirectionalLight(0xffffff, 1e-3);
+    const scene = paperScene(new THREE.Mesh(geometry, material), sun, new THREE.AmbientLight(0xffffff, 0.6 * Math.PI));
+    const changeWith = (lineField: 'light' | 'x') => {
+      material.lineField = lineField;
+      const pictures = [
+        [1, 1, 1],
+        [-1, 1, 0.2],
+      ].map(([x, y, z]) => {
+        sun.position.set(x, y, z);
+        return draw(scene, lookFrom(0, 0, 4), rendererOf(300));
+      });
+      return mostDifferent(pictures[0], pictures[1]);
+    };
+    return { still: changeWith('x'), turned: changeWith('light') };
+  });
+  expect(still).toBeLessThan(0.02);
+  expect(turned).toBeGreaterThan(0.5);
+});
+
+test('the triangulation does not show: a flat sheet of 2 and of 5,000 triangles are drawn alike', async ({ page }) => {
+  const differing = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const light = new THREE.DirectionalLight(0xffffff, 1.5);
+    light.position.set(1, 2, 2);
+    const pictures: Float32Array[] = [];
+    for (const parts of [1, 50]) {
+      const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2, parts, parts), {
+        layout: 'indexed',
+      });
+      const material = new HatchingMaterial({ technique: 'engraved', screenConstancy: 1 });
+      pictures.push(draw(paperScene(light, new THREE.Mesh(geometry, material)), lookFrom(1, 1, 3), rendererOf(300)));
+    }
+    return pictures[0].filter((one, i) => Math.abs(one - pictures[1][i]) > 0.1).length;
+  });
+  expect(differing).toBeLessThan(90);
+});
+
+test('a scene that is engraved needs no map, and keeps its indices', async ({ page }) => {
+  const { map, layout, ink } = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom, total } = window.lining;
+    const { applyHatching } = window.toolkit;
+    const mesh = new THREE.Mesh(new THREE.TorusGeometry(0.8, 0.3, 24, 48), new THREE.MeshLambertMaterial());
+    const hatched = await applyHatching(mesh, { material: { technique: 'engraved', screenConstancy: 1 } });
+    const light = new THREE.DirectionalLight(0xffffff, 2);
+    const ink = total(draw(paperScene(light, mesh), lookFrom(1, 2, 4), rendererOf(300)));
+    return { map: hatched.materials[0].tonalArtMap, layout: mesh.geometry.userData.hatching.layout, ink };
+  });
+  expect(map).toBeNull();
+  expect(layout).toBe('indexed');
+  expect(ink).toBeGreaterThan(1500);
+});
+
+test('lines hold fast to a mesh that bends: engraving moves with the surface', async ({ page }) => {
+  const { moved, held } = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom, mostDifferent } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const source = new THREE.CylinderGeometry(0.4, 0.4, 2, 32, 20);
+    const count = source.attributes.position.count;
+    source.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+    source.setAttribute(
+      'skinWeight',
+      new THREE.Float32BufferAttribute(
+        Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)),
+        4,
+      ),
+    );
+    const geometry = await prepareHatchingGeometry(source, { layout: 'indexed' });
+    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', handmade: 0, crossFrom: 1 });
+    const mesh = new THREE.SkinnedMesh(geometry, material);
+    const bone = new THREE.Bone();
+    mesh.add(bone);
+    mesh.bind(new THREE.Skeleton([bone]));
+    const scene = paperScene(mesh, new THREE.AmbientLight(0xffffff, 0.5 * Math.PI));
+    const picture = () => draw(scene, lookFrom(0, 0.5, 4), rendererOf(300));
+    const before = picture();
+    // A shift of the bone shifts everything, lines included: seen from a camera shifted as well nothing has changed.
+    bone.position.set(0.3, 0.2, -0.1);
+    const moved = mostDifferent(before, picture());
+    const camera = lookFrom(0, 0.5, 4);
+    camera.position.add(bone.position);
+    const held = mostDifferent(before, draw(scene, camera, rendererOf(300)));
+    return { moved, held };
+  });
+  expect(moved).toBeGreaterThan(0.5);
+  expect(held).toBeLessThan(0.1);
+});
