@@ -7,7 +7,7 @@ const port = Number(process.env.HATCH_PORT ?? 41730);
 
 /** What must hold with every version of three.js, by file and title; the other tests run with the newest only. */
 const core = [
-  /(embedding|lights|lines)\.spec/,
+  /(embedding|engraved|lights|lines)\.spec/,
   /equals the double-precision reference: (torus|phong|reflected light|second layer|tone curve)/,
   /anchored equals .*(moved object|perceptual)/,
   /what three\.js computes on the processor: skin/,
