@@ -20,5 +20,4 @@ vStrokeNormal = dot(hatchNormal, hatchNormal) > 0.25 ? hatchNormal : normal;
   mat3 viewToAnchor = viewToObject;
 #endif // STROKE_ANCHOR
 vViewToObject = viewToAnchor;
-vToViewer = viewToAnchor * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition);
 vUnitsPerPixel = unitsPerPixel(viewToAnchor, mvPosition);

@@ -1,1 +1,3 @@
+#include <lights_pars_begin>
 #include "perFragment/vertex"
+#include "technique/lightField"
