@@ -4,7 +4,6 @@ import {
   type Camera,
   Frustum,
   type InstancedMesh,
-  type Material,
   Matrix4,
   type Mesh,
   Object3D,
@@ -276,10 +275,3 @@ function isInSight(mesh: Mesh, camera: Camera): boolean {
   frustum.setFromProjectionMatrix(matrix, coordinateSystem, reversedDepth);
   return frustum.intersectsSphere(sphere.copy(bounds).applyMatrix4(mesh.matrixWorld));
 }
-
-/** Whether an object draws lines of ours. */
-export const isHatchingLines = (object: Object3D): object is HatchingLines => 'isHatchingLines' in object;
-
-/** Whether a material draws them. */
-export const isLineMaterial = (material: Material): material is HatchingLineMaterial =>
-  'isHatchingLineMaterial' in material;

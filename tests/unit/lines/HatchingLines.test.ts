@@ -19,7 +19,7 @@ import { STLExporter } from 'three/addons/exporters/STLExporter.js';
 import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingLineMaterial } from '../../../src/lines/HatchingLineMaterial.js';
-import { HatchingLines, isHatchingLines, isLineMaterial } from '../../../src/lines/HatchingLines.js';
+import { HatchingLines } from '../../../src/lines/HatchingLines.js';
 
 let geometry: BufferGeometry;
 beforeAll(async () => {
@@ -45,7 +45,7 @@ const createMesh = (withLines = true) => {
   return mesh;
 };
 
-const linesOf = (object: Object3D) => object.children.find(isHatchingLines)!;
+const linesOf = (object: Object3D) => object.children.find((child) => child instanceof HatchingLines)!;
 
 describe('the mesh', () => {
   test('is the one that is given, or else the parent', () => {
@@ -106,7 +106,7 @@ describe('the material', () => {
     expect(own.lineWidth).toBe(4);
     expect(own.shadeWeights.toArray()).toEqual([0, 1]);
     expect(new HatchingLines().material.lineWidth).toBe(1.8);
-    expect([isLineMaterial(own), isLineMaterial(new MeshBasicMaterial())]).toEqual([true, false]);
+    expect(own.isHatchingLineMaterial).toBe(true);
   });
 
   test('is disposed of with the lines if it is their own', () => {
@@ -202,7 +202,7 @@ describe('files', () => {
     const [empty, ...others] = loaded.children;
     expect(others).toEqual([]);
     expect([empty.type, empty.name, empty.uuid, empty.children]).toEqual(['Object3D', 'lines', linesOf(mesh).uuid, []]);
-    expect(isHatchingLines(empty)).toBe(false);
+    expect(empty).not.toBeInstanceOf(HatchingLines);
     // Only the box and its material.
     expect([json.geometries.length, json.materials.length]).toEqual([1, 1]);
     expect(linesOf(mesh).toJSON().object.type).toBe('Object3D');
