@@ -121,7 +121,7 @@ export const SETTINGS = {
     max: 100,
     step: 1,
   },
-  handmade: { kind: 'number', label: 'Hand', group: 'Drawing', default: 40, unit: '%', min: 0, max: 100, step: 1 },
+  handmade: { kind: 'number', label: 'Handmade', group: 'Drawing', default: 40, unit: '%', min: 0, max: 100, step: 1 },
   strokeDirection: {
     kind: 'choice',
     label: 'Direction',
