@@ -69,9 +69,9 @@ export function* bakeLines(
   { creaseAngle, creaseLength, triangleGroups }: LineRequest,
 ): Generator<number, LineSurface, void> {
   const { mesh, areaNormals, twins, canonicalCorners } = surface;
-  const smooth = isCoarse(mesh, twins, areaNormals, radius)
-    ? yield* asPhase(facets(areaNormals), 0, 0.85)
-    : yield* asPhase(smoothSurface(surface, ofCorner, radius), 0, 0.85);
+  const smooth = (yield* asPhase(isCoarse(mesh, twins, areaNormals, radius), 0, 0.03))
+    ? yield* asPhase(facets(areaNormals), 0.03, 0.85)
+    : yield* asPhase(smoothSurface(surface, ofCorner, radius), 0.03, 0.85);
   const edges = yield* asPhase(
     findFeatureEdges(
       {

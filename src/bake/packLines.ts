@@ -6,7 +6,7 @@ import type { LineSurface } from './bakeLines.js';
 import { halfFloat } from './halfFloat.js';
 import { POINT_BITS, POINT_WORDS, PRIMITIVE_WORDS } from './lineLayout.js';
 import { octahedral } from './octahedral.js';
-import { pullTextureSize } from './pullLayout.js';
+import { paddedWords } from './packPull.js';
 
 /** What lines are drawn from (see `lineLayout.ts`). Plain data: the worker posts it back. */
 export interface PackedLines {
@@ -71,11 +71,6 @@ export function* packLines(
 /** The buffers of packed lines, to be transferred with them. */
 export const lineBuffers = (lines: PackedLines | null): ArrayBuffer[] =>
   lines === null ? [] : [lines.points.buffer, lines.primitives.buffer, lines.positions.buffer, lines.normals.buffer];
-
-function paddedWords(entries: number, wordsPerEntry: number): number {
-  const { width, height } = pullTextureSize(Math.max(1, (entries * wordsPerEntry) / 4));
-  return 4 * width * height;
-}
 
 /** Finds the position and a vertex of each fan that some corners belong to. */
 function placeRange(

@@ -40,7 +40,7 @@ export function* packPull(
 }
 
 /** Words of a texture that holds `entries` entries. A texel has four words. */
-function paddedWords(entries: number, wordsPerEntry: number): number {
+export function paddedWords(entries: number, wordsPerEntry: number): number {
   const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4);
   return 4 * width * height;
 }

@@ -1,4 +1,4 @@
-import { doubleArea, isDegenerate } from '../mesh/computeAreaNormals.js';
+import { cosineBetween, isDegenerate } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, nextCorner, triangleOf } from '../mesh/corners.js';
 import { disjointSets, join, rootOf } from '../mesh/disjointSets.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
@@ -120,14 +120,6 @@ function collectRange(
     corners.push(corner);
     kinds.push(kind);
   }
-}
-
-function cosineBetween(areaNormals: Float64Array, a: number, b: number): number {
-  const dot =
-    areaNormals[3 * a] * areaNormals[3 * b] +
-    areaNormals[3 * a + 1] * areaNormals[3 * b + 1] +
-    areaNormals[3 * a + 2] * areaNormals[3 * b + 2];
-  return dot / doubleArea(areaNormals, a) / doubleArea(areaNormals, b);
 }
 
 /** Whether the fans on the two sides of an edge differ at either end. */

@@ -1,11 +1,21 @@
-import { doubleArea } from '../mesh/computeAreaNormals.js';
+import { cosineBetween } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, nextCorner, triangleOf } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 
 /** The mean length of an edge from which on a mesh may be coarse, as a share of the bounding radius. */
 const LONG_EDGE = 0.1;
 /** The mean angle between neighbours from which on it is. */
 const WIDE_ANGLE = (9 * Math.PI) / 180;
+
+/** Sums over edges. */
+interface EdgeSums {
+  count: number;
+  length: number;
+  /** Of the angles between neighbours, times the lengths of their edges. */
+  turned: number;
+}
 
 /**
  * Whether a mesh has so few triangles that one sees them on its outline: a sphere of 320, but not one of 1,280. A contour of
@@ -13,36 +23,41 @@ const WIDE_ANGLE = (9 * Math.PI) / 180;
  *
  * @param twins with NO_TWIN at sharp edges, which say nothing of how coarse a mesh is
  */
-export function isCoarse(
-  { positions, indices }: TriangleMesh,
+export function* isCoarse(
+  mesh: TriangleMesh,
   twins: Int32Array,
   areaNormals: Float64Array,
   radius: number,
-): boolean {
-  let length = 0;
-  let turned = 0;
-  let edges = 0;
-  for (let corner = 0; corner < indices.length; corner++) {
+): Generator<number, boolean, void> {
+  const sums: EdgeSums = { count: 0, length: 0, turned: 0 };
+  yield* asPhase(
+    forEachChunk(twins.length, (start, end) => addRange(mesh, twins, areaNormals, sums, start, end)),
+    0,
+    1,
+  );
+  return sums.length > LONG_EDGE * radius * sums.count && sums.turned > WIDE_ANGLE * sums.length;
+}
+
+function addRange(
+  { positions, indices }: TriangleMesh,
+  twins: Int32Array,
+  areaNormals: Float64Array,
+  sums: EdgeSums,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
     const twin = twins[corner];
     if (twin === NO_TWIN || twin < corner) continue;
     const a = 3 * indices[corner];
     const b = 3 * indices[nextCorner(corner)];
-    const own = Math.hypot(
-      positions[b] - positions[a],
-      positions[b + 1] - positions[a + 1],
-      positions[b + 2] - positions[a + 2],
-    );
-    length += own;
-    turned += own * angleBetween(areaNormals, triangleOf(corner), triangleOf(twin));
-    edges++;
+    const x = positions[b] - positions[a];
+    const y = positions[b + 1] - positions[a + 1];
+    const z = positions[b + 2] - positions[a + 2];
+    const length = Math.sqrt(x * x + y * y + z * z);
+    const cosine = cosineBetween(areaNormals, triangleOf(corner), triangleOf(twin)) || 0;
+    sums.count++;
+    sums.length += length;
+    sums.turned += length * Math.acos(Math.min(1, Math.max(-1, cosine)));
   }
-  return length > LONG_EDGE * radius * edges && turned > WIDE_ANGLE * length;
-}
-
-function angleBetween(areaNormals: Float64Array, a: number, b: number): number {
-  const dot =
-    areaNormals[3 * a] * areaNormals[3 * b] +
-    areaNormals[3 * a + 1] * areaNormals[3 * b + 1] +
-    areaNormals[3 * a + 2] * areaNormals[3 * b + 2];
-  return Math.acos(Math.min(1, Math.max(-1, dot / doubleArea(areaNormals, a) / doubleArea(areaNormals, b) || 0)));
 }

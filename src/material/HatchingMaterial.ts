@@ -227,7 +227,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms(renderer.capabilities.maxTextureSize);
     this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
-    this.useFieldCentre(geometry);
+    if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) this.useFieldCentre(geometry);
     warnIfStale(geometry);
     this.announced.length = 0;
     if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));

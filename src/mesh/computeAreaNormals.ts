@@ -16,6 +16,19 @@ export function* computeAreaNormals(mesh: TriangleMesh): Generator<number, Float
 export const isDegenerate = (areaNormals: Float64Array, triangle: number): boolean =>
   areaNormals[3 * triangle] === 0 && areaNormals[3 * triangle + 1] === 0 && areaNormals[3 * triangle + 2] === 0;
 
+/** The cosine of the angle between the normals of two triangles; NaN where one is degenerate. */
+export function cosineBetween(areaNormals: Float64Array, a: number, b: number): number {
+  const ax = areaNormals[3 * a];
+  const ay = areaNormals[3 * a + 1];
+  const az = areaNormals[3 * a + 2];
+  const bx = areaNormals[3 * b];
+  const by = areaNormals[3 * b + 1];
+  const bz = areaNormals[3 * b + 2];
+  // Two roots, not one: the product of the squares could overflow.
+  const lengths = Math.sqrt(ax * ax + ay * ay + az * az) * Math.sqrt(bx * bx + by * by + bz * bz);
+  return (ax * bx + ay * by + az * bz) / lengths;
+}
+
 /** Twice the area of the triangle: the length of its area normal. */
 export function doubleArea(areaNormals: Float64Array, triangle: number): number {
   const x = areaNormals[3 * triangle];

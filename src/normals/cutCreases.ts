@@ -1,4 +1,5 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
+import { cosineBetween } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
@@ -26,23 +27,11 @@ function cutRange(
   for (let corner = start; corner < end; corner++) {
     const twin = twins[corner];
     if (twin < corner) continue;
-    const cosine = cosineBetween(areaNormals, 3 * triangleOf(corner), 3 * triangleOf(twin));
+    const cosine = cosineBetween(areaNormals, triangleOf(corner), triangleOf(twin));
     // A triangle wound the other way has its normal on the other side.
     const isInconsistent = canonicalCorners[corner] === canonicalCorners[twin];
     if ((isInconsistent ? -cosine : cosine) > creaseCosine) continue;
     twins[corner] = NO_TWIN;
     twins[twin] = NO_TWIN;
   }
-}
-
-function cosineBetween(normals: Float64Array, a: number, b: number): number {
-  const ax = normals[a];
-  const ay = normals[a + 1];
-  const az = normals[a + 2];
-  const bx = normals[b];
-  const by = normals[b + 1];
-  const bz = normals[b + 2];
-  // Two roots, not one: the product of the squares could overflow.
-  const lengths = Math.sqrt(ax * ax + ay * ay + az * az) * Math.sqrt(bx * bx + by * by + bz * bz);
-  return (ax * bx + ay * by + az * bz) / lengths;
 }

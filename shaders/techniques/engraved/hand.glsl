@@ -15,9 +15,13 @@ vec3 handPoint(const in vec3 point) {
 }
 
 // Pressure comes and goes along a line; where the tone is light it lifts, and leaves gaps.
-float handTone(const in vec3 point, const in float tone) {
+float handPressure(const in vec3 point) {
   vec3 waves = slowWaves(5.0 * strokeScale * point + 7.0);
-  return tone + handmade * 0.45 * tone * (1.0 - tone) * waves.x * waves.y;
+  return handmade * 0.45 * waves.x * waves.y;
+}
+
+float handTone(const in float pressure, const in float tone) {
+  return tone + pressure * tone * (1.0 - tone);
 }
 
 // A factor on the width of a line, the same all along it; 1 in the mean.

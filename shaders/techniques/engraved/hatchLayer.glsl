@@ -11,11 +11,12 @@ uniform float screenConstancy; // 0: lines spaced on the object, 1: on the scree
 // How much of the tone above `crossFrom` the first family still takes.
 #define FIRST_SHARE 0.4
 
-// The darkness of one family: the level sets of the place along `axis`.
-float family(const in HatchingParameters h, const in vec3 axis, const in float tone) {
+// The darkness of one family: the level sets of the place along `axis`. point: as the hand strays, pressure: of the hand.
+float family(
+  const in vec3 point, const in ScreenMap onScreen, const in float pressure, const in vec3 axis, const in float tone
+) {
   if (tone <= 0.0) return 0.0;
-  float perPixel = max(screenGradient(axis, h.normal), 1e-12);
-  return ruledLines(dot(handPoint(h.point), axis), perPixel, handTone(h.point, tone));
+  return ruledLines(dot(point, axis), max(screenGradient(axis, onScreen), 1e-12), handTone(pressure, tone));
 }
 
 // How far the lines of two axes cross on the surface: the sine of their angle.
@@ -39,8 +40,12 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
   float sc = acrossness(axis, c, h.normal);
   float share = smoothstep(-0.35, 0.35, sb * sb - sc * sc);
   float blank = max(1.0 - rest, 1e-4);
-  float darkness = 1.0 - (1.0 - family(h, axis, first))
-    * (1.0 - family(h, b, 1.0 - pow(blank, share)))
-    * (1.0 - family(h, c, 1.0 - pow(blank, 1.0 - share)));
+  // What all families share, once.
+  vec3 point = handPoint(h.point);
+  float pressure = handPressure(h.point);
+  ScreenMap onScreen = screenMap(h.normal);
+  float darkness = 1.0 - (1.0 - family(point, onScreen, pressure, axis, first))
+    * (1.0 - family(point, onScreen, pressure, b, 1.0 - pow(blank, share)))
+    * (1.0 - family(point, onScreen, pressure, c, 1.0 - pow(blank, 1.0 - share)));
   return tone >= 1.0 ? 1.0 : darkness;
 }

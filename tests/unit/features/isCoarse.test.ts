@@ -12,7 +12,7 @@ const icosphere = (detail: number) => meshFrom(new IcosahedronGeometry(1, detail
 
 function judged(mesh: TriangleMesh): boolean {
   const { sharpTwins, areaNormals } = surfaceOf(mesh);
-  return isCoarse(mesh, sharpTwins, areaNormals, finish(measureBounds(mesh)).radius);
+  return finish(isCoarse(mesh, sharpTwins, areaNormals, finish(measureBounds(mesh)).radius));
 }
 
 describe('coarse', () => {
