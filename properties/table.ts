@@ -152,9 +152,9 @@ export const PROPERTIES = {
     type: 'LineField',
     typeSentence: 'What the lines of `engraved` are cut by.',
     choices: {
-      light: 'planes across the light: lines run around it, tangent to it.',
+      light: 'planes across the light, or spheres around a lamp: lines run around it, tangent to it.',
       towards: 'planes that hold the direction of the light: lines run towards it.',
-      x: 'planes across the x axis of the object: lines stay where they are while the light moves.',
+      x: 'planes across the x axis of the object, or of the scene that `applyHatching` dressed: lines stay where they are while the light moves.',
       y: 'the same across its y axis.',
       z: 'the same across its z axis.',
     },
@@ -169,7 +169,8 @@ export const PROPERTIES = {
     unit: 'pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0',
     range: { above: 0 },
     techniques: ['engraved'],
-    sentence: 'Distance between lines. As one comes nearer new ones are born between them, thin at first.',
+    sentence:
+      'Distance between lines, at least 3 pixels. As one comes nearer new ones are born between them, thin at first.',
   },
   crossFrom: {
     kind: 'number',

@@ -9,15 +9,13 @@ mat3 deformedToRest = mat3(1.0);
 #endif // USE_MORPHNORMALS
 
 // Geometry that was never prepared still has its own normals.
-vStrokeNormal = dot(hatchNormal, hatchNormal) > 0.25 ? hatchNormal : normal;
+vec3 strokeNormal = dot(hatchNormal, hatchNormal) > 0.25 ? hatchNormal : normal;
 #if STROKE_ANCHOR == STROKE_ANCHOR_REST
-  vRestPosition = position;
+  vec3 anchorPosition = position;
   mat3 viewToAnchor = deformedToRest * viewToObject;
 #else
-  vRestPosition = transformed;
+  vec3 anchorPosition = transformed;
   // From the left is the transpose: what the inverse transpose of the deformation is to the normal.
-  vStrokeNormal = vStrokeNormal * deformedToRest;
+  strokeNormal = strokeNormal * deformedToRest;
   mat3 viewToAnchor = viewToObject;
 #endif // STROKE_ANCHOR
-vViewToObject = viewToAnchor;
-vUnitsPerPixel = unitsPerPixel(viewToAnchor, mvPosition);

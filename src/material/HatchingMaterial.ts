@@ -12,7 +12,6 @@ import {
   TangentSpaceNormalMap,
   type Texture,
   type Vector2,
-  type Vector3,
   Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -23,6 +22,7 @@ import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { defaultOf } from './defaultOf.js';
 import { environmentAround } from './environmentAround.js';
+import { writeFieldFrame } from './fieldFrame.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
@@ -227,18 +227,12 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
     this.writeUniforms(renderer.capabilities.maxTextureSize);
     this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
-    if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) this.useFieldCentre(geometry);
+    if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) {
+      if (writeFieldFrame(this.uniforms, this.strokeScale, geometry, object)) this.uniformsNeedUpdate = true;
+    }
     warnIfStale(geometry);
     this.announced.length = 0;
     if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
-  }
-
-  /** Lines of `engraved` count from the centre of the object. It differs between meshes, and three uploads uniforms once for all. */
-  private useFieldCentre({ boundingSphere }: BufferGeometry): void {
-    const centre = this.uniforms.fieldCentre.value as Vector3;
-    if (!boundingSphere || centre.equals(boundingSphere.center)) return;
-    centre.copy(boundingSphere.center);
-    this.uniformsNeedUpdate = true;
   }
 
   private useEnvironment(isThere: boolean): void {

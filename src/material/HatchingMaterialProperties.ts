@@ -80,8 +80,9 @@ export interface HatchingMaterialOptions {
   /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
-   * Distance between lines. As one comes nearer new ones are born between them, thin at first. Pixels of the drawing
-   * buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
+   * Distance between lines, at least 3 pixels. As one comes nearer new ones are born between them, thin at first.
+   * Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
+   * `'engraved'`.
    */
   lineSpacing: number;
   /** Tone above which other lines cross the first; at 1 none do. In [0, 1]. Default `0.52`. Only `'engraved'`. */
@@ -369,8 +370,9 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Distance between lines. As one comes nearer new ones are born between them, thin at first. Pixels of the drawing
-   * buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
+   * Distance between lines, at least 3 pixels. As one comes nearer new ones are born between them, thin at first.
+   * Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
+   * `'engraved'`.
    */
   get lineSpacing(): number {
     return this.numbers.lineSpacing;

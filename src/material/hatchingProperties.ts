@@ -31,9 +31,10 @@ export type LevelRule = 'derivatives' | 'depth';
 
 /**
  * What the lines of `engraved` are cut by.
- * - `light`: planes across the light: lines run around it, tangent to it.
+ * - `light`: planes across the light, or spheres around a lamp: lines run around it, tangent to it.
  * - `towards`: planes that hold the direction of the light: lines run towards it.
- * - `x`: planes across the x axis of the object: lines stay where they are while the light moves.
+ * - `x`: planes across the x axis of the object, or of the scene that `applyHatching` dressed: lines stay where they
+ *   are while the light moves.
  * - `y`: the same across its y axis.
  * - `z`: the same across its z axis.
  */

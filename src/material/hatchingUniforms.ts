@@ -13,7 +13,6 @@ export function createHatchingUniforms(): Uniforms {
     {
       alphaTest: { value: 0 },
       creaseCosine: { value: 0 },
-      fieldCentre: { value: new Vector3() },
       opacity: { value: 1 },
       strokeDirection: { value: new Vector2() },
       strokeTransform: { value: new Matrix3() },
@@ -38,6 +37,9 @@ export function createHatchingUniforms(): Uniforms {
       deformedNormals: { value: null },
       deformedPositions: { value: null },
       deformedTurns: { value: null },
+      fieldOrigin: { value: new Vector3() },
+      objectToField: { value: new Matrix3() },
+      objectToFieldNormal: { value: new Matrix3() },
       restPositions: { value: null },
       triangleVertices: { value: null },
     },

@@ -1,5 +1,6 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
 import type { HatchingLines } from '../lines/HatchingLines.js';
+import { FIELD_FRAME } from '../material/fieldFrame.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
 /** A mesh that was left as it was, and why. */
@@ -8,11 +9,13 @@ export interface SkippedMesh {
   error: Error;
 }
 
-/** The geometry and material of a mesh. */
+/** The geometry and material of a mesh, and the frame of its lines. */
 export interface MeshLook {
   mesh: Mesh;
   geometry: BufferGeometry;
   material: Material | Material[];
+  /** The matrix from its object space to the frame that its lines are cut in, if it shares one with others. */
+  fieldFrame: number[] | undefined;
 }
 
 /** A scene hatched by `applyHatching`, which can be restored. */
@@ -36,7 +39,12 @@ export class HatchedScene {
     private readonly disposables: { dispose(): void }[],
     private readonly releaseMeshes: () => void,
   ) {
-    this.originals = looks.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
+    this.originals = looks.map(({ mesh }) => ({
+      mesh,
+      geometry: mesh.geometry,
+      material: mesh.material,
+      fieldFrame: mesh.userData[FIELD_FRAME],
+    }));
     applyLooks(looks);
     for (const one of lines) one.mesh?.add(one);
   }
@@ -60,5 +68,9 @@ export class HatchedScene {
 }
 
 function applyLooks(looks: readonly MeshLook[]): void {
-  for (const { mesh, geometry, material } of looks) Object.assign(mesh, { geometry, material });
+  for (const { mesh, geometry, material, fieldFrame } of looks) {
+    Object.assign(mesh, { geometry, material });
+    if (fieldFrame === undefined) delete mesh.userData[FIELD_FRAME];
+    else mesh.userData[FIELD_FRAME] = fieldFrame;
+  }
 }

@@ -12,6 +12,7 @@ import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
+import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import { LineMaker } from './LineMaker.js';
 import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
@@ -77,6 +78,8 @@ const MAP_SHARE = 0.2;
  * - Meshes that already have a `HatchingMaterial` are left alone.
  * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`. So is a mesh whose geometry or material
  *   was exchanged meanwhile.
+ * - Lines of `engraved` run on from mesh to mesh: `userData.hatchingField` of each holds the frame they share, as at the time of
+ *   the call. Clones keep it. Instances and batches have lines of their own.
  * - Unless given, the layout is `'indexed'` for geometries that only `anchored` or `engraved` draws, and no map is drawn for the
  *   latter.
  * - `lines` draws contours, borders and creases of every mesh but a `BatchedMesh` and cut-outs (`alphaTest`,
@@ -138,7 +141,14 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     }
     for (const material of withoutMap) material.tonalArtMap = map;
     signal?.throwIfAborted();
-    replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / radiusOf(looks));
+    const whole = sphereAround(looks);
+    replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / whole.radius);
+    const frames = fieldFrames(
+      root,
+      looks.map(({ mesh }) => mesh),
+      whole.center,
+    );
+    for (const [i, look] of looks.entries()) look.fieldFrame = frames[i];
     const used = new Set<Material>(looks.flatMap(({ material }) => material));
     const materials = replacer.materials.filter((material) => used.has(material));
     const drawn = lineMaker?.linesFor(looks) ?? [];
@@ -208,7 +218,7 @@ function collectLooks(
     const hasChanged = mesh.geometry !== plan.geometry || mesh.material !== plan.oldMaterial;
     if (geometry instanceof Error) skipped.push({ mesh, error: geometry });
     else if (hasChanged) skipped.push({ mesh, error: changedMeanwhile(mesh) });
-    else looks.push({ mesh, geometry, material });
+    else looks.push({ mesh, geometry, material, fieldFrame: undefined });
   }
   return { looks, skipped };
 }
@@ -227,13 +237,13 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
   );
 }
 
-/** Radius of a sphere around all meshes, in world units; 1 if there is none. */
-function radiusOf(looks: readonly MeshLook[]): number {
+/** A sphere around all meshes, world space; of radius 1 about the origin if there is none. */
+function sphereAround(looks: readonly MeshLook[]): Sphere {
   const whole = new Sphere();
   for (const { mesh, geometry } of looks) {
     if (isBatched(mesh) && mesh.boundingSphere === null) mesh.computeBoundingSphere();
     const sphere = isBatched(mesh) ? mesh.boundingSphere! : geometry.boundingSphere!;
     for (const matrix of worldMatrices(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
   }
-  return whole.radius > 0 && Number.isFinite(whole.radius) ? whole.radius : 1;
+  return whole.radius > 0 && Number.isFinite(whole.radius) ? whole : new Sphere(undefined, 1);
 }

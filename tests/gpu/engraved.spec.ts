@@ -166,3 +166,112 @@ test('lines hold fast to a mesh that bends: engraving moves with the surface', a
   expect(moved).toBeGreaterThan(0.5);
   expect(held).toBeLessThan(0.1);
 });
+
+test('around a near lamp lines are cut by spheres: on a floor they are circles about its foot', async ({ page }) => {
+  const spread = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene } = window.lining;
+    const { HatchingMaterial } = window.toolkit;
+    const material = new HatchingMaterial({
+      technique: 'engraved',
+      handmade: 0,
+      crossFrom: 1,
+      screenConstancy: 1,
+      lineSpacing: 12,
+    });
+    // Two triangles: the rings must not come from vertices.
+    const floor = new THREE.Mesh(new THREE.PlaneGeometry(4, 4), material);
+    const lamp = new THREE.PointLight(0xffffff, 1e-3);
+    const foot = { x: 0.4, y: -0.3 };
+    lamp.position.set(foot.x, foot.y, 0.5);
+    const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
+    camera.position.z = 2;
+    const ink = draw(paperScene(floor, lamp, new THREE.AmbientLight(0xffffff, 0.7 * Math.PI)), camera, rendererOf(300));
+    // On every ring of pixels around the foot, how much the ink differs, against how much it differs anywhere.
+    const rings = Array.from({ length: 90 }, () => [] as number[]);
+    for (const [i, one] of ink.entries()) {
+      const x = ((i % 300) + 0.5) / 150 - 1 - foot.x;
+      const y = 1 - (Math.floor(i / 300) + 0.5) / 150 - foot.y;
+      const ring = Math.floor(Math.hypot(x, y) * 150);
+      if (ring >= 20 && ring < 90) rings[ring].push(one);
+    }
+    const varianceOf = (values: number[]) => {
+      const mean = values.reduce((sum, one) => sum + one, 0) / values.length;
+      return values.reduce((sum, one) => sum + (one - mean) ** 2, 0) / values.length;
+    };
+    const used = rings.slice(20);
+    return used.reduce((sum, ring) => sum + varianceOf(ring), 0) / used.length / varianceOf(used.flat());
+  });
+  expect(spread).toBeLessThan(0.25);
+});
+
+test('lines run on from mesh to mesh of a scene, whatever the parts are scaled, turned and shifted by', async ({
+  page,
+}) => {
+  const { differing, apart } = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom } = window.lining;
+    const { applyHatching } = window.toolkit;
+    const light = new THREE.DirectionalLight(0xffffff, 2);
+    light.position.set(1, 2, 2);
+    const draws = async (scene: InstanceType<typeof THREE.Object3D>, clones = false) => {
+      const hatched = await applyHatching(scene, {
+        material: { technique: 'engraved', screenConstancy: 0.5, lineSpacing: 20 },
+        strokeScale: 3,
+      });
+      const drawn = clones ? scene.clone() : scene;
+      const picture = draw(paperScene(light, drawn), lookFrom(0.3, 0.4, 3), rendererOf(300));
+      hatched.dispose();
+      return { picture, isLeft: scene.children.some(({ userData }) => 'hatchingField' in userData) };
+    };
+    const paper = new THREE.MeshLambertMaterial();
+    const whole = new THREE.Group().add(new THREE.Mesh(new THREE.PlaneGeometry(1.6, 0.8), paper));
+    const parts = new THREE.Group();
+    for (const [side, scale, turn] of [
+      [-1, 2, 0],
+      [1, 0.25, Math.PI / 2],
+    ]) {
+      const part = new THREE.Mesh(new THREE.PlaneGeometry(0.8 / scale, 0.8 / scale).rotateZ(-turn), paper);
+      part.position.x = 0.4 * side;
+      part.rotation.z = turn;
+      part.scale.setScalar(scale);
+      parts.add(part);
+    }
+    const one = await draws(whole);
+    const two = await draws(parts);
+    const cloned = await draws(parts, true);
+    const differ = (a: Float32Array, b: Float32Array) => a.filter((ink, i) => Math.abs(ink - b[i]) > 0.1).length;
+    return {
+      differing: [differ(one.picture, two.picture), differ(two.picture, cloned.picture)],
+      apart: two.isLeft,
+    };
+  });
+  for (const pixels of differing) expect(pixels).toBeLessThan(60);
+  // What is restored is as it was.
+  expect(apart).toBe(false);
+});
+
+test('a face that lies in a cutting plane has lines all the same: other families take its tone', async ({ page }) => {
+  const means = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene } = window.lining;
+    const { HatchingMaterial } = window.toolkit;
+    const material = new HatchingMaterial({ technique: 'engraved', handmade: 0, lineField: 'z' });
+    const mesh = new THREE.Mesh(new THREE.PlaneGeometry(4, 4), material);
+    const camera = new THREE.OrthographicCamera(-0.6, 0.6, 0.6, -0.6, 0.1, 10);
+    camera.position.z = 2;
+    const light = new THREE.AmbientLight(0xffffff, 0.6 * Math.PI);
+    return [0, 0.12, 0.3].map((turn) => {
+      mesh.rotation.x = turn;
+      mesh.updateMatrixWorld();
+      return [0, 1].map((screenConstancy) => {
+        material.screenConstancy = screenConstancy;
+        const ink = draw(paperScene(mesh, light), camera, rendererOf(300));
+        const mean = ink.reduce((sum, one) => sum + one, 0) / ink.length;
+        return { mean, deviation: Math.sqrt(ink.reduce((sum, one) => sum + (one - mean) ** 2, 0) / ink.length) };
+      });
+    });
+  });
+  for (const { mean, deviation } of means.flat()) {
+    expect(Math.abs(mean - 0.4)).toBeLessThan(0.02);
+    // Lines, not a grey.
+    expect(deviation).toBeGreaterThan(0.25);
+  }
+});

@@ -1,34 +1,38 @@
 // The unsteadiness of a hand. It belongs to the place on the object: nothing moves when the camera does.
 uniform float handmade; // 0: a ruling machine
 
+// A wave of period 2 within [−1, 1]: two parabolas, smooth and far cheaper than a sine.
+vec3 wave(const in vec3 x) {
+  vec3 t = 2.0 * fract(0.5 * x) - 1.0;
+  return 4.0 * t * (abs(t) - 1.0);
+}
+
 // Slow waves without a period in sight, each within [−1, 1].
 vec3 slowWaves(const in vec3 p) {
-  vec3 bent = p + 0.7 * sin(1.7 * p.yzx + vec3(0.3, 2.1, 4.4));
-  return sin(2.3 * bent.zxy + vec3(1.1, 3.7, 5.2));
+  vec3 bent = p + 0.7 * wave(0.54 * p.yzx + vec3(0.1, 0.67, 1.4));
+  return wave(0.73 * bent.zxy + vec3(0.35, 1.18, 1.66));
 }
 
 // How far lines stray, in tiles.
 #define STRAY 0.012
 
-vec3 handPoint(const in vec3 point) {
-  return point + handmade * STRAY / strokeScale * slowWaves(3.0 * strokeScale * point);
+// Where the hand puts what belongs to a point.
+vec3 handPoint(const in vec3 point, const in vec3 waves) {
+  return point + handmade * STRAY * waves;
 }
 
 // Pressure comes and goes along a line; where the tone is light it lifts, and leaves gaps.
-float handPressure(const in vec3 point) {
-  vec3 waves = slowWaves(5.0 * strokeScale * point + 7.0);
-  return handmade * 0.45 * waves.x * waves.y;
+float handPressure(const in vec3 waves) {
+  return handmade * 0.3 * waves.x * waves.y;
 }
 
 float handTone(const in float pressure, const in float tone) {
   return tone + pressure * tone * (1.0 - tone);
 }
 
-// A factor on the width of a line, the same all along it; 1 in the mean.
+// A factor on the width of a line, the same all along it; 1 in the mean. line: its value, a multiple of a power of two.
 float handWidth(const in float line) {
-  uint h = floatBitsToUint(line) * 0x9e3779b9u;
-  h ^= h >> 16u;
-  h *= 0x7feb352du;
-  h ^= h >> 15u;
-  return 1.0 + handmade * 0.25 * (float(h >> 8u) / 8388608.0 - 1.0);
+  // Few bits of such a number are set. Multiplied by the golden ratio, they are spread evenly (Fibonacci hashing).
+  uint spread = floatBitsToUint(line) * 0x9e3779b9u;
+  return 1.0 + handmade * (float(spread >> 8u) / 33554432.0 - 0.25);
 }

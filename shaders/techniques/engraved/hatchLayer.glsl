@@ -1,6 +1,5 @@
 // Engraved lines: level sets of a function on the object. They never break, fork or repeat, on any mesh. They swell with the
 // tone, new ones are born between old ones as one comes nearer, and other families cross them in the darks.
-uniform float strokeScale; // tiles per object unit
 uniform float crossFrom; // tone above which lines cross
 uniform float screenConstancy; // 0: lines spaced on the object, 1: on the screen
 
@@ -11,41 +10,51 @@ uniform float screenConstancy; // 0: lines spaced on the object, 1: on the scree
 // How much of the tone above `crossFrom` the first family still takes.
 #define FIRST_SHARE 0.4
 
-// The darkness of one family: the level sets of the place along `axis`. point: as the hand strays, pressure: of the hand.
-float family(
-  const in vec3 point, const in ScreenMap onScreen, const in float pressure, const in vec3 axis, const in float tone
-) {
-  if (tone <= 0.0) return 0.0;
-  return ruledLines(dot(point, axis), max(screenGradient(axis, onScreen), 1e-12), handTone(pressure, tone));
-}
-
-// How far the lines of two axes cross on the surface: the sine of their angle.
-float acrossness(const in vec3 a, const in vec3 b, const in vec3 n) {
-  vec3 ta = a - n * dot(n, a);
-  vec3 tb = b - n * dot(n, b);
-  return abs(dot(n, cross(ta, tb))) * inversesqrt(max(dot(ta, ta) * dot(tb, tb), 1e-12));
-}
+// Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left, and
+// those that cross it take its tone.
+#define BARE_SLOPE vec2(0.06, 0.18)
 
 float hatchLayer(const in HatchingParameters h, const in float tone) {
-  vec3 axis = fieldAxis(h.toLight);
-  // What each family takes, so that printed over one another, 1 − Π (1 − Tᵢ), they give the tone again.
-  float above = max(tone - crossFrom, 0.0);
-  float first = min(tone, crossFrom) + FIRST_SHARE * above;
-  float rest = 1.0 - (1.0 - tone) / max(1.0 - first, 1e-4);
-  // On any surface one of two axes across the first runs well across it. The other fades out as it comes to run along it.
-  vec3 side = across(axis);
-  vec3 b = cos(crossAngle) * axis + sin(crossAngle) * side;
-  vec3 c = cos(crossAngle) * axis + sin(crossAngle) * cross(axis, side);
-  float sb = acrossness(axis, b, h.normal);
-  float sc = acrossness(axis, c, h.normal);
-  float share = smoothstep(-0.35, 0.35, sb * sb - sc * sc);
-  float blank = max(1.0 - rest, 1e-4);
-  // What all families share, once.
-  vec3 point = handPoint(h.point);
-  float pressure = handPressure(h.point);
+  Field field = firstField(h.toLight, h.bend);
+  vec3 waves = slowWaves(3.5 * h.point);
+  vec3 point = handPoint(h.point, waves);
+  float pressure = handPressure(waves);
   ScreenMap onScreen = screenMap(h.normal);
-  float darkness = 1.0 - (1.0 - family(point, onScreen, pressure, axis, first))
-    * (1.0 - family(point, onScreen, pressure, b, 1.0 - pow(blank, share)))
-    * (1.0 - family(point, onScreen, pressure, c, 1.0 - pow(blank, 1.0 - share)));
-  return tone >= 1.0 ? 1.0 : darkness;
+  vec3 gradient;
+  float value = fieldAt(field, point, gradient);
+
+  // Of two axes across the first, the one whose lines run better across its lines on the surface. The other fades out as it
+  // comes to run along them.
+  vec3 sideB = across(field.axis);
+  vec3 sideC = cross(field.axis, sideB);
+  float slope = length(cross(h.normal, gradient));
+  float has = smoothstep(BARE_SLOPE.x, BARE_SLOPE.y, slope);
+  float acrossB = dot(h.normal, sideC);
+  float acrossC = dot(h.normal, sideB);
+  float between = (acrossB * acrossB - acrossC * acrossC) / max(slope * slope, 1e-4);
+  float shareB = mix(1.0, smoothstep(-0.35, 0.35, between), has);
+
+  // What stays blank in each family, so that printed over one another, Π (1 − Tᵢ), they leave as much blank as the tone does.
+  float first = min(tone, crossFrom) + FIRST_SHARE * max(tone - crossFrom, 0.0);
+  float blankFirst = 1.0 - has * min(first, 0.9999);
+  float rest = min((1.0 - tone) / blankFirst, 1.0);
+  float blankB = mix(1.0, rest, shareB);
+  float blankC = rest / max(blankB, 1e-4);
+
+  // Families without ink cost nothing: the one that takes more comes first.
+  bool isB = shareB >= 0.5;
+  float blankSecond = isB ? blankB : blankC;
+  float blankThird = isB ? blankC : blankB;
+  int count = tone >= 1.0 || tone <= 0.0 ? 0 : blankThird < 0.9999 ? 3 : blankSecond < 0.9999 ? 2 : 1;
+  vec2 across1 = screenGradient(gradient, onScreen);
+  float blank = tone >= 1.0 ? 0.0 : 1.0;
+  for (int i = 0; i < count; i++) {
+    vec3 side = (i == 1) == isB ? sideB : sideC;
+    vec2 mixing = i == 0 ? vec2(1.0, 0.0) : vec2(cos(crossAngle), sin(crossAngle));
+    float perPixel = length(mixing.x * across1 + mixing.y * screenGradient(side, onScreen));
+    float taken = 1.0 - (i == 0 ? blankFirst : i == 1 ? blankSecond : blankThird);
+    float along = mixing.x * value + mixing.y * dot(point, side);
+    blank *= 1.0 - ruledLines(along, max(perPixel, 1e-12), i == 0 ? max(slope, 1e-6) : 1.0, handTone(pressure, taken));
+  }
+  return 1.0 - blank;
 }

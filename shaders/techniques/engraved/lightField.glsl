@@ -1,52 +1,78 @@
-// The light as one direction for the whole object, so that lines run on: with one light the direction to it, with several the
-// axis on which they agree most, the principal axis of Σ w L Lᵀ, which lights from opposite sides do not cancel. A lamp counts
-// by where it stands as seen from the object's centre.
+// The light as one for the whole object, so that lines run on: with one light where it stands, with several the axis on which
+// they agree most, the principal axis of Σ w L Lᵀ, which lights from opposite sides do not cancel.
 #include "lightLuminance"
 
-uniform vec3 fieldCentre; // of the bounding sphere, object space
+// The weight of a light. One that is out still stands somewhere.
+float fieldWeight(const in vec3 color) {
+  return lightLuminance(color) + 1e-6;
+}
 
-// Σ w L Lᵀ and Σ w L.
+// Σ w L Lᵀ and Σ w L. toLight: of any length, field space.
 void addFieldLight(inout mat3 tensor, inout vec3 sum, const in vec3 toLight, const in vec3 color) {
   vec3 l = toLight / max(length(toLight), 1e-20);
-  // A lamp that is out still stands somewhere.
-  float w = lightLuminance(color) + 1e-6;
+  float w = fieldWeight(color);
   tensor += w * outerProduct(l, l);
   sum += w * l;
 }
 
-// Unit, object space. viewToObject: linear part. centre: of the object, view space.
-vec3 fieldLight(const in mat3 viewToObject, const in vec3 centre) {
-  mat3 tensor = mat3(0.0);
-  vec3 sum = vec3(0.0);
-  #if NUM_DIR_LIGHTS > 0
-    for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
-      addFieldLight(tensor, sum, viewToObject * directionalLights[i].direction, directionalLights[i].color);
-    }
-  #endif // NUM_DIR_LIGHTS
-  #if NUM_SUN_LIGHTS > 0
-    for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
-      addFieldLight(tensor, sum, viewToObject * sunLights[i].direction, sunLights[i].color);
-    }
-  #endif // NUM_SUN_LIGHTS
-  #if NUM_POINT_LIGHTS > 0
-    for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-      addFieldLight(tensor, sum, viewToObject * (pointLights[i].position - centre), pointLights[i].color);
-    }
-  #endif // NUM_POINT_LIGHTS
-  #if NUM_SPOT_LIGHTS > 0
-    for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-      addFieldLight(tensor, sum, viewToObject * (spotLights[i].position - centre), spotLights[i].color);
-    }
-  #endif // NUM_SPOT_LIGHTS
-  #if LIGHTS_WITH_DIRECTION == 0
-    return vec3(0.0, 1.0, 0.0);
-  #elif LIGHTS_WITH_DIRECTION == 1
+// What a lamp adds to Σ w c / |P|, c = L·axis: how far the sum of the lights' own fields, −|P − P_L| for a lamp, bends at the origin.
+float fieldBend(const in vec3 axis, const in vec3 toLamp, const in vec3 color) {
+  return fieldWeight(color) * dot(toLamp, axis) / max(dot(toLamp, toLamp), 1e-20);
+}
+
+vec3 fieldAxisOf(const in mat3 tensor, const in vec3 sum) {
+  #if LIGHTS_WITH_DIRECTION == 1
     return sum / max(length(sum), 1e-20);
   #else
     // Power iteration: four squarings are sixteen steps. It starts from what every axis has a part of.
-    for (int i = 0; i < 4; i++) tensor = tensor * tensor / max(tensor[0][0] + tensor[1][1] + tensor[2][2], 1e-20);
-    vec3 axis = tensor * vec3(0.51, 0.64, 0.57);
+    mat3 power = tensor;
+    for (int i = 0; i < 4; i++) power = power * power / max(power[0][0] + power[1][1] + power[2][2], 1e-20);
+    vec3 axis = power * vec3(0.51, 0.64, 0.57);
     axis /= max(length(axis), 1e-20);
     return dot(axis, sum) < 0.0 ? -axis : axis;
+  #endif // LIGHTS_WITH_DIRECTION
+}
+
+// Unit direction and one over the distance, field space. viewToField: linear part. origin: view space.
+vec4 fieldLight(const in mat3 viewToField, const in vec3 origin) {
+  #if LIGHTS_WITH_DIRECTION == 0
+    return vec4(0.0, 1.0, 0.0, 0.0);
+  #else
+    mat3 tensor = mat3(0.0);
+    vec3 sum = vec3(0.0);
+    #if NUM_DIR_LIGHTS > 0
+      for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
+        addFieldLight(tensor, sum, viewToField * directionalLights[i].direction, directionalLights[i].color);
+      }
+    #endif // NUM_DIR_LIGHTS
+    #if NUM_SUN_LIGHTS > 0
+      for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
+        addFieldLight(tensor, sum, viewToField * sunLights[i].direction, sunLights[i].color);
+      }
+    #endif // NUM_SUN_LIGHTS
+    #if NUM_POINT_LIGHTS > 0
+      for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
+        addFieldLight(tensor, sum, viewToField * (pointLights[i].position - origin), pointLights[i].color);
+      }
+    #endif // NUM_POINT_LIGHTS
+    #if NUM_SPOT_LIGHTS > 0
+      for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
+        addFieldLight(tensor, sum, viewToField * (spotLights[i].position - origin), spotLights[i].color);
+      }
+    #endif // NUM_SPOT_LIGHTS
+    vec3 axis = fieldAxisOf(tensor, sum);
+    float bend = 0.0;
+    #if NUM_POINT_LIGHTS > 0
+      for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
+        bend += fieldBend(axis, viewToField * (pointLights[i].position - origin), pointLights[i].color);
+      }
+    #endif // NUM_POINT_LIGHTS
+    #if NUM_SPOT_LIGHTS > 0
+      for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
+        bend += fieldBend(axis, viewToField * (spotLights[i].position - origin), spotLights[i].color);
+      }
+    #endif // NUM_SPOT_LIGHTS
+    // One lamp at this place bends the field as much. Directional lights bend nothing, but their slope counts.
+    return vec4(axis, bend / max(length(tensor * axis), 1e-20));
   #endif // LIGHTS_WITH_DIRECTION
 }

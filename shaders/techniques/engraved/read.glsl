@@ -1,14 +1,13 @@
 // What engraving needs to know at this fragment: the place, the normal, and the light of the field.
 #include "technique/screenGradient"
 
-uniform vec3 fieldCentre; // of the bounding sphere, object space
-
 struct HatchingParameters {
-  vec3 point; // from the centre of the object, object space
-  vec3 normal; // unit, object space
-  vec3 toLight; // unit, object space, the same all over the object; up to its sign with several lights
+  vec3 point; // from the origin of the field, tiles
+  vec3 normal; // unit, field space
+  vec3 toLight; // unit, field space, the same all over the object; up to its sign with several lights
+  float bend; // one over the distance of the lamp, 0 for light from without an end
 };
 
 HatchingParameters readHatchingParameters() {
-  return HatchingParameters(vRestPosition - fieldCentre, safeNormalize(vStrokeNormal), safeNormalize(vFieldLight));
+  return HatchingParameters(vFieldPoint, safeNormalize(vFieldNormal), vFieldLight.xyz, vFieldLight.w);
 }

@@ -2,8 +2,10 @@
 // born between every two (the octaves of a ruler), and the share of ink stays the tone throughout.
 uniform float lineSpacing; // pixels between lines, or 256ths of a tile
 
-// Below so many pixels between lines they fade into their tone, so that none shimmer.
-#define FINEST_SPACING 2.0
+// Where lines would lie closer than so many pixels, every other one is left out, so that none shimmer.
+#define FINEST_SPACING 3.0
+// Where a function rises less than so much along the surface, new lines are born on the object too.
+#define SPARSEST_SLOPE 0.4
 
 // The ink of one line. away: of the fragment from its centre, halfWidth: of the line, both in pixels.
 float lineInk(const in float away, const in float halfWidth) {
@@ -11,25 +13,31 @@ float lineInk(const in float away, const in float halfWidth) {
   return clamp(max(halfWidth, 0.5) + 0.5 - away, 0.0, 1.0) * min(2.0 * halfWidth, 1.0);
 }
 
-// value: of the function. perPixel: its change from one pixel to the next. Returns the darkness.
-float ruledLines(const in float value, const in float perPixel, const in float tone) {
-  float onObject = log2(lineSpacing / (256.0 * strokeScale));
-  float onScreen = log2(lineSpacing * perPixel);
-  float octave = -mix(onObject, onScreen, screenConstancy);
+// The logarithm to base 2 at powers of two, and linear between them: all that continuous octaves need. x: above 0.
+float octaves(const in float x) {
+  // The bits of a float are its exponent, then its mantissa.
+  return float(floatBitsToInt(x)) * exp2(-23.0) - 127.0;
+}
+
+// value: of the function, tiles. perPixel: its change from one pixel to the next. slope: its change along the surface.
+// Returns the darkness.
+float ruledLines(const in float value, const in float perPixel, const in float slope, const in float tone) {
+  // As the surface turns to face the gradient, the lines it is cut in lie further apart, up to a bound.
+  float onObject = octaves(lineSpacing / 256.0 * min(slope / SPARSEST_SLOPE, 1.0));
+  float onScreen = octaves(lineSpacing * perPixel);
+  float octave = -max(mix(onObject, onScreen, screenConstancy), octaves(FINEST_SPACING * perPixel));
   float whole = floor(octave);
   float born = smoothstep(0.0, 1.0, octave - whole);
-  float period = exp2(-whole);
+  float period = intBitsToFloat((127 - int(whole)) << 23); // 2^−whole
   float x = value / period;
   float pixels = period / perPixel;
   float below = floor(x);
   float oldWidth = 0.5 * tone * (1.0 - 0.5 * born) * pixels;
   float youngWidth = 0.25 * tone * born * pixels;
   // All that a pixel may lie on: their shares of it add up.
-  float ink = min(1.0,
+  return min(1.0,
     lineInk((x - below) * pixels, oldWidth * handWidth(below * period))
     + lineInk(abs(x - below - 0.5) * pixels, youngWidth * handWidth((below + 0.5) * period))
     + lineInk((below + 1.0 - x) * pixels, oldWidth * handWidth((below + 1.0) * period))
   );
-  float spacing = mix(pixels, 0.5 * pixels, born);
-  return mix(tone, ink, smoothstep(FINEST_SPACING, 1.6 * FINEST_SPACING, spacing));
 }
