@@ -19,21 +19,27 @@ float octaves(const in float x) {
   return float(floatBitsToInt(x)) * exp2(-23.0) - 127.0;
 }
 
+// The inverse.
+float powerOf2(const in float octave) {
+  return intBitsToFloat(int((octave + 127.0) * exp2(23.0)));
+}
+
 // value: of the function, tiles. perPixel: its change from one pixel to the next. slope: its change along the surface.
 // Returns the darkness.
 float ruledLines(const in float value, const in float perPixel, const in float slope, const in float tone) {
   // As the surface turns to face the gradient, the lines it is cut in lie further apart, up to a bound.
   float onObject = octaves(lineSpacing / 256.0 * min(slope / SPARSEST_SLOPE, 1.0));
   float onScreen = octaves(lineSpacing * perPixel);
-  float octave = -max(mix(onObject, onScreen, screenConstancy), octaves(FINEST_SPACING * perPixel));
-  float whole = floor(octave);
-  float born = smoothstep(0.0, 1.0, octave - whole);
-  float period = intBitsToFloat((127 - int(whole)) << 23); // 2^−whole
-  float x = value / period;
+  float octave = max(mix(onObject, onScreen, screenConstancy), octaves(FINEST_SPACING * perPixel));
+  float period = powerOf2(ceil(octave));
+  // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
+  // they leave is that of the new ones, which are their equals when the next octave begins.
   float pixels = period / perPixel;
+  float spacing = powerOf2(octave) / perPixel;
+  float oldWidth = 0.5 * tone * spacing;
+  float youngWidth = 0.5 * tone * (pixels - spacing);
+  float x = value / period;
   float below = floor(x);
-  float oldWidth = 0.5 * tone * (1.0 - 0.5 * born) * pixels;
-  float youngWidth = 0.25 * tone * born * pixels;
   // All that a pixel may lie on: their shares of it add up.
   return min(1.0,
     lineInk((x - below) * pixels, oldWidth * handWidth(below * period))
