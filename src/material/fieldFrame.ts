@@ -17,7 +17,7 @@ const origin = /* @__PURE__ */ new Vector3();
 export function writeFieldFrame(
   uniforms: Record<string, IUniform>,
   strokeScale: number,
-  { boundingSphere }: BufferGeometry,
+  geometry: BufferGeometry,
   { userData }: Object3D,
 ): boolean {
   const shared: unknown = userData[FIELD_FRAME];
@@ -26,8 +26,9 @@ export function writeFieldFrame(
     origin.setFromMatrixPosition(frame.invert());
   } else {
     linear.identity();
-    if (boundingSphere) origin.copy(boundingSphere.center);
-    else origin.set(0, 0, 0);
+    // three has computed it where it culls.
+    if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+    origin.copy(geometry.boundingSphere!.center);
   }
   linear.multiplyScalar(strokeScale);
   const { fieldOrigin, objectToField, objectToFieldNormal } = uniforms as {

@@ -2,6 +2,7 @@ import { mat4, vec3 } from 'gl-matrix';
 import { expect, testOnOnePage } from '../browser/test.js';
 import { type AnchoredSettings, anchoredExcess } from '../reference/anchoredReference.js';
 import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
+import { interpolated } from '../reference/interpolated.js';
 import { type PlainMesh, torus, trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
@@ -14,6 +15,7 @@ import {
   eye,
   hemisphere,
   identity,
+  leaning,
   mirrored,
   orthographic,
   perspective,
@@ -22,6 +24,7 @@ import {
   redSide,
   rotated,
   spot,
+  wall,
 } from './referenceScenes.js';
 
 const SIZE = 192;
@@ -37,14 +40,6 @@ interface Case {
   anchorSpacing?: number;
   screenConstancy?: number;
 }
-
-/** A wall, and how it stands when it is seen at 80° to its normal. */
-const wall: PlainMesh = {
-  positions: [-1.6, -1.6, 0, 1.6, -1.6, 0, 1.6, 1.6, 0, -1.6, 1.6, 0],
-  normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1],
-  indices: [0, 1, 2, 0, 2, 3],
-};
-const leaning = [...mat4.fromXRotation(mat4.create(), -1.64)];
 
 const cases: Case[] = [
   { name: 'directional light' },
@@ -171,17 +166,8 @@ for (const {
     let wrong = 0;
     let grey = 0;
     for (const pixel of interior) {
-      const { triangle, barycentric } = fragments[pixel]!;
-      const interpolate = (of: (corner: number) => number[]) =>
-        [0, 1, 2].map((axis) =>
-          [0, 1, 2].reduce((sum, k) => sum + barycentric[k] * of(3 * triangle + k)[axis], 0),
-        ) as Vec3;
-      const vertexOf = (array: number[]) => (corner: number) => {
-        const vertex = mesh.indices[corner];
-        return array.slice(3 * vertex, 3 * vertex + 3);
-      };
-      const position = interpolate(vertexOf(mesh.positions));
-      const normal = interpolate(vertexOf(mesh.normals));
+      const position = interpolated(mesh.positions, mesh.indices, fragments[pixel]!);
+      const normal = interpolated(mesh.normals, mesh.indices, fragments[pixel]!);
       const length = Math.hypot(...normal);
       const unit = normal.map((x) => x / length) as Vec3;
       const depth = isOrthographic

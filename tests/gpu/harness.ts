@@ -99,18 +99,21 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
   if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
-  const anchored = spec.material.technique === 'anchored';
-  const geometry = anchored ? source : await prepareHatchingGeometry(source);
+  const { technique } = spec.material;
+  const isPerFragment = technique === 'anchored' || technique === 'engraved';
+  const geometry = isPerFragment ? source : await prepareHatchingGeometry(source);
 
-  const { ink, paper, color, strokeOffset, ...material } = spec.material;
+  const { ink, paper, color, strokeOffset, strokeRotation, ...material } = spec.material;
   const hatching = new HatchingMaterial({
     ...material,
-    tonalArtMap: anchored ? thresholdMap : analyticMap(spec.map),
-    edgePixels: 0,
+    ...(technique !== 'engraved' && { tonalArtMap: technique === 'anchored' ? thresholdMap : analyticMap(spec.map) }),
+    ...spec.lines,
     side: spec.doubleSided ? DoubleSide : FrontSide,
   });
   // Set one by one: as parameters, those that the technique does not use would be warned of.
   hatching.strokeOffset.set(...strokeOffset);
+  hatching.strokeRotation = strokeRotation;
+  hatching.edgePixels = 0;
   hatching.anchorSpacing = spec.anchorSpacing ?? 0.35;
   hatching.screenConstancy = spec.screenConstancy ?? 0;
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);
@@ -150,7 +153,11 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
 
 declare global {
   interface Window {
+    /** Binary places of a pixel to which the card moves vertices. */
+    subpixelBits: number;
     renderHatching: typeof renderHatching;
   }
 }
+const gl = renderer.getContext();
+window.subpixelBits = gl.getParameter(gl.SUBPIXEL_BITS);
 window.renderHatching = renderHatching;

@@ -1,6 +1,10 @@
+import type { EngravedSettings } from '../reference/engravedReference.js';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
+
+/** What only `engraved` has. */
+export type LineSettings = Omit<EngravedSettings, 'screenConstancy' | 'strokeScale'>;
 
 /** A picture to render, as plain data: what the test page and the reference both understand. */
 export interface HatchingSpec {
@@ -20,5 +24,7 @@ export interface HatchingSpec {
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
   anchorSpacing?: number;
   screenConstancy?: number;
+  /** For the technique `engraved`, which draws the mesh unprepared too. */
+  lines?: LineSettings;
   doubleSided?: boolean;
 }

@@ -1,5 +1,6 @@
 import { mat4 } from 'gl-matrix';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
+import type { PlainMesh } from '../reference/meshes.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
 
 /** Placements, cameras, lights and a material that the comparisons with the reference share. */
@@ -15,6 +16,21 @@ export const placed = [
 ];
 export const mirrored = [...mat4.scale(mat4.create(), rotated as unknown as mat4, [-1, 1, 1])];
 export const squashed = [...mat4.scale(mat4.create(), rotated as unknown as mat4, [1.2, 0.6, 0.9])];
+
+/** A wall, and how it stands when it is seen at 80° to its normal. */
+export const wall: PlainMesh = {
+  positions: [-1.6, -1.6, 0, 1.6, -1.6, 0, 1.6, 1.6, 0, -1.6, 1.6, 0],
+  normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1],
+  indices: [0, 1, 2, 0, 2, 3],
+};
+export const leaning = [...mat4.fromXRotation(mat4.create(), -1.64)];
+
+/** The mesh, so many units along each axis from the origin of its space, and the placement that brings it back. */
+export const moved = (mesh: PlainMesh, by: number): PlainMesh => ({
+  ...mesh,
+  positions: mesh.positions.map((x) => x + by),
+});
+export const movedBack = (by: number) => [...mat4.fromTranslation(mat4.create(), [-by, -by, -by])];
 
 export const eye: Vec3 = [0.9, 0.8, 3];
 export const perspective = {

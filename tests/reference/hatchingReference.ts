@@ -26,7 +26,7 @@ export interface ReferenceLight {
 }
 
 export interface ReferenceMaterial {
-  technique: 'triangle' | 'adjacency' | 'anchored';
+  technique: 'triangle' | 'adjacency' | 'anchored' | 'engraved';
   toneModel: 'lambert' | 'halfLambert' | 'phong' | 'toon';
   toneSteps: number;
   shininess: number;

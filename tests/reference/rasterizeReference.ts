@@ -19,6 +19,8 @@ export interface ReferenceFragment {
  * Rasterizes triangles at pixel centres, in double precision; row 0 is the bottom row, as readPixels gives it. All
  * triangles must lie in front of the camera.
  *
+ * @param subpixelBits - of the card, which moves vertices to the nearest place it knows: thirty-seconds of a pixel with four of
+ *   them, which shows in what has sharp edges. Default: as many as it takes.
  * @returns one entry per pixel, null where nothing is seen.
  */
 export function rasterizeReference(
@@ -28,6 +30,7 @@ export function rasterizeReference(
   width: number,
   height: number,
   doubleSided: boolean,
+  subpixelBits?: number,
 ): (ReferenceFragment | null)[] {
   const world = matrixWorld as unknown as mat4;
   const viewWorld = mat4.multiply(mat4.create(), camera.view as unknown as mat4, world);
@@ -36,10 +39,13 @@ export function rasterizeReference(
   const fragments: (ReferenceFragment | null)[] = new Array(width * height).fill(null);
   const depths = new Float64Array(width * height).fill(Number.POSITIVE_INFINITY);
 
+  const snap = (pixels: number) =>
+    subpixelBits === undefined ? pixels : Math.round(pixels * 2 ** subpixelBits) / 2 ** subpixelBits;
+
   triangles.forEach((triangle, index) => {
     const corners = triangle.map((v) => {
       const [x, y, z, w] = vec4.transformMat4([0, 0, 0, 0], [v[0], v[1], v[2], 1], clip) as number[];
-      return { x: ((x! / w! + 1) / 2) * width, y: ((y! / w! + 1) / 2) * height, z: z! / w, w: w! };
+      return { x: snap(((x! / w! + 1) / 2) * width), y: snap(((y! / w! + 1) / 2) * height), z: z! / w, w: w! };
     });
     const [a, b, c] = corners as [(typeof corners)[0], (typeof corners)[0], (typeof corners)[0]];
     const area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
