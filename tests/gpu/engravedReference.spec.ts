@@ -43,6 +43,18 @@ interface Case {
 
 const fromAbove: ReferenceLight = { ...directional, position: [0.2, 3, 0.3] };
 
+const lamp: ReferenceLight = { type: 'point', color: [20, 20, 20], position: [1.2, 1.5, 2], distance: 0, decay: 2 };
+const spot: ReferenceLight = {
+  type: 'spot',
+  color: [12, 9, 6],
+  position: [-2, 1, 2],
+  target: [0, 0, 0],
+  distance: 0,
+  decay: 2,
+  angle: 0.7,
+  penumbra: 0.3,
+};
+
 const cases: Case[] = [
   { name: 'tangent to the light' },
   { name: 'tangent to the light, a ruling machine', lines: { handmade: 0 } },
@@ -56,7 +68,7 @@ const cases: Case[] = [
   { name: 'a very unsteady hand', lines: { handmade: 1 } },
   { name: 'no crossing', lines: { crossFrom: 1 } },
   { name: 'crossing at right angles from light tones on', lines: { crossFrom: 0.2, crossAngle: Math.PI / 2 } },
-  { name: 'too fine to be resolved', lines: { lineSpacing: 2.6 } },
+  { name: 'finer than lines may lie', lines: { lineSpacing: 2.6 } },
   { name: 'wide apart', lines: { lineSpacing: 21 } },
   { name: 'sized on the object', screenConstancy: 0, lines: { lineSpacing: 12 } },
   { name: 'sized half on the screen', screenConstancy: 0.5 },
@@ -71,6 +83,10 @@ const cases: Case[] = [
   { name: 'two lights', lights: [directional, redSide] },
   { name: 'two lights as strong as each other, rotated object', lights: crossed, matrixWorld: rotated },
   { name: 'no light with a direction', lights: [hemisphere] },
+  { name: 'a near lamp', lights: [lamp] },
+  { name: 'a near lamp, rotated, moved and scaled object', lights: [lamp], matrixWorld: placed },
+  { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
+  { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
   { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
 ];
 

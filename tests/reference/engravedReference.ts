@@ -29,7 +29,7 @@ export interface EngravedScene {
   centre: Vec3;
 }
 
-/** A function on object space whose level sets are lines. Places count from the centre of the object. */
+/** A function on the object whose level sets are lines. Places count from its centre, all in tiles. */
 interface LineFunction {
   value(place: Vec3): number;
   gradient(place: Vec3): Vec3;
@@ -38,6 +38,8 @@ interface LineFunction {
 /** What the families of one object are cut by: the first, and two across it, of which a place takes what crosses better. */
 interface Families {
   first: LineFunction;
+  /** Axes across that of the first and across each other; what crosses leans towards one of them. */
+  sides: readonly [Vec3, Vec3];
   across: readonly [LineFunction, LineFunction];
 }
 
@@ -55,6 +57,17 @@ const smoothly = (from: number, to: number, x: number) => {
 
 const alongAxis = (axis: Vec3): LineFunction => ({ value: (place) => dot(place, axis), gradient: () => axis });
 
+/** How much nearer a lamp is than to the centre. */
+const towardsLamp = (lamp: Vec3): LineFunction => ({
+  value: (place) => vec3.length(lamp) - vec3.distance(place, lamp),
+  gradient: (place) => unit(mixed(lamp, 1, place, -1)),
+});
+
+const combined = (a: LineFunction, s: number, b: LineFunction, t: number): LineFunction => ({
+  value: (place) => s * a.value(place) + t * b.value(place),
+  gradient: (place) => mixed(a.gradient(place), s, b.gradient(place), t),
+});
+
 /** The convention for an axis across another: by the world's up unless the axis itself comes near it. */
 const axisAcross = (axis: Vec3): Vec3 => unit(cross(axis, Math.abs(axis[1]) < 0.8 ? [0, 1, 0] : [0, 0, 1]));
 
@@ -71,31 +84,47 @@ export function principalAxis(lights: readonly { toLight: Vec3; weight: number }
   return dot(axis, sum) < 0 ? (axis.map((x) => -x) as Vec3) : axis;
 }
 
-/** Directional lights; without any, up. */
-function lightAxis({ lights, matrixWorld }: EngravedScene): Vec3 {
-  const toObject = mat3.invert(mat3.create(), mat3.fromMat4(mat3.create(), matrixWorld as unknown as mat4))!;
-  const directed = lights.filter(({ type }) => type === 'directional');
-  if (directed.length === 0) return [0, 1, 0];
-  return principalAxis(
-    directed.map(({ position, target = [0, 0, 0], color }) => ({
-      toLight: unit(turned(mixed(position!, 1, target, -1), toObject)),
-      weight: dot(color, LUMINANCE),
-    })),
-  );
+/**
+ * The direction of the lights from the centre, and one over the distance of the lamp that stands for them, in tiles: the second
+ * derivatives of the mean of the lights' own functions are those of its function, as far as one number can say. Without
+ * lights, up.
+ */
+function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { axis: Vec3; bend: number } {
+  const toObject = mat4.invert(mat4.create(), matrixWorld as unknown as mat4)!;
+  const linear = mat3.fromMat4(mat3.create(), toObject);
+  const seen = lights.flatMap(({ type, position, target = [0, 0, 0], color }) => {
+    const weight = dot(color, LUMINANCE);
+    if (type === 'directional') {
+      return [{ toLight: unit(turned(mixed(position!, 1, target, -1), linear)), weight, nearness: 0 }];
+    }
+    if (type !== 'point' && type !== 'spot') return [];
+    const inObject = vec3.transformMat4([0, 0, 0], position!, toObject) as Vec3;
+    const toLamp = mixed(inObject, settings.strokeScale, centre, -settings.strokeScale);
+    return [{ toLight: unit(toLamp), weight, nearness: 1 / vec3.length(toLamp) }];
+  });
+  if (seen.length === 0) return { axis: [0, 1, 0], bend: 0 };
+  const axis = principalAxis(seen);
+  const mean: Vec3 = [0, 0, 0];
+  let bend = 0;
+  for (const { toLight, weight, nearness } of seen) {
+    const counts = weight * dot(toLight, axis);
+    vec3.scaleAndAdd(mean, mean, toLight, counts);
+    bend += counts * nearness;
+  }
+  return { axis, bend: bend / vec3.length(mean) };
 }
 
 function familiesOf(scene: EngravedScene): Families {
   const { lineField, crossAngle } = scene.settings;
   const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
+  const { axis: toLight, bend } = lightOf(scene);
   const axis: Vec3 =
-    lineField === 'light'
-      ? lightAxis(scene)
-      : lineField === 'towards'
-        ? axisAcross(lightAxis(scene))
-        : [...axes[lineField]];
+    lineField === 'light' ? toLight : lineField === 'towards' ? axisAcross(toLight) : [...axes[lineField]];
+  const isLamp = lineField === 'light' && bend !== 0;
+  const first = isLamp ? towardsLamp(axis.map((x) => x / bend) as Vec3) : alongAxis(axis);
   const side = axisAcross(axis);
-  const leaning = (towards: Vec3) => alongAxis(mixed(axis, Math.cos(crossAngle), towards, Math.sin(crossAngle)));
-  return { first: alongAxis(axis), across: [leaning(side), leaning(cross(axis, side))] };
+  const leaning = (towards: Vec3) => combined(first, Math.cos(crossAngle), alongAxis(towards), Math.sin(crossAngle));
+  return { first, sides: [side, cross(axis, side)], across: [leaning(side), leaning(cross(axis, side))] };
 }
 
 /**
@@ -148,23 +177,35 @@ function lineShare(away: number, width: number): number {
   return Math.max(overlap, 0) * Math.min(width, 1);
 }
 
-/** A factor on the width of the line at a value: an integer hash of its bits in single precision. */
+/** A factor on the width of the line at a value: the bits of the value in single precision, times the golden ratio. */
 export function lineFactor(value: number, handmade: number): number {
-  const bits = new Uint32Array(Float32Array.of(value).buffer)[0];
-  let h = Math.imul(bits, 0x9e3779b9);
-  h ^= h >>> 16;
-  h = Math.imul(h, 0x7feb352d);
-  h ^= h >>> 15;
-  // The upper 24 bits as a number in [−1, 1).
-  return 1 + 0.25 * handmade * ((h >>> 8) / 2 ** 23 - 1);
+  const [bits] = new Uint32Array(Float32Array.of(value).buffer);
+  const spread = BigInt.asUintN(32, BigInt(bits) * 0x9e3779b9n);
+  // The upper 24 bits as a number in [0, 1).
+  return 1 + handmade * (0.5 * (Number(spread >> 8n) / 2 ** 24) - 0.25);
 }
 
-/** The darkness of one family: every line of a ruler with octaves that may lie on the pixel. */
-function ruledDarkness(value: number, perPixel: number, tone: number, settings: EngravedSettings): number {
-  const { lineSpacing, strokeScale, screenConstancy, handmade } = settings;
-  const spacingOnObject = lineSpacing / (256 * strokeScale);
-  const wanted = spacingOnObject ** (1 - screenConstancy) * (lineSpacing * perPixel) ** screenConstancy;
-  // The smallest power of two that is not below the wanted spacing, in the function's units: the distance of old lines.
+/** The logarithm to base 2, linear between powers of two, and its inverse. */
+const octaveOf = (x: number): number => {
+  const whole = Math.floor(Math.log2(x));
+  return whole + x / 2 ** whole - 1;
+};
+const powerOf = (octave: number): number => 2 ** Math.floor(octave) * (1 + octave - Math.floor(octave));
+
+/** The darkness of one family: every line of a ruler with octaves that may lie on the pixel. slope: on the surface. */
+function ruledDarkness(
+  value: number,
+  perPixel: number,
+  slope: number,
+  tone: number,
+  settings: EngravedSettings,
+): number {
+  const { lineSpacing, screenConstancy, handmade } = settings;
+  const onObject = octaveOf((lineSpacing / 256) * Math.min(slope / 0.4, 1));
+  const onScreen = octaveOf(lineSpacing * perPixel);
+  const asked = powerOf((1 - screenConstancy) * onObject + screenConstancy * onScreen);
+  const wanted = Math.max(asked, 3 * perPixel);
+  // The smallest power of two that is not below the wanted spacing, in tiles: the distance of old lines.
   const period = 2 ** Math.ceil(Math.log2(wanted));
   const shares = { old: wanted / period, young: 1 - wanted / period };
   const pixels = period / perPixel;
@@ -175,34 +216,27 @@ function ruledDarkness(value: number, perPixel: number, tone: number, settings: 
       tone * (Number.isInteger(line) ? shares.old : shares.young) * pixels * lineFactor(line * period, handmade);
     ink += lineShare(Math.abs(value - line * period) / perPixel, width);
   }
-  const isResolved = smoothly(2, 3.2, wanted / perPixel);
-  return (1 - isResolved) * tone + isResolved * Math.min(ink, 1);
+  return Math.min(ink, 1);
 }
+
+/** Two parabolas in the place of a sine of period 2: up from −1 to 0, down from 0 to 1. */
+const wave = (x: number): number => {
+  const t = 2 * (x / 2 - Math.floor(x / 2)) - 1;
+  return t < 0 ? 4 * t * (-t - 1) : 4 * t * (t - 1);
+};
 
 /** Three slow waves about a place. */
 function slowWaves([x, y, z]: Vec3): Vec3 {
-  const a = x + 0.7 * Math.sin(1.7 * y + 0.3);
-  const b = y + 0.7 * Math.sin(1.7 * z + 2.1);
-  const c = z + 0.7 * Math.sin(1.7 * x + 4.4);
-  return [Math.sin(2.3 * c + 1.1), Math.sin(2.3 * a + 3.7), Math.sin(2.3 * b + 5.2)];
+  const a = x + 0.7 * wave(0.54 * y + 0.1);
+  const b = y + 0.7 * wave(0.54 * z + 0.67);
+  const c = z + 0.7 * wave(0.54 * x + 1.4);
+  return [wave(0.73 * c + 0.35), wave(0.73 * a + 1.18), wave(0.73 * b + 1.66)];
 }
 
-/** Where the hand puts a place, and how much it presses there. */
-function hand(place: Vec3, { handmade, strokeScale }: EngravedSettings): { strayed: Vec3; pressure: number } {
-  const strayed = mixed(
-    place,
-    1,
-    slowWaves(place.map((c) => 3 * strokeScale * c) as Vec3),
-    (0.012 * handmade) / strokeScale,
-  );
-  const [a, b] = slowWaves(place.map((c) => 5 * strokeScale * c + 7) as Vec3);
-  return { strayed, pressure: 0.45 * handmade * a * b };
-}
-
-/** The sine of the angle at which the lines of two functions cross on a surface. */
-function sineBetween(a: Vec3, b: Vec3, normal: Vec3): number {
-  const lineOf = (gradient: Vec3) => unit(cross(normal, gradient));
-  return vec3.length(cross(lineOf(a), lineOf(b)));
+/** Where the hand puts a place, in tiles, and how much it presses there. */
+function hand(place: Vec3, { handmade }: EngravedSettings): { strayed: Vec3; pressure: number } {
+  const waves = slowWaves(place.map((c) => 3.5 * c) as Vec3);
+  return { strayed: mixed(place, 1, waves, 0.012 * handmade), pressure: 0.3 * handmade * waves[0] * waves[1] };
 }
 
 export class EngravedReference {
@@ -223,31 +257,41 @@ export class EngravedReference {
     const { reference, settings, centre } = this.scene;
     const tone = reference.tone(reference.toWorld(place), unit(toneNormal));
     if (tone >= 1) return 1;
-    const fromCentre = mixed(place, 1, centre, -1);
+    const { strokeScale, crossFrom } = settings;
+    const fromCentre = mixed(place, strokeScale, centre, -strokeScale);
     const { strayed, pressure } = hand(fromCentre, settings);
-    const plane = new ScreenPlane(this.scene, place, unit(normal));
-    const { first, across } = this.families;
+    const n = unit(normal);
+    const plane = new ScreenPlane(this.scene, place, n);
+    const { first, sides, across } = this.families;
 
-    // Above crossFrom the first takes 0.4 of the tone; what it leaves blank too much the others cover, by the law of products.
-    const firstTone = tone <= settings.crossFrom ? tone : settings.crossFrom + 0.4 * (tone - settings.crossFrom);
+    // Where the surface lies in a level set of the first family, that has no lines.
+    const slope = vec3.length(cross(n, first.gradient(strayed)));
+    const has = smoothly(0.06, 0.18, slope);
+    // Above crossFrom it takes 0.4 of the tone; what it leaves blank too much the others cover, by the law of products.
+    const firstTone = has * (tone <= crossFrom ? tone : crossFrom + 0.4 * (tone - crossFrom));
     const stillBlank = (1 - tone) / (1 - firstTone);
-    const gradient = (family: LineFunction) => family.gradient(fromCentre);
-    const [b, c] = across.map((family) => sineBetween(gradient(first), gradient(family), normal) ** 2);
-    const share = smoothly(-0.35, 0.35, b - c);
+    // Squares of the sines at which the lines of the two cross those of the first.
+    const [b, c] = sides.map((side) => dot(n, cross(this.axis, side)) ** 2);
+    const share = 1 + has * (smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)) - 1);
+    const blankB = 1 + share * (stillBlank - 1);
     const blank = [
-      [first, 1 - firstTone],
-      [across[0], stillBlank ** share],
-      [across[1], stillBlank ** (1 - share)],
+      [first, 1 - firstTone, slope],
+      [across[0], blankB, 1],
+      [across[1], stillBlank / blankB, 1],
     ] as const;
     return (
       1 -
-      blank.reduce((product, [family, left]) => {
+      blank.reduce((product, [family, left, familySlope]) => {
         const familyTone = 1 - left;
-        if (familyTone <= 0) return product;
+        if (familyTone <= 1e-4 && family !== first) return product;
         const pressed = familyTone + pressure * familyTone * (1 - familyTone);
-        const perPixel = plane.gradientLength(gradient(family));
-        return product * (1 - ruledDarkness(family.value(strayed), perPixel, pressed, settings));
+        const perPixel = strokeScale * plane.gradientLength(family.gradient(strayed));
+        return product * (1 - ruledDarkness(family.value(strayed), perPixel, familySlope, pressed, settings));
       }, 1)
     );
+  }
+
+  private get axis(): Vec3 {
+    return cross(this.families.sides[0], this.families.sides[1]);
   }
 }
