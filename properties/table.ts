@@ -172,13 +172,29 @@ export const PROPERTIES = {
     sentence:
       'Distance between lines, at least 3 pixels. As one comes nearer new ones are born between them, thin at first.',
   },
+  strokeLayers: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'StrokeLayers',
+    typeSentence: 'How many layers of strokes lie over one another. Together they keep the tone.',
+    choices: {
+      single: 'one, in one direction, whatever the tone.',
+      lights:
+        'a second, across the first, where several lights disagree about the direction; the same as `single` with one light.',
+      tone: 'a second above the tone `crossFrom`, turned by `crossAngle`, and half way from there to 1 a third, turned into the wider of the two angles between them: the other way at 60°, diagonally at 90°.',
+    },
+    default: 'single',
+    techniques: WITH_MAP,
+    sentence: "How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`.",
+  },
   crossFrom: {
     kind: 'number',
     group: 'Strokes',
     default: 0.52,
     range: { from: 0, to: 1 },
-    techniques: ['engraved'],
-    sentence: 'Tone above which other lines cross the first; at 1 none do.',
+    techniques: [...WITH_MAP, 'engraved'],
+    sentence:
+      "Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at 1 none do.",
   },
   crossAngle: {
     kind: 'number',
@@ -187,8 +203,9 @@ export const PROPERTIES = {
     defaultSource: 'Math.PI / 3',
     unit: 'radians',
     range: { above: 0, to: Math.PI / 2 },
-    techniques: ['engraved'],
-    sentence: 'Angle between the planes that cut the first lines and those that cut the lines across them.',
+    techniques: [...WITH_MAP, 'engraved'],
+    sentence:
+      "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.",
   },
   handmade: {
     kind: 'number',
@@ -210,14 +227,6 @@ export const PROPERTIES = {
     techniques: ['adjacency'],
     sentence:
       'The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing blends. The default is the rule of the paper by Suarez et al.',
-  },
-  secondLayer: {
-    kind: 'switch',
-    group: 'Strokes',
-    default: false,
-    techniques: WITH_MAP,
-    sentence:
-      'Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep the tone. With one light there is no difference.',
   },
   toneModel: {
     kind: 'choice',

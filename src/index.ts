@@ -18,6 +18,7 @@ export type {
   InkBlend,
   LevelRule,
   StrokeAnchor,
+  StrokeLayers,
   ToneModel,
   ToneNormal,
 } from './material/hatchingProperties.js';

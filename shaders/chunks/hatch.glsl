@@ -1,22 +1,43 @@
 #include "technique/hatchLayer"
 
-#if STROKE_LAYERS == 2
-  // What shifts the second layer's pattern against the first's, in tiles or, for `anchored`, in anchors.
+#if LAYERS_BY_LIGHTS || STROKE_LAYERS == STROKE_LAYERS_TONE
+  // What shifts the pattern of a layer against that of the one before, in tiles or, for `anchored`, in anchors.
   #define LAYER_SHIFT vec3(17.37, 5.71, 11.13)
-  #include "technique/secondLayer"
+  #include "technique/layers"
+#endif // LAYERS_BY_LIGHTS
 
-  // The darkness of the hatch. A second layer takes over as much of the tone as the lights disagree, so that one printed
-  // over the other, 1 − (1 − T₁)(1 − T₂), they give the tone again.
+// The darkness of the hatch: of its layers, printed over one another.
+#if LAYERS_BY_LIGHTS
+  // A second layer along the other direction of the tensor takes over as much of the tone as the lights disagree, so that
+  // 1 − (1 − T₁)(1 − T₂) is the tone again.
   float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
     // Where nothing stays blank, any share of the tone would fill both layers.
     PerToneNormal blank = max(1.0 - tone, 1e-3);
     float share = 0.5 * crossingOf(h);
     float first = hatchLayer(h, 1.0 - pow(blank, PerToneNormal(1.0 - share)));
-    float second = hatchLayer(secondLayer(h), 1.0 - pow(blank, PerToneNormal(share)));
+    float second = hatchLayer(turnedLayer(h, 1.0, vec2(0.0, 1.0)), 1.0 - pow(blank, PerToneNormal(share)));
     return 1.0 - (1.0 - first) * (1.0 - second);
+  }
+#elif STROKE_LAYERS == STROKE_LAYERS_TONE
+  #include "crossedTones"
+
+  uniform float crossFrom; // tone above which a second layer crosses the first
+  uniform vec4 layerTurns; // cosine and sine of the angle from the first layer to the second, and to the third
+
+  // Of what the first layer leaves to the others, what the second has when the third begins: half way from crossFrom to 1.
+  #define THIRD_FROM 0.375
+
+  float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
+    PerToneNormal first = takenOf(tone, crossFrom);
+    PerToneNormal others = leftOf(tone, first);
+    PerToneNormal second = takenOf(others, THIRD_FROM);
+    PerToneNormal third = leftOf(others, second);
+    return 1.0 - (1.0 - hatchLayer(h, first))
+      * (1.0 - hatchLayer(turnedLayer(h, 1.0, layerTurns.xy), second))
+      * (1.0 - hatchLayer(turnedLayer(h, 2.0, layerTurns.zw), third));
   }
 #else
   float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
     return hatchLayer(h, tone);
   }
-#endif // STROKE_LAYERS
+#endif // LAYERS_BY_LIGHTS

@@ -118,6 +118,20 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.writeProgram();
   }
 
+  /**
+   * The older name of `strokeLayers: 'lights'`: true where that is chosen. Set to false it takes that back, and nothing else.
+   *
+   * @deprecated Set `strokeLayers`.
+   */
+  get secondLayer(): boolean {
+    return this.strokeLayers === 'lights';
+  }
+
+  set secondLayer(value: boolean) {
+    if (value) this.strokeLayers = 'lights';
+    else if (this.secondLayer) this.strokeLayers = 'single';
+  }
+
   /** Sets properties by name, as three's own. Warns of one that does not count for the technique. */
   override setValues(values?: HatchingMaterialParameters): void {
     const { defines } = this;
@@ -339,6 +353,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const sin = Math.sin(this.strokeRotation);
     u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
     u.strokeDirection.value.set(cos, sin);
+    // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
+    const { crossAngle } = this;
+    u.layerTurns.value.set(
+      Math.cos(crossAngle),
+      Math.sin(crossAngle),
+      -Math.sin(crossAngle / 2),
+      Math.cos(crossAngle / 2),
+    );
     if (map === null) {
       u.thresholdMap.value = blankThresholdMap();
       u.thresholdMapLevels.value = 1;

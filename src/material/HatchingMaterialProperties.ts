@@ -14,6 +14,7 @@ import {
   type LevelRule,
   type LineField,
   type StrokeAnchor,
+  type StrokeLayers,
   type ToneModel,
   type ToneNormal,
 } from './hatchingProperties.js';
@@ -85,11 +86,21 @@ export interface HatchingMaterialOptions {
    * `'engraved'`.
    */
   lineSpacing: number;
-  /** Tone above which other lines cross the first; at 1 none do. In [0, 1]. Default `0.52`. Only `'engraved'`. */
+  /**
+   * How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`. Default `'single'`. Only
+   * `'triangle'`, `'adjacency'`, `'anchored'`. Another value builds another program.
+   */
+  strokeLayers: StrokeLayers;
+  /**
+   * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
+   * 1 none do. In [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   */
   crossFrom: number;
   /**
-   * Angle between the planes that cut the first lines and those that cut the lines across them. Radians in (0,
-   * 1.5707963267948966]. Default `Math.PI / 3`. Only `'engraved'`.
+   * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
+   * cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.
+   * Radians in (0, 1.5707963267948966]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
+   * `'engraved'`.
    */
   crossAngle: number;
   /**
@@ -103,12 +114,6 @@ export interface HatchingMaterialOptions {
    * `'adjacency'`.
    */
   creaseAngle: number;
-  /**
-   * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
-   * the tone. With one light there is no difference. Default `false`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
-   * Another value builds another program.
-   */
-  secondLayer: boolean;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
   /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
@@ -382,7 +387,22 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.numbers.lineSpacing = checkNumber('lineSpacing', value, HATCHING_PROPERTIES.lineSpacing.range);
   }
 
-  /** Tone above which other lines cross the first; at 1 none do. In [0, 1]. Default `0.52`. Only `'engraved'`. */
+  /**
+   * How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`. Default `'single'`. Only
+   * `'triangle'`, `'adjacency'`, `'anchored'`. Another value builds another program.
+   */
+  get strokeLayers(): StrokeLayers {
+    return this.choice('strokeLayers') as StrokeLayers;
+  }
+
+  set strokeLayers(value: StrokeLayers) {
+    this.choose('strokeLayers', value);
+  }
+
+  /**
+   * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
+   * 1 none do. In [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   */
   get crossFrom(): number {
     return this.numbers.crossFrom;
   }
@@ -392,8 +412,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Angle between the planes that cut the first lines and those that cut the lines across them. Radians in (0,
-   * 1.5707963267948966]. Default `Math.PI / 3`. Only `'engraved'`.
+   * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
+   * cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.
+   * Radians in (0, 1.5707963267948966]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
+   * `'engraved'`.
    */
   get crossAngle(): number {
     return this.numbers.crossAngle;
@@ -426,19 +448,6 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set creaseAngle(value: number) {
     this.numbers.creaseAngle = checkNumber('creaseAngle', value, HATCHING_PROPERTIES.creaseAngle.range);
-  }
-
-  /**
-   * Crosses the strokes with a second layer where several lights disagree about their direction. The two together keep
-   * the tone. With one light there is no difference. Default `false`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
-   * Another value builds another program.
-   */
-  get secondLayer(): boolean {
-    return this.choice('secondLayer') as boolean;
-  }
-
-  set secondLayer(value: boolean) {
-    this.choose('secondLayer', value);
   }
 
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */

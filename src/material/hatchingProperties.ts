@@ -41,6 +41,16 @@ export type LevelRule = 'derivatives' | 'depth';
 export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z';
 
 /**
+ * How many layers of strokes lie over one another. Together they keep the tone.
+ * - `single`: one, in one direction, whatever the tone.
+ * - `lights`: a second, across the first, where several lights disagree about the direction; the same as `single` with
+ *   one light.
+ * - `tone`: a second above the tone `crossFrom`, turned by `crossAngle`, and half way from there to 1 a third, turned
+ *   into the wider of the two angles between them: the other way at 60°, diagonally at 90°.
+ */
+export type StrokeLayers = 'single' | 'lights' | 'tone';
+
+/**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
  * - `lambert`: N·L.
  * - `halfLambert`: (N·L / 2 + 1/2)², which reaches round to the side turned away.
@@ -89,11 +99,11 @@ export const HATCHING_DEFAULTS = {
   anchorSpacing: 0.45,
   lineField: 'light',
   lineSpacing: 5,
+  strokeLayers: 'single',
   crossFrom: 0.52,
   crossAngle: Math.PI / 3,
   handmade: 0.4,
   creaseAngle: Math.PI / 2,
-  secondLayer: false,
   toneModel: 'lambert',
   toneSteps: 4,
   shininess: 30,
@@ -159,16 +169,26 @@ export const HATCHING_PROPERTIES = {
     techniques: ['engraved'],
   },
   lineSpacing: { kind: 'number', uniform: 'lineSpacing', range: { above: 0 }, techniques: ['engraved'] },
-  crossFrom: { kind: 'number', uniform: 'crossFrom', range: { from: 0, to: 1 }, techniques: ['engraved'] },
+  strokeLayers: {
+    kind: 'choice',
+    define: 'STROKE_LAYERS',
+    choices: ['single', 'lights', 'tone'],
+    techniques: ['triangle', 'adjacency', 'anchored'],
+  },
+  crossFrom: {
+    kind: 'number',
+    uniform: 'crossFrom',
+    range: { from: 0, to: 1 },
+    techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
+  },
   crossAngle: {
     kind: 'number',
     uniform: 'crossAngle',
     range: { above: 0, to: 1.5707963267948966 },
-    techniques: ['engraved'],
+    techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
   },
   handmade: { kind: 'number', uniform: 'handmade', range: { from: 0, to: 1 }, techniques: ['engraved'] },
   creaseAngle: { kind: 'number', range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
-  secondLayer: { kind: 'switch', define: 'SECOND_LAYER', techniques: ['triangle', 'adjacency', 'anchored'] },
   toneModel: { kind: 'choice', define: 'TONE_MODEL', choices: ['lambert', 'halfLambert', 'phong', 'toon'] },
   toneSteps: { kind: 'number', uniform: 'toneSteps', range: { from: 2 } },
   shininess: { kind: 'number', uniform: 'shininess', range: { from: 0 } },

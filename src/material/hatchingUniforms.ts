@@ -1,4 +1,4 @@
-import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3 } from 'three';
+import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3, Vector4 } from 'three';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { HatchingProperty } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
@@ -13,6 +13,7 @@ export function createHatchingUniforms(): Uniforms {
     {
       alphaTest: { value: 0 },
       creaseCosine: { value: 0 },
+      layerTurns: { value: new Vector4() },
       opacity: { value: 1 },
       strokeDirection: { value: new Vector2() },
       strokeTransform: { value: new Matrix3() },

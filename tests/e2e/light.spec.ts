@@ -85,7 +85,7 @@ test('a second sun lightens its side, and crosses the strokes unless there is on
   const alone = await readDrawing(page);
   await openPlayground(page, `${view}&secondLight=right`);
   const crossed = await readDrawing(page);
-  await openPlayground(page, `${view}&secondLight=right&strokeLayers=1`);
+  await openPlayground(page, `${view}&secondLight=right&strokeLayers=single`);
   const single = await readDrawing(page);
   expect(meanInk(crossed, RIGHT_HALF)).toBeLessThan(meanInk(alone, RIGHT_HALF) - 0.05);
   expect(changedShare(crossed, single)).toBeGreaterThan(0.01);

@@ -64,7 +64,7 @@ const cases: Case[] = [
     mesh: wall,
     matrixWorld: leaning,
     lights: crossed,
-    material: { secondLayer: true },
+    material: { strokeLayers: 'lights' },
   },
   {
     name: 'seen at a slant by an orthographic camera',
@@ -93,14 +93,29 @@ const cases: Case[] = [
     },
   },
   { name: 'reflected light', lights: [spot], material: { reflectedLight: 0.4 } },
-  { name: 'second layer under two lights', lights: crossed, material: { secondLayer: true } },
+  { name: 'second layer under two lights', lights: crossed, material: { strokeLayers: 'lights' } },
   {
     name: 'second layer under three lights, moved object',
     lights: [redSide, point, spot],
     matrixWorld: placed,
-    material: { secondLayer: true, toneCurve: 'perceptual' },
+    material: { strokeLayers: 'lights', toneCurve: 'perceptual' },
   },
-  { name: 'second layer under one light: none', material: { secondLayer: true } },
+  { name: 'second layer under one light: none', material: { strokeLayers: 'lights' } },
+  { name: 'layers by tone', material: { strokeLayers: 'tone' } },
+  {
+    name: 'layers by tone, at a right angle, early, moved object',
+    lights: [point],
+    matrixWorld: placed,
+    material: { strokeLayers: 'tone', crossFrom: 0.2, crossAngle: Math.PI / 2 },
+  },
+  {
+    name: 'layers by tone under two lights, seen at a slant, sized on the screen',
+    mesh: wall,
+    matrixWorld: leaning,
+    lights: crossed,
+    material: { strokeLayers: 'tone', crossFrom: 0.1, crossAngle: 0.4 },
+    screenConstancy: 1,
+  },
 ];
 
 const test = testOnOnePage('tests/gpu/harness.html');

@@ -103,10 +103,11 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   const isPerFragment = technique === 'anchored' || technique === 'engraved';
   const geometry = isPerFragment ? source : await prepareHatchingGeometry(source);
 
+  const takesThresholds = technique === 'anchored' || spec.material.crisp;
   const { ink, paper, color, strokeOffset, strokeRotation, ...material } = spec.material;
   const hatching = new HatchingMaterial({
     ...material,
-    ...(technique !== 'engraved' && { tonalArtMap: technique === 'anchored' ? thresholdMap : analyticMap(spec.map) }),
+    ...(technique !== 'engraved' && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
     ...spec.lines,
     side: spec.doubleSided ? DoubleSide : FrontSide,
   });

@@ -5,7 +5,7 @@ import { interpolated } from '../reference/interpolated.js';
 import { cube, type PlainMesh, sheet, toFloat, torus, trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
 import { referenceAdjacency, type Vec3 } from '../reference/referenceAdjacency.js';
-import { ANALYTIC_TONES, analyticMaps } from './analyticMaps.js';
+import { ANALYTIC_TONES, analyticMaps, analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 import { loadBunny } from './loadBunny.js';
 import { describeError, expectEqualPictures, pictureError } from './pictureError.js';
@@ -115,14 +115,14 @@ const cases: Case[] = [
       name: `second layer under two lights, ${technique}`,
       mesh: torus,
       lights: crossed,
-      material: { technique, secondLayer: true },
+      material: { technique, strokeLayers: 'lights' } as const,
     },
     {
       name: `second layer under three lights, moved object, ${technique}`,
       mesh: torus,
       lights: [redSide, point, spot],
       matrixWorld: placed,
-      material: { technique, secondLayer: true, toneNormal: 'smooth' } as const,
+      material: { technique, strokeLayers: 'lights', toneNormal: 'smooth' } as const,
     },
     {
       name: `second layer, ${technique}, blend alone`,
@@ -130,7 +130,19 @@ const cases: Case[] = [
       lights: crossed,
       map: 'constantPerTone' as const,
       matrixWorld: mirrored,
-      material: { technique, secondLayer: true, toneCurve: 'perceptual' } as const,
+      material: { technique, strokeLayers: 'lights', toneCurve: 'perceptual' } as const,
+    },
+    {
+      name: `layers by tone, ${technique}`,
+      mesh: torus,
+      material: { technique, strokeLayers: 'tone' } as const,
+    },
+    {
+      name: `layers by tone, early, at a right angle, moved object, ${technique}`,
+      mesh: loadBunny,
+      lights: [point],
+      matrixWorld: placed,
+      material: { technique, strokeLayers: 'tone', crossFrom: 0.1, crossAngle: Math.PI / 2 } as const,
     },
     {
       name: `level by depth, ${technique}`,
@@ -199,7 +211,13 @@ const cases: Case[] = [
   },
 ];
 
-function expected(spec: HatchingSpec): Map<number, Vec3> {
+type ShadeArguments = Parameters<HatchingReference['shade']>;
+
+/** What the reference says of every pixel in the interior of a triangle. */
+function expected<Shade>(
+  spec: HatchingSpec,
+  shade: (reference: HatchingReference, ...at: ShadeArguments) => Shade,
+): Map<number, Shade> {
   const triangles = trianglesOf(spec);
   const neighbours = referenceAdjacency(triangles);
   const fragments = rasterizeReference(triangles, spec.matrixWorld, spec.camera, SIZE, SIZE, !!spec.doubleSided);
@@ -226,7 +244,8 @@ function expected(spec: HatchingSpec): Map<number, Vec3> {
       const fragment = fragments[pixel]!;
       const { triangle, barycentric, faceDirection } = fragment;
       const smooth: Vec3 = spec.normals ? interpolated(spec.normals, spec.indices, fragment) : [0, 0, 1];
-      return [pixel, reference.shade(triangles[triangle], neighbours[triangle], barycentric, faceDirection, smooth)];
+      const at: ShadeArguments = [triangles[triangle], neighbours[triangle], barycentric, faceDirection, smooth];
+      return [pixel, shade(reference, ...at)];
     }),
   );
 }
@@ -237,29 +256,76 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
-for (const { name, mesh, ...rest } of cases) {
-  test(`equals the double-precision reference: ${name}`, async ({ page }) => {
-    const { positions, normals, indices } = typeof mesh === 'function' ? mesh() : mesh;
-    const spec: HatchingSpec = {
-      width: SIZE,
-      height: SIZE,
-      positions: toFloat(positions),
-      ...(normals && { normals }),
-      indices,
-      matrixWorld: rest.matrixWorld ?? identity,
-      camera: rest.orthographic ? orthographic : perspective,
-      orthographic: !!rest.orthographic,
-      lights: rest.lights ?? [directional],
-      material: { ...defaults, ...rest.material },
-      map: rest.map ?? 'smooth',
-      doubleSided: !!rest.doubleSided,
-    };
+function specOf({ mesh, ...rest }: Case): HatchingSpec {
+  const { positions, normals, indices } = typeof mesh === 'function' ? mesh() : mesh;
+  return {
+    width: SIZE,
+    height: SIZE,
+    positions: toFloat(positions),
+    ...(normals && { normals }),
+    indices,
+    matrixWorld: rest.matrixWorld ?? identity,
+    camera: rest.orthographic ? orthographic : perspective,
+    orthographic: !!rest.orthographic,
+    lights: rest.lights ?? [directional],
+    material: { ...defaults, ...rest.material },
+    map: rest.map ?? 'smooth',
+    doubleSided: !!rest.doubleSided,
+  };
+}
+
+for (const one of cases) {
+  test(`equals the double-precision reference: ${one.name}`, async ({ page }) => {
+    const spec = specOf(one);
     const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
-    const reference = expected(spec);
+    const reference = expected(spec, (reference, ...at) => reference.shade(...at));
     expect(reference.size, 'interior pixels').toBeGreaterThan(3000);
 
     const error = pictureError(pixels, reference);
     test.info().annotations.push(describeError(error));
     expectEqualPictures(error);
+  });
+}
+
+// Fine enough that the coarsest level of the map serves everywhere.
+const fine = { crisp: true, strokeScale: 3 };
+
+const crispCases: Case[] = (['triangle', 'adjacency'] as const).flatMap((technique) => [
+  { name: `one layer, ${technique}`, mesh: torus, material: { ...fine, technique } },
+  { name: `layers by tone, ${technique}`, mesh: torus, material: { ...fine, technique, strokeLayers: 'tone' } },
+  {
+    name: `layers by tone, early, at a right angle, moved object, ${technique}`,
+    mesh: loadBunny,
+    lights: [point],
+    matrixWorld: placed,
+    material: { ...fine, technique, strokeLayers: 'tone', crossFrom: 0.2, crossAngle: Math.PI / 2 },
+  },
+  {
+    name: `layers by disagreeing lights, ${technique}`,
+    mesh: torus,
+    lights: crossed,
+    material: { ...fine, technique, strokeLayers: 'lights' },
+  },
+]);
+
+for (const one of crispCases) {
+  test(`crisp, equals the double-precision reference: ${one.name}`, async ({ page }) => {
+    const spec = specOf(one);
+    const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
+    const { field, levels } = analyticThreshold;
+    const excess = expected(spec, (reference, ...at) =>
+      reference.crispExcess((u, v) => field(u, v, levels - 1), ...at),
+    );
+    expect(excess.size, 'interior pixels').toBeGreaterThan(3000);
+    let [inked, wrong] = [0, 0];
+    for (const [pixel, over] of excess) {
+      if (over > 0) inked++;
+      // On the very edge of a stroke a rounding decides.
+      if (Math.abs(over) > 0.01 && pixels[4 * pixel] < 128 !== over > 0) wrong++;
+    }
+    expect(inked / excess.size, 'share of ink').toBeGreaterThan(0.1);
+    expect(inked / excess.size, 'share of ink').toBeLessThan(0.98);
+    expect(wrong / excess.size, 'share of pixels on the wrong side').toBeLessThanOrEqual(0.01);
+    test.info().annotations.push({ type: 'error', description: `${((100 * wrong) / excess.size).toFixed(2)} % wrong` });
   });
 }

@@ -3,6 +3,7 @@
  * skewed cubes), the hash and the blend as documented. Shares no code with the shader.
  */
 import { type HatchingReference, LAYER_SHIFT } from './hatchingReference.js';
+import { normalDistribution } from './normalDistribution.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
 /** g = Φ⁻¹(h) of one level of the threshold map at (u, v) in tiles; of variance 1, and unlike that of any other level. */
@@ -135,15 +136,6 @@ function uniformOf({ g, mixing }: Field): number {
   return h + mixing * h * (1 - h) * (1.07 * (h - 0.42) ** 2 - 0.14);
 }
 
-/** Φ, by Abramowitz and Stegun 7.1.26 for the error function: to 1.5e-7. */
-export function normalDistribution(g: number): number {
-  const x = Math.abs(g) / Math.SQRT2;
-  const t = 1 / (1 + 0.3275911 * x);
-  const polynomial = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
-  const erf = 1 - polynomial * Math.exp(-x * x);
-  return g < 0 ? 0.5 * (1 - erf) : 0.5 * (1 + erf);
-}
-
 /** By how much the tone exceeds the threshold, of the layer where it does most: ink where positive. */
 export function anchoredExcess(
   reference: HatchingReference,
@@ -156,19 +148,15 @@ export function anchoredExcess(
   const world = reference.toWorld(point);
   const { tangent, bitangent, crossing } = reference.frameOfNormal(strokeNormal, world);
   const edge = settings.anchorSpacing / settings.strokeScale;
-  const shifted = point.map((c, i) => c + LAYER_SHIFT[i] * edge) as Vec3;
-  const negated = bitangent.map((c) => -c) as Vec3;
   const toViewer = reference.toViewer(world);
-  const { strokeRotation: angle } = settings;
-  const field = (at: Vec3, t: Vec3, b: Vec3) => {
-    const across = t.map((x, i) => Math.sin(angle) * x + Math.cos(angle) * b[i]) as Vec3;
-    return anchoredField(at, t, b, unitsPerPixel, crowdedOctaves(across, strokeNormal, toViewer), settings);
-  };
-  const fields = [
-    () => field(point, tangent, bitangent),
-    // The frame turned by 90° about the normal.
-    () => field(shifted, negated, tangent),
-  ];
-  const tones = reference.layers(reference.tone(world, reference.normalToWorld(toneNormal)), crossing);
-  return Math.max(...tones.map((tone, i) => tone - uniformOf(fields[i]())));
+  const tone = reference.tone(world, reference.normalToWorld(toneNormal));
+  const excesses = reference.layers(tone, crossing).map((layer, i) => {
+    const at = point.map((c, axis) => c + i * LAYER_SHIFT[axis] * edge) as Vec3;
+    const turned = { ...settings, strokeRotation: settings.strokeRotation + layer.angle };
+    const { strokeRotation: angle } = turned;
+    const across = tangent.map((x, axis) => Math.sin(angle) * x + Math.cos(angle) * bitangent[axis]) as Vec3;
+    const coarser = crowdedOctaves(across, strokeNormal, toViewer);
+    return layer.tone - uniformOf(anchoredField(at, tangent, bitangent, unitsPerPixel, coarser, turned));
+  });
+  return Math.max(...excesses);
 }

@@ -4,6 +4,7 @@
  * code with the shader. Several lights: structure tensor of their directions. Radiance: as three documents its lights.
  */
 import { glMatrix, mat3, type mat4, vec3 } from 'gl-matrix';
+import { normalDistribution } from './normalDistribution.js';
 import type { Triangle, Vec3 } from './referenceAdjacency.js';
 
 glMatrix.setMatrixArrayType(Array as unknown as Float32ArrayConstructor);
@@ -37,7 +38,11 @@ export interface ReferenceMaterial {
   creaseAngle: number;
   toneCurve: 'linear' | 'perceptual' | [number, number][];
   reflectedLight: number;
-  secondLayer: boolean;
+  strokeLayers: 'single' | 'lights' | 'tone';
+  crossFrom: number;
+  crossAngle: number;
+  /** Thresholds are blended and ink is decided once, instead of greys. */
+  crisp: boolean;
   levelRule: 'derivatives' | 'depth';
   inkBlend: 'cover' | 'multiply';
   ink: Vec3;
@@ -63,8 +68,20 @@ export interface ReferenceScene {
   unitsPerPixel?: (at: Vec3) => number;
 }
 
-/** By how much the second layer's pattern is shifted, in tiles or anchors. */
+/** By how much a layer's pattern is shifted against that of the one before, in tiles or anchors. */
 export const LAYER_SHIFT: Vec3 = [17.37, 5.71, 11.13];
+
+/** One of the layers of strokes that are printed over one another. */
+export interface ReferenceLayer {
+  tone: number;
+  /** Of its strokes against those of the first layer, counter-clockwise. */
+  angle: number;
+}
+
+/** What of a tone stays with a layer that others cross from some tone on: 0.4 of what is above. */
+const kept = (tone: number, from: number) => (tone > from ? from + 0.4 * (tone - from) : tone);
+/** What is to be printed over a tone to make it another. */
+const missing = (tone: number, printed: number) => 1 - (1 - tone) / (1 - printed);
 
 const LUMINANCE: Vec3 = [0.2126729, 0.7151522, 0.072175];
 const luminance = (rgb: Vec3) => rgb[0] * LUMINANCE[0] + rgb[1] * LUMINANCE[1] + rgb[2] * LUMINANCE[2];
@@ -279,11 +296,27 @@ export class HatchingReference {
     return curveThrough(material.toneCurve, tone);
   }
 
-  /** The tones of the layers of strokes that together give a tone, 1 − T = (1 − T₁)(1 − T₂), as the lights disagree. */
-  layers(tone: number, crossing: number): number[] {
-    if (!this.scene.material.secondLayer || crossing === 0) return [tone];
-    const blank = Math.max(1 - tone, 1e-3);
-    return [1 - blank ** (1 - crossing / 2), 1 - blank ** (crossing / 2)];
+  /** The layers of strokes that together give a tone, 1 − T = Π (1 − Tᵢ). */
+  layers(tone: number, crossing: number): ReferenceLayer[] {
+    const { strokeLayers, crossFrom, crossAngle } = this.scene.material;
+    if (strokeLayers === 'lights' && crossing > 0) {
+      const blank = Math.max(1 - tone, 1e-3);
+      return [
+        { tone: 1 - blank ** (1 - crossing / 2), angle: 0 },
+        { tone: 1 - blank ** (crossing / 2), angle: Math.PI / 2 },
+      ];
+    }
+    if (strokeLayers !== 'tone') return [{ tone, angle: 0 }];
+    // The third halves the angle between the second and the first turned by half a turn.
+    const angles = [0, crossAngle, (crossAngle + Math.PI) / 2];
+    const layers = (...tones: number[]) => tones.map((one, i) => ({ tone: one, angle: angles[i] }));
+    if (tone <= crossFrom) return layers(tone, 0, 0);
+    const first = kept(tone, crossFrom);
+    const others = missing(tone, first);
+    // Half way from the tone where the second layer begins to the darkest, the third does.
+    const thirdFrom = (1 + crossFrom) / 2;
+    const second = kept(others, missing(thirdFrom, kept(thirdFrom, crossFrom)));
+    return layers(first, second, missing(others, second));
   }
 
   /**
@@ -310,17 +343,14 @@ export class HatchingReference {
     return Math.log2(material.strokeScale * size * objectPerWorld * unitsPerPixel!(world));
   }
 
-  /**
-   * Algorithms 2 and 3 at the point b0·V0 + b1·V1 + b2·V2 of `triangle`, whose neighbours across V0V1, V1V2, V2V0 are
-   * given. `smoothNormal` in object space is used where tone is to be smooth. Returns linear RGB.
-   */
-  shade(
+  /** What is blended at the point b0·V0 + b1·V1 + b2·V2 of a triangle with these neighbours, as in `shade`. */
+  private shades(
     triangle: Triangle,
     neighbours: readonly (Triangle | null)[],
     barycentric: Vec3,
     faceDirection: number,
     smoothNormal: Vec3,
-  ): Vec3 {
+  ) {
     const { material } = this.scene;
     const point: Vec3 = [0, 1, 2].map(
       (axis) =>
@@ -342,23 +372,57 @@ export class HatchingReference {
       });
     }
     const sum = shades.reduce((total, { f }) => total + f, 0);
-    const level = this.level(world);
-    // Each layer is blended like a picture of its own, then one is printed over the other.
     const crossing = shades.reduce((total, { t, f }) => total + f * this.frame(t).crossing, 0) / sum;
-    const layers = [0, 0];
-    for (const { t, n, f } of shades) {
+    const frames = shades.map(({ t, n, f }) => {
       const toneNormal = this.normalToWorld(material.toneNormal === 'smooth' ? smoothNormal : n);
       const tone = this.tone(world, scale(toneNormal, faceDirection));
       const [u, v] = this.coordinates(point, t);
-      const places = [[u, v] as const, [LAYER_SHIFT[0] - v, LAYER_SHIFT[1] + u] as const];
-      this.layers(tone, crossing).forEach((layerTone, i) => {
-        layers[i] += (f / sum) * this.hatch(places[i], layerTone, level);
+      const layers = this.layers(tone, crossing).map((layer, i) => {
+        const [cos, sin] = [Math.cos(layer.angle), Math.sin(layer.angle)];
+        const place = [u * cos - v * sin + i * LAYER_SHIFT[0], u * sin + v * cos + i * LAYER_SHIFT[1]] as const;
+        return { tone: layer.tone, place };
+      });
+      return { share: f / sum, layers };
+    });
+    return { world, frames };
+  }
+
+  /**
+   * Algorithms 2 and 3 at the point b0·V0 + b1·V1 + b2·V2 of `triangle`, whose neighbours across V0V1, V1V2, V2V0 are
+   * given. `smoothNormal` in object space is used where tone is to be smooth. Returns linear RGB.
+   */
+  shade(...at: Parameters<HatchingReference['shades']>): Vec3 {
+    const { world, frames } = this.shades(...at);
+    const level = this.level(world);
+    // Each layer is blended like a picture of its own, then one is printed over the other.
+    const blank = [1, 1, 1];
+    for (const { share, layers } of frames) {
+      layers.forEach(({ tone, place }, i) => {
+        blank[i] -= share * this.hatch(place, tone, level);
       });
     }
-    const darkness = 1 - (1 - layers[0]) * (1 - layers[1]);
+    const darkness = 1 - blank[0] * blank[1] * blank[2];
+    const { material } = this.scene;
     const { paper, color } = material;
     const ground = paper.map((c, i) => c * color[i]);
     const stroke = material.ink.map((c, i) => (material.inkBlend === 'multiply' ? c * ground[i] : c));
     return ground.map((c, i) => c * (1 - darkness) + stroke[i] * darkness) as Vec3;
+  }
+
+  /**
+   * The same, crisp: by how much the tone exceeds the threshold, of the layer where it does most; ink where positive.
+   * `field`: Φ⁻¹ of the threshold at (u, v).
+   */
+  crispExcess(field: (u: number, v: number) => number, ...at: Parameters<HatchingReference['shades']>): number {
+    const { frames } = this.shades(...at);
+    const blended = (of: (frame: (typeof frames)[number]) => number) =>
+      frames.reduce((total, frame) => total + frame.share * of(frame), 0);
+    const deviation = Math.sqrt(blended(({ share }) => share));
+    const excesses = frames[0].layers.map(
+      (_, i) =>
+        blended(({ layers }) => layers[i].tone) -
+        normalDistribution(blended(({ layers }) => field(...layers[i].place)) / deviation),
+    );
+    return Math.max(...excesses);
   }
 }

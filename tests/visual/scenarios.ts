@@ -44,7 +44,8 @@ export interface Scenario {
       | 'color'
       | 'toneCurve'
       | 'reflectedLight'
-      | 'secondLayer'
+      | 'strokeLayers'
+      | 'crossAngle'
       | 'levelRule'
       | 'lineField'
       | 'handmade'
@@ -295,7 +296,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Two lights: where they disagree, a second layer of strokes crosses the first.',
     lights: twoSuns,
-    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN, secondLayer: true },
+    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
   },
   {
     ...bunny,
@@ -303,7 +304,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'The same two lights and layers, in anchored strokes.',
     lights: twoSuns,
-    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, secondLayer: true },
+    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
   },
   {
     ...floor,

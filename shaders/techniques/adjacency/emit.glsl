@@ -14,9 +14,9 @@ vec3 strokesGamma = strokeCoordinates(
 );
 vStrokeUvCentralAlpha = vec4(strokesC.xy, strokesAlpha.xy);
 vStrokeUvBetaGamma = vec4(strokesBeta.xy, strokesGamma.xy);
-#if STROKE_LAYERS == 2
+#if LAYERS_BY_LIGHTS
   vCrossing = vec4(strokesC.z, strokesAlpha.z, strokesBeta.z, strokesGamma.z);
-#endif // STROKE_LAYERS
+#endif // LAYERS_BY_LIGHTS
 // −1 at the vertex that does not belong to the neighbour (Algorithm 2): corner 2 for α, 0 for β, 1 for γ.
 vec3 blendFactors = vec3(
   drawn.corner == 2 ? -1.0 : sharedBlendFactor(normalC, normalAlpha),

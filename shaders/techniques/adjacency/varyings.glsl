@@ -12,6 +12,6 @@ varying vec4 vStrokeUvBetaGamma; // (u, v) in the frame of β, then of γ
   varying vec4 vFaceNormalBeta;
   varying vec4 vFaceNormalGamma;
 #endif // TONE_NORMAL
-#if STROKE_LAYERS == 2
+#if LAYERS_BY_LIGHTS
   varying vec4 vCrossing; // how far the lights disagree in the frames of c, α, β, γ
-#endif // STROKE_LAYERS
+#endif // LAYERS_BY_LIGHTS

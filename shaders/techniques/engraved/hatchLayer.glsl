@@ -3,12 +3,10 @@
 uniform float crossFrom; // tone above which lines cross
 uniform float screenConstancy; // 0: lines spaced on the object, 1: on the screen
 
+#include "crossedTones"
 #include "technique/fieldAxis"
 #include "technique/hand"
 #include "technique/ruledLines"
-
-// How much of the tone above `crossFrom` the first family still takes.
-#define FIRST_SHARE 0.4
 
 // Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left, and
 // those that cross it take its tone.
@@ -35,9 +33,8 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
   float shareB = mix(1.0, smoothstep(-0.35, 0.35, between), has);
 
   // What stays blank in each family, so that printed over one another, Π (1 − Tᵢ), they leave as much blank as the tone does.
-  float first = min(tone, crossFrom) + FIRST_SHARE * max(tone - crossFrom, 0.0);
-  float blankFirst = 1.0 - has * min(first, 0.9999);
-  float rest = min((1.0 - tone) / blankFirst, 1.0);
+  float first = has * takenOf(tone, crossFrom);
+  float rest = 1.0 - leftOf(tone, first);
   float blankB = mix(1.0, rest, shareB);
   float blankC = rest / max(blankB, 1e-4);
 
@@ -52,7 +49,7 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
     vec3 side = (i == 1) == isB ? sideB : sideC;
     vec2 mixing = i == 0 ? vec2(1.0, 0.0) : vec2(cos(crossAngle), sin(crossAngle));
     float perPixel = length(mixing.x * across1 + mixing.y * screenGradient(side, onScreen));
-    float taken = 1.0 - (i == 0 ? blankFirst : i == 1 ? blankSecond : blankThird);
+    float taken = i == 0 ? first : 1.0 - (i == 1 ? blankSecond : blankThird);
     float along = mixing.x * value + mixing.y * dot(point, side);
     blank *= 1.0 - ruledLines(along, max(perPixel, 1e-12), i == 0 ? max(slope, 1e-6) : 1.0, handTone(pressure, taken));
   }

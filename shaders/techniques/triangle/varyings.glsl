@@ -2,6 +2,6 @@
 
 varying vec2 vStrokeUv;
 varying vec3 vFaceNormal; // view space; equal at the three corners, so it needs no `flat`
-#if STROKE_LAYERS == 2
+#if LAYERS_BY_LIGHTS
   varying float vCrossing; // how far the lights disagree
-#endif // STROKE_LAYERS
+#endif // LAYERS_BY_LIGHTS

@@ -21,7 +21,9 @@ export function applyToMaterial(
   material.screenConstancy = settings.screenConstancy / 100;
   material.anchorSpacing = settings.anchorSpacing;
   material.lineField = settings.lineField;
+  material.strokeLayers = settings.strokeLayers;
   material.crossFrom = settings.crossFrom / 100;
+  material.crossAngle = MathUtils.degToRad(settings.crossAngle);
   material.handmade = settings.handmade / 100;
   material.edgePixels = settings.edge;
   material.toneModel = settings.toneModel;
@@ -29,7 +31,6 @@ export function applyToMaterial(
   material.shininess = settings.shininess;
   material.toneCurve = TONE_CURVES[settings.toneCurve];
   material.reflectedLight = settings.reflectedLight / 100;
-  material.secondLayer = settings.strokeLayers === '2';
   material.levelRule = settings.levelRule;
   material.creaseAngle = MathUtils.degToRad(settings.creaseAngle);
   material.ink.set(settings.ink);

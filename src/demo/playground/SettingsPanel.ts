@@ -63,8 +63,10 @@ export class SettingsPanel {
     const hasStrokes = techniques.some((technique) => technique !== 'engraved' && technique !== 'none');
     const isPaper = ['adjacency', 'adjacencyCrisp', 'triangle'].some((one) => (techniques as string[]).includes(one));
     this.show('screenConstancy', isAnchored || isEngraved);
-    for (const key of ['lineField', 'lineSpacing', 'crossFrom', 'handmade'] as const) this.show(key, isEngraved);
-    for (const key of ['mapStyle', 'strokeDirection'] as const) this.show(key, hasStrokes);
+    for (const key of ['lineField', 'lineSpacing', 'handmade'] as const) this.show(key, isEngraved);
+    for (const key of ['mapStyle', 'strokeDirection', 'strokeLayers'] as const) this.show(key, hasStrokes);
+    const isCrossing = isEngraved || (hasStrokes && settings.strokeLayers === 'tone');
+    for (const key of ['crossFrom', 'crossAngle'] as const) this.show(key, isCrossing);
     this.show('anchorSpacing', isAnchored);
     this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
     this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
@@ -90,7 +92,6 @@ export class SettingsPanel {
     this.show('shininess', settings.toneModel === 'phong');
     this.show('lightDistance', isLocal);
     this.show('secondStrength', settings.secondLight !== 'none');
-    this.show('strokeLayers', settings.secondLight !== 'none');
     this.show('spotAngle', settings.lightKind === 'spot');
     this.show('spotSoftness', settings.lightKind === 'spot');
     for (const key of ['model', 'mapStyle'] as const) {

@@ -21,12 +21,16 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined):
   if (technique === 'anchored') {
     material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
   }
+  const crossing = [`crossFrom: ${settings.crossFrom / 100}`];
+  if (settings.crossAngle !== SETTINGS.crossAngle.default) {
+    crossing.push(`crossAngle: (${settings.crossAngle} / 180) * Math.PI`);
+  }
   if (technique === 'engraved') {
     material.push(
       `screenConstancy: ${settings.screenConstancy / 100}`,
       `lineField: '${settings.lineField}'`,
       `lineSpacing: ${settings.lineSpacing} * renderer.getPixelRatio()`,
-      `crossFrom: ${settings.crossFrom / 100}`,
+      ...crossing,
       `handmade: ${settings.handmade / 100}`,
     );
   } else if (isCrisp(technique) || settings.levelRule === 'depth') {
@@ -39,7 +43,13 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined):
       `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
     );
   }
-  if (technique !== 'engraved') material.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
+  if (technique !== 'engraved') {
+    material.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
+    if (settings.strokeLayers === 'tone') material.push(`strokeLayers: 'tone'`, ...crossing);
+    // With one light there is nothing to disagree about.
+    else if (settings.strokeLayers === 'lights' && settings.secondLight !== 'none')
+      material.push(`strokeLayers: 'lights'`);
+  }
   material.push(`toneModel: '${settings.toneModel}'`);
   const { offsetU, offsetV, creaseAngle } = settings;
   if (offsetU !== 0 || offsetV !== 0) material.push(`strokeOffset: new Vector2(${offsetU}, ${offsetV})`);
@@ -48,7 +58,6 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined):
   if (settings.toneModel === 'phong') material.push(`shininess: ${settings.shininess}`);
   if (settings.toneCurve !== 'linear') material.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
   if (settings.reflectedLight > 0) material.push(`reflectedLight: ${settings.reflectedLight / 100}`);
-  if (settings.secondLight !== 'none' && settings.strokeLayers === '2') material.push('secondLayer: true');
   if (settings.levelRule !== SETTINGS.levelRule.default) material.push(`levelRule: '${settings.levelRule}'`);
   if (settings.inkBlend !== SETTINGS.inkBlend.default) material.push(`inkBlend: '${settings.inkBlend}'`);
   material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);

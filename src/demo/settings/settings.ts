@@ -111,6 +111,13 @@ export const SETTINGS = {
     max: 20,
     step: 0.1,
   },
+  strokeLayers: {
+    kind: 'choice',
+    label: 'Layers',
+    group: 'Drawing',
+    default: 'lights',
+    choices: { single: 'One', lights: 'Two, where lights disagree', tone: 'Crossing in the darks' },
+  },
   crossFrom: {
     kind: 'number',
     label: 'Crossing from',
@@ -119,6 +126,16 @@ export const SETTINGS = {
     unit: '%',
     min: 0,
     max: 100,
+    step: 1,
+  },
+  crossAngle: {
+    kind: 'number',
+    label: 'Crossing at',
+    group: 'Drawing',
+    default: 60,
+    unit: '°',
+    min: 10,
+    max: 90,
     step: 1,
   },
   handmade: { kind: 'number', label: 'Handmade', group: 'Drawing', default: 40, unit: '%', min: 0, max: 100, step: 1 },
@@ -405,13 +422,6 @@ export const SETTINGS = {
     min: 10,
     max: 200,
     step: 1,
-  },
-  strokeLayers: {
-    kind: 'choice',
-    label: 'Layers',
-    group: 'Light',
-    default: '2',
-    choices: { 1: 'One', 2: 'Two, where lights cross' },
   },
 
   upAxis: {

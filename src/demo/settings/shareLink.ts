@@ -1,8 +1,13 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
-import { defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
+import { defaultSettings, SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
 const DECIMALS = 1000;
+
+/** What older links call values, and what those are called now. */
+const FORMER_VALUES: Partial<Record<SettingKey, Record<string, string>>> = {
+  strokeLayers: { 1: 'single', 2: 'lights' },
+};
 
 /** Settings and camera as the hash of a URL. Defaults are left out. */
 export function writeLink(settings: Settings, camera: CameraView | undefined): string {
@@ -25,7 +30,7 @@ export function readLink(hash: string): { settings: Settings; camera: CameraView
   const settings = defaultSettings();
   for (const key of SETTING_KEYS) {
     const text = parameters.get(key);
-    const value = text === null ? undefined : acceptSetting(key, text);
+    const value = text === null ? undefined : acceptSetting(key, FORMER_VALUES[key]?.[text] ?? text);
     if (value !== undefined && value !== 'file') Object.assign(settings, { [key]: value });
   }
   const numbers = parameters.get('camera')?.split(',').map(Number) ?? [];

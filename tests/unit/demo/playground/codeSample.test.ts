@@ -62,10 +62,12 @@ const looks: Record<string, Partial<Settings>> = {
   'one layer under two lights': {
     secondLight: 'opposite',
     secondStrength: 70,
-    strokeLayers: '1',
+    strokeLayers: 'single',
     toneModel: 'phong',
     shininess: 9,
   },
+  'layers by tone': { strokeLayers: 'tone', crossFrom: 40, crossAngle: 90, secondLight: 'right' },
+  'engraved, crossing at a right angle': { technique: 'engraved', crossFrom: 30, crossAngle: 90 },
   'tinted, curved, by depth': {
     technique: 'adjacency',
     toneCurve: 'contrast',
@@ -95,10 +97,18 @@ describe('codeSample', () => {
     const { material } = mesh;
     expectLines(linesIn(mesh), settings);
     const made = material as HatchingMaterial;
-    // The sample leaves out the second layer if there is no second light.
-    if (settings.secondLight === 'none') expected.secondLayer = false;
+    // The sample leaves out a second layer for lights that disagree if there is one light.
+    if (settings.secondLight === 'none' && settings.strokeLayers === 'lights') expected.strokeLayers = 'single';
     expect(made.defines).toEqual(expected.defines);
-    for (const key of ['strokeScale', 'strokeRotation', 'reflectedLight', 'creaseAngle', 'edgePixels'] as const) {
+    for (const key of [
+      'strokeScale',
+      'strokeRotation',
+      'reflectedLight',
+      'creaseAngle',
+      'edgePixels',
+      'crossAngle',
+      'crossFrom',
+    ] as const) {
       if (key === 'edgePixels' && settings.technique === 'adjacency') continue;
       if (settings.technique === 'engraved' && ['edgePixels', 'strokeRotation', 'strokeWidth'].includes(key)) continue;
       expect(made[key], key).toBeCloseTo(expected[key], 3);

@@ -1,0 +1,13 @@
+float crossingOf(const in HatchingParameters h) {
+  return h.crossing;
+}
+
+// The same place in another layer, whose strokes are turned: turn is the cosine and the sine of the angle.
+HatchingParameters turnedLayer(const in HatchingParameters h, const in float layer, const in vec2 turn) {
+  HatchingParameters turned = h;
+  turned.point = h.point + layer * LAYER_SHIFT * anchorSpacing / strokeScale;
+  turned.uAxis = turn.x * h.uAxis - turn.y * h.vAxis;
+  turned.vAxis = turn.y * h.uAxis + turn.x * h.vAxis;
+  turned.lean = vec3(turn.x * h.lean.x - turn.y * h.lean.y, turn.y * h.lean.x + turn.x * h.lean.y, h.lean.z);
+  return turned;
+}

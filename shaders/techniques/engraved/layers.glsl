@@ -1,0 +1,1 @@
+// None: families of lines cross within the one layer.
