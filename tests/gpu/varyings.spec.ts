@@ -11,13 +11,15 @@ test.beforeEach(async ({ page }) => {
 const ROWS = 15;
 
 for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as const) {
-  // Engraved lines cross by tone, and know no second layer.
-  for (const secondLayer of technique === 'engraved' ? [false] : [false, true]) {
-    test(`four shadows, clipping, fog, vertex colours and all maps, of two channels, fit: ${technique}, ${secondLayer ? 'two layers' : 'one layer'}`, async ({
+  // Engraved lines cross in a way of their own.
+  for (const strokeLayers of technique === 'engraved'
+    ? (['single'] as const)
+    : (['single', 'lights', 'tone'] as const)) {
+    test(`four shadows, clipping, fog, vertex colours and all maps, of two channels, fit: ${technique}, layers ${strokeLayers}`, async ({
       page,
     }, testInfo) => {
       const programs = await page.evaluate(
-        async ([technique, secondLayer]) => {
+        async ([technique, strokeLayers]) => {
           const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
           const renderer = makeRenderer();
           renderer.shadowMap.enabled = true;
@@ -37,7 +39,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as con
           for (const toneNormal of ['face', 'smooth'] as const) {
             const mesh = await hatchedMesh(geometry, {
               technique,
-              secondLayer,
+              strokeLayers,
               toneNormal,
               map: first,
               alphaMap: first,
@@ -67,7 +69,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as con
           }
           return sources;
         },
-        [technique, secondLayer] as const,
+        [technique, strokeLayers] as const,
       );
       for (const [toneNormal, vertex, fragment] of programs) {
         const { rows, names } = varyingRows(vertex, fragment);

@@ -45,7 +45,7 @@ export interface Scenario {
       | 'toneCurve'
       | 'reflectedLight'
       | 'strokeLayers'
-      | 'crossAngle'
+      | 'crossFrom'
       | 'levelRule'
       | 'lineField'
       | 'handmade'
@@ -305,6 +305,20 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'The same two lights and layers, in anchored strokes.',
     lights: twoSuns,
     material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
+  },
+  {
+    ...bunny,
+    name: 'layers-by-tone-anchored',
+    figure: 0,
+    sentence: 'Strokes cross in the darks: a second layer at 60°, and a third.',
+    material: {
+      technique: 'anchored',
+      screenConstancy: 1,
+      strokeRotation: QUARTER_TURN,
+      reflectedLight: 0.4,
+      strokeLayers: 'tone',
+      crossFrom: 0.35,
+    },
   },
   {
     ...floor,

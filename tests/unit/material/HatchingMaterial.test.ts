@@ -38,7 +38,7 @@ describe('HatchingMaterial', () => {
       tonalArtMap: null,
       toneCurve: 'linear',
       reflectedLight: 0,
-      secondLayer: false,
+      strokeLayers: 'single',
       levelRule: 'derivatives',
       inkBlend: 'cover',
       paperOpacity: 1,
@@ -70,17 +70,23 @@ describe('HatchingMaterial', () => {
     expect(warn.mock.calls.flat().join(' ')).toContain('strokeScales');
   });
 
-  test.each(['technique', 'toneModel', 'toneNormal', 'levelRule', 'inkBlend', 'strokeAnchor', 'debugView'] as const)(
-    'refuses an unknown %s',
-    (property) => {
-      const material = new HatchingMaterial();
-      const before = material[property];
-      expect(() => {
-        (material as unknown as Record<string, string>)[property] = 'nonsense';
-      }).toThrow(`HatchingMaterial.${property}: "nonsense" is not known; use one of`);
-      expect(material[property]).toBe(before);
-    },
-  );
+  test.each([
+    'technique',
+    'toneModel',
+    'toneNormal',
+    'levelRule',
+    'inkBlend',
+    'strokeAnchor',
+    'strokeLayers',
+    'debugView',
+  ] as const)('refuses an unknown %s', (property) => {
+    const material = new HatchingMaterial();
+    const before = material[property];
+    expect(() => {
+      (material as unknown as Record<string, string>)[property] = 'nonsense';
+    }).toThrow(`HatchingMaterial.${property}: "nonsense" is not known; use one of`);
+    expect(material[property]).toBe(before);
+  });
 
   test('asks for another program only where the shader changes', () => {
     const material = new HatchingMaterial({ tonalArtMap: map });
@@ -98,12 +104,12 @@ describe('HatchingMaterial', () => {
     material.toneCurve = 'linear';
     material.levelRule = 'derivatives';
     material.inkBlend = 'cover';
-    material.secondLayer = false;
+    material.strokeLayers = 'single';
     expect(material.version).toBe(version);
     material.technique = 'triangle';
     material.levelRule = 'depth';
     material.inkBlend = 'multiply';
-    material.secondLayer = true;
+    material.strokeLayers = 'tone';
     expect(material.version).toBe(version + 4);
   });
 
@@ -189,7 +195,8 @@ describe('HatchingMaterial', () => {
         [1, 0.9],
       ],
       reflectedLight: 0.3,
-      secondLayer: true,
+      strokeLayers: 'tone',
+      crossAngle: 1.2,
       levelRule: 'depth',
       inkBlend: 'multiply',
       paperOpacity: 0.4,
@@ -222,7 +229,8 @@ describe('HatchingMaterial', () => {
       'shininess',
       'toneCurve',
       'reflectedLight',
-      'secondLayer',
+      'strokeLayers',
+      'crossAngle',
       'levelRule',
       'inkBlend',
       'paperOpacity',

@@ -212,6 +212,38 @@ describe('the width of strokes on the screen', () => {
   });
 });
 
+describe('the older name of layers where lights disagree', () => {
+  const older = (material: HatchingMaterial) => [material.secondLayer, material.strokeLayers];
+
+  test('is the same as the newer one: as a parameter, a property, in copies', () => {
+    const warn = vi.spyOn(console, 'warn');
+    const material = new HatchingMaterial({ secondLayer: true });
+    expect(older(material)).toEqual([true, 'lights']);
+    expect(material.defines).toEqual(new HatchingMaterial({ strokeLayers: 'lights' }).defines);
+    expect(older(material.clone())).toEqual([true, 'lights']);
+    material.secondLayer = false;
+    expect(older(material)).toEqual([false, 'single']);
+    material.setValues({ secondLayer: true });
+    expect(older(material)).toEqual([true, 'lights']);
+    material.strokeLayers = 'single';
+    expect(older(material)).toEqual([false, 'single']);
+    expect(warn).not.toHaveBeenCalled();
+  });
+
+  test('leaves layers by tone alone when it is set to what it is already', () => {
+    expect(older(new HatchingMaterial({ strokeLayers: 'tone', secondLayer: false }))).toEqual([false, 'tone']);
+    expect(older(new HatchingMaterial({ secondLayer: false, strokeLayers: 'tone' }))).toEqual([false, 'tone']);
+  });
+
+  test('is read from JSON, and not written', () => {
+    const json = JSON.parse(JSON.stringify(new HatchingMaterial({ secondLayer: true }).toJSON()));
+    expect(json).not.toHaveProperty('secondLayer');
+    expect(json.strokeLayers).toBe('lights');
+    const { strokeLayers: _, ...saved } = json;
+    expect(older(HatchingMaterial.fromJSON({ ...saved, secondLayer: true }))).toEqual([true, 'lights']);
+  });
+});
+
 describe('JSON', () => {
   test('brings every property back, textures by their uuid, the tonal art map aside', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
