@@ -228,6 +228,21 @@ export const PROPERTIES = {
     sentence:
       'The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing blends. The default is the rule of the paper by Suarez et al.',
   },
+  shadowStrokes: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'ShadowStrokes',
+    typeSentence: 'What cast shadows do to the strokes.',
+    choices: {
+      tone: 'darken them.',
+      cross:
+        'lie over them as a layer of its own, across theirs, with a clean edge. The strokes of the light run on below it.',
+      reorient:
+        'turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives, across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right angle.',
+    },
+    default: 'tone',
+    sentence: 'What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all.',
+  },
   toneModel: {
     kind: 'choice',
     group: 'Tone',
@@ -238,6 +253,8 @@ export const PROPERTIES = {
       halfLambert: '(N·L / 2 + 1/2)², which reaches round to the side turned away.',
       phong: 'Lambert plus a highlight (R·V)^shininess.',
       toon: 'Lambert in `toneSteps` hard bands, each of them one tone.',
+      shadow:
+        "the share of the light that shadows take, and nothing else: for a ground that shows the shadows on it. With `paperOpacity: 0` and `transparent`, like three's ShadowMaterial, hatched.",
     },
     default: 'lambert',
     sentence: 'How light becomes tone.',

@@ -28,7 +28,8 @@ varying vec3 vViewPosition;
 #include <fog_pars_fragment>
 #include <lights_pars_begin>
 #include <normal_pars_fragment>
-#include <shadowmap_pars_fragment>
+#include "shadowMaps"
+#include "shadows"
 #include <bumpmap_pars_fragment>
 #include <normalmap_pars_fragment>
 #include <logdepthbuf_pars_fragment>
@@ -40,6 +41,7 @@ varying vec3 vViewPosition;
 #include "radiance"
 #include "tone"
 #include "hatch"
+#include "shadowStrokes"
 #include "printedColor"
 #include "debugViews"
 
@@ -51,9 +53,6 @@ void main() {
   #include <color_fragment>
   #include <alphamap_fragment>
 
-  // Texture derivatives are taken before anything may discard.
-  HatchingParameters parameters = readHatchingParameters();
-
   vec3 totalEmissiveRadiance = emissiveIntensity * emissive;
   #include <emissivemap_fragment>
 
@@ -61,14 +60,19 @@ void main() {
   #if TONE_NORMAL == TONE_NORMAL_SMOOTH
     #include <normal_fragment_maps>
   #endif // TONE_NORMAL
-  HatchingSurface material = HatchingSurface(readToneNormals(normal, faceDirection), PerToneNormal(0.0));
+  HatchingSurface material =
+    HatchingSurface(normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0));
   #include <lights_fragment_begin>
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
   material.radiance += luminance(totalEmissiveRadiance);
-  PerToneNormal tone = toneFromRadiance(material.radiance);
+  PerToneNormal tone = shadedTone(material);
+  HatchingParameters parameters = readHatchingParameters();
+  #ifdef REORIENTS_IN_SHADOW
+    parameters = reorientedInShadow(parameters);
+  #endif // REORIENTS_IN_SHADOW
 
-  vec4 printed = printedColor(paper * diffuseColor.rgb, hatch(parameters, tone));
+  vec4 printed = printedColor(paper * diffuseColor.rgb, hatchInShadow(parameters, tone, unshadowedTone(material)));
   diffuseColor.a *= printed.a;
   #include <alphatest_fragment>
   #include <alphahash_fragment>

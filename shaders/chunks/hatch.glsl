@@ -1,6 +1,7 @@
+#include "crossedTones"
 #include "technique/hatchLayer"
 
-#if LAYERS_BY_LIGHTS || STROKE_LAYERS == STROKE_LAYERS_TONE
+#if LAYERS_BY_LIGHTS || STROKE_LAYERS == STROKE_LAYERS_TONE || (defined(TELLS_SHADOWS) && SHADOW_STROKES != SHADOW_STROKES_TONE)
   // What shifts the pattern of a layer against that of the one before, in tiles or, for `anchored`, in anchors.
   #define LAYER_SHIFT vec3(17.37, 5.71, 11.13)
   #include "technique/layers"
@@ -19,8 +20,6 @@
     return 1.0 - (1.0 - first) * (1.0 - second);
   }
 #elif STROKE_LAYERS == STROKE_LAYERS_TONE
-  #include "crossedTones"
-
   uniform float crossFrom; // tone above which a second layer crosses the first
   uniform vec4 layerTurns; // cosine and sine of the angle from the first layer to the second, and to the third
 

@@ -20,6 +20,27 @@ vec3 anyTangent(const in vec3 n) {
 // Below this squared sine of the angle between light and normal, the light gives no direction.
 #define PARALLEL_SQUARED_SINE 1e-8
 
+// Where a light is known not to arrive, strokes take another direction, across it. Its pole lies elsewhere than that of the
+// light, so no whirl of strokes is left in the shadow.
+#ifdef REORIENTS_IN_SHADOW
+  // toLight: unit, view space, as the result is.
+  vec3 acrossLight(const in vec3 toLight) {
+    vec3 up = viewMatrix[1].xyz;
+    vec3 side = cross(toLight, abs(dot(toLight, up)) < 0.9 ? up : viewMatrix[0].xyz);
+    return normalize(side);
+  }
+
+  void turnInShadow(const in bool isShadowed, inout IncidentLight light) {
+    if (!isShadowed) return;
+    light.direction = acrossLight(light.direction);
+    light.color = vec3(0.0);
+  }
+
+  #define TURN_IN_SHADOW(kind, i, light) turnInShadow(isLightShadowed[kind + i], light)
+#else
+  #define TURN_IN_SHADOW(kind, i, light)
+#endif // REORIENTS_IN_SHADOW
+
 #if LIGHTS_WITH_DIRECTION == 1
 
 // Algorithm 1 as it stands. n: unit normal, object space. viewPosition: where the direction to a positional light is
@@ -38,6 +59,7 @@ vec3 lightBitangent(
   #else
     getSpotLightInfo(spotLights[0], viewPosition, light);
   #endif // NUM_DIR_LIGHTS
+  TURN_IN_SHADOW(0, 0, light);
   vec3 l = viewToObject * light.direction;
   vec3 projected = l - n * dot(l, n);
   float squaredLength = dot(projected, projected);
@@ -87,24 +109,28 @@ vec3 lightBitangent(
 #if NUM_DIR_LIGHTS > 0
   for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
     getDirectionalLightInfo(directionalLights[i], light);
+    TURN_IN_SHADOW(DIRECTIONAL_LIGHT, i, light);
     addLight(o, normalize(viewToObject * light.direction), light.color, directionalLights[i].color);
   }
 #endif // NUM_DIR_LIGHTS
 #if NUM_SUN_LIGHTS > 0
   for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
     getSunLightInfo(sunLights[i], light);
+    TURN_IN_SHADOW(SUN_LIGHT, i, light);
     addLight(o, normalize(viewToObject * light.direction), light.color, sunLights[i].color);
   }
 #endif // NUM_SUN_LIGHTS
 #if NUM_POINT_LIGHTS > 0
   for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
     getPointLightInfo(pointLights[i], viewPosition, light);
+    TURN_IN_SHADOW(LAMP_LIGHT, i, light);
     addLight(o, normalize(viewToObject * light.direction), light.color, pointLights[i].color);
   }
 #endif // NUM_POINT_LIGHTS
 #if NUM_SPOT_LIGHTS > 0
   for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
     getSpotLightInfo(spotLights[i], viewPosition, light);
+    TURN_IN_SHADOW(SPOT_LIGHT, i, light);
     addLight(o, normalize(viewToObject * light.direction), light.color, spotLights[i].color);
   }
 #endif // NUM_SPOT_LIGHTS

@@ -6,8 +6,10 @@ uniform float shininess;
 uniform float reflectedLight; // share of each light that the surroundings throw back
 
 struct HatchingSurface {
-  ToneNormals normals; // unit, view space
+  vec3 smoothNormal; // unit, view space
+  ToneNormals normals; // the same
   PerToneNormal radiance;
+  PerToneNormal shadowed; // what shadows have taken of it, where strokes know of them
 };
 
 float cosines(const in vec3 direction, const in vec3 normal) {
@@ -33,7 +35,17 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
       2.0 * cosine * cosines(toViewer, surface.normals) - dot(light.direction, toViewer);
     response += step(0.0, cosine) * pow(max(mirrored, 1e-6), PerToneNormal(shininess));
   #endif // TONE_MODEL
-  surface.radiance += luminance(light.color) * RECIPROCAL_PI * response;
+  PerToneNormal arriving = luminance(light.color) * RECIPROCAL_PI * response;
+  #ifdef TELLS_SHADOWS
+    surface.shadowed += (1.0 - lightShadow) * arriving;
+    arriving *= lightShadow;
+    #ifdef REORIENTS_IN_SHADOW
+      isLightShadowed[lightsMet] = dot(light.direction, surface.smoothNormal) * (1.0 - 2.0 * lightShadow) > LEAST_RESPONSE;
+      lightsMet++;
+    #endif // REORIENTS_IN_SHADOW
+    lightShadow = 1.0;
+  #endif // TELLS_SHADOWS
+  surface.radiance += arriving;
 }
 // three also hands over what only its own materials need: a sum called reflectedLight among it, which there is none of here.
 #define RE_Direct(light, at, normal, toViewer, clearcoat, surface, sum) addDirectRadiance(light, toViewer, surface)

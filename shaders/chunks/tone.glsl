@@ -12,3 +12,22 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
   // A curve of points may leave the range by a rounding error; what follows takes roots of tone and of 1 − tone.
   return clamp(curvedTone(tone), 0.0, 1.0);
 }
+
+// What the surface's light, shadows included, prints.
+PerToneNormal shadedTone(const in HatchingSurface surface) {
+  #if TONE_MODEL == TONE_MODEL_SHADOW
+    // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
+    return toneFromRadiance((surface.radiance + 1e-6) / (surface.radiance + surface.shadowed + 1e-6));
+  #else
+    return toneFromRadiance(surface.radiance);
+  #endif // TONE_MODEL
+}
+
+// What it would print if nothing cast shadows.
+PerToneNormal unshadowedTone(const in HatchingSurface surface) {
+  #if TONE_MODEL == TONE_MODEL_SHADOW
+    return PerToneNormal(0.0);
+  #else
+    return toneFromRadiance(surface.radiance + surface.shadowed);
+  #endif // TONE_MODEL
+}

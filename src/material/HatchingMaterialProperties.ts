@@ -13,6 +13,7 @@ import {
   type InkBlend,
   type LevelRule,
   type LineField,
+  type ShadowStrokes,
   type StrokeAnchor,
   type StrokeLayers,
   type ToneModel,
@@ -114,6 +115,11 @@ export interface HatchingMaterialOptions {
    * `'adjacency'`.
    */
   creaseAngle: number;
+  /**
+   * What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all. Default
+   * `'tone'`. Another value builds another program.
+   */
+  shadowStrokes: ShadowStrokes;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
   /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
@@ -448,6 +454,18 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set creaseAngle(value: number) {
     this.numbers.creaseAngle = checkNumber('creaseAngle', value, HATCHING_PROPERTIES.creaseAngle.range);
+  }
+
+  /**
+   * What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all. Default
+   * `'tone'`. Another value builds another program.
+   */
+  get shadowStrokes(): ShadowStrokes {
+    return this.choice('shadowStrokes') as ShadowStrokes;
+  }
+
+  set shadowStrokes(value: ShadowStrokes) {
+    this.choose('shadowStrokes', value);
   }
 
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */

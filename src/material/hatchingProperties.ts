@@ -51,13 +51,26 @@ export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z';
 export type StrokeLayers = 'single' | 'lights' | 'tone';
 
 /**
+ * What cast shadows do to the strokes.
+ * - `tone`: darken them.
+ * - `cross`: lie over them as a layer of its own, across theirs, with a clean edge. The strokes of the light run on
+ *   below it.
+ * - `reorient`: turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives,
+ *   across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right
+ *   angle.
+ */
+export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
+
+/**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
  * - `lambert`: N·L.
  * - `halfLambert`: (N·L / 2 + 1/2)², which reaches round to the side turned away.
  * - `phong`: Lambert plus a highlight (R·V)^shininess.
  * - `toon`: Lambert in `toneSteps` hard bands, each of them one tone.
+ * - `shadow`: the share of the light that shadows take, and nothing else: for a ground that shows the shadows on it.
+ *   With `paperOpacity: 0` and `transparent`, like three's ShadowMaterial, hatched.
  */
-export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon';
+export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon' | 'shadow';
 
 /**
  * The normal that tone is computed from.
@@ -104,6 +117,7 @@ export const HATCHING_DEFAULTS = {
   crossAngle: Math.PI / 3,
   handmade: 0.4,
   creaseAngle: Math.PI / 2,
+  shadowStrokes: 'tone',
   toneModel: 'lambert',
   toneSteps: 4,
   shininess: 30,
@@ -189,7 +203,8 @@ export const HATCHING_PROPERTIES = {
   },
   handmade: { kind: 'number', uniform: 'handmade', range: { from: 0, to: 1 }, techniques: ['engraved'] },
   creaseAngle: { kind: 'number', range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
-  toneModel: { kind: 'choice', define: 'TONE_MODEL', choices: ['lambert', 'halfLambert', 'phong', 'toon'] },
+  shadowStrokes: { kind: 'choice', define: 'SHADOW_STROKES', choices: ['tone', 'cross', 'reorient'] },
+  toneModel: { kind: 'choice', define: 'TONE_MODEL', choices: ['lambert', 'halfLambert', 'phong', 'toon', 'shadow'] },
   toneSteps: { kind: 'number', uniform: 'toneSteps', range: { from: 2 } },
   shininess: { kind: 'number', uniform: 'shininess', range: { from: 0 } },
   toneNormal: {

@@ -2,6 +2,7 @@ import { environmentLayout } from './environmentLayout.js';
 import type { HatchingTechnique } from './hatchingProperties.js';
 import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
+import { shadowMapsChunk } from './shadowMaps.js';
 
 /** The text of a program's two stages: ours resolved; three resolves its own includes when it compiles. */
 export interface Shaders {
@@ -46,6 +47,7 @@ function chunksFor(technique?: HatchingTechnique): Record<string, string> {
     cornerAttributes: cornerAttributesChunk(),
     mapTransforms: mapTransformsChunk(),
     packing: packingChunk(),
+    shadowMaps: shadowMapsChunk(),
   };
   for (const [path, text] of Object.entries(files)) {
     const name = path

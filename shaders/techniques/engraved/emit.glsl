@@ -11,4 +11,4 @@ mat4 restToObject = mat4(1.0);
   if (determinant(mat3(firstBone)) != 0.0) restToObject = firstBone;
 #endif // USE_SKINNING
 mat4 restToView = objectToView * restToObject;
-vFieldLight = fieldLight(objectToField * inverse(mat3(restToView)), (restToView * vec4(fieldOrigin, 1.0)).xyz);
+vFieldLight = fieldLight(objectToField * inverse(mat3(restToView)), (restToView * vec4(fieldOrigin, 1.0)).xyz, vec3(0.0));

@@ -1,6 +1,4 @@
 // The function that lines are level sets of: the distance along an axis, or from a lamp.
-uniform float crossAngle; // radians between a family and what crosses it
-
 struct Field {
   vec3 axis; // its gradient at the origin, unit
   float bend; // one over the distance of the lamp it counts from, 0 for planes across the axis
@@ -11,11 +9,12 @@ vec3 across(const in vec3 axis) {
   return normalize(abs(axis.y) < 0.8 ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(0.0, 0.0, 1.0)));
 }
 
-Field firstField(const in vec3 toLight, const in float bend) {
+// light: towards it, unit, and one over its distance, field space.
+Field firstField(const in vec4 light) {
   #if LINE_FIELD == LINE_FIELD_LIGHT
-    return Field(toLight, bend);
+    return Field(light.xyz, light.w);
   #elif LINE_FIELD == LINE_FIELD_TOWARDS
-    return Field(across(toLight), 0.0);
+    return Field(across(light.xyz), 0.0);
   #elif LINE_FIELD == LINE_FIELD_X
     return Field(vec3(1.0, 0.0, 0.0), 0.0);
   #elif LINE_FIELD == LINE_FIELD_Y

@@ -33,8 +33,16 @@ vec3 fieldAxisOf(const in mat3 tensor, const in vec3 sum) {
   #endif // LIGHTS_WITH_DIRECTION
 }
 
-// Unit direction and one over the distance, field space. viewToField: linear part. origin: view space.
-vec4 fieldLight(const in mat3 viewToField, const in vec3 origin) {
+// Lights that do not arrive where it is known do not count.
+#ifdef REORIENTS_IN_SHADOW
+  #define ARRIVING(kind, i, color) (isLightShadowed[kind + i] ? vec3(0.0) : color)
+#else
+  #define ARRIVING(kind, i, color) color
+#endif // REORIENTS_IN_SHADOW
+
+// Unit direction and one over the distance, field space. viewToField: linear part. place: any, view space.
+// fromOrigin: the same in field space.
+vec4 fieldLight(const in mat3 viewToField, const in vec3 place, const in vec3 fromOrigin) {
   #if LIGHTS_WITH_DIRECTION == 0
     return vec4(0.0, 1.0, 0.0, 0.0);
   #else
@@ -42,34 +50,34 @@ vec4 fieldLight(const in mat3 viewToField, const in vec3 origin) {
     vec3 sum = vec3(0.0);
     #if NUM_DIR_LIGHTS > 0
       for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * directionalLights[i].direction, directionalLights[i].color);
+        addFieldLight(tensor, sum, viewToField * directionalLights[i].direction, ARRIVING(DIRECTIONAL_LIGHT, i, directionalLights[i].color));
       }
     #endif // NUM_DIR_LIGHTS
     #if NUM_SUN_LIGHTS > 0
       for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * sunLights[i].direction, sunLights[i].color);
+        addFieldLight(tensor, sum, viewToField * sunLights[i].direction, ARRIVING(SUN_LIGHT, i, sunLights[i].color));
       }
     #endif // NUM_SUN_LIGHTS
     #if NUM_POINT_LIGHTS > 0
       for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * (pointLights[i].position - origin), pointLights[i].color);
+        addFieldLight(tensor, sum, viewToField * (pointLights[i].position - place) + fromOrigin, ARRIVING(LAMP_LIGHT, i, pointLights[i].color));
       }
     #endif // NUM_POINT_LIGHTS
     #if NUM_SPOT_LIGHTS > 0
       for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * (spotLights[i].position - origin), spotLights[i].color);
+        addFieldLight(tensor, sum, viewToField * (spotLights[i].position - place) + fromOrigin, ARRIVING(SPOT_LIGHT, i, spotLights[i].color));
       }
     #endif // NUM_SPOT_LIGHTS
     vec3 axis = fieldAxisOf(tensor, sum);
     float bend = 0.0;
     #if NUM_POINT_LIGHTS > 0
       for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-        bend += fieldBend(axis, viewToField * (pointLights[i].position - origin), pointLights[i].color);
+        bend += fieldBend(axis, viewToField * (pointLights[i].position - place) + fromOrigin, ARRIVING(LAMP_LIGHT, i, pointLights[i].color));
       }
     #endif // NUM_POINT_LIGHTS
     #if NUM_SPOT_LIGHTS > 0
       for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-        bend += fieldBend(axis, viewToField * (spotLights[i].position - origin), spotLights[i].color);
+        bend += fieldBend(axis, viewToField * (spotLights[i].position - place) + fromOrigin, ARRIVING(SPOT_LIGHT, i, spotLights[i].color));
       }
     #endif // NUM_SPOT_LIGHTS
     // One lamp at this place bends the field as much. Directional lights bend nothing, but their slope counts.

@@ -1,13 +1,46 @@
-// What engraving needs to know at this fragment: the place, the normal, and the light of the field.
+// What engraving needs to know at this fragment: the function that lines are level sets of, and how it lies on the surface and
+// on the screen.
+#include "technique/fieldAxis"
+#include "technique/hand"
 #include "technique/screenGradient"
 
+// Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left, and
+// those that cross it take its tone.
+#define BARE_SLOPE vec2(0.06, 0.18)
+
 struct HatchingParameters {
-  vec3 point; // from the origin of the field, tiles
-  vec3 normal; // unit, field space
-  vec3 toLight; // unit, field space, the same all over the object; up to its sign with several lights
-  float bend; // one over the distance of the lamp, 0 for light from without an end
+  vec3 point; // as the hand strays, from the origin of the field, tiles
+  float pressure; // of the hand
+  ScreenMap onScreen;
+  float value; // of the first family's function
+  vec2 valueOnScreen; // its gradient there
+  float slope; // its change along the surface
+  float has; // how far the first family has lines
+  vec3 sideB, sideC; // across its axis; other families lean towards one of them
+  float shareB; // of what crosses, by how well its lines run across those of the first on the surface
 };
 
+HatchingParameters engravedParameters(const in Field field) {
+  HatchingParameters h;
+  vec3 normal = safeNormalize(vFieldNormal);
+  vec3 waves = slowWaves(3.5 * vFieldPoint);
+  h.point = handPoint(vFieldPoint, waves);
+  h.pressure = handPressure(waves);
+  h.onScreen = screenMap(normal);
+  vec3 gradient;
+  h.value = fieldAt(field, h.point, gradient);
+  h.valueOnScreen = screenGradient(gradient, h.onScreen);
+  h.slope = max(length(cross(normal, gradient)), 1e-6);
+  h.has = smoothstep(BARE_SLOPE.x, BARE_SLOPE.y, h.slope);
+  h.sideB = across(field.axis);
+  h.sideC = cross(field.axis, h.sideB);
+  float acrossB = dot(normal, h.sideC);
+  float acrossC = dot(normal, h.sideB);
+  float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
+  h.shareB = mix(1.0, smoothstep(-0.35, 0.35, between), h.has);
+  return h;
+}
+
 HatchingParameters readHatchingParameters() {
-  return HatchingParameters(vFieldPoint, safeNormalize(vFieldNormal), vFieldLight.xyz, vFieldLight.w);
+  return engravedParameters(firstField(vFieldLight));
 }

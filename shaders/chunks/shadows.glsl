@@ -1,0 +1,31 @@
+// Shadows as something that strokes know of. three hands over light that shadows have dimmed; here the two are told apart.
+#if defined(USE_SHADOWMAP) && (SHADOW_STROKES != SHADOW_STROKES_TONE || TONE_MODEL == TONE_MODEL_SHADOW)
+  #define TELLS_SHADOWS
+
+  float lightShadow = 1.0; // of the light at hand: 1 where all of it arrives, 0 where nothing does
+
+  float tellShadow(const in float shadow) {
+    lightShadow = shadow;
+    return 1.0;
+  }
+
+  // three calls these as it walks the lights. A macro does not expand within itself.
+  #define getShadow(map, size, intensity, bias, radius, at) tellShadow(getShadow(map, size, intensity, bias, radius, at))
+  #define getPointShadow(map, size, intensity, bias, radius, at, near, far) tellShadow(getPointShadow(map, size, intensity, bias, radius, at, near, far))
+  #define getSunShadow(map, light, index) tellShadow(getSunShadow(map, light, index))
+
+  #if SHADOW_STROKES == SHADOW_STROKES_REORIENT
+    #define REORIENTS_IN_SHADOW
+
+    // In three's order.
+    bool isLightShadowed[LIGHTS_WITH_DIRECTION];
+    int lightsMet = 0;
+    #define LAMP_LIGHT 0
+    #define SPOT_LIGHT NUM_POINT_LIGHTS
+    #define SUN_LIGHT (SPOT_LIGHT + NUM_SPOT_LIGHTS)
+    #define DIRECTIONAL_LIGHT (SUN_LIGHT + NUM_SUN_LIGHTS)
+
+    // Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding.
+    #define LEAST_RESPONSE 0.05
+  #endif // SHADOW_STROKES
+#endif // USE_SHADOWMAP
