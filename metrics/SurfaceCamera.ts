@@ -16,7 +16,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { HatchingMaterial } from 'three-hatching';
-import type { LocatedImage } from './measures/reprojectedFlips.js';
+import type { LocatedImage } from './measures/reprojectedChange.js';
 import type { SurfaceImage } from './measures/SurfaceImage.js';
 
 /** Camera position of the standard view: a little from above, with the model filling the picture. */

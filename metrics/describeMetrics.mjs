@@ -1,9 +1,19 @@
-import { flipsAt, requirements, toneError } from './requirements.mjs';
+import { flipsAt, isKept, requirements, toneError } from './requirements.mjs';
 
 /** @typedef {import('./page.js').ModelMetrics} ModelMetrics */
 
-const techniques = ['anchored', 'adjacency', 'adjacency, crisp', 'triangle'];
-const colours = { anchored: '#0b0b0b', adjacency: '#c0392b', 'adjacency, crisp': '#2471a3', triangle: '#8a8a8a' };
+const techniques = ['anchored', 'engraved', 'engraved, x', 'adjacency', 'adjacency, crisp', 'triangle'];
+const colours = {
+  anchored: '#0b0b0b',
+  engraved: '#1e8449',
+  'engraved, x': '#b9770e',
+  adjacency: '#c0392b',
+  'adjacency, crisp': '#2471a3',
+  triangle: '#8a8a8a',
+};
+
+/** Where the i-th entry of the legend begins: each is a short line and a name. */
+const legendAt = (i) => techniques.slice(0, i).reduce((x, { length }) => x + 44 + 7 * length, 24);
 
 const figure = (value) =>
   value === undefined || value === null
@@ -21,38 +31,49 @@ without antialiasing (\`edgePixels: 0\`). ${Object.keys(models).length} models, 
 
 ![Coherence of the strokes by number of triangles, and flips by turn of the light](metrics.svg)
 
-## Requirements of \`anchored\`
+\`engraved\` has its lines spaced on the screen (\`screenConstancy: 1\`), cut by the light; \`engraved, x\` has them cut by the x axis.
 
-The worst value over all models, and the model it occurs on; next to it the worst values of the other techniques.
+## Requirements
+
+The worst value over all models, and the model it occurs on; **bold** where it is not what is required. Nothing is required of
+\`adjacency\` and \`triangle\`, the techniques of Suarez et al.
 
 ${table(
   ['', 'required', ...techniques],
-  requirements.map(({ name, limit, atLeast, worst }) => [
-    name,
-    `${atLeast ? '≥' : '≤'} ${figure(limit)}`,
+  requirements.map((requirement) => [
+    requirement.name,
+    describeLimits(requirement),
     ...techniques.map((technique) => {
-      const found = worst(models, technique);
-      return found ? `${figure(found.value)} (${found.model})` : '';
+      const found = requirement.worst(models, technique);
+      if (!found) return '';
+      const value = `${figure(found.value)} (${found.model})`;
+      return technique in requirement.limits && !isKept(requirement, technique, found.value) ? `**${value}**` : value;
     }),
   ]),
 )}
 
 ## Every model
 
-- **grey**: share of surface pixels with a luminance between 0.2 and 0.8, in linear light.
+- **grey**: share of surface pixels with a luminance between 0.2 and 0.8, in linear light. Engraved lines are measured with their
+  soft edges, a pixel wide, which cannot be turned off.
 - **jump**: mean and 95th percentile of the difference in luminance at the same points of an edge, shaded as part of one triangle
   and of the other. Edges that fold by more than 40° are left out.
 - **kink**: median and 95th percentile of the angle in degrees by which strokes turn at an edge, with its triangles unfolded into a
-  plane. Computed from the frames alone; \`adjacency\` blends what the frames draw, so both show.
+  plane. Computed from the frames alone; \`adjacency\` blends what the frames draw, so both show. An engraved line is cut by a plane:
+  it goes on from triangle to triangle without a gap, and bends by as much as the surface does.
 - **tone**: largest distance of mean ink from the requested tone, over tones 0.1, 0.25, 0.4, 0.6 and 0.8. Hatch images end at an
   ink of 0.95, thresholds at 1.
 - **flips**: share of pixels that change between ink and paper as the light turns by 0.1°, 0.5°, 1° and 2°, divided by the share for
-  two unrelated pictures. The stroke scale is chosen so that all techniques have the same stroke spacing. On a sphere about its own
-  origin the coordinates of Suarez et al. hardly change with the light (nor from place to place), so it is left out of the
-  requirement.
+  two unrelated pictures. The stroke scale is chosen so that all techniques have the same stroke spacing, as far as octaves let
+  them. On a sphere about its own origin the coordinates of Suarez et al. hardly change with the light (nor from place to place),
+  so it is left out of the requirement. Lines cut by the light move as far as planes that turn about the middle of the model, and so change more than
+  strokes; lines cut by an axis stay, and only their width would answer a change of tone.
 - **popping**: flips between frames of a camera that comes 8 times nearer in 45 frames with \`screenConstancy: 1\`. Each point is
-  looked up where the next frame shows it. The largest value over the median, then the median itself.
-- **spacing ±**: half the range of the distance in pixels between strokes during the same move, divided by its middle.
+  looked up where the next frame shows it. The largest value over the median, then the median itself; then the same index for
+  the mean change of luminance. Engraved lines have soft edges and come in as hair lines: flips count them at the moment they
+  are half dark, which on \`engraved, x\` is the same moment for all, while nothing jumps.
+- **spacing ±**: half the range of the distance in pixels between strokes during the same move, divided by its middle; then the
+  same for 1, 2, 4 and 8 times as near alone.
 - **coherence**: of the structure tensor, weighted by contrast, in the middle of a picture of 1000 pixels.
 
 ${Object.entries(models)
@@ -70,8 +91,10 @@ ${table(
       m.kink ? `${m.kink.median.toFixed(2)}, ${m.kink.p95.toFixed(1)}` : '',
       figure(toneError(m)),
       m.light ? m.light.flips.map(({ share }) => figure(share)).join(', ') : '',
-      m.dolly ? `${m.dolly.popping.toFixed(2)} of ${figure(median(m.dolly.flips))}` : '',
-      figure(m.zoom?.spread),
+      m.dolly
+        ? `${m.dolly.popping.toFixed(2)} of ${figure(median(m.dolly.flips))}, ${m.dolly.luminancePopping.toFixed(2)}`
+        : '',
+      m.zoom ? `${figure(m.zoom.spread)}, ${figure(m.zoom.octaveSpread)}` : '',
       figure(m.coherence),
     ];
   }),
@@ -118,11 +141,19 @@ ${chart(
 ${techniques
   .map(
     (technique, i) =>
-      `<path d="M${50 + 165 * i} 286h22" stroke="${colours[technique]}" stroke-width="2.5"/><text x="${78 + 165 * i}" y="290">${technique}</text>`,
+      `<path d="M${legendAt(i)} 286h22" stroke="${colours[technique]}" stroke-width="2.5"/><text x="${legendAt(i) + 26}" y="290">${technique}</text>`,
   )
   .join('\n')}
 </svg>
 `;
+}
+
+/** The limits of a requirement, each with the techniques that share it. */
+function describeLimits({ limits, atLeast }) {
+  const sharing = (limit) => Object.keys(limits).filter((technique) => limits[technique] === limit);
+  return [...new Set(Object.values(limits))]
+    .map((limit) => `${atLeast ? '≥' : '≤'} ${figure(limit)} (${sharing(limit).join('; ')})`)
+    .join(', ');
 }
 
 function chart(left, title, series, [from, to], ticks) {

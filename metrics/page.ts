@@ -6,22 +6,26 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
+import { HATCHING_TECHNIQUES } from '../src/material/hatchingProperties.js';
 import { loadModel, type ModelName } from './loadModel.js';
 import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
 import { greyness } from './measures/greyness.js';
 import { meanInk } from './measures/meanInk.js';
 import { normalisedFlips } from './measures/normalisedFlips.js';
 import { pairedEdges } from './measures/pairedEdges.js';
-import { type LocatedImage, poppingIndex, reprojectedFlips } from './measures/reprojectedFlips.js';
+import { type FrameChange, type LocatedImage, poppingIndex, reprojectedChange } from './measures/reprojectedChange.js';
 import type { SurfaceImage } from './measures/SurfaceImage.js';
 import { strokeCoherence } from './measures/strokeCoherence.js';
 import { type StrokeKink, strokeKink } from './measures/strokeKink.js';
 import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
+import type { Vector } from './measures/vector.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 
 /** Where stroke spacing matters, the others are scaled to the spacing of the first. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['anchored', { technique: 'anchored' }],
+  ['engraved', { technique: 'engraved', screenConstancy: 1 }],
+  ['engraved, x', { technique: 'engraved', screenConstancy: 1, lineField: 'x' }],
   ['adjacency', { technique: 'adjacency' }],
   ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
   ['triangle', { technique: 'triangle' }],
@@ -46,10 +50,10 @@ export interface TechniqueMetrics {
   kink?: StrokeKink;
   /** Normalised flips as the light turns, at the stroke scale that gives all techniques the same spacing. */
   light?: { strokeScale: number; spacing: number; flips: { degrees: number; share: number }[] };
-  /** Normalised flips from frame to frame as the camera comes nearer. */
-  dolly?: { flips: number[]; popping: number };
-  /** Spacing in pixels as the camera comes nearer. */
-  zoom?: { spacings: number[]; spread: number };
+  /** What changes from frame to frame as the camera comes nearer: normalised flips, and luminance. */
+  dolly?: { flips: number[]; popping: number; luminance: number[]; luminancePopping: number };
+  /** Spacing in pixels as the camera comes nearer; octaveSpread: at the whole octaves of the way, 1, 2, 4 and 8 times as near. */
+  zoom?: { spacings: number[]; spread: number; octaveSpread: number };
 }
 
 export interface ModelMetrics {
@@ -93,14 +97,18 @@ window.measureModel = async (name, plan, text) => {
   const edges = plan.edges ? pairedEdges(geometry.getAttribute('position').array, CREASE) : new Uint32Array();
   let wantedSpacing: number | undefined;
   for (const [technique, parameters] of TECHNIQUES) {
-    const material = new HatchingMaterial({ tonalArtMap, ...parameters, edgePixels: 0 });
+    const material = new HatchingMaterial(
+      HATCHING_TECHNIQUES[parameters.technique!].map === 'none'
+        ? parameters
+        : { ...parameters, tonalArtMap, edgePixels: 0 },
+    );
     const still = new SurfaceCamera(renderer, SIZE, geometry, material);
     const measured: TechniqueMetrics = {
       ...measureWhole(still, material),
       ...measureMiddle(still, material),
       ...(edges.length > 0 && {
         edgeJump: measureEdges(still, edges),
-        kink: measureKink(geometry, edges, parameters.technique === 'anchored'),
+        kink: measureKink(geometry, edges, material),
       }),
     };
     wantedSpacing ??= measured.spacing;
@@ -134,12 +142,15 @@ function measureEdges(camera: SurfaceCamera, edges: Uint32Array): EdgeJump {
   return edgeJump(camera.shootEdges(half(0)), camera.shootEdges(half(2)));
 }
 
-function measureKink(geometry: BufferGeometry, edges: Uint32Array, hasSmoothFrames: boolean): StrokeKink {
+function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: HatchingMaterial): StrokeKink {
   const smooth = geometry.getAttribute('hatchNormal');
-  const normals = hasSmoothFrames
-    ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
-    : undefined;
-  return strokeKink(geometry.getAttribute('position').array, edges, TO_LIGHT.toArray(), normals);
+  // Only these strokes take their direction from interpolated normals; engraved lines are cut out of the triangles themselves.
+  const normals =
+    material.technique === 'anchored'
+      ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
+      : undefined;
+  const axis: Vector = material.technique === 'engraved' && material.lineField === 'x' ? [1, 0, 0] : TO_LIGHT.toArray();
+  return strokeKink(geometry.getAttribute('position').array, edges, axis, normals);
 }
 
 function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
@@ -154,7 +165,9 @@ function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedS
   camera.view(MIDDLE.zoom);
   // Not in one step: a coarser scale may bring in another level of the map.
   for (let step = 0; step < 4; step++) {
-    material.strokeScale *= strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
+    const tooWide = strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
+    if (material.technique === 'engraved') material.lineSpacing /= tooWide;
+    else material.strokeScale *= tooWide;
   }
   const before = camera.evenlyToned(EVEN_TONE).shoot();
   const flips = LIGHT_TURNS.map((degrees) => ({
@@ -166,14 +179,16 @@ function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedS
 
 function measureDolly(camera: SurfaceCamera, material: HatchingMaterial) {
   const target = sizeOnScreen(camera, material);
-  const flips: number[] = [];
+  const changes: FrameChange[] = [];
   let before = camera.dolly(target, 1).shootLocated();
   for (let frame = 1; frame <= DOLLY_FRAMES; frame++) {
     const after = camera.dolly(target, 2 ** ((OCTAVES * frame) / DOLLY_FRAMES)).shootLocated();
-    flips.push(reprojectedFlips(before, after));
+    changes.push(reprojectedChange(before, after));
     before = after;
   }
-  return { flips, popping: poppingIndex(flips) };
+  const flips = changes.map((change) => change.flips);
+  const luminance = changes.map((change) => change.luminance);
+  return { flips, popping: poppingIndex(flips), luminance, luminancePopping: poppingIndex(luminance) };
 }
 
 function measureZoom(camera: SurfaceCamera, material: HatchingMaterial) {
@@ -181,7 +196,8 @@ function measureZoom(camera: SurfaceCamera, material: HatchingMaterial) {
   const spacings = Array.from({ length: ZOOM_STEPS + 1 }, (_, step) =>
     strokeSpacing(facingCamera(camera.dolly(target, 2 ** ((OCTAVES * step) / ZOOM_STEPS)).shootLocated())),
   );
-  return { spacings, spread: halfSpread(spacings) };
+  const wholeOctaves = spacings.filter((_, step) => (OCTAVES * step) % ZOOM_STEPS === 0);
+  return { spacings, spread: halfSpread(spacings), octaveSpread: halfSpread(wholeOctaves) };
 }
 
 /** Sizes strokes on the screen. Returns the point of the model to move towards: the middle of the standard view. */

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { meanInk } from '../../../metrics/measures/meanInk.js';
 import { normalisedFlips } from '../../../metrics/measures/normalisedFlips.js';
-import { type LocatedImage, poppingIndex, reprojectedFlips } from '../../../metrics/measures/reprojectedFlips.js';
+import { type LocatedImage, poppingIndex, reprojectedChange } from '../../../metrics/measures/reprojectedChange.js';
 import { noise, picture, stripes } from './images.js';
 
 describe('normalisedFlips', () => {
@@ -36,7 +37,7 @@ describe('normalisedFlips', () => {
   });
 });
 
-describe('reprojectedFlips', () => {
+describe('reprojectedChange', () => {
   const SIZE = 100;
   /** A plane of 2 × 2 units with a stripe every 0.2, seen squarely from above, `zoom` times enlarged and moved by `shift` pixels. */
   function plane(zoom: number, shift = 0, ink: (x: number, y: number) => boolean = striped): LocatedImage {
@@ -56,25 +57,33 @@ describe('reprojectedFlips', () => {
   const striped = (x: number) => Math.abs(x * 5 - Math.floor(x * 5) - 0.5) < 0.25;
 
   it('is near 0 for strokes that stay on the object while the camera moves', () => {
-    expect(reprojectedFlips(plane(1), plane(1, 3))).toBe(0);
-    expect(reprojectedFlips(plane(1.5), plane(1.6))).toBeLessThan(0.08);
+    expect(reprojectedChange(plane(1), plane(1, 3)).flips).toBe(0);
+    expect(reprojectedChange(plane(1.5), plane(1.6)).flips).toBeLessThan(0.08);
   });
 
   it('is not fooled by strokes that stay on the screen', () => {
     const onScreen = { ...plane(1, 5), luminance: plane(1).luminance };
     expect(normalisedFlips(plane(1), onScreen)).toBe(0);
-    expect(reprojectedFlips(plane(1), onScreen)).toBeGreaterThan(0.9);
+    expect(reprojectedChange(plane(1), onScreen).flips).toBeGreaterThan(0.9);
   });
 
   it('counts strokes that change on the object', () => {
     const moved = plane(1.6, 0, (x) => striped(x + 0.05));
-    expect(reprojectedFlips(plane(1.5), moved)).toBeGreaterThan(0.8);
+    expect(reprojectedChange(plane(1.5), moved).flips).toBeGreaterThan(0.8);
+  });
+
+  it('measures the luminance of a change that makes nothing half dark', () => {
+    const paler = { ...plane(1), luminance: plane(1).luminance.map((l) => Math.max(l, 0.2)) };
+    const { flips, luminance } = reprojectedChange(plane(1), paler);
+    expect(flips).toBe(0);
+    // At the border of the picture some points have no place in the next.
+    expect(luminance).toBeCloseTo(0.2 * meanInk(plane(1)), 2);
   });
 
   it('leaves out what is hidden in the second picture', () => {
     const hidden = plane(1, 0, (x) => !striped(x));
     for (let i = 0; i < SIZE * SIZE; i++) hidden.places[4 * i + 2] = 0.5;
-    expect(reprojectedFlips(plane(1), hidden)).toBeNaN();
+    expect(reprojectedChange(plane(1), hidden).flips).toBeNaN();
   });
 });
 

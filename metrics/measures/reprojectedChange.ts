@@ -14,14 +14,23 @@ const LEAST_FACING = 0.3;
 /** A point counts as hidden if the pixel where it should appear shows a point farther away than this, in pixels. */
 const SAME_PLACE_PIXELS = 4;
 
+export interface FrameChange {
+  /** Normalised: 0 where nothing changes, 1 for unrelated frames. */
+  flips: number;
+  /** Mean difference of luminance: for soft edges, whose flips say only when a line has become half dark. */
+  luminance: number;
+}
+
 /**
- * M6: normalised flips between two frames of a moving camera. Each point seen in the first frame is looked up in the second by
+ * M6: what changes between two frames of a moving camera. Each point seen in the first frame is looked up in the second by
  * bilinear interpolation; points that are hidden there are left out.
  */
-export function reprojectedFlips(before: LocatedImage, after: LocatedImage): number {
+export function reprojectedChange(before: LocatedImage, after: LocatedImage): FrameChange {
   const { width, height, places } = before;
   const m = after.objectToClip;
   const count = new FlipCount();
+  let difference = 0;
+  let points = 0;
   for (let i = 0; i < before.luminance.length; i++) {
     if (before.surface[i] === 0 || places[4 * i + 3] < LEAST_FACING) continue;
     const [x, y, z] = [places[4 * i], places[4 * i + 1], places[4 * i + 2]];
@@ -45,14 +54,17 @@ export function reprojectedFlips(before: LocatedImage, after: LocatedImage): num
 
     const [u, v] = [column - left, row - bottom];
     const [a, b, c, d] = corners.map((corner) => after.luminance[corner]) as [number, number, number, number];
-    count.add(isInk(before.luminance[i]), isInk((1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d)));
+    const shown = (1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d);
+    count.add(isInk(before.luminance[i]), isInk(shown));
+    difference += Math.abs(before.luminance[i] - shown);
+    points++;
   }
-  return count.normalised();
+  return { flips: count.normalised(), luminance: difference / points };
 }
 
 /** How much the worst frame of a steady camera move stands out: the largest value over the median. 1 is perfectly even. */
-export function poppingIndex(flips: readonly number[]): number {
-  const sorted = flips.toSorted((a, b) => a - b);
+export function poppingIndex(changes: readonly number[]): number {
+  const sorted = changes.toSorted((a, b) => a - b);
   const middle = sorted.length >> 1;
   const median = sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
   return sorted.at(-1)! / median;
