@@ -1,5 +1,6 @@
 import { expect, test } from '../browser/test.js';
 import { at, centre, covered, difference, isGround } from './pixels.js';
+import { techniques } from './techniques.js';
 
 /** Ink on paper: what covers, what multiplies, and what is seen through. three's own basic material says what a colour is. */
 
@@ -134,7 +135,7 @@ test('without paper, blank places show what is behind, and full ink covers it', 
   expect(centre(opaque), 'drawn opaque, there is nothing to see through').toEqual([255, 255, 255]);
 });
 
-for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+for (const technique of techniques) {
   test(`alphaTest cuts strokes out of their paper, and they hide what is behind them: ${technique}`, async ({
     page,
   }) => {
@@ -145,8 +146,8 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
         technique,
         alphaTest: 0.5,
         paperOpacity: 0,
-        edgePixels: 0,
         ink: 'blue',
+        ...(technique === 'engraved' ? { lineSpacing: 12, screenConstancy: 1 } : { edgePixels: 0 }),
       });
       strokes.renderOrder = 0;
       const behind = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.MeshBasicMaterial({ color: 'red' }));

@@ -1,5 +1,6 @@
 import { expect, test } from '../browser/test.js';
 import { at, centre, covered, differing, isGround } from './pixels.js';
+import { kindsOfTechnique } from './techniques.js';
 
 /** The material inside other people's scenes: every feature of three it must not break, one test each. */
 
@@ -8,7 +9,7 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.toolkit !== undefined);
 });
 
-for (const technique of ['adjacency', 'anchored'] as const) {
+for (const technique of kindsOfTechnique) {
   test(`an InstancedMesh gives the pixels of separate meshes, whatever the instance matrix: ${technique}`, async ({
     page,
   }) => {

@@ -1,5 +1,6 @@
 import { expect, test } from '../browser/test.js';
 import { at, centre, difference, SIZE } from './pixels.js';
+import { techniques } from './techniques.js';
 
 /** Light from the scene's environment, against three's own Lambert material in the same scene. */
 
@@ -30,37 +31,42 @@ function worst(tone: number[], lambert: number[]): { difference: number; compare
 
 for (const light of ['alone', 'with a sun'] as const) {
   test(`a room lights as it lights three's Lambert, ${light}`, async ({ page }, testInfo) => {
-    const shown = await page.evaluate(async (light) => {
-      const { THREE, RoomEnvironment, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
-      const renderer = makeRenderer();
-      const geometry = new THREE.SphereGeometry(1, 48, 32);
-      const scene = sceneOf(new THREE.Group());
-      scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
-      scene.environmentIntensity = 0.7;
-      scene.environmentRotation.set(0.5, 1.2, -0.4);
-      if (light === 'with a sun') {
-        scene.environmentIntensity = 0.3;
-        scene.add(sun(1.5));
-      }
-      const show = (mesh: InstanceType<typeof THREE.Mesh>) => {
-        scene.add(mesh);
-        const pixels = pixelsOf(scene, renderer);
-        scene.remove(mesh);
-        return pixels;
-      };
-      const compared: Record<string, [number[], number[]]> = {};
-      for (const toneNormal of ['face', 'smooth'] as const) {
-        const flatShading = toneNormal === 'face';
-        const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
-        for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
-          // No blend with neighbours, whose tone is another.
-          const creaseAngle = technique === 'adjacency' ? { creaseAngle: 0 } : {};
-          const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...creaseAngle }));
-          compared[`${technique}, ${toneNormal}`] = [tone, lambert];
+    const shown = await page.evaluate(
+      async ([light, techniques]) => {
+        const { THREE, RoomEnvironment, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+        const renderer = makeRenderer();
+        const geometry = new THREE.SphereGeometry(1, 48, 32);
+        const scene = sceneOf(new THREE.Group());
+        scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+        scene.environmentIntensity = 0.7;
+        scene.environmentRotation.set(0.5, 1.2, -0.4);
+        if (light === 'with a sun') {
+          scene.environmentIntensity = 0.3;
+          scene.add(sun(1.5));
         }
-      }
-      return compared;
-    }, light);
+        const show = (mesh: InstanceType<typeof THREE.Mesh>) => {
+          scene.add(mesh);
+          const pixels = pixelsOf(scene, renderer);
+          scene.remove(mesh);
+          return pixels;
+        };
+        const compared: Record<string, [number[], number[]]> = {};
+        for (const toneNormal of ['face', 'smooth'] as const) {
+          const flatShading = toneNormal === 'face';
+          const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
+          for (const technique of techniques) {
+            // No blend with neighbours, whose tone is another.
+            const creaseAngle = technique === 'adjacency' ? { creaseAngle: 0 } : {};
+            const tone = show(
+              await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...creaseAngle }),
+            );
+            compared[`${technique}, ${toneNormal}`] = [tone, lambert];
+          }
+        }
+        return compared;
+      },
+      [light, techniques] as const,
+    );
     for (const [name, [tone, lambert]] of Object.entries(shown)) {
       const found = worst(tone, lambert);
       testInfo.annotations.push({ type: name, description: JSON.stringify(found) });
@@ -205,7 +211,7 @@ test('after compileAsync the first frame in an environment links no program', as
     sky.needsUpdate = true;
     const counts: Record<string, number[]> = {};
     for (const name of ['sky', 'blurred'] as const) {
-      for (const technique of ['adjacency', 'anchored'] as const) {
+      for (const technique of ['adjacency', 'anchored', 'engraved'] as const) {
         const renderer = makeRenderer();
         const gl = renderer.getContext();
         const environment =
@@ -239,8 +245,10 @@ test('after compileAsync the first frame in an environment links no program', as
   expect(counts).toEqual({
     'sky, adjacency': [0, 0, 1],
     'sky, anchored': [0, 0, 1],
+    'sky, engraved': [0, 0, 1],
     'blurred, adjacency': [0, 0, 1],
     'blurred, anchored': [0, 0, 1],
+    'blurred, engraved': [0, 0, 1],
   });
   // A software rasterizer compiles while one waits.
   expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);

@@ -1,5 +1,6 @@
 import { expect, test } from '../browser/test.js';
 import { centre, covered, difference, differing } from './pixels.js';
+import { kindsOfTechnique } from './techniques.js';
 
 /** Lights that come and go while the page runs, and layers of strokes: where several disagree, and in the darks. */
 
@@ -8,7 +9,7 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.toolkit !== undefined);
 });
 
-for (const technique of ['adjacency', 'anchored'] as const) {
+for (const technique of kindsOfTechnique) {
   test(`a number of lights seen before needs no new program, and no light that only changes does: ${technique}`, async ({
     page,
   }) => {
@@ -18,7 +19,7 @@ for (const technique of ['adjacency', 'anchored'] as const) {
       const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12), {
         tonalArtMap: stripedMap(),
         technique,
-        strokeLayers: 'lights',
+        ...(technique !== 'engraved' && { strokeLayers: 'lights' as const }),
         reflectedLight: 0.3,
       });
       const second = new THREE.SpotLight(0xffffff, 3, 0, 0.5, 0.5, 0);

@@ -1,6 +1,7 @@
 import type { BufferGeometry } from 'three';
 import { expect, test } from '../browser/test.js';
 import { centre, covered, difference, differing } from './pixels.js';
+import { kindsOfTechnique } from './techniques.js';
 
 /** Prepared geometry that was damaged before the bake, or changed, merged or exported after it. */
 
@@ -9,7 +10,7 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.toolkit !== undefined);
 });
 
-for (const technique of ['adjacency', 'anchored'] as const) {
+for (const technique of kindsOfTechnique) {
   test(`a mesh whose normals are NaN or zero is not black: ${technique}`, async ({ page }) => {
     const [sound, ...broken] = await page.evaluate(async (technique) => {
       const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;

@@ -1,5 +1,6 @@
 import { expect, test } from '../browser/test.js';
 import { at, difference, SIZE } from './pixels.js';
+import { techniques } from './techniques.js';
 
 /** Maps and emitted light that count for tone, against three's own Lambert material with the same ones. */
 
@@ -23,7 +24,7 @@ function worst(tone: number[], lambert: number[]): number {
   return most;
 }
 
-for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+for (const technique of techniques) {
   test(`maps, emitted light and flat shading make the tone of three's Lambert, set late too: ${technique}`, async ({
     page,
   }) => {
