@@ -9,7 +9,7 @@ const port = Number(process.env.HATCH_PORT ?? 41730);
 const core = [
   /(embedding|engraved|lights|lines)\.spec/,
   /equals the double-precision reference: (torus|phong|reflected light|second layer|tone curve)/,
-  /anchored equals .*(moved object|perceptual)/,
+  /(anchored|engraved) equals .*(moved object|perceptual)/,
   /what three\.js computes on the processor: skin/,
   /under half a bright sky/,
   /first frame in an environment/,
