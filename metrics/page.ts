@@ -1,5 +1,5 @@
 /** The page of the metrics: measures one model with every technique. */
-import { type BufferGeometry, Vector3, WebGLRenderer } from 'three';
+import { type BufferGeometry, PlaneGeometry, Vector3, WebGLRenderer } from 'three';
 import {
   HatchingMaterial,
   type HatchingMaterialParameters,
@@ -17,6 +17,7 @@ import { type FrameChange, type LocatedImage, poppingIndex, reprojectedChange } 
 import type { SurfaceImage } from './measures/SurfaceImage.js';
 import { strokeCoherence } from './measures/strokeCoherence.js';
 import { type StrokeKink, strokeKink } from './measures/strokeKink.js';
+import { strokeLength } from './measures/strokeLength.js';
 import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
 import type { Vector } from './measures/vector.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
@@ -44,6 +45,9 @@ export interface TechniqueMetrics {
   /** Mean ink per requested tone. */
   ink: Record<string, number>;
   coherence: number;
+  /** Of strokes at a light tone, by their spacing, as a share of that of the map's own. */
+  /** Against that of the map, where strokes come from one. */
+  strokeLength?: number;
   /** Pixels between strokes. */
   spacing: number;
   edgeJump?: EdgeJump;
@@ -77,6 +81,8 @@ const TONES = [0.1, 0.25, 0.4, 0.6, 0.8];
 const LIGHT_TURNS = [0.1, 0.5, 1, 2];
 /** The tone of one image of the default map of eight tones, so that no technique blends two images. */
 const EVEN_TONE = 3 / 7;
+/** A tone in which strokes of the map lie apart. */
+const LIGHT_TONE = 0.25;
 /** The camera comes up to eight times nearer. */
 const OCTAVES = 3;
 const DOLLY_FRAMES = 45;
@@ -89,9 +95,12 @@ const renderer = new WebGLRenderer({ antialias: false });
 renderer.setSize(8, 8, false);
 document.body.append(renderer.domElement);
 let tonalArtMap: TonalArtMap | undefined;
+/** Length by spacing of strokes as the map draws them. */
+let drawnLength: number | undefined;
 
 window.measureModel = async (name, plan, text) => {
   tonalArtMap ??= await TonalArtMap.generate();
+  drawnLength ??= await measureDrawnLength(tonalArtMap);
   const geometry = await prepareHatchingGeometry(await loadModel(name, text));
   const metrics: ModelMetrics = { triangles: geometry.userData.hatching.triangles, techniques: {} };
   const edges = plan.edges ? pairedEdges(geometry.getAttribute('position').array, CREASE) : new Uint32Array();
@@ -156,7 +165,34 @@ function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: Hat
 function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
   material.strokeScale = MIDDLE.strokeScale;
   const even = camera.view(MIDDLE.zoom).evenlyToned(EVEN_TONE).shoot();
-  return { coherence: strokeCoherence(even), spacing: strokeSpacing(even) };
+  return {
+    coherence: strokeCoherence(even),
+    spacing: strokeSpacing(even),
+    ...(material.technique !== 'engraved' && { strokeLength: lengthBySpacing(camera) / drawnLength! }),
+  };
+}
+
+/** On a wall that a single frame covers, where strokes are those of the map. */
+async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
+  const wall = await prepareHatchingGeometry(new PlaneGeometry(3, 3));
+  const material = new HatchingMaterial({
+    tonalArtMap,
+    technique: 'triangle',
+    crisp: true,
+    levelRule: 'depth',
+    edgePixels: 0,
+    strokeScale: MIDDLE.strokeScale,
+  });
+  const camera = new SurfaceCamera(renderer, SIZE, wall, material);
+  const length = lengthBySpacing(camera.view(MIDDLE.zoom));
+  for (const thing of [camera, material, wall]) thing.dispose();
+  return length;
+}
+
+/** In spacings rather than pixels: some of a model is nearer than the wall, and some leans away. */
+function lengthBySpacing(camera: SurfaceCamera): number {
+  const light = camera.evenlyToned(LIGHT_TONE).shoot();
+  return strokeLength(light) / strokeSpacing(light);
 }
 
 /** Flips per turn of the light depend on the stroke spacing, which is therefore made equal first. */

@@ -69,6 +69,17 @@ export const requirements = /** @type {Requirement[]} */ ([
     worst: smallest((m) => m.coherence),
   },
   {
+    name: 'Length of strokes on the sphere and the bunny, of that of the map',
+    limits: { anchored: 0.7 },
+    atLeast: true,
+    // Where the direction changes little along a stroke.
+    worst: ({ sphere, bunny }, technique) =>
+      Object.entries({ sphere, bunny })
+        .filter(([, model]) => model)
+        .map(([model, { techniques }]) => ({ model, value: techniques[technique].strokeLength }))
+        .sort((a, b) => a.value - b.value)[0],
+  },
+  {
     name: 'Coherence on the dragon of 871 k triangles, against that of 11 k',
     limits: { anchored: 0.95, engraved: 0.95, 'engraved, x': 0.95 },
     atLeast: true,

@@ -12,6 +12,7 @@ const measured = (change = {}) => ({
   greyness: 0,
   ink: { 0.1: 0.11, 0.8: 0.79 },
   coherence: 0.92,
+  strokeLength: 0.9,
   spacing: 6,
   edgeJump: { mean: 0, p95: 0, samples: 9 },
   light: flips(0.05),
@@ -58,6 +59,7 @@ describe('requirements', () => {
 
   it.each([
     ['anchored', 'Greyness', { greyness: 0.006 }],
+    ['anchored', 'Length of strokes', { strokeLength: 0.6 }],
     ['anchored', 'Mean jump', { edgeJump: { mean: 0.002, p95: 0, samples: 9 } }],
     ['anchored', 'Tone error', { ink: { 0.1: 0.1, 0.8: 0.77 } }],
     ['anchored', 'Flips', { light: flips(0.11) }],

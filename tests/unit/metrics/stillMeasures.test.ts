@@ -3,6 +3,7 @@ import { edgeJump } from '../../../metrics/measures/edgeJump.js';
 import { greyness } from '../../../metrics/measures/greyness.js';
 import { meanInk } from '../../../metrics/measures/meanInk.js';
 import { strokeCoherence } from '../../../metrics/measures/strokeCoherence.js';
+import { strokeLength } from '../../../metrics/measures/strokeLength.js';
 import { halfSpread, strokeSpacing } from '../../../metrics/measures/strokeSpacing.js';
 import { noise, picture, stripes } from './images.js';
 
@@ -128,5 +129,28 @@ describe('strokeCoherence', () => {
     const surface = image.surface.map((_, i) => (i % 120 < 60 === Math.floor(i / 120) < 60 ? 255 : 0));
     const luminance = image.luminance.map((l, i) => (surface[i] ? l : 0));
     expect(strokeCoherence({ ...image, luminance, surface })).toBeGreaterThan(0.97);
+  });
+});
+
+describe('strokeLength', () => {
+  /** Strokes of a length along a direction, gaps as long between them, staggered. */
+  const strokes = (length: number, angle: number) =>
+    picture(240, 240, (x, y) => {
+      const across = x * Math.cos(angle) + y * Math.sin(angle);
+      const along = y * Math.cos(angle) - x * Math.sin(angle);
+      const line = Math.floor(across / 9);
+      const way = (along + 37 * line) / (2 * length);
+      return across / 9 - line < 0.35 && way - Math.floor(way) < 0.5 ? 0 : 1;
+    });
+
+  it.each([0, 0.4, 1.2])('is the length of the strokes, at an angle of %d', (angle) => {
+    for (const length of [20, 40]) expect(Math.abs(strokeLength(strokes(length, angle)) - length)).toBeLessThan(4);
+  });
+
+  it('leaves out strokes that run off the surface', () => {
+    expect(strokeLength(stripes(120, 8, 0.4))).toBeNaN();
+    const whole = strokes(30, 0.4);
+    const surface = whole.surface.map((_, i) => (i % 240 > 120 ? 0 : 255));
+    expect(Math.abs(strokeLength({ ...whole, surface }) - 30)).toBeLessThan(4);
   });
 });
