@@ -116,7 +116,7 @@ export const SETTINGS = {
     label: 'Layers',
     group: 'Drawing',
     default: 'lights',
-    choices: { single: 'One', lights: 'Two, where lights disagree', tone: 'Crossing in the darks' },
+    choices: { single: 'One', lights: 'Where lights cross', tone: 'More in the darks' },
   },
   crossFrom: {
     kind: 'number',
