@@ -45,8 +45,7 @@ export interface TechniqueMetrics {
   /** Mean ink per requested tone. */
   ink: Record<string, number>;
   coherence: number;
-  /** Of strokes at a light tone, by their spacing, as a share of that of the map's own. */
-  /** Against that of the map, where strokes come from one. */
+  /** Of strokes at a light tone, by their spacing, as a share of that of the map's own; where strokes come from one. */
   strokeLength?: number;
   /** Pixels between strokes. */
   spacing: number;
