@@ -6,10 +6,11 @@ import {
   type PrepareHatchingGeometryOptions,
 } from '../geometry/prepareHatchingGeometry.js';
 import type { HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
-import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
+import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
-import { TonalArtMap } from '../tam/TonalArtMap.js';
+import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
+import { type MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
 import { fieldFrames } from './fieldFrames.js';
@@ -22,10 +23,11 @@ import { worldMatrices, worldScale } from './worldMatrices.js';
 /** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
 export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'lines'> {
   /**
-   * The map for materials whose parameters name none. By default one in the style `hatching` is generated; `dispose()` of the
-   * result frees it. `null`: none for now; the meshes stay blank paper until you set one.
+   * The map for materials whose parameters name none: a map of yours, or what `TonalArtMap.generate` is to draw. By default one
+   * in the style `hatching` is drawn. `dispose()` of the result frees what was drawn. `null`: none for now; the meshes stay
+   * blank paper until you set one.
    */
-  tonalArtMap?: TonalArtMap | null | undefined;
+  tonalArtMap?: TonalArtMap | MapDrawing | null | undefined;
   /**
    * Parameters of the new materials. They override what is taken over from the old ones. A function is called once for every
    * material made, with the material it replaces and the first mesh that uses it.
@@ -117,8 +119,10 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     const withoutMap = replacer.materials.filter(
       ({ tonalArtMap, technique }) => tonalArtMap === null && HATCHING_TECHNIQUES[technique].map !== 'none',
     );
-    const mapShare = withoutMap.length > 0 && options.tonalArtMap === undefined ? MAP_SHARE : 0;
-    const { tonalArtMap: givenMap, material: _material, strokeScale, filter: _filter, lines, ...baking } = options;
+    const { tonalArtMap: given = {} } = options;
+    const drawing = withoutMap.length > 0 && isMapDrawing(given) ? given : undefined;
+    const mapShare = drawing ? MAP_SHARE : 0;
+    const { tonalArtMap: _map, material: _material, strokeScale, filter: _filter, lines, ...baking } = options;
     const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;
     const { onProgress, signal, createWorker } = baking;
     const baked = await bakeGeometries(
@@ -133,10 +137,10 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     const { looks, skipped } = collectLooks(planned, baked);
     if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
 
-    let map = givenMap ?? null;
-    if (mapShare > 0) {
+    let map = isMapDrawing(given) ? null : given;
+    if (drawing) {
       const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
-      map = await TonalArtMap.generate({ signal, createWorker, onProgress: onMapProgress });
+      map = await TonalArtMap.generate({ ...drawing, signal, createWorker, onProgress: onMapProgress });
       disposables.push(map);
     }
     for (const material of withoutMap) material.tonalArtMap = map;
@@ -184,8 +188,13 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
       `applyHatching: strokeScale is ${strokeScale}, but must be a positive number of tiles per world unit, or left out.`,
     );
   }
-  checkTonalArtMap(tonalArtMap);
+  if (isMapDrawing(tonalArtMap)) checkHatchImageOptions('applyHatching: tonalArtMap', tonalArtMap);
+  else checkTonalArtMap(tonalArtMap);
 }
+
+/** Whether a map is to be drawn, with these options. */
+const isMapDrawing = (given: TonalArtMap | MapDrawing | null): given is MapDrawing =>
+  typeof given === 'object' && given !== null && !isTonalArtMap(given);
 
 /** Whether all that draws a mesh does without triangle adjacency. */
 const needsNoAdjacency = (plan: PlannedMesh): boolean =>

@@ -7,6 +7,7 @@ import type { TonalArtMapSource } from '../mapFiles/readSource.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
+import { HATCH_IMAGE_OPTIONS } from './checkHatchImageOptions.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
 import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.js';
@@ -19,18 +20,11 @@ const IMAGES_SHARE = 0.7;
 /** Share of the progress of `load` for reading the files. */
 const READING_SHARE = 0.5;
 
+/** What a map is drawn with. */
+export type MapDrawing = HatchImageOptions;
+
 /** What `TonalArtMap.generate` accepts: what to draw, and how to follow and stop the task. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
-
-/** The names of the options of `generate`, beside those of every long task. */
-const GENERATE_OPTIONS = {
-  style: true,
-  seed: true,
-  size: true,
-  tones: true,
-  levels: true,
-  strokeWidth: true,
-} satisfies Record<keyof HatchImageOptions, true>;
 
 /** What `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeWidth: true } satisfies Record<keyof HatchImages, true>;
@@ -85,7 +79,7 @@ export class TonalArtMap {
    * @throws RangeError or TypeError (as a rejection) if an option is out of its range or unknown; the signal's reason if it aborts
    */
   static async generate(options: TonalArtMapOptions = {}): Promise<TonalArtMap> {
-    checkOptions('TonalArtMap.generate', options, GENERATE_OPTIONS);
+    checkOptions('TonalArtMap.generate', options, HATCH_IMAGE_OPTIONS);
     const { style, seed, size, tones, levels, strokeWidth, ...taskOptions } = options;
     const request: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
     resolveHatchImageOptions(request);
