@@ -2,12 +2,9 @@ import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 }
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { prepareHatchingGeometry } from 'three-hatching';
 import { bakeMesh } from '../drawing/bakeMesh.js';
-import { fitModel } from '../files/fitModel.js';
 import { ModelError } from '../files/ModelError.js';
-import { mergeScene } from '../files/mergeScene.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
-import handUrl from '../models/assets/hand.glb?url';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
@@ -59,22 +56,11 @@ function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
   };
 }
 
-/** A right hand, its fingers up and its back to the viewer, in its rest pose. */
 async function hand(): Promise<FigureModel> {
-  const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
-  const { scene } = await new GLTFLoader().loadAsync(handUrl);
-  const mesh = mergeScene(scene);
-  fitModel(mesh);
-  const { positions, normals } = mesh;
-  // In the file, its fingers point down and its back faces x.
-  for (const triples of [positions, normals]) {
-    for (let i = 0; triples && i < triples.length; i += 3) {
-      const [x, y, z] = triples.subarray(i, i + 3) as unknown as [number, number, number];
-      triples.set([z, -y, x], i);
-    }
-  }
+  const { loadHand } = await import('../models/loadHand.js');
+  const mesh = await loadHand();
   const { geometry } = await bakeMesh(mesh);
-  return { parts: { all: geometry }, side: DoubleSide, outline: positions };
+  return { parts: { all: geometry }, side: DoubleSide, outline: mesh.positions };
 }
 
 async function chair(): Promise<FigureModel> {
