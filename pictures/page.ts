@@ -30,8 +30,11 @@ export interface Picture {
 const SUPERSAMPLING = 2;
 const SHADOW_MAP_SIZE = 2048;
 
-/** @returns the picture as the address of a PNG */
-async function drawPicture(picture: Picture, content: number[]): Promise<string> {
+/**
+ * @param content of the file that holds the subject, in base64; empty if none does
+ * @returns the picture as the address of a PNG
+ */
+async function drawPicture(picture: Picture, content: string): Promise<string> {
   const { width, height, pixelRatio } = picture;
   const canvas = document.createElement('canvas');
   Object.assign(canvas, { width: SUPERSAMPLING * width, height: SUPERSAMPLING * height });
@@ -40,14 +43,21 @@ async function drawPicture(picture: Picture, content: number[]): Promise<string>
   renderer.shadowMap.type = PCFShadowMap;
   renderer.setSize(canvas.width, canvas.height, false);
 
-  const root = await loadSubject(picture.subject, new Uint8Array(content).buffer);
+  const root = await loadSubject(
+    picture.subject,
+    Uint8Array.from(atob(content), (character) => character.charCodeAt(0)).buffer,
+  );
   const holder = new Group().add(root);
-  holder.rotation.set(...(picture.turned ?? [0, 0, 0]).map(MathUtils.degToRad) as [number, number, number]);
+  holder.rotation.set(...((picture.turned ?? [0, 0, 0]).map(MathUtils.degToRad) as [number, number, number]));
   const scene = new Scene().add(holder);
-  const outline = fit(holder);
+  const outline = centre(holder);
 
   const preset = presets[picture.preset];
-  const look = { ...preset, material: { ...preset.material, ...picture.material }, lines: { ...preset.lines, ...picture.lines } };
+  const look = {
+    ...preset,
+    material: { ...preset.material, ...picture.material },
+    lines: { ...preset.lines, ...picture.lines },
+  };
   const hatched = await applyHatching(holder, scalePreset(look, SUPERSAMPLING * pixelRatio));
   holder.traverse((object) => {
     if (object instanceof Mesh) object.castShadow = object.receiveShadow = true;
@@ -60,7 +70,7 @@ async function drawPicture(picture: Picture, content: number[]): Promise<string>
   light.shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
   Object.assign(light.shadow.camera, { left: -1.05, right: 1.05, bottom: -1.05, top: 1.05, near: 1, far: 5 });
   light.shadow.bias = -0.002;
-  light.shadow.normalBias = 0.012;
+  light.shadow.normalBias = 0.02;
   light.shadow.radius = 2;
   scene.add(light);
 
@@ -88,21 +98,22 @@ async function drawPicture(picture: Picture, content: number[]): Promise<string>
  *
  * @returns its points as xyz
  */
-function fit(holder: Group): number[] {
+function centre(holder: Group): number[] {
   holder.updateMatrixWorld(true);
   const points: Vector3[] = [];
   holder.traverse((object) => {
     if (!(object instanceof Mesh)) return;
     const count = object.geometry.getAttribute('position').count;
-    for (let i = 0; i < count; i++) points.push(object.getVertexPosition(i, new Vector3()).applyMatrix4(object.matrixWorld));
+    for (let i = 0; i < count; i++)
+      points.push(object.getVertexPosition(i, new Vector3()).applyMatrix4(object.matrixWorld));
   });
-  const centre = new Box3().setFromPoints(points).getCenter(new Vector3());
-  const radius = Math.max(...sampled(points).map((point) => point.distanceTo(centre)));
+  const middle = new Box3().setFromPoints(points).getCenter(new Vector3());
+  const radius = Math.max(...sampled(points).map((point) => point.distanceTo(middle)));
   const scale = 1 / radius;
   holder.scale.setScalar(scale);
-  holder.position.copy(centre).multiplyScalar(-scale);
+  holder.position.copy(middle).multiplyScalar(-scale);
   holder.updateMatrixWorld(true);
-  return sampled(points).flatMap((point) => point.sub(centre).multiplyScalar(scale).toArray());
+  return sampled(points).flatMap((point) => point.sub(middle).multiplyScalar(scale).toArray());
 }
 
 /** At most so many points as can be arguments of a function. */

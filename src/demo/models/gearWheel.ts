@@ -47,7 +47,14 @@ function spokeHoles(): Path[] {
     holes.push(
       new Path()
         .absarc(0, 0, 0.42, middle - inner * share, middle + inner * share, false)
-        .absarc(0, 0, 0.64, middle + (inner + outer) * 0.78 * share, middle - (inner + outer) * 0.78 * share, true) as Path,
+        .absarc(
+          0,
+          0,
+          0.64,
+          middle + (inner + outer) * 0.78 * share,
+          middle - (inner + outer) * 0.78 * share,
+          true,
+        ) as Path,
     );
   }
   return holes;
