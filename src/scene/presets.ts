@@ -65,6 +65,7 @@ const makePresets = () =>
       material: {
         technique: 'anchored',
         screenConstancy: 1,
+        anchorSpacing: 0.4,
         strokeWidth: 1.5,
         strokeRotation: Math.PI / 2,
         strokeLayers: 'tone',
@@ -82,6 +83,7 @@ const makePresets = () =>
       material: {
         technique: 'anchored',
         screenConstancy: 1,
+        anchorSpacing: 0.4,
         strokeWidth: 1.2,
         strokeRotation: Math.PI / 4,
         strokeLayers: 'tone',
@@ -148,7 +150,9 @@ const makePresets = () =>
       material: {
         technique: 'anchored',
         screenConstancy: 1,
+        anchorSpacing: 0.4,
         strokeWidth: 1.6,
+        strokeRotation: Math.PI / 2,
         strokeLayers: 'single',
         toneCurve: PRINTED,
         reflectedLight: 0.3,
@@ -162,6 +166,7 @@ const makePresets = () =>
       material: {
         technique: 'anchored',
         screenConstancy: 1,
+        anchorSpacing: 0.4,
         strokeWidth: 1.2,
         edgePixels: 2.5,
         strokeRotation: Math.PI / 2,
@@ -178,6 +183,7 @@ const makePresets = () =>
       material: {
         technique: 'anchored',
         screenConstancy: 1,
+        anchorSpacing: 0.4,
         strokeWidth: 3.6,
         edgePixels: 3,
         strokeRotation: Math.PI / 4,
@@ -192,4 +198,22 @@ const makePresets = () =>
     },
   }) as const satisfies Record<PresetName, HatchingPreset>;
 
-export const presets: Readonly<Record<PresetName, HatchingPreset>> = /* @__PURE__ */ makePresets();
+function frozen<Value>(value: Value): Value {
+  if (typeof value === 'object' && value !== null) for (const part of Object.values(value)) frozen(part);
+  return Object.freeze(value);
+}
+
+/**
+ * Looks to start from: material, lines and map in one object.
+ *
+ * ```ts
+ * await applyHatching(gltf.scene, presets.engraving);
+ * await applyHatching(gltf.scene, { ...presets.pen, material: { ...presets.pen.material, ink: 'navy' } });
+ * ```
+ *
+ * They are made for light of intensity π in all. Widths and distances are in pixels of a drawing buffer with one pixel per
+ * CSS pixel; `scalePreset` fits them to another.
+ */
+export const presets: Readonly<Record<PresetName, HatchingPreset>> = /* @__PURE__ */ frozen(
+  /* @__PURE__ */ makePresets(),
+);

@@ -9,8 +9,9 @@ import {
   type Texture,
 } from 'three';
 import type { HatchingLineMaterial, HatchingLines, HatchingMaterial, TonalArtMap } from 'three-hatching';
+import { lineLook } from '../settings/lineLook.js';
+import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
-import { lineLook } from '../settings/settingValues.js';
 import { applyToMaterial } from './applyToMaterial.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
@@ -80,6 +81,7 @@ export class HatchedModel {
     const copyOf = (material: Material): Material => copies.get(material) ?? material;
     this.meshes = meshesOf(root).map((mesh) => {
       const { material } = mesh;
+      mesh.castShadow = mesh.receiveShadow = true;
       return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(copyOf) : copyOf(material) };
     });
     this.lineMaterials = new Set(lines.map(({ material }) => material));
@@ -106,9 +108,10 @@ export class HatchedModel {
 
   /** Sets how wide strokes and lines are. @param pixelRatio pixels of the render target per CSS pixel */
   setWidths(settings: Settings, pixelRatio: number): void {
+    const sizes = materialSizes(settings, pixelRatio);
     for (const { drawn, compared } of this.pairs) {
-      drawn.strokeWidth = compared.strokeWidth = settings.strokeWidth * pixelRatio;
-      drawn.lineSpacing = compared.lineSpacing = settings.lineSpacing * pixelRatio;
+      Object.assign(drawn, sizes);
+      Object.assign(compared, sizes);
     }
     const look = lineLook(settings, pixelRatio);
     for (const material of this.lineMaterials) material.setValues(look);

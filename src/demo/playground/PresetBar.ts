@@ -1,4 +1,5 @@
-import { PRESETS, type PresetName, presetOf } from '../settings/presets.js';
+import type { PresetName } from 'three-hatching';
+import { PRESET_LABELS, PRESET_NAMES, presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
 
 /** A row of buttons, one per preset. The one that the settings match is pressed. */
@@ -10,10 +11,11 @@ export class PresetBar {
     private readonly settings: Settings,
     onChoose: (name: PresetName) => void,
   ) {
-    this.buttons = Object.entries(PRESETS).map(([name, { label }]) => {
-      const button = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
-      button.addEventListener('click', () => onChoose(name as PresetName));
-      return [name as PresetName, button] as const;
+    this.buttons = PRESET_NAMES.map((name) => {
+      const textContent = PRESET_LABELS[name];
+      const button = Object.assign(document.createElement('button'), { type: 'button', textContent });
+      button.addEventListener('click', () => onChoose(name));
+      return [name, button] as const;
     });
     container.append(...this.buttons.map(([, button]) => button));
     this.refresh();

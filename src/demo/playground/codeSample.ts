@@ -1,6 +1,11 @@
 import { HATCHING_LINE_DEFAULTS } from 'three-hatching';
+import { lineLook } from '../settings/lineLook.js';
+import { presetOf } from '../settings/presets.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
-import { isCrisp, lineLook, SECOND_LIGHT_AZIMUTH, TONE_CURVES } from '../settings/settingValues.js';
+import { isCrisp, TONE_CURVES } from '../settings/settingValues.js';
+import { lightSample } from './lightSample.js';
+import { presetSample } from './presetSample.js';
+import { round } from './round.js';
 
 /**
  * Code that gives the look of the page to a model in the user's own project.
@@ -9,6 +14,12 @@ import { isCrisp, lineLook, SECOND_LIGHT_AZIMUTH, TONE_CURVES } from '../setting
  *   if it is for one geometry
  */
 export function codeSample(settings: Settings, sceneRadius: number | undefined): string {
+  const preset = presetOf(settings);
+  return preset ? presetSample(preset, settings, sceneRadius) : wholeSample(settings, sceneRadius);
+}
+
+/** Code that spells out every setting that counts. */
+function wholeSample(settings: Settings, sceneRadius: number | undefined): string {
   const isScene = sceneRadius !== undefined;
   const map = [`style: '${settings.mapStyle}'`];
   if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
@@ -63,30 +74,8 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined):
   material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);
   if (!isScene) material.push(`color: '${settings.color}'`);
   else if (settings.surfaceColors === 'paper') material.push(`color: 'white'`, 'map: null', 'vertexColors: false');
-  const light = {
-    directional: `new DirectionalLight('white', ${round((Math.PI * settings.lightStrength) / 100)})`,
-    point: `new PointLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, 0)`,
-    spot: `new SpotLight('white', ${round((Math.PI * settings.lightStrength) / 100)}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
-  }[settings.lightKind];
-  const place = (distance: number, azimuth: number) =>
-    `setFromSphericalCoords(${distance}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
-  const distance = settings.lightKind === 'directional' ? 1 : round(settings.lightDistance);
-  const lights = [
-    `const light = ${light};
-light.position.${place(distance, settings.lightAzimuth)};
-scene.add(light);
-`,
-  ];
-  const classes = new Set([/new (\w+)/.exec(light)![1]]);
-  if (settings.secondLight !== 'none') {
-    classes.add('DirectionalLight');
-    const azimuth = settings.lightAzimuth + SECOND_LIGHT_AZIMUTH[settings.secondLight];
-    lights.push(`
-const second = new DirectionalLight('white', ${round((Math.PI * settings.secondStrength) / 100)});
-second.position.${place(1, azimuth)};
-scene.add(second);
-`);
-  }
+  const lights = lightSample(settings);
+  const classes = new Set(lights.classes);
   if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
   if (!isScene) classes.add('Mesh');
   const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
@@ -126,7 +115,7 @@ ${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n"
 const tonalArtMap = await ${settings.mapStyle === 'file' ? "TonalArtMap.load('map.json')" : `TonalArtMap.generate({ ${map.join(', ')} })`};
 ${use}
 
-${lights.join('')}`;
+${lights.code}`;
 }
 
 /** The parameters of lines that are not at their defaults, and those in pixels. */
@@ -148,8 +137,4 @@ function lineParameters(settings: Settings): string[] {
 /** A value as source code. */
 function inSource(value: unknown): string {
   return JSON.stringify(value).replaceAll('"', "'").replaceAll(',', ', ');
-}
-
-function round(value: number): number {
-  return Math.round(value * 1000) / 1000;
 }

@@ -1,6 +1,9 @@
-import { SETTINGS, type SettingKey, type Settings } from './settings.js';
+import { type PresetName, presets } from 'three-hatching';
+import { settingsOfLines } from './lineLook.js';
+import { settingsOfMaterial } from './materialLook.js';
+import { defaultSettings, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
-/** The settings that a preset sets: all but the model, the light, the view and the export, and whether there are lines. */
+/** The settings that a preset sets: all but the model, the light's place, the view and the export. */
 const LOOK_KEYS = [
   'technique',
   'mapStyle',
@@ -12,7 +15,9 @@ const LOOK_KEYS = [
   'strokeScale',
   'lineField',
   'lineSpacing',
+  'strokeLayers',
   'crossFrom',
+  'crossAngle',
   'handmade',
   'strokeDirection',
   'strokeAngle',
@@ -29,6 +34,7 @@ const LOOK_KEYS = [
   'lightStrength',
   'inkBlend',
   'levelRule',
+  'lines',
   'lineWidth',
   'lineContours',
   'lineBorders',
@@ -44,95 +50,43 @@ const LOOK_KEYS = [
 
 type Look = Pick<Settings, (typeof LOOK_KEYS)[number]>;
 
-export interface Preset {
-  label: string;
-  /** Its differences from the defaults. */
-  look: Partial<Look>;
-}
+/** The presets of the library, as the page names them. */
+export const PRESET_LABELS = {
+  pen: 'Pen',
+  crossHatching: 'Cross-hatching',
+  engraving: 'Engraving',
+  technical: 'Technical',
+  woodcut: 'Woodcut',
+  stipple: 'Stipple',
+  pencil: 'Pencil',
+  charcoal: 'Charcoal',
+} as const satisfies Record<PresetName, string>;
 
-export const PRESETS = {
-  pen: { label: 'Pen', look: {} },
-  engraving: {
-    label: 'Engraving',
-    look: {
-      technique: 'engraved',
-      screenConstancy: 100,
-      lightStrength: 125,
-      reflectedLight: 16,
-      lineWidth: 1.6,
-      lineHand: 0,
-    },
-  },
-  woodcut: {
-    label: 'Woodcut',
-    look: {
-      mapStyle: 'woodcut',
-      strokeWidth: 4.4,
-      strokeScale: 1.2,
-      anchorSpacing: 0.6,
-      strokeDirection: 'along',
-      lightStrength: 130,
-      reflectedLight: 19,
-      lineWidth: 3,
-      lineHand: 0,
-      ink: '#120e0a',
-      paper: '#ece0c4',
-    },
-  },
-  stipple: {
-    label: 'Stipple',
-    look: {
-      mapStyle: 'stippling',
-      screenConstancy: 100,
-      strokeWidth: 2.2,
-      lightStrength: 125,
-      reflectedLight: 36,
-      lineWidth: 1,
-      lineShade: 30,
-    },
-  },
-  pencil: {
-    label: 'Pencil',
-    look: {
-      mapStyle: 'pencil',
-      strokeWidth: 1.3,
-      strokeScale: 2,
-      edge: 2,
-      lightStrength: 120,
-      reflectedLight: 46,
-      lineWidth: 1.5,
-      lineHand: 1,
-      ink: '#4b4a50',
-      paper: '#fbfaf6',
-    },
-  },
-  charcoal: {
-    label: 'Charcoal',
-    look: {
-      mapStyle: 'charcoal',
-      strokeWidth: 2.6,
-      strokeScale: 2.2,
-      reflectedLight: 30,
-      lineWidth: 3,
-      lineHand: 1,
-      ink: '#24211f',
-      paper: '#efe9dc',
-    },
-  },
-} as const satisfies Record<string, Preset>;
+export const PRESET_NAMES = Object.keys(PRESET_LABELS) as PresetName[];
 
-export type PresetName = keyof typeof PRESETS;
+/** The light that presets are made for: an intensity of π. */
+const LIGHT_STRENGTH = 100;
 
 /** All settings of a preset, also those at their default, so that nothing of the previous look remains. */
 export function presetLook(name: PresetName): Look {
+  const { material, lines, tonalArtMap } = presets[name];
   const defaults = Object.fromEntries(LOOK_KEYS.map((key) => [key, SETTINGS[key].default])) as Look;
-  return { ...defaults, ...PRESETS[name].look };
+  return {
+    ...defaults,
+    lightStrength: LIGHT_STRENGTH,
+    ...settingsOfMaterial(material),
+    ...settingsOfLines(lines),
+    ...(tonalArtMap?.style && { mapStyle: tonalArtMap.style }),
+  };
 }
 
 /** The preset that the settings match, or undefined. */
 export function presetOf(settings: Settings): PresetName | undefined {
-  return (Object.keys(PRESETS) as PresetName[]).find((name) => {
+  return PRESET_NAMES.find((name) => {
     const look = presetLook(name);
     return LOOK_KEYS.every((key) => settings[key] === look[key]);
   });
 }
+
+/** What the page shows at first, without a link: a print with shadows of its own. */
+export const firstView = (): Settings => ({ ...defaultSettings(), ...presetLook('engraving'), shadows: 'on' });

@@ -324,7 +324,14 @@ export const SETTINGS = {
     label: 'Curve',
     group: 'Tone',
     default: 'linear',
-    choices: { linear: 'As the light is', perceptual: 'As the eye sees it', contrast: 'More contrast' },
+    choices: {
+      linear: 'As the light is',
+      perceptual: 'As the eye sees it',
+      contrast: 'More contrast',
+      printed: 'As in prints',
+      cut: 'As cut in wood',
+      rubbed: 'As rubbed',
+    },
   },
   creaseAngle: {
     kind: 'number',
@@ -405,6 +412,13 @@ export const SETTINGS = {
     min: 0,
     max: 60,
     step: 1,
+  },
+  shadows: {
+    kind: 'choice',
+    label: 'Own shadows',
+    group: 'Light',
+    default: 'off',
+    choices: { on: 'Drawn', off: 'None' },
   },
   secondLight: {
     kind: 'choice',

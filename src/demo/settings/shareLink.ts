@@ -1,5 +1,6 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
+import { firstView } from './presets.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
 const DECIMALS = 1000;
@@ -9,12 +10,12 @@ const FORMER_VALUES: Partial<Record<SettingKey, Record<string, string>>> = {
   strokeLayers: { 1: 'single', 2: 'lights' },
 };
 
-/** Settings and camera as the hash of a URL. Defaults are left out. */
+/** Settings and camera as the hash of a URL. Defaults are left out, but for the technique: no hash at all stands for the first view. */
 export function writeLink(settings: Settings, camera: CameraView | undefined): string {
   const parameters = new URLSearchParams();
   for (const key of SETTING_KEYS) {
     // A link cannot refer to a dropped file.
-    if (settings[key] === SETTINGS[key].default || settings[key] === 'file') continue;
+    if (settings[key] === 'file' || (settings[key] === SETTINGS[key].default && key !== 'technique')) continue;
     parameters.set(key, String(settings[key]));
   }
   if (camera) {
@@ -24,10 +25,10 @@ export function writeLink(settings: Settings, camera: CameraView | undefined): s
   return parameters.toString();
 }
 
-/** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. */
+/** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. Nothing at all is the first view. */
 export function readLink(hash: string): { settings: Settings; camera: CameraView | undefined } {
   const parameters = new URLSearchParams(hash.replace(/^#/, ''));
-  const settings = defaultSettings();
+  const settings = parameters.size === 0 ? firstView() : defaultSettings();
   for (const key of SETTING_KEYS) {
     const text = parameters.get(key);
     const value = text === null ? undefined : acceptSetting(key, FORMER_VALUES[key]?.[text] ?? text);

@@ -5,6 +5,17 @@ import { SECOND_LIGHT_AZIMUTH } from '../settings/settingValues.js';
 /** Distance at which the handle of a directional light is shown, in radii of the model. */
 const SUN_DISTANCE = 1.45;
 
+/** The shadows of a model of radius 1 around the origin, from a light that lies outside. */
+const REACH = 1.05;
+const SHADOW_NEAR = 0.05;
+const SHADOW_FAR = 7;
+const SHADOW_MAP_SIZE = 2048;
+const SHADOW_BIAS = -0.002;
+/** In units of the model. */
+const SHADOW_NORMAL_BIAS = 0.02;
+/** In texels. */
+const SHADOW_SOFTNESS = 2;
+
 /** The lights of the scene: the main light, of one of three kinds, and a second sun at a fixed angle from it. */
 export class LightRig {
   /** The position of the main light, in world coordinates. The model's centre is the origin. */
@@ -18,7 +29,16 @@ export class LightRig {
     // Without decay, moving the light turns the strokes and does not change the exposure.
     point.decay = 0;
     spot.decay = 0;
-    this.lights = { directional: new DirectionalLight(), point, spot };
+    const sun = new DirectionalLight();
+    Object.assign(sun.shadow.camera, { left: -REACH, right: REACH, bottom: -REACH, top: REACH });
+    for (const { shadow } of [sun, point, spot]) {
+      Object.assign(shadow.camera, { near: SHADOW_NEAR, far: SHADOW_FAR });
+      shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
+      shadow.bias = SHADOW_BIAS;
+      shadow.normalBias = SHADOW_NORMAL_BIAS;
+      shadow.radius = SHADOW_SOFTNESS;
+    }
+    this.lights = { directional: sun, point, spot };
     scene.add(this.second, ...Object.values(this.lights));
   }
 
@@ -30,6 +50,7 @@ export class LightRig {
     this.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth);
     for (const [kind, light] of Object.entries(this.lights)) {
       light.visible = kind === settings.lightKind;
+      light.castShadow = settings.shadows === 'on';
       light.position.copy(this.position);
       // At an intensity of π, a white surface that faces the light gets tone 0: bare paper.
       light.intensity = (Math.PI * settings.lightStrength) / 100;

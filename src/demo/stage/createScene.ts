@@ -23,6 +23,8 @@ interface Tile {
 /** Sets up the scene on a canvas. A frame is drawn after `invalidate`, and when the viewport changes its size. */
 export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, viewport: HTMLElement) {
   const renderer = new WebGLRenderer({ canvas, context });
+  // Costs nothing while no light casts a shadow.
+  renderer.shadowMap.enabled = true;
   const scene = new Scene();
   const camera = createCamera();
   const lights = new LightRig(scene);

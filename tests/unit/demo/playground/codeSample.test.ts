@@ -2,14 +2,16 @@ import * as THREE from 'three';
 import { describe, expect, test } from 'vitest';
 import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js';
 import { codeSample } from '../../../../src/demo/playground/codeSample.js';
-import { PRESETS, type PresetName, presetLook } from '../../../../src/demo/settings/presets.js';
+import { lineLook } from '../../../../src/demo/settings/lineLook.js';
+import { PRESET_NAMES, presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
-import { lineLook } from '../../../../src/demo/settings/settingValues.js';
 import { LightRig } from '../../../../src/demo/stage/LightRig.js';
 import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
 import { HatchingLines } from '../../../../src/lines/HatchingLines.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
+import { presets } from '../../../../src/scene/presets.js';
+import { scalePreset } from '../../../../src/scene/scalePreset.js';
 
 /** Runs a sample in a project that has a scene, and returns the scene. */
 async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {
@@ -20,14 +22,16 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
     HatchingLines,
     HatchingMaterial,
     applyHatching,
+    presets,
+    scalePreset,
     GLTFLoader: class {
       loadAsync = async () => ({ scene: loaded });
     },
     prepareHatchingGeometry: async (geometry: unknown) => geometry,
     TonalArtMap: { generate: async () => null },
     scene: new THREE.Scene(),
-    geometry: new THREE.BufferGeometry(),
-    renderer: { getPixelRatio: () => 1 },
+    geometry: new THREE.IcosahedronGeometry(1, 2),
+    renderer: { getPixelRatio: () => 1, shadowMap: {} },
   };
   for (const name of names[0][1].split(', ')) given[name] = (THREE as Record<string, unknown>)[name];
   const body = sample.replace(/^import .*$/gm, '');
@@ -57,7 +61,9 @@ const linesIn = (root: THREE.Object3D): HatchingLines | undefined =>
   root.children.find((child) => child instanceof HatchingLines);
 
 const looks: Record<string, Partial<Settings>> = {
-  ...Object.fromEntries(Object.keys(PRESETS).map((name) => [name, presetLook(name as PresetName)])),
+  ...Object.fromEntries(PRESET_NAMES.map((name) => [name, presetLook(name)])),
+  'a preset with shadows': { ...presetLook('engraving'), shadows: 'on' },
+  'a preset with another ink': { ...presetLook('pen'), ink: '#203080' },
   'two lights': { secondLight: 'left', secondStrength: 80, lightKind: 'spot' },
   'one layer under two lights': {
     secondLight: 'opposite',
@@ -97,8 +103,9 @@ describe('codeSample', () => {
     const { material } = mesh;
     expectLines(linesIn(mesh), settings);
     const made = material as HatchingMaterial;
-    // The sample leaves out a second layer for lights that disagree if there is one light.
-    if (settings.secondLight === 'none' && settings.strokeLayers === 'lights') expected.strokeLayers = 'single';
+    // Unless it names a preset, the sample leaves out a second layer for lights that disagree if there is one light.
+    if (!presetOf(settings) && settings.secondLight === 'none' && settings.strokeLayers === 'lights')
+      expected.strokeLayers = 'single';
     expect(made.defines).toEqual(expected.defines);
     for (const key of [
       'strokeScale',
@@ -137,10 +144,15 @@ describe('codeSample', () => {
     expect(lights(scene)).toEqual(lights(drawn));
   });
 
-  test.each(['shown', 'paper'] as const)(
-    'hatches a loaded scene as the page does, its surfaces %s',
-    async (surfaceColors) => {
-      const settings: Settings = { ...defaultSettings(), surfaceColors, ink: '#203080' };
+  test.each(
+    (['shown', 'paper'] as const).flatMap((surfaceColors) => [
+      [surfaceColors, 'spelled out', { ink: '#203080' }] as const,
+      [surfaceColors, 'by a preset', presetLook('woodcut')] as const,
+    ]),
+  )(
+    'hatches a loaded scene as the page does, its surfaces %s, %s',
+    async (surfaceColors, _how, look: Partial<Settings>) => {
+      const settings: Settings = { ...defaultSettings(), ...look, surfaceColors };
       const paint = new THREE.MeshStandardMaterial({ color: 'tomato', map: new THREE.Texture() });
       const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 8), paint);
       const scene = await run(codeSample(settings, 5), model);
@@ -148,7 +160,7 @@ describe('codeSample', () => {
       const made = model.material as unknown as HatchingMaterial;
       expect(made).toBeInstanceOf(HatchingMaterial);
       expect(made.technique).toBe(settings.technique);
-      expect(made.ink.getHexString()).toBe('203080');
+      expect(`#${made.ink.getHexString()}`).toBe(settings.ink);
       // The page scales models to a radius of 1; a bounding sphere may be a little larger than the farthest vertex.
       expect(made.strokeScale * 5).toBeCloseTo(settings.strokeScale, 0);
       expect(made.color.equals(new THREE.Color(surfaceColors === 'shown' ? 'tomato' : 'white'))).toBe(true);
@@ -156,6 +168,13 @@ describe('codeSample', () => {
       expectLines(linesIn(model), settings);
     },
   );
+
+  test.each(PRESET_NAMES)('names the preset that the page shows: %s', (name) => {
+    const settings: Settings = { ...defaultSettings(), ...presetLook(name) };
+    expect(codeSample(settings, undefined)).toContain(`scalePreset(presets.${name}, renderer.getPixelRatio())`);
+    expect(codeSample({ ...settings, ink: '#203080' }, undefined)).not.toContain('presets');
+    expect(codeSample({ ...settings, reflectedLight: settings.reflectedLight + 1 }, 5)).not.toContain('presets');
+  });
 
   test('draws no lines if the page draws none', async () => {
     const settings: Settings = { ...defaultSettings(), lines: 'off' };

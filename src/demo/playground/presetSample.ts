@@ -1,0 +1,42 @@
+import type { PresetName } from 'three-hatching';
+import type { Settings } from '../settings/settings.js';
+import { lightSample } from './lightSample.js';
+
+/**
+ * Code that names a preset instead of spelling it out.
+ *
+ * @param sceneRadius the radius of a loaded scene, which keeps its own colours; undefined if it is for one geometry
+ */
+export function presetSample(preset: PresetName, settings: Settings, sceneRadius: number | undefined): string {
+  const isScene = sceneRadius !== undefined;
+  const { code: lights, classes } = lightSample(settings);
+  const [load, model, strokeScale] = isScene
+    ? [
+        `const { scene: model } = await new GLTFLoader().loadAsync('model.glb');
+scene.add(model);`,
+        'model',
+        `${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world`,
+      ]
+    : [
+        `const mesh = new Mesh(geometry);
+scene.add(mesh);`,
+        'mesh',
+        `${settings.strokeScale}, // tiles per unit; this page scales models to a radius of 1`,
+      ];
+  if (!isScene) classes.push('Mesh');
+  const isPaper = isScene && settings.surfaceColors === 'paper';
+  const material = isPaper
+    ? `\n  material: { ...preset.material, color: 'white', map: null, vertexColors: false },`
+    : '';
+  return `import { ${[...new Set(classes)].sort().join(', ')} } from 'three';
+${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { applyHatching, presets, scalePreset } from 'three-hatching';
+
+const preset = scalePreset(presets.${preset}, renderer.getPixelRatio());
+${load}
+await applyHatching(${model}, {
+  ...preset,
+  strokeScale: ${strokeScale}${material}
+});
+
+${lights}`;
+}

@@ -1,0 +1,81 @@
+import { describe, expect, test } from 'vitest';
+import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js';
+import { acceptSetting } from '../../../../src/demo/settings/acceptSetting.js';
+import { lineLook } from '../../../../src/demo/settings/lineLook.js';
+import { materialSizes } from '../../../../src/demo/settings/materialLook.js';
+import { firstView, PRESET_NAMES, presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
+import { defaultSettings, SETTING_KEYS, type Settings } from '../../../../src/demo/settings/settings.js';
+import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
+import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
+import { LINE_NUMBER_NAMES } from '../../../../src/lines/lineProperties.js';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/material/hatchingProperties.js';
+import { isUsedBy } from '../../../../src/material/unusedProperties.js';
+import { presets } from '../../../../src/scene/presets.js';
+
+const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });
+
+describe('the presets of the page', () => {
+  test('are those of the library, in its order', () => {
+    expect(PRESET_NAMES).toEqual(Object.keys(presets));
+  });
+
+  test.each(PRESET_NAMES)('%s gives the material and the lines of the library', (name) => {
+    const settings = settingsOf(name);
+    const expected = new HatchingMaterial(presets[name].material);
+    const made = new HatchingMaterial();
+    applyToMaterial(made, settings);
+    Object.assign(made, materialSizes(settings, 1));
+    for (const property of Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[]) {
+      // The size of strokes on the object follows from the size of the model; texelPixels is strokeWidth in other words.
+      if (property === 'strokeScale' || property === 'texelPixels' || property === 'tonalArtMap') continue;
+      if (!isUsedBy(expected.technique, HATCHING_PROPERTIES[property])) continue;
+      const [got, want] = [made[property], expected[property]] as unknown[];
+      if (typeof want === 'number') expect(got, property).toBeCloseTo(want, 6);
+      else expect(got, property).toEqual(want);
+    }
+    expect(settings.mapStyle).toBe(presets[name].tonalArtMap?.style ?? defaultSettings().mapStyle);
+
+    const lines = new HatchingLineMaterial(presets[name].lines);
+    const drawn = new HatchingLineMaterial(lineLook(settings, 1));
+    for (const number of LINE_NUMBER_NAMES) expect(drawn[number], number).toBeCloseTo(lines[number], 6);
+    expect(drawn.shadeWeights.distanceTo(lines.shadeWeights)).toBeCloseTo(0, 6);
+    expect(drawn.ink.equals(lines.ink)).toBe(true);
+    expect(settings.lines).toBe('on');
+  });
+
+  test.each(PRESET_NAMES)('%s is recognised, survives a link, and fits the controls', (name) => {
+    const settings = settingsOf(name);
+    expect(presetOf(settings)).toBe(name);
+    expect(readLink(writeLink(settings, undefined)).settings).toEqual(settings);
+    for (const key of SETTING_KEYS) expect(acceptSetting(key, settings[key]), key).toBe(settings[key]);
+    expect(presetOf({ ...settings, lineWidth: settings.lineWidth + 1 })).toBeUndefined();
+  });
+
+  test('leave nothing of the look before, and the model, the place of the light and the camera alone', () => {
+    const before = {
+      ...defaultSettings(),
+      model: 'bunny',
+      lightAzimuth: 12,
+      shadows: 'on',
+      offsetU: 0.5,
+      crossAngle: 20,
+    };
+    const after = { ...before, ...presetLook('stipple') };
+    expect(after).toMatchObject({ model: 'bunny', lightAzimuth: 12, shadows: 'on', offsetU: 0, crossAngle: 60 });
+  });
+});
+
+describe('the first view', () => {
+  test('is an engraving with shadows of its own, for a page without a link', () => {
+    expect(presetOf(firstView())).toBe('engraving');
+    expect(firstView().shadows).toBe('on');
+    for (const hash of ['', '#']) expect(readLink(hash).settings).toEqual(firstView());
+  });
+
+  test('does not stand in for a link at its defaults, nor for an older link', () => {
+    const link = writeLink(defaultSettings(), undefined);
+    expect(readLink(link).settings).toEqual(defaultSettings());
+    expect(readLink('#model=bunny').settings).toEqual({ ...defaultSettings(), model: 'bunny' });
+  });
+});

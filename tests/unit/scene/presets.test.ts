@@ -1,0 +1,110 @@
+import { BoxGeometry, Mesh, MeshBasicMaterial } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { HatchingLineMaterial } from '../../../src/lines/HatchingLineMaterial.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { applyHatching } from '../../../src/scene/applyHatching.js';
+import { type PresetName, presets } from '../../../src/scene/presets.js';
+import { scalePreset } from '../../../src/scene/scalePreset.js';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+
+const names = Object.keys(presets) as PresetName[];
+
+afterEach(() => vi.restoreAllMocks());
+
+describe('presets', () => {
+  test.each(names)('%s sets nothing that its technique or its lines do not use', (name) => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const { material, lines } = presets[name];
+    const made = new HatchingMaterial(material);
+    for (const [property, value] of Object.entries(material)) {
+      const got: unknown = made[property as keyof HatchingMaterial];
+      if (property === 'ink' || property === 'paper') expect(`#${made[property].getHexString()}`).toBe(value);
+      else expect(got, property).toEqual(value);
+    }
+    const drawn = new HatchingLineMaterial(lines);
+    expect(drawn.lineWidth).toBe(lines.lineWidth);
+    expect(`#${drawn.ink.getHexString()}`).toBe(material.ink);
+    expect(warn).not.toHaveBeenCalled();
+  });
+
+  test.each(names)('%s cannot be changed, at any depth', (name) => {
+    const frozen = (value: unknown): boolean =>
+      typeof value !== 'object' || value === null || (Object.isFrozen(value) && Object.values(value).every(frozen));
+    expect(frozen(presets[name])).toBe(true);
+  });
+
+  test.each(names)('%s leaves lights as paper and never prints more than it can', (name) => {
+    const { toneCurve } = presets[name].material;
+    if (typeof toneCurve !== 'object') throw new Error('expected points');
+    const printed = toneCurve.map(([, tone]) => tone);
+    expect(printed[0]).toBeLessThan(0.05);
+    expect(printed).toEqual(printed.toSorted((a, b) => a - b));
+  });
+
+  test('applyHatching takes one as it is, draws its map and frees it', async () => {
+    const generate = vi.spyOn(TonalArtMap, 'generate');
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const { material, lines } = presets.stipple;
+    const hatched = await applyHatching(mesh, {
+      ...presets.stipple,
+      tonalArtMap: { style: 'stippling', size: 64, tones: 4 },
+      material: { ...material, ink: 'navy' },
+    });
+    expect(generate.mock.calls[0][0]).toMatchObject({ style: 'stippling', size: 64, tones: 4 });
+    const [made] = hatched.materials;
+    expect(made.technique).toBe(material.technique);
+    expect(made.ink.getHexString()).toBe('000080');
+    expect(made.tonalArtMap?.size).toBe(64);
+    expect(hatched.lines[0].material.lineWidth).toBe(lines.lineWidth);
+    let isFreed = false;
+    made.tonalArtMap!.texture.addEventListener('dispose', () => (isFreed = true));
+    hatched.dispose();
+    expect(isFreed).toBe(true);
+  });
+
+  test('one without a map has none drawn', async () => {
+    const generate = vi.spyOn(TonalArtMap, 'generate');
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    (await applyHatching(mesh, presets.engraving)).dispose();
+    expect(generate).not.toHaveBeenCalled();
+  });
+
+  test.each([
+    [{ stile: 'woodcut' }, TypeError, /tonalArtMap: unknown option "stile".*style, seed/],
+    [{ style: 'lithograph' }, RangeError, /style is lithograph/],
+    ['woodcut', TypeError, /no TonalArtMap/],
+  ])('applyHatching refuses the map %j before it does anything', async (tonalArtMap, kind, message) => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const before = mesh.geometry;
+    const error: Error = await applyHatching(mesh, { tonalArtMap: tonalArtMap as never }).catch((thrown) => thrown);
+    expect(error).toBeInstanceOf(kind);
+    expect(error.message).toMatch(message);
+    expect(mesh.geometry).toBe(before);
+  });
+});
+
+describe('scalePreset', () => {
+  test.each(names)('%s grows in every size and in nothing else', (name) => {
+    const { material, lines, tonalArtMap } = presets[name];
+    const scaled = scalePreset(presets[name], 2);
+    const sizes = ['strokeWidth', 'lineSpacing', 'lineWidth', 'wobble'];
+    for (const [from, to] of [
+      [material, scaled.material],
+      [lines, scaled.lines],
+    ] as const) {
+      for (const [key, value] of Object.entries(from)) {
+        const got = to[key as keyof typeof to] as unknown;
+        expect(got, key).toEqual(sizes.includes(key) ? 2 * Number(value) : value);
+      }
+    }
+    expect(
+      material.technique === 'engraved' ? scaled.material.lineSpacing : scaled.material.strokeWidth,
+    ).toBeGreaterThan(0);
+    expect(scaled.lines.lineWidth).toBe(2 * lines.lineWidth!);
+    expect(scaled.tonalArtMap).toBe(tonalArtMap);
+  });
+
+  test.each([0, -1, Number.NaN, Infinity])('refuses the factor %d', (factor) => {
+    expect(() => scalePreset(presets.pen, factor)).toThrow(RangeError);
+  });
+});
