@@ -1,5 +1,5 @@
 /**
- * `npm run figures`: writes docs/figures/*.png and docs/figures.md from the figures page. `npm run figures -- 4 14`
+ * `npm run figures`: writes docs/figures/*.png and docs/figures.md from the figures page. `npm run figures -- 4 D`
  * writes only the images of some figures.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -11,11 +11,11 @@ import { launchOptions } from '../tests/browser/launchOptions.mjs';
 import { writePalettePng } from './writePalettePng.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
-const wanted = process.argv.slice(2).map(Number);
+const wanted = process.argv.slice(2);
 
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
 const { FIGURES } = await server.ssrLoadModule('/src/demo/figures/figures.ts');
-const chosen = FIGURES.filter(({ number }) => wanted.length === 0 || wanted.includes(number));
+const chosen = FIGURES.filter(({ number }) => wanted.length === 0 || wanted.includes(String(number)));
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
 let bytes = 0;
@@ -47,10 +47,14 @@ try {
 console.log(`${Math.round(bytes / 1000)} kB together`);
 
 if (wanted.length === 0) {
-  const sections = FIGURES.map(
-    ({ number, title, inThePaper, here }) =>
-      `## Figure ${number}. ${title}\n\n![Figure ${number}](figures/figure-${number}.png)\n\n*In the paper:* ${inThePaper}\n\n*Here:* ${here}\n`,
-  );
+  const sectionOf = ({ number, title, inThePaper, here }) =>
+    [
+      `## Figure ${number}. ${title}`,
+      `![Figure ${number}](figures/figure-${number}.png)`,
+      ...(inThePaper ? [`*In the paper:* ${inThePaper}`, `*Here:* ${here}`] : [here]),
+    ].join('\n\n');
+  const again = FIGURES.filter(({ inThePaper }) => inThePaper).map(sectionOf);
+  const beyond = FIGURES.filter(({ inThePaper }) => !inThePaper).map(sectionOf);
   const introduction = `# The figures of the paper
 
 Written by \`npm run figures\` from the page \`/figures\` of the playground, where all of them are live and the light can be
@@ -58,5 +62,9 @@ turned. Figures 1 and 2 show a tonal art map: \`npx three-hatching tam\` writes 
 7 explain the construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [anchored.md](anchored.md#cost) has
 ours, and \`npm run bench\` measures yours.
 `;
-  writeFileSync(`${root}docs/figures.md`, [introduction, ...sections].join('\n'));
+  const turn = `# Beyond the paper
+
+What the paper does not have: strokes anchored to the object ([anchored.md](anchored.md)), engraved lines ([engraved.md](engraved.md)),
+contours and creases ([lines.md](lines.md)), and presets that join all of them ([presets.md](presets.md)).`;
+  writeFileSync(`${root}docs/figures.md`, `${[introduction.trimEnd(), ...again, turn, ...beyond].join('\n\n')}\n`);
 }

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { build } from 'vite';
-import { FIGURES } from '../../src/demo/figures/figures.js';
+import { FIGURES, type Figure } from '../../src/demo/figures/figures.js';
 import { expect, test } from '../browser/test.js';
 import { serveFolders } from '../consumers/serveFolders.js';
 import { angleBetween, changedShare, strokeDirection } from './pictures.js';
@@ -15,7 +15,7 @@ test.use({ viewport: { width: 860, height: 560 } });
 /** Within the middle triangle of figure 4, which almost faces the viewer. */
 const MIDDLE_TRIANGLE = { left: 0.44, top: 0.2, right: 0.54, bottom: 0.4 };
 
-const panelOf = (number: number, name: string) => `#figure-${number} [data-panel="${name}"]`;
+const panelOf = (number: Figure['number'], name: string) => `#figure-${number} [data-panel="${name}"]`;
 
 async function openFigures(page: Page): Promise<void> {
   await page.goto('./figures');
@@ -56,10 +56,11 @@ test('every figure has a caption and every panel of it is drawn, in one graphics
     addEventListener('securitypolicyviolation', (event) => moved.push(`forbidden: ${event.violatedDirective}`));
   });
   await openFigures(page);
-  expect(FIGURES.map(({ number }) => number)).toEqual([4, 8, 9, 10, 11, 12, 13, 14]);
+  expect(FIGURES.map(({ number }) => number)).toEqual([4, 8, 9, 10, 11, 12, 13, 14, 'A', 'B', 'C', 'D']);
+  await expect(page.getByRole('heading', { name: 'Beyond the paper' })).toHaveCount(1);
   for (const figure of FIGURES) {
     const caption = page.getByRole('figure').filter({ hasText: `Figure ${figure.number}. ${figure.title}` });
-    await expect(caption).toContainText(figure.inThePaper);
+    await expect(caption).toContainText(figure.inThePaper ?? figure.here);
     await expect(caption).toContainText(figure.here);
     for (const { name } of figure.rows.flatMap(({ panels }) => panels)) {
       const picture = await readPanel(page, panelOf(figure.number, name));

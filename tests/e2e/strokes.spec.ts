@@ -56,13 +56,14 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
   await openPlayground(page, 'model=sphere');
   const presets = page.getByRole('group', { name: 'Presets' });
   const undo = page.getByRole('button', { name: 'Undo' });
-  await expect(presets.getByRole('button', { name: 'Pen', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await expect(presets.locator('[aria-pressed=true]')).toHaveCount(0);
   await expect(undo).toBeDisabled();
-  const pen = await readDrawing(page);
-  const seen = [pen];
-  for (const name of ['Woodcut', 'Stipple', 'Charcoal', 'Pencil']) {
-    await presets.getByRole('button', { name }).click();
-    await expect(presets.getByRole('button', { name })).toHaveAttribute('aria-pressed', 'true');
+  const first = await readDrawing(page);
+  const seen = [first];
+  const names = ['Pen', 'Cross-hatching', 'Engraving', 'Technical', 'Woodcut', 'Stipple', 'Charcoal', 'Pencil'];
+  for (const name of names) {
+    await presets.getByRole('button', { name, exact: true }).click();
+    await expect(presets.getByRole('button', { name, exact: true })).toHaveAttribute('aria-pressed', 'true');
     const picture = await readDrawing(page);
     for (const other of seen) expect(changedShare(other, picture), name).toBeGreaterThan(0.05);
     seen.push(picture);
@@ -74,12 +75,44 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
   await expect(presets.locator('[aria-pressed=true]')).toHaveCount(0);
 
   await undo.click();
-  expect(changedShare(seen[4], await readDrawing(page))).toBe(0);
+  expect(changedShare(seen.at(-1)!, await readDrawing(page))).toBe(0);
   await page.keyboard.press('Control+z');
   await expect(presets.getByRole('button', { name: 'Charcoal' })).toHaveAttribute('aria-pressed', 'true');
-  for (let step = 0; step < 3; step++) await undo.click();
+  for (let step = 1; step < names.length; step++) await undo.click();
   await expect(undo).toBeDisabled();
-  expect(changedShare(pen, await readDrawing(page))).toBe(0);
+  expect(changedShare(first, await readDrawing(page))).toBe(0);
+});
+
+test('every button of a preset holds its name, also in a wide font and under a thumb', async ({ page }) => {
+  for (const [width, height] of [
+    [900, 600],
+    [360, 640],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await openPlayground(page, `model=cube&camera=0,0,${width},0,0,0`);
+    if (width === 360) await page.locator('#toggle-card').click();
+    await page.locator('#presets').evaluate((bar) => bar.style.setProperty('font-family', '"DejaVu Serif", serif'));
+    const buttons = page.getByRole('group', { name: 'Presets' }).getByRole('button');
+    await expect(buttons).toHaveCount(8);
+    const bar = (await page.locator('#presets').boundingBox())!;
+    for (const button of await buttons.all()) {
+      const box = (await button.boundingBox())!;
+      expect(box.x + box.width).toBeLessThanOrEqual(bar.x + bar.width);
+      expect(box.y + box.height).toBeLessThanOrEqual(bar.y + bar.height + 1);
+      if (width === 360) expect(box.height).toBeGreaterThanOrEqual(44);
+      expect(await button.evaluate((one) => one.scrollWidth - one.clientWidth)).toBe(0);
+    }
+  }
+});
+
+test('shadows of its own fall on a model, under every kind of light', async ({ page }) => {
+  for (const lightKind of ['directional', 'point', 'spot']) {
+    const view = `model=teapot&lightKind=${lightKind}&lightAzimuth=-70&lightElevation=60&debugView=tone`;
+    await openPlayground(page, view);
+    const without = await readDrawing(page);
+    await openPlayground(page, `${view}&shadows=on`);
+    expect(changedShare(without, await readDrawing(page)), lightKind).toBeGreaterThan(0.005);
+  }
 });
 
 test('a picture saved at twice the size has the same strokes', async ({ page }) => {

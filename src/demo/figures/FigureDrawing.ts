@@ -1,8 +1,18 @@
 import { DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PointLight, Scene, Vector3 } from 'three';
-import { HatchingMaterial, type HatchingTechnique, type StrokeStyleName, TonalArtMap } from 'three-hatching';
+import {
+  HatchingLines,
+  HatchingMaterial,
+  type HatchingPreset,
+  type HatchingTechnique,
+  presets,
+  type StrokeStyleName,
+  scalePreset,
+  TonalArtMap,
+} from 'three-hatching';
 import { createCamera, DEFAULT_VIEW } from '../stage/createCamera.js';
 import { fitCamera } from '../stage/framing.js';
 import { figureModel } from './figureModels.js';
+import { PIXEL_RATIO } from './figurePixels.js';
 import type { Figure, Look, Panel } from './figures.js';
 import { memoize } from './memoize.js';
 
@@ -19,6 +29,8 @@ const mapOf = memoize((style: StrokeStyleName) => TonalArtMap.generate({ style }
 /** One panel of a figure, ready to be rendered. */
 export class FigureDrawing {
   readonly scene = new Scene();
+  /** The colour behind the model. */
+  readonly paper: string;
   readonly camera = createCamera();
   private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; strokeScale: number }[] = [];
   private readonly light;
@@ -28,7 +40,9 @@ export class FigureDrawing {
   private constructor(
     private readonly figure: Figure,
     panel: Panel,
+    paper: string,
   ) {
+    this.paper = paper;
     const { kind = 'sun', position, reflected = DEFAULT_REFLECTION } = panel.light ?? figure.light;
     // Without decay, turning the light turns the strokes and does not change the exposure.
     this.light = kind === 'lamp' ? new PointLight('white', Math.PI, 0, 0) : new DirectionalLight('white', Math.PI);
@@ -40,17 +54,24 @@ export class FigureDrawing {
 
   /** Loads the model and the maps of a panel. @throws ModelError if the model cannot be loaded */
   static async make(figure: Figure, panel: Panel, ink: string, paper: string): Promise<FigureDrawing> {
-    const drawing = new FigureDrawing(figure, panel);
+    const paperOf = ({ preset }: Look): string => (preset && String(presets[preset].material.paper)) ?? paper;
+    const drawing = new FigureDrawing(figure, panel, paperOf({ ...figure.look, ...panel.look }));
     const model = await figureModel(panel.model ?? figure.model);
     const group = new Group();
     group.rotation.y = MathUtils.degToRad(panel.turned ?? 0);
     for (const [part, geometry] of Object.entries(model.parts)) {
       const look: Look = { ...figure.look, ...panel.look, ...panel.parts?.[part] };
-      const { style = 'hatching', technique = 'adjacency', ...options } = look;
-      const tonalArtMap = await mapOf(style);
-      const material = new HatchingMaterial({ ink, paper, ...options, technique, tonalArtMap, side: model.side });
+      const { style, preset: name, lines, ...options } = look;
+      const preset: HatchingPreset | undefined = name && scalePreset(presets[name], PIXEL_RATIO);
+      const technique = options.technique ?? preset?.material.technique ?? 'adjacency';
+      const needsMap = preset?.tonalArtMap !== null;
+      const tonalArtMap = needsMap ? await mapOf(style ?? preset?.tonalArtMap?.style ?? 'hatching') : null;
+      const parameters = { ink, paper, ...preset?.material, ...options, technique, tonalArtMap, side: model.side };
+      const material = new HatchingMaterial(parameters);
       drawing.materials.push({ material, technique, strokeScale: material.strokeScale });
-      group.add(new Mesh(geometry, material));
+      const mesh = new Mesh(geometry, material);
+      if (lines !== false && (lines || preset)) mesh.add(new HatchingLines(mesh, { ink, ...preset?.lines, ...lines }));
+      group.add(mesh);
     }
     drawing.scene.add(group);
     const { camera } = drawing;

@@ -1,11 +1,6 @@
 import { WebGLRenderer } from 'three';
 import type { FigureDrawing } from './FigureDrawing.js';
-
-/**
- * Pixels rendered per CSS pixel, on any screen. Panels are small, so their strokes are drawn in double resolution and
- * scaled down.
- */
-const PIXEL_RATIO = 2;
+import { PIXEL_RATIO } from './figurePixels.js';
 
 /**
  * Renders all panels in one WebGL context, because browsers limit the number of contexts, and copies each to its own
@@ -14,12 +9,8 @@ const PIXEL_RATIO = 2;
 export class FigurePainter {
   private readonly renderer: WebGLRenderer;
 
-  constructor(
-    private readonly context: WebGL2RenderingContext,
-    paper: string,
-  ) {
+  constructor(private readonly context: WebGL2RenderingContext) {
     this.renderer = new WebGLRenderer({ canvas: context.canvas, context });
-    this.renderer.setClearColor(paper, 1);
     this.renderer.setScissorTest(true);
   }
 
@@ -42,6 +33,7 @@ export class FigurePainter {
     }
     renderer.setViewport(0, 0, width, height);
     renderer.setScissor(0, 0, width, height);
+    renderer.setClearColor(drawing.paper, 1);
     renderer.render(drawing.scene, drawing.camera);
     const target = canvas.getContext('2d', { alpha: false });
     if (!target) return false;

@@ -18,6 +18,9 @@ declare global {
 /** After this time, the remaining panels are left to the next frame. */
 const FRAME_MILLISECONDS = 12;
 
+/** The first figure of what goes beyond the paper, before which a heading says so. */
+const FIRST_BEYOND = FIGURES.find(({ inThePaper }) => inThePaper === undefined);
+
 /** Adds the figures to the page, whether they can be drawn or not, and returns their panels. */
 export function layOutFigures(say: (sentence: string) => void, onOutdated: () => void): FigurePanel[] {
   const style = getComputedStyle(document.documentElement);
@@ -32,6 +35,7 @@ export function layOutFigures(say: (sentence: string) => void, onOutdated: () =>
       label,
       panels: panels.map((panel) => new FigurePanel(figure, panel, context)),
     }));
+    if (figure === FIRST_BEYOND) figuresPage.figures.append(partHeading('Beyond the paper'));
     figuresPage.figures.append(figureElement(figure, rows));
     return rows.flatMap(({ panels }) => panels);
   });
@@ -56,9 +60,15 @@ function figureElement(figure: Figure, rows: { label?: string | undefined; panel
   const caption = document.createElement('figcaption');
   const heading = document.createElement('h2');
   heading.textContent = `Figure ${figure.number}. ${figure.title}`;
-  caption.append(heading, captionLine('In the paper', figure.inThePaper), captionLine('Here', figure.here));
+  caption.append(heading);
+  if (figure.inThePaper) caption.append(captionLine('In the paper', figure.inThePaper));
+  caption.append(captionLine('Here', figure.here));
   element.append(plates, caption);
   return element;
+}
+
+function partHeading(text: string): HTMLElement {
+  return Object.assign(document.createElement('h2'), { className: 'part', textContent: text });
 }
 
 function captionLine(where: string, sentence: string): HTMLElement {
@@ -81,7 +91,7 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   const { turn, turnValue, technique } = figuresPage;
   const scheduler = new FrameScheduler(draw);
   const panels = layOutFigures(say, () => scheduler.invalidate());
-  const painter = new FigurePainter(context, getComputedStyle(document.documentElement).getPropertyValue('--paper'));
+  const painter = new FigurePainter(context);
   const paintedAt = new Map(panels.map((panel) => [panel, 0]));
   let turned = 0;
   let choice: TechniqueChoice = 'asInPaper';

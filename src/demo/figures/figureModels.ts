@@ -37,7 +37,7 @@ const models = {
 
 export type FigureModelName = keyof typeof models;
 
-/** Loads and bakes a model, once. @throws ModelError with one sentence for the user */
+/** Loads and bakes a model, once, with what lines are drawn from. @throws ModelError with one sentence for the user */
 export const figureModel = memoize((name: FigureModelName): Promise<FigureModel> => models[name]());
 
 const LOADING = { signal: new AbortController().signal, onStage: () => {} };
@@ -51,7 +51,7 @@ function meshIn(read: ReadModel | BuiltInScene): PlainMesh {
 function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
   return async () => {
     const mesh = meshIn(await BUILT_IN_MODELS[name].load(LOADING));
-    const { geometry, side } = await bakeMesh(mesh);
+    const { geometry, side } = await bakeMesh(mesh, { lines: true });
     return { parts: { all: geometry }, side, outline: mesh.positions };
   };
 }
@@ -59,7 +59,7 @@ function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
 async function hand(): Promise<FigureModel> {
   const { loadHand } = await import('../models/loadHand.js');
   const mesh = await loadHand();
-  const { geometry } = await bakeMesh(mesh);
+  const { geometry } = await bakeMesh(mesh, { lines: true });
   return { parts: { all: geometry }, side: DoubleSide, outline: mesh.positions };
 }
 

@@ -1,8 +1,9 @@
 /**
- * The figures of the paper by Suarez et al. that are drawn again, as plain data. The page, the documentation and the
- * tests read this table.
+ * The figures of the paper by Suarez et al. that are drawn again, and some of what goes beyond it, as plain data. The page, the
+ * documentation and the tests read this table.
  */
-import type { HatchingMaterialOptions, StrokeStyleName } from 'three-hatching';
+import type { HatchingLineParameters, HatchingMaterialOptions, PresetName, StrokeStyleName } from 'three-hatching';
+import { PRESET_LABELS, PRESET_NAMES } from '../settings/presetLabels.js';
 import type { FigureModelName } from './figureModels.js';
 
 /** How a part of a panel's model is drawn, where it differs from the rest of the figure. */
@@ -20,9 +21,20 @@ export interface Look
       | 'debugView'
       | 'color'
       | 'ink'
+      | 'strokeLayers'
+      | 'crossAngle'
+      | 'lineField'
+      | 'lineSpacing'
+      | 'screenConstancy'
+      | 'strokeWidth'
+      | 'crossFrom'
     >
   > {
   style?: StrokeStyleName;
+  /** Draws with a preset of the library; the rest of the look changes it. */
+  preset?: PresetName;
+  /** Draws contours, borders and creases, with what differs from their defaults or from those of the preset. */
+  lines?: HatchingLineParameters | false;
 }
 
 type Triple = readonly [x: number, y: number, z: number];
@@ -66,10 +78,11 @@ export interface Row {
 }
 
 export interface Figure extends PanelDefaults {
-  number: number;
+  /** That of the paper by Suarez et al., or a letter for what goes beyond it. */
+  number: number | 'A' | 'B' | 'C' | 'D';
   title: string;
-  /** One sentence on what the figure shows in the paper by Suarez et al. */
-  inThePaper: string;
+  /** One sentence on what the figure shows in the paper by Suarez et al.; none for what goes beyond it. */
+  inThePaper?: string;
   /** One sentence on what is shown here. */
   here: string;
   rows: readonly Row[];
@@ -323,5 +336,82 @@ export const FIGURES: readonly Figure[] = [
         ],
       },
     ],
+  },
+  {
+    number: 'A',
+    title: 'Anchored strokes',
+    here: 'Strokes anchored to the object instead of to triangles stay whole on a scan of 47,794; crossed, they draw darks that stay open.',
+    model: 'dragon',
+    aspect: 1.3,
+    fixedTechnique: true,
+    light: { position: SIDES.left.position },
+    look: { strokeScale: 1.8, strokeRotation: degrees(90) },
+    rows: [
+      {
+        panels: [
+          { name: 'adjacency', label: 'as in the paper' },
+          { name: 'anchored', label: 'anchored', look: { technique: 'anchored', strokeScale: 3 } },
+          {
+            name: 'crossed',
+            label: 'crossing by tone',
+            look: { technique: 'anchored', strokeScale: 3, strokeLayers: 'tone', crossFrom: 0.35 },
+          },
+        ],
+      },
+    ],
+  },
+  {
+    number: 'B',
+    title: 'Engraved lines',
+    here: 'Lines that never break and swell with the tone: cut around the light, towards it, and across an axis of the hand, where they stay while the light turns.',
+    model: 'hand',
+    aspect: 0.8,
+    fixedTechnique: true,
+    light: { position: SIDES.left.position, reflected: 0 },
+    view: [0.1, 0.05, 1],
+    look: { preset: 'engraving' },
+    rows: [
+      {
+        panels: [
+          { name: 'light', label: 'around the light' },
+          { name: 'towards', label: 'towards it', look: { lineField: 'towards' } },
+          { name: 'fixed', label: 'fixed on the hand', look: { lineField: 'y' } },
+          { name: 'crossed', label: 'crossing early, at 90°', look: { crossFrom: 0.2, crossAngle: degrees(90) } },
+        ],
+      },
+    ],
+  },
+  {
+    number: 'C',
+    title: 'Contours and creases',
+    here: 'The same strokes without lines, with contours that are heavier in the shade, and with suggestive contours drawn by a freer hand.',
+    model: 'suzanne',
+    aspect: 1.1,
+    fixedTechnique: true,
+    light: { position: SIDES.left.position, reflected: 0 },
+    view: [0.3, 0.1, 1],
+    look: { preset: 'pen' },
+    rows: [
+      {
+        panels: [
+          { name: 'none', label: 'none', look: { lines: false } },
+          { name: 'contours', label: 'contours and creases' },
+          { name: 'suggestive', label: 'suggestive, freer', look: { lines: { suggestiveContours: 0.6, wobble: 4 } } },
+        ],
+      },
+    ],
+  },
+  {
+    number: 'D',
+    title: 'Presets',
+    here: 'One hand under one light in the eight presets of the library: material, lines and map in one object each.',
+    model: 'hand',
+    aspect: 0.8,
+    fixedTechnique: true,
+    light: { position: SIDES.left.position, reflected: 0 },
+    view: [0.1, 0.05, 1],
+    rows: [PRESET_NAMES.slice(0, 4), PRESET_NAMES.slice(4)].map((names) => ({
+      panels: names.map((preset) => ({ name: preset, label: PRESET_LABELS[preset], look: { preset } })),
+    })),
   },
 ];

@@ -1,6 +1,7 @@
 import { type PresetName, presets } from 'three-hatching';
 import { settingsOfLines } from './lineLook.js';
 import { settingsOfMaterial } from './materialLook.js';
+import { PRESET_NAMES } from './presetLabels.js';
 import { defaultSettings, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
 /** The settings that a preset sets: all but the model, the light's place, the view and the export. */
@@ -49,20 +50,6 @@ const LOOK_KEYS = [
 ] as const satisfies readonly SettingKey[];
 
 type Look = Pick<Settings, (typeof LOOK_KEYS)[number]>;
-
-/** The presets of the library, as the page names them. */
-export const PRESET_LABELS = {
-  pen: 'Pen',
-  crossHatching: 'Cross-hatching',
-  engraving: 'Engraving',
-  technical: 'Technical',
-  woodcut: 'Woodcut',
-  stipple: 'Stipple',
-  pencil: 'Pencil',
-  charcoal: 'Charcoal',
-} as const satisfies Record<PresetName, string>;
-
-export const PRESET_NAMES = Object.keys(PRESET_LABELS) as PresetName[];
 
 /** The light that presets are made for: an intensity of π. */
 const LIGHT_STRENGTH = 100;

@@ -3,7 +3,8 @@ import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js
 import { acceptSetting } from '../../../../src/demo/settings/acceptSetting.js';
 import { lineLook } from '../../../../src/demo/settings/lineLook.js';
 import { materialSizes } from '../../../../src/demo/settings/materialLook.js';
-import { firstView, PRESET_NAMES, presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
+import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
+import { firstView, presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, SETTING_KEYS, type Settings } from '../../../../src/demo/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
 import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
