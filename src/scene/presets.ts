@@ -169,7 +169,7 @@ const makePresets = () =>
         anchorSpacing: 0.4,
         strokeWidth: 1.2,
         edgePixels: 2.5,
-        strokeRotation: Math.PI / 2,
+        strokeRotation: 0.75 * Math.PI,
         strokeLayers: 'lights',
         toneCurve: RUBBED,
         reflectedLight: 0.4,

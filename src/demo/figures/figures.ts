@@ -340,7 +340,7 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 'A',
     title: 'Anchored strokes',
-    here: 'Strokes anchored to the object instead of to triangles stay whole on a scan of 47,794; crossed, they draw darks that stay open.',
+    here: 'Strokes anchored to the object instead of to triangles stay whole on a scan of 47,794 triangles; crossed, they draw darks that stay open.',
     model: 'dragon',
     aspect: 1.3,
     fixedTechnique: true,
@@ -384,13 +384,13 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 'C',
     title: 'Contours and creases',
-    here: 'The same strokes without lines, with contours that are heavier in the shade, and with suggestive contours drawn by a freer hand.',
+    here: 'The same engraving without lines, with contours that are heavier in the shade, and with suggestive contours drawn by a freer hand.',
     model: 'suzanne',
     aspect: 1.1,
     fixedTechnique: true,
     light: { position: SIDES.left.position, reflected: 0 },
     view: [0.3, 0.1, 1],
-    look: { preset: 'pen' },
+    look: { preset: 'engraving' },
     rows: [
       {
         panels: [
