@@ -27,6 +27,15 @@ export const PLANS = {
     columns: 4,
     pictures: PRESET_NAMES.map((preset) => ({ ...HAND, preset, width: 400, height: 500, pixelRatio: 1.5 })),
   },
+  engraved: {
+    columns: 4,
+    pictures: [
+      { ...PRINT, subject: 'dragon', view: [0.22, 0.18, 1], light: [-1, 1.2, 0.85] },
+      { ...PRINT, subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.35], material: { lineField: 'y' } },
+      { ...PRINT, subject: 'gear', view: [0.7, 0.5, 1], light: [-0.35, 1.1, 0.75], zoom: 0.9 },
+      { ...PRINT, subject: 'bunny', view: [0, 0.1, 1], light: [-1, 1, 0.3], material: { crossAngle: Math.PI / 2 } },
+    ].map((picture) => ({ ...picture, width: 450, height: 450, pixelRatio: 1.3 })),
+  },
   hero: {
     columns: 3,
     pictures: [

@@ -1,5 +1,5 @@
 /**
- * `npm run pictures`: draws docs/presets.png and docs/hero.png. `npm run pictures -- hero` draws one of them. Subjects that no npm
+ * `npm run pictures`: draws docs/presets.png, docs/engraved.png and docs/hero.png. `npm run pictures -- hero` draws one of them. Subjects that no npm
  * package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';

@@ -45,6 +45,7 @@ async function readPanel(page: Page, selector: string): Promise<PNG> {
 const isBlank = ({ data }: PNG) => new Set(new Uint32Array(new Uint8Array(data).buffer)).size === 1;
 
 test('every figure has a caption and every panel of it is drawn, in one graphics context', async ({ page }) => {
+  test.setTimeout(300_000);
   const addresses: string[] = [];
   page.on('request', (request) => addresses.push(request.url()));
   await page.addInitScript(() => {
@@ -77,6 +78,7 @@ test.describe('on a screen of high resolution, where strokes are wide enough to 
   test.use({ deviceScaleFactor: 2 });
 
   test('the light turns the strokes of every figure, by key and by touch', async ({ page }) => {
+    test.setTimeout(300_000);
     await openFigures(page);
     const selectors = FIGURES.map(({ number, rows }) => panelOf(number, rows.at(-1)!.panels.at(-1)!.name));
     const before: PNG[] = [];

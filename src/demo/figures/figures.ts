@@ -350,7 +350,7 @@ export const FIGURES: readonly Figure[] = [
       {
         panels: [
           { name: 'adjacency', label: 'as in the paper' },
-          { name: 'anchored', label: 'anchored', look: { technique: 'anchored', strokeScale: 3 } },
+          { name: 'anchored', label: 'anchored to the dragon', look: { technique: 'anchored', strokeScale: 3 } },
           {
             name: 'crossed',
             label: 'crossing by tone',
