@@ -1,6 +1,6 @@
 import type { PNG } from 'pngjs';
 import { expect, test } from '../browser/test.js';
-import { changedShare, edgeSpacing, greyShare, likeness, type Region } from './pictures.js';
+import { changedShare, edgeSpacing, greyShare, likeness, meanInk, type Region } from './pictures.js';
 import { openPlayground, readDrawing, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
@@ -113,6 +113,37 @@ test('shadows of its own fall on a model, under every kind of light', async ({ p
     await openPlayground(page, `${view}&shadows=on`);
     expect(changedShare(without, await readDrawing(page)), lightKind).toBeGreaterThan(0.002);
   }
+});
+
+test('a model stands on its shadow or on a floor; a picture without paper keeps the shadow alone', async ({ page }) => {
+  const view = 'model=sphere&lightAzimuth=-60&lightElevation=50&lines=off&technique=engraved&screenConstancy=100';
+  const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };
+  const ink: Record<string, number> = {};
+  for (const look of ['none', 'shadow', 'floor']) {
+    await openPlayground(page, `${view}&shadows=on&ground=${look}&pictureGround=strokes`);
+    ink[look] = meanInk(await readDrawing(page), below);
+  }
+  expect(ink.shadow - ink.none).toBeGreaterThan(0.03);
+  expect(ink.floor - ink.shadow).toBeGreaterThan(0.03);
+  // Crossing shadows are another drawing of the same tone.
+  await openPlayground(page, `${view}&shadows=on&ground=floor`);
+  const darkened = await readDrawing(page);
+  await openPlayground(page, `${view}&shadows=on&ground=floor&shadowStrokes=cross`);
+  const crossed = await readDrawing(page);
+  expect(changedShare(darkened, crossed)).toBeGreaterThan(0.01);
+  expect(Math.abs(meanInk(darkened, below) - meanInk(crossed, below))).toBeLessThan(0.02);
+  // Shadows follow the light.
+  await openPlayground(page, `${view.replace('-60', '60')}&shadows=on&ground=shadow`);
+  const right: Region = { left: 0.5, top: 0.6, right: 1, bottom: 0.9 };
+  const left: Region = { left: 0, top: 0.6, right: 0.5, bottom: 0.9 };
+  const turned = await readDrawing(page);
+  expect(meanInk(turned, left)).toBeGreaterThan(meanInk(turned, right));
+
+  await openPlayground(page, `${view}&shadows=on&ground=shadow&pictureGround=strokes`);
+  const saved = await savePicture(page);
+  const clear = saved.data.filter((_, i) => i % 4 === 3 && saved.data[i] === 0).length / (saved.width * saved.height);
+  expect(clear).toBeGreaterThan(0.5);
+  expect(clear).toBeLessThan(0.98);
 });
 
 test('a picture saved at twice the size has the same strokes', async ({ page }) => {

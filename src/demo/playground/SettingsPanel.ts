@@ -91,6 +91,7 @@ export class SettingsPanel {
     this.show('toneSteps', settings.toneModel === 'toon');
     this.show('shininess', settings.toneModel === 'phong');
     this.show('lightDistance', isLocal);
+    for (const key of ['shadowStrokes', 'ground'] as const) this.show(key, settings.shadows === 'on');
     this.show('secondStrength', settings.secondLight !== 'none');
     this.show('spotAngle', settings.lightKind === 'spot');
     this.show('spotSoftness', settings.lightKind === 'spot');

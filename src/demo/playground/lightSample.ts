@@ -21,11 +21,17 @@ scene.add(light);
   ];
   const classes = [/new (\w+)/.exec(light)![1]];
   if (settings.shadows === 'on') {
+    const turning =
+      settings.shadowStrokes === 'tone'
+        ? ''
+        : `
+  if (object.material.isHatchingMaterial) object.material.shadowStrokes = '${settings.shadowStrokes}';`;
     parts.push(`
 renderer.shadowMap.enabled = true;
 light.castShadow = true; // fit light.shadow.camera and light.shadow.normalBias to the size of your scene
 scene.traverse((object) => {
-  if (object.isMesh) object.castShadow = object.receiveShadow = true;
+  if (!object.isMesh) return;
+  object.castShadow = object.receiveShadow = true;${turning}
 });
 `);
   }

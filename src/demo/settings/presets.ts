@@ -75,5 +75,11 @@ export function presetOf(settings: Settings): PresetName | undefined {
   });
 }
 
-/** What the page shows at first, without a link: a print with shadows of its own. */
-export const firstView = (): Settings => ({ ...defaultSettings(), ...presetLook('engraving'), shadows: 'on' });
+/** What the page shows at first, without a link: a print with shadows, on the model and below it. */
+export const firstView = (): Settings => ({
+  ...defaultSettings(),
+  ...presetLook('engraving'),
+  shadows: 'on',
+  shadowStrokes: 'cross',
+  ground: 'shadow',
+});

@@ -415,10 +415,24 @@ export const SETTINGS = {
   },
   shadows: {
     kind: 'choice',
-    label: 'Own shadows',
+    label: 'Shadows',
     group: 'Light',
     default: 'off',
     choices: { on: 'Drawn', off: 'None' },
+  },
+  shadowStrokes: {
+    kind: 'choice',
+    label: 'Shadow strokes',
+    group: 'Light',
+    default: 'tone',
+    choices: { tone: 'Darken strokes', cross: 'Cross strokes', reorient: 'Turn strokes' },
+  },
+  ground: {
+    kind: 'choice',
+    label: 'Stands on',
+    group: 'Light',
+    default: 'none',
+    choices: { none: 'Nothing', shadow: 'Its shadow', floor: 'A floor' },
   },
   secondLight: {
     kind: 'choice',

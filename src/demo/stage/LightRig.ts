@@ -14,7 +14,7 @@ const SHADOW_BIAS = -0.002;
 /** In units of the model. */
 const SHADOW_NORMAL_BIAS = 0.02;
 /** In texels. */
-const SHADOW_SOFTNESS = 2;
+const SHADOW_SOFTNESS = 1.5;
 
 /** The lights of the scene: the main light, of one of three kinds, and a second sun at a fixed angle from it. */
 export class LightRig {
@@ -30,8 +30,9 @@ export class LightRig {
     point.decay = 0;
     spot.decay = 0;
     const sun = new DirectionalLight();
-    Object.assign(sun.shadow.camera, { left: -REACH, right: REACH, bottom: -REACH, top: REACH });
-    for (const { shadow } of [sun, point, spot]) {
+    for (const { shadow } of [sun, this.second])
+      Object.assign(shadow.camera, { left: -REACH, right: REACH, bottom: -REACH, top: REACH });
+    for (const { shadow } of [sun, point, spot, this.second]) {
       Object.assign(shadow.camera, { near: SHADOW_NEAR, far: SHADOW_FAR });
       shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
       shadow.bias = SHADOW_BIAS;
@@ -59,9 +60,10 @@ export class LightRig {
     spot.angle = MathUtils.degToRad(settings.spotAngle) / 2;
     spot.penumbra = settings.spotSoftness / 100;
     this.second.visible = settings.secondLight !== 'none';
+    this.second.castShadow = settings.shadows === 'on';
     if (settings.secondLight !== 'none') {
       const around = azimuth + MathUtils.degToRad(SECOND_LIGHT_AZIMUTH[settings.secondLight]);
-      this.second.position.setFromSphericalCoords(1, Math.PI / 2 - elevation, around);
+      this.second.position.setFromSphericalCoords(SUN_DISTANCE, Math.PI / 2 - elevation, around);
       this.second.intensity = (Math.PI * settings.secondStrength) / 100;
     }
   }

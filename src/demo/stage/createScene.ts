@@ -6,6 +6,7 @@ import { AdaptiveResolution } from './AdaptiveResolution.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
 import { FrameScheduler } from './FrameScheduler.js';
 import { FrameTimer } from './FrameTimer.js';
+import { Ground } from './Ground.js';
 import { LightRig } from './LightRig.js';
 import { View } from './View.js';
 
@@ -23,8 +24,9 @@ interface Tile {
 /** Sets up the scene on a canvas. A frame is drawn after `invalidate`, and when the viewport changes its size. */
 export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, viewport: HTMLElement) {
   const renderer = new WebGLRenderer({ canvas, context });
-  // Costs nothing while no light casts a shadow.
+  // Costs nothing while no light casts a shadow. Drawn anew where something moves that casts one, not where the camera does.
   renderer.shadowMap.enabled = true;
+  renderer.shadowMap.autoUpdate = false;
   const scene = new Scene();
   const camera = createCamera();
   const lights = new LightRig(scene);
@@ -39,6 +41,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
   const frameListeners: (() => void)[] = [];
   const scheduler = new FrameScheduler(() => draw());
+  const ground = new Ground(scene, () => scheduler.invalidate());
   const resolution = new AdaptiveResolution(() => scheduler.invalidate());
   const timer = new FrameTimer(context, () => {
     resolution.measured(timer.milliseconds!);
@@ -55,6 +58,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (context.isContextLost() || width === 0 || height === 0) return;
     resolution.beforeFrame();
     advanceMotion();
+    if (model?.motion) renderer.shadowMap.needsUpdate = true;
     const pixelRatio = resolution.pixelRatio(width, height);
     if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
     timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio));
@@ -79,7 +83,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
    */
   function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
     const share = divider?.();
-    if (settings) model?.setWidths(settings, pixelRatio);
+    if (settings) {
+      model?.setWidths(settings, pixelRatio);
+      ground.setWidths(settings, pixelRatio);
+    }
     model?.useMaterials('drawn');
     if (share === undefined) {
       renderer.render(scene, camera);
@@ -108,9 +115,16 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
   function measureBounds(first?: readonly [number, number, number]): void {
     upright.updateMatrix();
-    if (model) view.setBounds(model.bounds.clone().applyMatrix4(upright.matrix), first);
+    if (!model) return;
+    const bounds = model.bounds.clone().applyMatrix4(upright.matrix);
+    ground.height = bounds.min.y;
+    view.setBounds(bounds, first);
   }
 
+  const onRestored = (): void => {
+    renderer.shadowMap.needsUpdate = true;
+  };
+  canvas.addEventListener('webglcontextrestored', onRestored);
   const resizeObserver = new ResizeObserver(resize);
   resizeObserver.observe(viewport);
   resize();
@@ -127,6 +141,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     /** Shows or hides the paper. Without it, only strokes are drawn. */
     showPaper(shown: boolean): void {
       model?.showPaper(shown);
+      ground.showPaper(shown);
     },
 
     /** Calls back after each frame. */
@@ -186,6 +201,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     setTonalArtMap(next: TonalArtMap): void {
       map = next;
       if (model) model.tonalArtMap = map;
+      ground.tonalArtMap = map;
       scheduler.invalidate();
     },
 
@@ -213,6 +229,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       }
       renderer.setClearColor(settings.paper, 1);
       model?.apply(settings);
+      ground.apply(settings);
+      renderer.shadowMap.needsUpdate = true;
       scheduler.invalidate();
     },
 
@@ -223,11 +241,13 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     dispose(): void {
       resizeObserver.disconnect();
+      canvas.removeEventListener('webglcontextrestored', onRestored);
       view.dispose();
       scheduler.dispose();
       timer.reset();
       previousModel?.dispose();
       model?.dispose();
+      ground.dispose();
       renderer.dispose();
       renderer.forceContextLoss();
     },

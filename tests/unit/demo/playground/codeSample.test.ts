@@ -64,6 +64,7 @@ const linesIn = (root: THREE.Object3D): HatchingLines | undefined =>
 const looks: Record<string, Partial<Settings>> = {
   ...Object.fromEntries(PRESET_NAMES.map((name) => [name, presetLook(name)])),
   'a preset with shadows': { ...presetLook('engraving'), shadows: 'on' },
+  'a preset with shadows across its lines': { ...presetLook('engraving'), shadows: 'on', shadowStrokes: 'cross' },
   'a preset with another ink': { ...presetLook('pen'), ink: '#203080' },
   'two lights': { secondLight: 'left', secondStrength: 80, lightKind: 'spot' },
   'one layer under two lights': {

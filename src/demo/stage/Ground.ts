@@ -1,0 +1,77 @@
+import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
+import { HatchingMaterial, prepareHatchingGeometry, type TonalArtMap } from 'three-hatching';
+import { applyToMaterial } from '../drawing/applyToMaterial.js';
+import { materialSizes } from '../settings/materialLook.js';
+import type { Settings } from '../settings/settings.js';
+
+/** In radii of the model: far enough for the longest shadow, and for a horizon. */
+const SIZE = 40;
+/** So that strokes of techniques that have a frame per triangle follow perspective and lamps. */
+const PARTS = 40;
+
+/** What the model stands on: a sheet that shows its shadow and nothing else, or a floor. Drawn by the hand of the model. */
+export class Ground {
+  private readonly holder = new Group();
+  private readonly material = new HatchingMaterial();
+  private isMade = false;
+  private kind: Settings['ground'] = 'none';
+
+  /** @param onReady called when a frame with the ground can be drawn */
+  constructor(
+    scene: Scene,
+    private readonly onReady: () => void,
+  ) {
+    this.holder.visible = false;
+    scene.add(this.holder);
+  }
+
+  /** How high it lies. */
+  set height(y: number) {
+    this.holder.position.y = y;
+  }
+
+  set tonalArtMap(map: TonalArtMap) {
+    this.material.tonalArtMap = map;
+  }
+
+  apply(settings: Settings): void {
+    this.kind = settings.ground;
+    // Debug views look at the model.
+    this.holder.visible = this.kind !== 'none' && settings.debugView === 'none';
+    if (this.kind === 'none') return;
+    if (!this.isMade) void this.make();
+    applyToMaterial(this.material, settings);
+    if (this.kind === 'shadow') this.material.toneModel = 'shadow';
+    this.showPaper(true);
+  }
+
+  /** Sets how wide strokes are. @param pixelRatio pixels of the render target per CSS pixel */
+  setWidths(settings: Settings, pixelRatio: number): void {
+    Object.assign(this.material, materialSizes(settings, pixelRatio));
+  }
+
+  /** Shows or hides the paper of a floor. The sheet that shows shadows has none. */
+  showPaper(shown: boolean): void {
+    const { material } = this;
+    const isClear = !shown || this.kind === 'shadow';
+    if (material.transparent !== isClear) material.needsUpdate = true;
+    material.transparent = isClear;
+    material.paperOpacity = isClear ? 0 : 1;
+    material.depthWrite = !isClear;
+  }
+
+  private async make(): Promise<void> {
+    this.isMade = true;
+    const plane = new PlaneGeometry(SIZE, SIZE, PARTS, PARTS).rotateX(-Math.PI / 2);
+    const mesh = new Mesh(await prepareHatchingGeometry(plane), this.material);
+    mesh.receiveShadow = true;
+    this.holder.add(mesh);
+    this.onReady();
+  }
+
+  dispose(): void {
+    for (const child of this.holder.children) (child as Mesh).geometry.dispose();
+    this.holder.removeFromParent();
+    this.material.dispose();
+  }
+}
