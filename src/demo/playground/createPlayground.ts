@@ -1,4 +1,5 @@
 import { setPageState } from '../page/setPageState.js';
+import { LIGHT_LOOKS } from '../settings/lightLooks.js';
 import { presetLook } from '../settings/presets.js';
 import { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
@@ -73,6 +74,14 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     settings,
     [
       { label: 'Show the map', group: 'Drawing', run: () => contactSheet.open() },
+      ...Object.entries(LIGHT_LOOKS).map(([label, look]) => ({
+        label,
+        group: 'Light' as const,
+        run: () => {
+          Object.assign(settings, look);
+          recordChange();
+        },
+      })),
       { label: 'Show the whole model', group: 'View', run: scene.view.frame },
       { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
       { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },

@@ -13,10 +13,14 @@ export function lightSample(settings: Settings): { code: string; classes: string
   const place = (distance: number, azimuth: number) =>
     `setFromSphericalCoords(${distance}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
   const distance = settings.lightKind === 'directional' ? 1 : round(settings.lightDistance);
+  const stay = (name: string) =>
+    settings.lightFollows === 'viewer'
+      ? `${name}.position.applyQuaternion(camera.quaternion); // again in every frame, to stay with the viewer\n`
+      : '';
   const parts = [
     `const light = ${light};
 light.position.${place(distance, settings.lightAzimuth)};
-scene.add(light);
+${stay('light')}scene.add(light);
 `,
   ];
   const classes = [/new (\w+)/.exec(light)![1]];
@@ -41,7 +45,7 @@ scene.traverse((object) => {
     parts.push(`
 const second = new DirectionalLight('white', ${round((Math.PI * settings.secondStrength) / 100)});
 second.position.${place(1, azimuth)};
-scene.add(second);
+${stay('second')}scene.add(second);
 `);
   }
   return { code: parts.join(''), classes };

@@ -382,6 +382,13 @@ export const SETTINGS = {
     max: 89,
     step: 1,
   },
+  lightFollows: {
+    kind: 'choice',
+    label: 'Stays with',
+    group: 'Light',
+    default: 'model',
+    choices: { model: 'The model', viewer: 'The viewer' },
+  },
   lightDistance: {
     kind: 'number',
     label: 'Distance',

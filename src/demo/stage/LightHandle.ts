@@ -199,6 +199,8 @@ export class LightHandle {
       this.behind = !this.behind;
     }
     const hit = hits ? (this.behind ? hits.far : hits.near) : nearestOutlinePoint(ray, radius);
+    const { settings, camera } = this.host;
+    if (settings.lightFollows === 'viewer') hit.applyQuaternion(camera.quaternion.clone().invert());
     const { theta, phi } = new Spherical().setFromVector3(hit);
     const { min, max } = SETTINGS.lightElevation;
     this.host.onMove({

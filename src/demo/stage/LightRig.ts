@@ -1,4 +1,13 @@
-import { DirectionalLight, type Light, MathUtils, PointLight, type Scene, SpotLight, Vector3 } from 'three';
+import {
+  type Camera,
+  DirectionalLight,
+  type Light,
+  MathUtils,
+  PointLight,
+  type Scene,
+  SpotLight,
+  Vector3,
+} from 'three';
 import type { Settings } from '../settings/settings.js';
 import { SECOND_LIGHT_AZIMUTH } from '../settings/settingValues.js';
 
@@ -15,6 +24,8 @@ const SHADOW_BIAS = -0.002;
 const SHADOW_NORMAL_BIAS = 0.02;
 /** In texels. */
 const SHADOW_SOFTNESS = 1.5;
+
+const before = new Vector3();
 
 /** The lights of the scene: the main light, of one of three kinds, and a second sun at a fixed angle from it. */
 export class LightRig {
@@ -43,16 +54,11 @@ export class LightRig {
     scene.add(this.second, ...Object.values(this.lights));
   }
 
-  /** Applies the settings. */
+  /** Applies the settings, all but the place of the lights. */
   apply(settings: Settings): void {
-    const azimuth = MathUtils.degToRad(settings.lightAzimuth);
-    const elevation = MathUtils.degToRad(settings.lightElevation);
-    const distance = settings.lightKind === 'directional' ? SUN_DISTANCE : settings.lightDistance;
-    this.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth);
     for (const [kind, light] of Object.entries(this.lights)) {
       light.visible = kind === settings.lightKind;
       light.castShadow = settings.shadows === 'on';
-      light.position.copy(this.position);
       // At an intensity of π, a white surface that faces the light gets tone 0: bare paper.
       light.intensity = (Math.PI * settings.lightStrength) / 100;
     }
@@ -61,10 +67,28 @@ export class LightRig {
     spot.penumbra = settings.spotSoftness / 100;
     this.second.visible = settings.secondLight !== 'none';
     this.second.castShadow = settings.shadows === 'on';
-    if (settings.secondLight !== 'none') {
-      const around = azimuth + MathUtils.degToRad(SECOND_LIGHT_AZIMUTH[settings.secondLight]);
-      this.second.position.setFromSphericalCoords(SUN_DISTANCE, Math.PI / 2 - elevation, around);
-      this.second.intensity = (Math.PI * settings.secondStrength) / 100;
+    this.second.intensity = (Math.PI * settings.secondStrength) / 100;
+  }
+
+  /**
+   * Places the lights.
+   *
+   * @param viewer that the light stays with, if the settings say so
+   * @returns whether one has moved
+   */
+  place(settings: Settings, { quaternion }: Camera): boolean {
+    const { lightFollows, lightKind, secondLight } = settings;
+    const azimuth = MathUtils.degToRad(settings.lightAzimuth);
+    const elevation = MathUtils.degToRad(settings.lightElevation);
+    const around = secondLight === 'none' ? 0 : MathUtils.degToRad(SECOND_LIGHT_AZIMUTH[secondLight]);
+    const distance = lightKind === 'directional' ? SUN_DISTANCE : settings.lightDistance;
+    before.copy(this.position);
+    this.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth);
+    this.second.position.setFromSphericalCoords(SUN_DISTANCE, Math.PI / 2 - elevation, azimuth + around);
+    if (lightFollows === 'viewer') {
+      for (const position of [this.position, this.second.position]) position.applyQuaternion(quaternion);
     }
+    for (const light of Object.values(this.lights)) light.position.copy(this.position);
+    return !before.equals(this.position);
   }
 }

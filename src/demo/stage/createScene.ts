@@ -58,7 +58,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (context.isContextLost() || width === 0 || height === 0) return;
     resolution.beforeFrame();
     advanceMotion();
-    if (model?.motion) renderer.shadowMap.needsUpdate = true;
+    const isLightMoved = settings !== undefined && lights.place(settings, camera);
+    if (isLightMoved || model?.motion) renderer.shadowMap.needsUpdate = true;
     const pixelRatio = resolution.pixelRatio(width, height);
     if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
     timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio));

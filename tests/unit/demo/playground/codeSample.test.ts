@@ -31,6 +31,7 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
     prepareHatchingGeometry: async (geometry: unknown) => geometry,
     TonalArtMap: { generate: async () => null },
     scene: new THREE.Scene(),
+    camera: viewer,
     geometry: new THREE.IcosahedronGeometry(1, 2),
     renderer: { getPixelRatio: () => 1, shadowMap: {} },
   };
@@ -43,6 +44,11 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
   await program(given);
   return given.scene as THREE.Scene;
 }
+
+/** Seen from the side, so that what stays with the viewer is told from what stays with the model. */
+const viewer = new THREE.PerspectiveCamera();
+viewer.position.set(3, 2, 1);
+viewer.lookAt(0, 0, 0);
 
 /** The line material that the page draws with. */
 const lineMaterialOf = (settings: Settings): HatchingLineMaterial => new HatchingLineMaterial(lineLook(settings, 1));
@@ -74,6 +80,7 @@ const looks: Record<string, Partial<Settings>> = {
     toneModel: 'phong',
     shininess: 9,
   },
+  'two lights that stay with the viewer': { lightFollows: 'viewer', secondLight: 'right', secondStrength: 70 },
   'layers by tone': { strokeLayers: 'tone', crossFrom: 40, crossAngle: 90, secondLight: 'right' },
   'engraved, crossing at a right angle': { technique: 'engraved', crossFrom: 30, crossAngle: 90 },
   'tinted, curved, by depth': {
@@ -129,7 +136,9 @@ describe('codeSample', () => {
     for (const key of ['ink', 'paper', 'color'] as const) expect(made[key].equals(expected[key]), key).toBe(true);
 
     const drawn = new THREE.Scene();
-    new LightRig(drawn).apply(settings);
+    const rig = new LightRig(drawn);
+    rig.apply(settings);
+    rig.place(settings, viewer);
     const describeLight = (light: THREE.Object3D) => {
       const direction = light.position.clone();
       if (light instanceof THREE.DirectionalLight) direction.normalize();
