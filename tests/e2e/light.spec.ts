@@ -140,3 +140,38 @@ test.describe('by touch', () => {
     expect(angleBetween(strokeDirection(picture, FACE), strokeDirection(before.picture, FACE))).toBeGreaterThan(8);
   });
 });
+
+test('a light that stays with the viewer is dragged where the pointer goes, and lights the side that is seen', async ({
+  page,
+}) => {
+  const seenFrom = (camera: string) =>
+    `model=sphere&camera=${camera},0,0,0&lightAzimuth=-90&lightElevation=0&lines=off`;
+  const left = async () => {
+    const picture = await readDrawing(page);
+    return meanInk(picture, LEFT_HALF) - meanInk(picture, RIGHT_HALF);
+  };
+  // From behind, a light that stays with the model comes from the other side.
+  await openPlayground(page, seenFrom('0,0,-6'));
+  expect(await left()).toBeGreaterThan(0.1);
+  await openPlayground(page, `${seenFrom('0,0,-6')}&lightFollows=viewer`);
+  expect(await left()).toBeLessThan(-0.1);
+
+  const middle = await middleOf(page, '#lamp');
+  await dragLamp(page, { x: 30, y: -50 });
+  const moved = await middleOf(page, '#lamp');
+  expect(Math.abs(moved.x - middle.x - 30)).toBeLessThan(3);
+  expect(Math.abs(moved.y - middle.y + 50)).toBeLessThan(3);
+});
+
+test('a light that illustrators use is one press, and one undo', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page, 'model=sphere&lightAzimuth=60&lightElevation=5&lines=off');
+  const before = await readDrawing(page);
+  await page.getByRole('button', { name: 'Light', exact: true }).press('Enter');
+  await page.getByRole('button', { name: 'From below' }).press('Enter');
+  const after = await readDrawing(page);
+  expect(changedShare(before, after)).toBeGreaterThan(0.05);
+  expect((await lampPlace(page)).elevation).toBeLessThan(-20);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect((await lampPlace(page)).elevation).toBeCloseTo(5, 0);
+});
