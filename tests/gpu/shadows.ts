@@ -1,0 +1,206 @@
+/** What the tests of shadows look at: a ball over a plane, the plane seen straight from above, the ball by its shadow alone. */
+import './toolkit.js';
+import * as THREE from 'three';
+import {
+  HatchingMaterial,
+  type HatchingMaterialParameters,
+  type HatchingTechnique,
+  prepareHatchingGeometry,
+  TonalArtMap,
+} from 'three-hatching';
+
+export type LightKind = 'directional' | 'spot' | 'point' | 'point over a seam' | 'sun';
+export type Filter = 'Basic' | 'PCF' | 'VSM';
+type ShadowLight = THREE.DirectionalLight | THREE.SpotLight | THREE.PointLight;
+
+/** Pixels a side, and units: the camera sees the square from −1 to 1. */
+const SIZE = 256;
+const MAP_SIZE = 256;
+const CENTRE = new THREE.Vector3(0.35, 0.25, 0.8);
+const RADIUS = 0.35;
+
+/** Towards the light, or where it stands. The ball's shadow falls into the picture under all of them. */
+const PLACES: Record<LightKind, [number, number, number]> = {
+  directional: [0.9, 0.7, 2.2],
+  sun: [0.9, 0.7, 2.2],
+  spot: [0.9, 0.7, 2.4],
+  point: [0.6, 0.5, 2.4],
+  // Seen from there, the middle of the shadow lies where two faces of the cube meet.
+  'point over a seam': [2.5, 0.2, 3],
+};
+
+/** Three.js before 0.187 has none of these among its addons. */
+const addons = import.meta.glob('../../node_modules/three/examples/jsm/lights/SunLight.js');
+
+/** A light that does not grow weaker with distance: `arriving` is N·L times its intensity over π. */
+async function lightOf(kind: LightKind, intensity = 2.6): Promise<ShadowLight> {
+  let light: ShadowLight;
+  if (kind === 'sun') {
+    const { SunLight } = (await Object.values(addons)[0]()) as { SunLight: typeof THREE.DirectionalLight };
+    light = new SunLight(0xffffff, intensity);
+    light.shadow.mapSize.setScalar(MAP_SIZE);
+  } else if (kind === 'directional') {
+    light = new THREE.DirectionalLight(0xffffff, intensity);
+    Object.assign(light.shadow.camera, { left: -2, right: 2, top: 2, bottom: -2, near: 0.5, far: 6 });
+    light.shadow.mapSize.setScalar(MAP_SIZE);
+  } else if (kind === 'spot') {
+    light = new THREE.SpotLight(0xffffff, intensity, 0, 0.65, 0, 0);
+    Object.assign(light.shadow.camera, { near: 0.5, far: 6 });
+    light.shadow.mapSize.setScalar(MAP_SIZE);
+  } else {
+    light = new THREE.PointLight(0xffffff, intensity, 0, 0);
+    Object.assign(light.shadow.camera, { near: 0.2, far: 6 });
+    light.shadow.mapSize.setScalar(2 * MAP_SIZE);
+  }
+  light.position.set(...PLACES[kind]);
+  return light;
+}
+
+/** Makes the light cast hard shadows. */
+function casting(light: ShadowLight, radius = 0): ShadowLight {
+  light.castShadow = true;
+  light.shadow.radius = radius;
+  return light;
+}
+
+/** Units that a texel of the light's shadow map covers, across the light, at the ball. */
+function texelOf(kind: LightKind, light: ShadowLight): number {
+  const camera = light.shadow.camera as THREE.OrthographicCamera;
+  if (kind === 'sun') {
+    const { right, left } = (light.shadow as unknown as { getCamera(i: number): typeof camera }).getCamera(0);
+    return (right - left) / light.shadow.mapSize.x;
+  }
+  if (kind === 'directional') return (camera.right - camera.left) / light.shadow.mapSize.x;
+  const away = light.position.distanceTo(CENTRE);
+  if (kind === 'spot') return (2 * Math.tan((light as THREE.SpotLight).angle) * away) / light.shadow.mapSize.x;
+  return (2 * away) / light.shadow.mapSize.x;
+}
+
+/** For each pixel, bottom row first, how far the ray from the plane to the light passes the ball: texels, below 0 in shadow. */
+function clearances(kind: LightKind, light: ShadowLight): Float32Array {
+  const isFar = kind === 'directional' || kind === 'sun';
+  const texel = texelOf(kind, light);
+  const [place, ray, toBall] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
+  return Float32Array.from({ length: SIZE * SIZE }, (_, i) => {
+    place.set(((i % SIZE) + 0.5) / (SIZE / 2) - 1, (Math.floor(i / SIZE) + 0.5) / (SIZE / 2) - 1, 0);
+    ray.copy(light.position);
+    if (!isFar) ray.sub(place);
+    const passing = toBall.subVectors(CENTRE, place).cross(ray.normalize()).length();
+    return (passing - RADIUS) / texel;
+  });
+}
+
+function ball(): THREE.Mesh {
+  const mesh = new THREE.Mesh(
+    new THREE.SphereGeometry(RADIUS, 160, 120),
+    new THREE.MeshBasicMaterial({ colorWrite: false, depthWrite: false }),
+  );
+  mesh.position.copy(CENTRE);
+  mesh.castShadow = true;
+  return mesh;
+}
+
+let strokes: Promise<TonalArtMap> | undefined;
+
+/** Drawn once for the page. */
+function strokeMap(): Promise<TonalArtMap> {
+  strokes ??= TonalArtMap.generate({ size: 128 });
+  return strokes;
+}
+
+/** A plane that receives shadows, of more triangles than two. `isGrey`: its tone as a flat grey, where a map says so. */
+async function ground(
+  technique: HatchingTechnique,
+  parameters: HatchingMaterialParameters = {},
+  isGrey = false,
+): Promise<THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>> {
+  const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2.4, 2.4, 5, 5));
+  const tonalArtMap = isGrey ? window.toolkit.greyMap() : await strokeMap();
+  const material = new HatchingMaterial({
+    technique,
+    ...(technique === 'engraved' ? { screenConstancy: 1, lineSpacing: 6 } : { tonalArtMap, strokeScale: 1 }),
+    ...parameters,
+  });
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.receiveShadow = true;
+  return mesh;
+}
+
+const renderers = new Map<string, THREE.WebGLRenderer>();
+
+/** Kept: contexts are few. */
+function rendererOf(filter: Filter = 'PCF', parameters: THREE.WebGLRendererParameters = {}): THREE.WebGLRenderer {
+  const key = JSON.stringify([filter, parameters]);
+  let renderer = renderers.get(key);
+  if (!renderer) {
+    renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true, ...parameters });
+    renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+    renderer.setSize(SIZE, SIZE, false);
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = { Basic: THREE.BasicShadowMap, PCF: THREE.PCFShadowMap, VSM: THREE.VSMShadowMap }[filter];
+    renderers.set(key, renderer);
+  }
+  return renderer;
+}
+
+/** The camera, moved by whole pixels. */
+function above(right = 0, up = 0): THREE.OrthographicCamera {
+  const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
+  camera.position.set((2 * right) / SIZE, (2 * up) / SIZE, 5);
+  return camera;
+}
+
+function sceneOf(...things: THREE.Object3D[]): THREE.Scene {
+  const scene = new THREE.Scene();
+  scene.add(...things);
+  return scene;
+}
+
+/** RGBA, bottom row first. */
+function draw(scene: THREE.Scene, renderer = rendererOf(), camera: THREE.Camera = above()): Uint8Array {
+  renderer.render(scene, camera);
+  const gl = renderer.getContext();
+  const pixels = new Uint8Array(SIZE * SIZE * 4);
+  gl.readPixels(0, 0, SIZE, SIZE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+}
+
+/** How pixels of a picture differ from those of another, where `isAsked` is true of their index. */
+function compared(a: Uint8Array, b: Uint8Array, isAsked: (i: number) => boolean) {
+  let [count, differing, most, meanA, meanB] = [0, 0, 0, 0, 0];
+  for (let i = 0; i < a.length / 4; i++) {
+    if (!isAsked(i)) continue;
+    const apart = Math.abs(a[4 * i] - b[4 * i]);
+    count++;
+    if (apart > 32) differing++;
+    most = Math.max(most, apart);
+    meanA += a[4 * i] / 255;
+    meanB += b[4 * i] / 255;
+  }
+  return { count, share: differing / count, most, means: [meanA / count, meanB / count] as const };
+}
+
+const shading = {
+  THREE,
+  HatchingMaterial,
+  prepareHatchingGeometry,
+  SIZE,
+  lightOf,
+  casting,
+  clearances,
+  ball,
+  strokeMap,
+  ground,
+  rendererOf,
+  above,
+  sceneOf,
+  draw,
+  compared,
+};
+
+declare global {
+  interface Window {
+    shading: typeof shading;
+  }
+}
+window.shading = shading;
