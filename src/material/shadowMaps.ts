@@ -111,10 +111,7 @@ const REPLACEMENTS: readonly (readonly [RegExp, string])[] = [
     /float phi = interleavedGradientNoise\([^;]*;[^\n]*\s*shadow = \(\s*texture\( shadowMap, vec3\([^;]*\) \* 0\.2;/,
     STEADY_FLAT,
   ],
-  [
-    /float phi = interleavedGradientNoise\([^;]*;[^#]*?bd3D[^#]*?\*=? 0\.2;/,
-    STEADY_CUBE,
-  ],
+  [/float phi = interleavedGradientNoise\([^;]*;[^#]*?bd3D[^#]*?\*=? 0\.2;/, STEADY_CUBE],
   [
     /float depth = texture2D\( shadowMap, shadowCoord\.xy \)\.r;\s*#ifdef USE_REVERSED_DEPTH_BUFFER\s*shadow = step\( depth, shadowCoord\.z \);\s*#else\s*shadow = step\( shadowCoord\.z, depth \);\s*#endif/,
     BILINEAR_FLAT,

@@ -56,10 +56,12 @@ async function lightOf(kind: LightKind, intensity = 2.6): Promise<ShadowLight> {
   return light;
 }
 
-/** Makes the light cast hard shadows. */
+/** Makes the light cast shadows, hard ones unless asked otherwise. */
 function casting(light: ShadowLight, radius = 0): ShadowLight {
   light.castShadow = true;
   light.shadow.radius = radius;
+  // With VSM whatever receives shadows casts them too, and its depths are halves.
+  light.shadow.bias = -0.002;
   return light;
 }
 
@@ -67,8 +69,10 @@ function casting(light: ShadowLight, radius = 0): ShadowLight {
 function texelOf(kind: LightKind, light: ShadowLight): number {
   const camera = light.shadow.camera as THREE.OrthographicCamera;
   if (kind === 'sun') {
-    const { right, left } = (light.shadow as unknown as { getCamera(i: number): typeof camera }).getCamera(0);
-    return (right - left) / light.shadow.mapSize.x;
+    // Of the coarser cascade.
+    const cascades = light.shadow as unknown as { getCamera(index: number): typeof camera };
+    const widths = [0, 1].map((index) => cascades.getCamera(index)).map(({ left, right }) => right - left);
+    return Math.max(...widths) / light.shadow.mapSize.x;
   }
   if (kind === 'directional') return (camera.right - camera.left) / light.shadow.mapSize.x;
   const away = light.position.distanceTo(CENTRE);

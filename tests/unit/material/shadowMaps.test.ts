@@ -13,9 +13,7 @@ const chunkOf = (version: string) => {
 
 /** The bodies of the functions of a name, each from its head to the next function or the end. */
 const bodiesOf = (name: string, chunk: string) =>
-  chunk
-    .split(/^\s*(?=(?:float|vec2|int) \w+\()/m)
-    .filter((part) => new RegExp(`^float ${name}\\(`).test(part));
+  chunk.split(/^\s*(?=(?:float|vec2|int) \w+\()/m).filter((part) => new RegExp(`^float ${name}\\(`).test(part));
 
 describe('the filter of shadow maps', () => {
   const steady = shadowMapsChunk();
