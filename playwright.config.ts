@@ -14,6 +14,8 @@ const core = [
   /under half a bright sky/,
   /first frame in an environment/,
   /make the tone of three's Lambert/,
+  /(outside a shadow no stroke|under one light strokes run across|the tone of shadows alone)/,
+  /strokes turn to the lights that arrive.*shadow of (directional|spot|point)/,
 ];
 
 export default defineConfig<object, ThreeOptions>({

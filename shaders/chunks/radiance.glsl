@@ -40,8 +40,11 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
     surface.shadowed += (1.0 - lightShadow) * arriving;
     arriving *= lightShadow;
     #ifdef REORIENTS_IN_SHADOW
-      isLightShadowed[lightsMet] = dot(light.direction, surface.smoothNormal) * (1.0 - 2.0 * lightShadow) > LEAST_RESPONSE;
+      float taken = max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - 2.0 * lightShadow);
+      isLightShadowed[lightsMet] = taken > LEAST_RESPONSE;
       lightsMet++;
+      lightSent += luminance(light.color);
+      lightTaken += luminance(light.color) * taken;
     #endif // REORIENTS_IN_SHADOW
     lightShadow = 1.0;
   #endif // TELLS_SHADOWS

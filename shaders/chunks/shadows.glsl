@@ -20,6 +20,8 @@
     // In three's order.
     bool isLightShadowed[LIGHTS_WITH_DIRECTION];
     int lightsMet = 0;
+    float lightSent = 0.0; // of all lights together, but for shadows
+    float lightTaken = 0.0; // what shadows take of it, less what they leave
     #define LAMP_LIGHT 0
     #define SPOT_LIGHT NUM_POINT_LIGHTS
     #define SUN_LIGHT (SPOT_LIGHT + NUM_SPOT_LIGHTS)

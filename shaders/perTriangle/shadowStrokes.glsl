@@ -4,11 +4,9 @@
     return hatchLayer(turnedLayer(h, 3.0, vec2(0.0, 1.0)), tone);
   }
 #else
-  // Frames are made per vertex, before shadows are known: where most lights are shadowed, strokes are turned by a right angle.
+  // Frames are made per vertex, before shadows are known: where they take most of the light, strokes are turned by a right angle.
   HatchingParameters reorientedInShadow(const in HatchingParameters h) {
-    int shadowed = 0;
-    for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) shadowed += int(isLightShadowed[i]);
-    if (2 * shadowed <= LIGHTS_WITH_DIRECTION) return h;
+    if (lightTaken <= LEAST_RESPONSE * lightSent) return h;
     return turnedLayer(h, 0.0, vec2(0.0, 1.0));
   }
 #endif // SHADOW_STROKES

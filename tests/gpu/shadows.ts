@@ -14,8 +14,8 @@ export type Filter = 'Basic' | 'PCF' | 'VSM';
 type ShadowLight = THREE.DirectionalLight | THREE.SpotLight | THREE.PointLight;
 
 /** Pixels a side, and units: the camera sees the square from −1 to 1. */
-const SIZE = 256;
-const MAP_SIZE = 256;
+const SIZE = 192;
+const MAP_SIZE = 192;
 const CENTRE = new THREE.Vector3(0.35, 0.25, 0.8);
 const RADIUS = 0.35;
 
@@ -29,7 +29,8 @@ const PLACES: Record<LightKind, [number, number, number]> = {
   'point over a seam': [2.5, 0.2, 3],
 };
 
-/** Three.js before 0.187 has none of these among its addons. */
+/** Older versions of three.js know nothing of suns. */
+const hasSun = THREE.ShaderChunk.lights_pars_begin.includes('NUM_SUN_LIGHTS');
 const addons = import.meta.glob('../../node_modules/three/examples/jsm/lights/SunLight.js');
 
 /** A light that does not grow weaker with distance: `arriving` is N·L times its intensity over π. */
@@ -102,6 +103,27 @@ function ball(): THREE.Mesh {
   mesh.position.copy(CENTRE);
   mesh.castShadow = true;
   return mesh;
+}
+
+/** The outline of the ball's shadow under a directional light, as a black disc. */
+function ellipse(light: ShadowLight): THREE.Mesh {
+  const towards = light.position.clone().normalize();
+  const u = new THREE.Vector3(0, 0, 1).cross(towards).normalize();
+  const v = towards.clone().cross(u);
+  const outline = Array.from({ length: 360 }, (_, i) => {
+    const angle = (i * Math.PI) / 180;
+    const point = CENTRE.clone()
+      .addScaledVector(u, RADIUS * Math.cos(angle))
+      .addScaledVector(v, RADIUS * Math.sin(angle));
+    point.addScaledVector(towards, -point.z / towards.z);
+    return new THREE.Vector2(point.x, point.y);
+  });
+  const disc = new THREE.Mesh(
+    new THREE.ShapeGeometry(new THREE.Shape(outline)),
+    new THREE.MeshBasicMaterial({ color: 0x000000, side: THREE.DoubleSide, depthTest: false }),
+  );
+  disc.renderOrder = 1;
+  return disc;
 }
 
 let strokes: Promise<TonalArtMap> | undefined;
@@ -189,10 +211,12 @@ const shading = {
   HatchingMaterial,
   prepareHatchingGeometry,
   SIZE,
+  hasSun,
   lightOf,
   casting,
   clearances,
   ball,
+  ellipse,
   strokeMap,
   ground,
   rendererOf,
