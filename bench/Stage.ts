@@ -10,10 +10,26 @@ export class Stage {
   private readonly camera = new PerspectiveCamera(30, 1, 0.1, 100);
   private readonly pixel = new Uint8Array(4);
 
-  /** @param size pixels per side */
-  constructor(private readonly size: number) {
+  /**
+   * @param size pixels per side
+   * @param hasShadows whether the light casts shadows; its map is drawn once, with what is shown first
+   */
+  constructor(
+    private readonly size: number,
+    hasShadows = false,
+  ) {
     const sun = new DirectionalLight(0xffffff, Math.PI);
     sun.position.set(1, 1, 1);
+    if (hasShadows) {
+      this.renderer.shadowMap.enabled = true;
+      this.renderer.shadowMap.autoUpdate = false;
+      this.renderer.shadowMap.needsUpdate = true;
+      sun.castShadow = true;
+      sun.shadow.mapSize.setScalar(1024);
+      Object.assign(sun.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.1, far: 5 });
+      sun.shadow.bias = -0.002;
+      sun.shadow.normalBias = 0.02;
+    }
     this.scene.add(sun);
     this.camera.position.set(0, 0.3, 3.2);
     this.camera.lookAt(0, 0, 0);

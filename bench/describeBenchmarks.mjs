@@ -4,6 +4,8 @@ import { benchmarks } from './benchmarks.mjs';
 
 const titles = {
   frame: 'Frames',
+  lines: 'Lines',
+  shadows: 'Shadows',
   bake: 'The bake by phase',
   upload: 'Upload',
   tam: 'Maps',
@@ -15,6 +17,9 @@ const notes = {
   frame: `Every technique on every layout that it can draw, beside three's \`MeshPhongMaterial\` on the geometry of the \`corner\` layout and on the
 plain indexed one, and beside \`adjacency\`. All are drawn in turn in one page, every other turn backwards; a frame is timed from its first command until a
 pixel of it can be read. Ratios are taken within a turn, and their median is given with its 95 % interval; times are medians.`,
+  lines: 'What contours, borders and creases add to a frame, and to the main thread while the camera moves.',
+  shadows: `What strokes that know of shadows cost beside strokes that shadows only darken, and what a ground with nothing but shadows on it
+adds to the frame. The shadow map is drawn once, before.`,
   bake: `The steps of the bake on one thread of the page. \`check\` validates and measures the bounds, \`weld\` joins equal positions, \`pair\` computes
 the normals of triangles and finds the twins of edges, \`creases\` cuts at the crease angle and finds the edges of the form, \`normals\` smooths the hatch normals, \`pack\` writes a
 layout; \`transfer\` hands the request to a worker and takes the result of the \`corner\` layout from it.`,

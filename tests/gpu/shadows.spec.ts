@@ -385,3 +385,35 @@ for (const technique of techniques) {
     for (const share of shares) expect(share).toBeLessThan(0.005);
   });
 }
+
+test('a smooth body of few triangles casts no shadow onto its own lit side', async ({ page }) => {
+  const shares = await page.evaluate(
+    async ([techniques, shadowStrokes]) => {
+      const { THREE, lightOf, casting, ground, sceneOf, draw, compared, prepareHatchingGeometry } = window.shading;
+      const geometry = await prepareHatchingGeometry(new THREE.SphereGeometry(0.8, 16, 12));
+      const light = casting(await lightOf('directional', 3));
+      light.position.set(1.5, 1, 0.8);
+      light.shadow.bias = 0;
+      const rest = await lightOf('point', 1.2);
+      rest.position.set(-2, 1, 2);
+      const shares: number[] = [];
+      for (const technique of techniques) {
+        const { material } = await ground(technique, { toneNormal: 'smooth' });
+        const mesh = new THREE.Mesh(geometry, material);
+        mesh.castShadow = true;
+        const scene = sceneOf(mesh, light, rest);
+        for (const choice of shadowStrokes) {
+          material.shadowStrokes = choice;
+          mesh.receiveShadow = true;
+          const shadowed = draw(scene);
+          mesh.receiveShadow = false;
+          shares.push(compared(shadowed, draw(scene), () => true).share);
+        }
+      }
+      return shares;
+    },
+    [techniques, shadowStrokes] as const,
+  );
+  expect(shares).toHaveLength(12);
+  for (const share of shares) expect(share).toBeLessThan(0.002);
+});

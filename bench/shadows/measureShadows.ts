@@ -1,0 +1,65 @@
+import { Group, Mesh, type Object3D, PlaneGeometry } from 'three';
+import {
+  HatchingMaterial,
+  type HatchingMaterialParameters,
+  type HatchingTechnique,
+  prepareHatchingGeometry,
+  TonalArtMap,
+} from 'three-hatching';
+import { loadModel } from '../loadModel.js';
+import { Stage } from '../Stage.js';
+
+const WARM_UP_TURNS = 2;
+const TECHNIQUES: readonly HatchingTechnique[] = ['adjacency', 'anchored', 'engraved'];
+
+export interface ShadowTimes {
+  triangles: number;
+  /** Milliseconds, one per turn, of everything that was drawn. */
+  times: Record<string, number[]>;
+  /** What each is compared with. */
+  against: Record<string, string>;
+}
+
+export async function measureShadows(model: string, turns: number, size: number): Promise<ShadowTimes> {
+  const plain = await loadModel(model);
+  const corner = await prepareHatchingGeometry(plain, { layout: 'corner' });
+  const indexed = await prepareHatchingGeometry(plain, { layout: 'indexed' });
+  const tonalArtMap = await TonalArtMap.generate();
+  const hatched = (technique: HatchingTechnique, parameters: HatchingMaterialParameters): Mesh => {
+    const geometry = technique === 'adjacency' ? corner : indexed;
+    const mesh = new Mesh(geometry, new HatchingMaterial({ tonalArtMap, technique, ...parameters }));
+    mesh.castShadow = true;
+    mesh.receiveShadow = true;
+    return mesh;
+  };
+  const objects: Record<string, Object3D> = {};
+  const against: Record<string, string> = {};
+  for (const technique of TECHNIQUES) {
+    for (const shadowStrokes of ['tone', 'cross', 'reorient'] as const) {
+      const name = `${technique} ${shadowStrokes}`;
+      objects[name] = hatched(technique, { shadowStrokes });
+      against[name] = `${technique} tone`;
+    }
+    const name = `${technique} tone, ground`;
+    const ground = new Mesh(
+      await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2), { layout: 'corner' }),
+      new HatchingMaterial({ tonalArtMap, technique, toneModel: 'shadow', paperOpacity: 0, transparent: true }),
+    );
+    ground.position.y = -0.7;
+    ground.receiveShadow = true;
+    objects[name] = new Group().add(hatched(technique, {}), ground);
+    against[name] = `${technique} tone`;
+  }
+
+  const stage = new Stage(size, true);
+  const order = Object.keys(objects);
+  const times = Object.fromEntries(order.map((name) => [name, [] as number[]]));
+  for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
+    // Every other turn backwards: what is drawn before may make a difference.
+    for (const name of turn % 2 === 0 ? order : order.toReversed()) {
+      const time = stage.timeFrame(objects[name]);
+      if (turn >= 0) times[name].push(time);
+    }
+  }
+  return { triangles: plain.index!.count / 3, times, against };
+}
