@@ -238,7 +238,7 @@ export const PROPERTIES = {
       cross:
         'lie over them as a layer of its own, across theirs, with a clean edge. The strokes of the light run on below it.',
       reorient:
-        'turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives, across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right angle.',
+        'turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives, across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right angle where shadows take most of the light.',
     },
     default: 'tone',
     sentence: 'What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all.',

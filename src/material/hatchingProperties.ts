@@ -57,7 +57,7 @@ export type StrokeLayers = 'single' | 'lights' | 'tone';
  *   below it.
  * - `reorient`: turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives,
  *   across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right
- *   angle.
+ *   angle where shadows take most of the light.
  */
 export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
 

@@ -347,7 +347,9 @@ test('without a shadow the tone of shadows alone is nothing at all', async ({ pa
 });
 
 for (const technique of techniques) {
-  test(`instances, skins and every depth buffer carry shadows that strokes know of: ${technique}`, async ({ page }) => {
+  test(`instances, skins${technique === 'anchored' ? ' and every depth buffer' : ''} carry shadows that strokes know of: ${technique}`, async ({
+    page,
+  }) => {
     const shares = await page.evaluate(async (technique) => {
       const { THREE, lightOf, casting, ball, ground, rendererOf, sceneOf, draw, compared, prepareHatchingGeometry } =
         window.shading;
@@ -376,10 +378,13 @@ for (const technique of techniques) {
       skin.bind(new THREE.Skeleton([bone]));
       const turned = await show(plain);
       const pictures = [await show(instances), await show(skin)].map((pixels) => [pixels, turned]);
-      material.shadowStrokes = 'cross';
-      const crossed = await show(plain);
-      pictures.push([await show(plain, { logarithmicDepthBuffer: true }), crossed]);
-      pictures.push([await show(plain, { reversedDepthBuffer: true } as object), crossed]);
+      if (technique === 'anchored') {
+        // What a depth buffer is to a shadow does not depend on the technique.
+        material.shadowStrokes = 'cross';
+        const crossed = await show(plain);
+        pictures.push([await show(plain, { logarithmicDepthBuffer: true }), crossed]);
+        pictures.push([await show(plain, { reversedDepthBuffer: true } as object), crossed]);
+      }
       return pictures.map(([pixels, expected]) => compared(pixels, expected, () => true).share);
     }, technique);
     for (const share of shares) expect(share).toBeLessThan(0.005);
