@@ -9,6 +9,8 @@ import type { Vec3 } from '../reference/referenceAdjacency.js';
 import { analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 import {
+  ambient,
+  blocked,
   crossed,
   defaults,
   directional,
@@ -116,6 +118,16 @@ const cases: Case[] = [
     material: { strokeLayers: 'tone', crossFrom: 0.1, crossAngle: 0.4 },
     screenConstancy: 1,
   },
+  ...(['tone', 'cross', 'reorient'] as const).flatMap((shadowStrokes) => [
+    { name: `in shadow, ${shadowStrokes}`, lights: [blocked, ambient], material: { shadowStrokes } },
+    {
+      name: `in the shadow of one of two lights, ${shadowStrokes}, moved object`,
+      lights: [redSide, blocked],
+      matrixWorld: placed,
+      material: { shadowStrokes },
+    },
+  ]),
+  { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 
 const test = testOnOnePage('tests/gpu/harness.html');
@@ -166,8 +178,9 @@ for (const {
       strokeScale: spec.material.strokeScale,
       strokeRotation: spec.material.strokeRotation,
       anchorSpacing: spec.anchorSpacing!,
-      halfTiles: spec.lights.length > 1,
+      halfTiles: spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
       screenConstancy: spec.screenConstancy!,
+      shadowStrokes: spec.material.shadowStrokes,
       threshold: analyticThreshold.field,
       mapSize: analyticThreshold.size,
       mapLevels: analyticThreshold.levels,

@@ -11,8 +11,10 @@ import {
   type Light,
   LinearSRGBColorSpace,
   Mesh,
+  MeshBasicMaterial,
   OrthographicCamera,
   PerspectiveCamera,
+  PlaneGeometry,
   PointLight,
   Scene,
   SpotLight,
@@ -85,12 +87,24 @@ function makeLight(light: ReferenceLight, scene: Scene): Light {
     made.target.position.fromArray(light.target ?? [0, 0, 0]);
     scene.add(made.target);
   }
+  if (light.isBlocked) {
+    made.castShadow = true;
+    const screen = new Mesh(new PlaneGeometry(8, 8), invisible);
+    screen.castShadow = true;
+    screen.position.copy(made.position).multiplyScalar(0.5);
+    screen.lookAt(made.position);
+    scene.add(screen);
+  }
   scene.add(made);
   return made;
 }
 
+/** Of what only casts shadows. */
+const invisible = new MeshBasicMaterial({ side: DoubleSide, colorWrite: false, depthWrite: false });
+
 const renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
 renderer.outputColorSpace = LinearSRGBColorSpace;
+renderer.shadowMap.enabled = true;
 document.body.append(renderer.domElement);
 
 /** Renders one picture and returns its pixels, RGBA, bottom row first, in base64: a list of numbers would take longer to pass than to draw. */
@@ -129,6 +143,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   mesh.matrix.fromArray(spec.matrixWorld);
   mesh.matrixWorldNeedsUpdate = true;
   mesh.frustumCulled = false;
+  mesh.receiveShadow = true;
   scene.add(mesh);
 
   const camera = spec.orthographic ? new OrthographicCamera() : new PerspectiveCamera();

@@ -44,6 +44,8 @@ export const orthographic = {
 
 export const white = (intensity: number): Vec3 => [intensity, intensity, intensity];
 export const directional: ReferenceLight = { type: 'directional', color: white(Math.PI), position: [1, 1.5, 2] };
+/** Far enough off for something to stand between. */
+export const blocked: ReferenceLight = { ...directional, position: [3, 4.5, 6], isBlocked: true };
 export const point: ReferenceLight = {
   type: 'point',
   color: white(9),

@@ -16,6 +16,7 @@ export interface AnchoredSettings {
   /** Whether the direction is known only up to its sign, so that the map may be shifted by half tiles alone. */
   halfTiles: boolean;
   screenConstancy: number;
+  shadowStrokes?: 'tone' | 'cross' | 'reorient';
   threshold: ThresholdFunction;
   /** Texels per side of level 0. One of them is to take one pixel. */
   mapSize: number;
@@ -149,9 +150,17 @@ export function anchoredExcess(
   const { tangent, bitangent, crossing } = reference.frameOfNormal(strokeNormal, world);
   const edge = settings.anchorSpacing / settings.strokeScale;
   const toViewer = reference.toViewer(world);
-  const tone = reference.tone(world, reference.normalToWorld(toneNormal));
-  const excesses = reference.layers(tone, crossing).map((layer, i) => {
-    const at = point.map((c, axis) => c + i * LAYER_SHIFT[axis] * edge) as Vec3;
+  const worldNormal = reference.normalToWorld(toneNormal);
+  const tone = reference.tone(world, worldNormal);
+  const unshadowed = reference.tone(world, worldNormal, false);
+  const isCrossed = settings.shadowStrokes === 'cross';
+  const layers = reference.layers(isCrossed ? unshadowed : tone, crossing).map((layer, i) => ({ ...layer, shift: i }));
+  // Shadows lie across the strokes of the light and take what is missing to the tone; behind all other layers' shifts.
+  if (isCrossed && tone > unshadowed) {
+    layers.push({ tone: 1 - (1 - tone) / (1 - unshadowed), angle: Math.PI / 2, shift: 3 });
+  }
+  const excesses = layers.map((layer) => {
+    const at = point.map((c, axis) => c + layer.shift * LAYER_SHIFT[axis] * edge) as Vec3;
     const turned = { ...settings, strokeRotation: settings.strokeRotation + layer.angle };
     const { strokeRotation: angle } = turned;
     const across = tangent.map((x, axis) => Math.sin(angle) * x + Math.cos(angle) * bitangent[axis]) as Vec3;

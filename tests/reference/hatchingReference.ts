@@ -24,6 +24,8 @@ export interface ReferenceLight {
   /** Spot: half angle of the cone in radians, and the share of it that fades. */
   angle?: number;
   penumbra?: number;
+  /** Whether something stands between the light and all of the object. */
+  isBlocked?: boolean;
 }
 
 export interface ReferenceMaterial {
@@ -41,6 +43,8 @@ export interface ReferenceMaterial {
   strokeLayers: 'single' | 'lights' | 'tone';
   crossFrom: number;
   crossAngle: number;
+  /** Default: 'tone'. */
+  shadowStrokes?: 'tone' | 'cross' | 'reorient';
   /** Thresholds are blended and ink is decided once, instead of greys. */
   crisp: boolean;
   levelRule: 'derivatives' | 'depth';
@@ -226,7 +230,10 @@ export class HatchingReference {
     const directed = this.scene.lights.filter((light) => incident(light, worldCentre) !== null);
     const skies = this.scene.lights.filter((light) => light.type === 'hemisphere');
     for (const light of directed.length > 0 ? directed : skies) {
-      const arriving = incident(light, worldCentre) ?? { direction: normalize(light.position!), color: light.color };
+      let arriving = incident(light, worldCentre) ?? { direction: normalize(light.position!), color: light.color };
+      if (this.turnsAway(light, n, arriving.direction)) {
+        arriving = { direction: normalize(cross(arriving.direction, [0, 1, 0])), color: [0, 0, 0] };
+      }
       const toLight = normalize(
         vec3.transformMat3([0, 0, 0], arriving.direction, this.worldToObjectLinear as unknown as mat3) as Vec3,
       );
@@ -248,6 +255,12 @@ export class HatchingReference {
     return { bitangent: vec3.scaleAndAdd([0, 0, 0], along, e2, sign * Math.sin(angle)) as Vec3, crossing };
   }
 
+  /** Whether strokes where the light does not arrive count it no longer, from a sine of elevation of 0.05 on. n: object space. */
+  turnsAway(light: ReferenceLight, n: Vec3, toLight: Vec3): boolean {
+    const isAsked = !!light.isBlocked && this.scene.material.shadowStrokes === 'reorient';
+    return isAsked && dot(this.normalToWorld(n), toLight) > 0.05;
+  }
+
   /** Texture coordinates of an object-space point in the frame of a triangle: project (Algorithm 2), then measure. */
   coordinates(point: Vec3, triangle: Triangle): [number, number] {
     const { strokeScale, strokeRotation, strokeOffset } = this.scene.material;
@@ -261,8 +274,8 @@ export class HatchingReference {
     return [(s * cos - t * sin) * strokeScale + strokeOffset[0], (s * sin + t * cos) * strokeScale + strokeOffset[1]];
   }
 
-  /** Section 3.4: tone of a world position with a world normal. */
-  tone(position: Vec3, n: Vec3): number {
+  /** Section 3.4: tone of a world position with a world normal, with the shadows or as if there were none. */
+  tone(position: Vec3, n: Vec3, hasShadows = true): number {
     const { lights, material, eye, orthographic } = this.scene;
     const view = orthographic ? normalize(eye) : normalize(subtract(eye, position));
     let radiance = 0;
@@ -282,7 +295,7 @@ export class HatchingReference {
         const mirrored = subtract(scale(n, 2 * cosine), arriving.direction);
         response += Math.max(dot(mirrored, view), 0) ** material.shininess;
       }
-      radiance += (luminance(arriving.color) / Math.PI) * response;
+      if (!light.isBlocked || !hasShadows) radiance += (luminance(arriving.color) / Math.PI) * response;
       // A hemisphere of that light, from the other side.
       radiance += (material.reflectedLight * luminance(arriving.coneless) * (1 - cosine)) / (2 * Math.PI);
     }
