@@ -8,6 +8,8 @@ import type { Vec3 } from '../reference/referenceAdjacency.js';
 import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
 import { describeError, expectEqualPictures, pictureError } from './pictureError.js';
 import {
+  ambient,
+  blocked,
   crossed,
   defaults,
   directional,
@@ -88,6 +90,16 @@ const cases: Case[] = [
   { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
   { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
   { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
+  ...(['tone', 'cross', 'reorient'] as const).flatMap((shadowStrokes) => [
+    { name: `in shadow, ${shadowStrokes}`, lights: [blocked, ambient], material: { shadowStrokes } },
+    {
+      name: `in the shadow of one of three lights, ${shadowStrokes}, moved object`,
+      lights: [lamp, blocked, redSide],
+      matrixWorld: placed,
+      material: { shadowStrokes },
+    },
+  ]),
+  { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 
 const test = testOnOnePage('tests/gpu/harness.html');
@@ -111,7 +123,12 @@ function expected(spec: HatchingSpec, subpixelBits: number): Map<number, Vec3> {
   });
   const engraved = new EngravedReference({
     reference,
-    settings: { ...lines!, strokeScale: material.strokeScale, screenConstancy: screenConstancy! },
+    settings: {
+      ...lines!,
+      strokeScale: material.strokeScale,
+      screenConstancy: screenConstancy!,
+      shadowStrokes: material.shadowStrokes,
+    },
     lights,
     matrixWorld,
     camera,

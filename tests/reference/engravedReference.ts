@@ -15,6 +15,8 @@ export interface EngravedSettings {
   handmade: number;
   screenConstancy: number;
   strokeScale: number;
+  /** Default: 'tone'. */
+  shadowStrokes?: 'tone' | 'cross' | 'reorient';
 }
 
 export interface EngravedScene {
@@ -41,6 +43,8 @@ interface Families {
   /** Axes across that of the first and across each other; what crosses leans towards one of them. */
   sides: readonly [Vec3, Vec3];
   across: readonly [LineFunction, LineFunction];
+  /** What shadows cross it by leans the other way. */
+  shadows: readonly [LineFunction, LineFunction];
 }
 
 const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
@@ -114,17 +118,23 @@ function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { ax
   return { axis, bend: bend / vec3.length(mean) };
 }
 
-function familiesOf(scene: EngravedScene): Families {
+/** isDark: no light arrives, and lines run across their axis. */
+function familiesOf(scene: EngravedScene, isDark: boolean): Families {
   const { lineField, crossAngle } = scene.settings;
   const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
-  const { axis: toLight, bend } = lightOf(scene);
+  const light = lightOf(scene);
+  const { axis: toLight, bend } = isDark ? { axis: axisAcross(light.axis), bend: 0 } : light;
   const axis: Vec3 =
     lineField === 'light' ? toLight : lineField === 'towards' ? axisAcross(toLight) : [...axes[lineField]];
   const isLamp = lineField === 'light' && bend !== 0;
   const first = isLamp ? towardsLamp(axis.map((x) => x / bend) as Vec3) : alongAxis(axis);
-  const side = axisAcross(axis);
-  const leaning = (towards: Vec3) => combined(first, Math.cos(crossAngle), alongAxis(towards), Math.sin(crossAngle));
-  return { first, sides: [side, cross(axis, side)], across: [leaning(side), leaning(cross(axis, side))] };
+  const sides = [axisAcross(axis), cross(axis, axisAcross(axis))] as const;
+  const leaning = (angle: number) =>
+    sides.map((side) => combined(first, Math.cos(angle), alongAxis(side), Math.sin(angle))) as [
+      LineFunction,
+      LineFunction,
+    ];
+  return { first, sides, across: leaning(crossAngle), shadows: leaning(-crossAngle) };
 }
 
 /**
@@ -240,11 +250,9 @@ function hand(place: Vec3, { handmade }: EngravedSettings): { strayed: Vec3; pre
 }
 
 export class EngravedReference {
-  private readonly families: Families;
+  private readonly families = new Map<string, Families>();
 
-  constructor(private readonly scene: EngravedScene) {
-    this.families = familiesOf(scene);
-  }
+  constructor(private readonly scene: EngravedScene) {}
 
   /**
    * Darkness at one fragment.
@@ -255,43 +263,54 @@ export class EngravedReference {
    */
   darkness(place: Vec3, normal: Vec3, toneNormal: Vec3): number {
     const { reference, settings, centre } = this.scene;
-    const tone = reference.tone(reference.toWorld(place), unit(toneNormal));
-    if (tone >= 1) return 1;
+    const world = reference.toWorld(place);
+    const lit = unit(toneNormal);
+    const tone = reference.tone(world, lit);
+    const own = settings.shadowStrokes === 'cross' ? reference.tone(world, lit, false) : tone;
     const { strokeScale, crossFrom } = settings;
     const fromCentre = mixed(place, strokeScale, centre, -strokeScale);
     const { strayed, pressure } = hand(fromCentre, settings);
     const n = unit(normal);
     const plane = new ScreenPlane(this.scene, place, n);
-    const { first, sides, across } = this.families;
+    const { first, sides, across, shadows } = this.familiesAt(world, lit);
 
     // Where the surface lies in a level set of the first family, that has no lines.
     const slope = vec3.length(cross(n, first.gradient(strayed)));
     const has = smoothly(0.06, 0.18, slope);
-    // Above crossFrom it takes 0.4 of the tone; what it leaves blank too much the others cover, by the law of products.
-    const firstTone = has * (tone <= crossFrom ? tone : crossFrom + 0.4 * (tone - crossFrom));
-    const stillBlank = (1 - tone) / (1 - firstTone);
     // Squares of the sines at which the lines of the two cross those of the first.
-    const [b, c] = sides.map((side) => dot(n, cross(this.axis, side)) ** 2);
+    const axis = cross(...sides);
+    const [b, c] = sides.map((side) => dot(n, cross(axis, side)) ** 2);
     const share = 1 + has * (smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)) - 1);
-    const blankB = 1 + share * (stillBlank - 1);
-    const blank = [
-      [first, 1 - firstTone, slope],
-      [across[0], blankB, 1],
-      [across[1], stillBlank / blankB, 1],
-    ] as const;
-    return (
-      1 -
-      blank.reduce((product, [family, left, familySlope]) => {
-        const familyTone = 1 - left;
-        if (familyTone <= 1e-4 && family !== first) return product;
-        const pressed = familyTone + pressure * familyTone * (1 - familyTone);
-        const perPixel = strokeScale * plane.gradientLength(family.gradient(strayed));
-        return product * (1 - ruledDarkness(family.value(strayed), perPixel, familySlope, pressed, settings));
-      }, 1)
-    );
+    /** What two families leave blank that together leave as much as they are asked to. */
+    const leftByBoth = (two: readonly [LineFunction, LineFunction], blank: number) => {
+      const blankB = 1 + share * (blank - 1);
+      return leftBy(two[0], 1 - blankB, 1) * leftBy(two[1], 1 - blank / blankB, 1);
+    };
+    const leftBy = (family: LineFunction, familyTone: number, familySlope: number) => {
+      if (familyTone <= 1e-4 && family !== first) return 1;
+      const pressed = familyTone + pressure * familyTone * (1 - familyTone);
+      const perPixel = strokeScale * plane.gradientLength(family.gradient(strayed));
+      return 1 - ruledDarkness(family.value(strayed), perPixel, familySlope, pressed, settings);
+    };
+    if (tone >= 1) return 1;
+    // Above crossFrom it takes 0.4 of the tone; what it leaves blank too much the others cover, by the law of products.
+    const firstTone = has * (own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom));
+    const leftByOwn = leftBy(first, firstTone, slope) * leftByBoth(across, (1 - own) / (1 - firstTone));
+    return 1 - leftByOwn * leftByBoth(shadows, (1 - tone) / (1 - own));
   }
 
-  private get axis(): Vec3 {
-    return cross(this.families.sides[0], this.families.sides[1]);
+  /** Those of the lights that arrive there. */
+  private familiesAt(world: Vec3, toneNormal: Vec3): Families {
+    const { lights, reference } = this.scene;
+    const arriving = lights.filter((light) => !reference.turnsAway(light, toneNormal, world));
+    const isDark = arriving.length < lights.length && !arriving.some(({ type }) => DIRECTED.includes(type));
+    const key = `${isDark} ${lights.map((light) => arriving.includes(light))}`;
+    const known = this.families.get(key);
+    if (known) return known;
+    const families = familiesOf({ ...this.scene, lights: isDark ? lights : arriving }, isDark);
+    this.families.set(key, families);
+    return families;
   }
 }
+
+const DIRECTED: readonly ReferenceLight['type'][] = ['directional', 'point', 'spot'];

@@ -231,7 +231,7 @@ export class HatchingReference {
     const skies = this.scene.lights.filter((light) => light.type === 'hemisphere');
     for (const light of directed.length > 0 ? directed : skies) {
       let arriving = incident(light, worldCentre) ?? { direction: normalize(light.position!), color: light.color };
-      if (this.turnsAway(light, n, arriving.direction)) {
+      if (this.turnsAway(light, this.normalToWorld(n), worldCentre)) {
         arriving = { direction: normalize(cross(arriving.direction, [0, 1, 0])), color: [0, 0, 0] };
       }
       const toLight = normalize(
@@ -255,10 +255,10 @@ export class HatchingReference {
     return { bitangent: vec3.scaleAndAdd([0, 0, 0], along, e2, sign * Math.sin(angle)) as Vec3, crossing };
   }
 
-  /** Whether strokes where the light does not arrive count it no longer, from a sine of elevation of 0.05 on. n: object space. */
-  turnsAway(light: ReferenceLight, n: Vec3, toLight: Vec3): boolean {
+  /** Whether strokes count the light no longer where it does not arrive, from a sine of elevation of 0.05 on. n: world space. */
+  turnsAway(light: ReferenceLight, n: Vec3, at: Vec3): boolean {
     const isAsked = !!light.isBlocked && this.scene.material.shadowStrokes === 'reorient';
-    return isAsked && dot(this.normalToWorld(n), toLight) > 0.05;
+    return isAsked && dot(n, incident(light, at)!.direction) > 0.05;
   }
 
   /** Texture coordinates of an object-space point in the frame of a triangle: project (Algorithm 2), then measure. */
