@@ -302,6 +302,14 @@ export const PROPERTIES = {
     sentence:
       'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it.',
   },
+  occlusion: {
+    kind: 'number',
+    group: 'Tone',
+    default: 1,
+    range: { from: 0, to: 1 },
+    sentence:
+      'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
+  },
   normalMap: {
     kind: 'texture',
     group: 'Surface',

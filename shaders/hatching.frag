@@ -11,6 +11,7 @@ uniform float emissiveIntensity;
 uniform float opacity;
 
 varying vec3 vViewPosition;
+#include "occlusion"
 
 #include <common>
 #include "packing"
@@ -38,6 +39,7 @@ varying vec3 vViewPosition;
 #include "safeNormalize"
 #include "technique/read"
 #include "toneNormals"
+#include "occlude"
 #include "radiance"
 #include "tone"
 #include "hatch"
@@ -63,6 +65,7 @@ void main() {
   HatchingSurface material =
     HatchingSurface(normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0));
   #include <lights_fragment_begin>
+  occludeLights(material);
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
   material.radiance += luminance(totalEmissiveRadiance);

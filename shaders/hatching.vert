@@ -6,6 +6,7 @@
 #include "technique/varyings"
 
 varying vec3 vViewPosition;
+#include "occlusion"
 
 #include <common>
 #include <batching_pars_vertex>
@@ -19,6 +20,7 @@ varying vec3 vViewPosition;
 #include <logdepthbuf_pars_vertex>
 #include <clipping_planes_pars_vertex>
 
+#include "hatchNormal"
 #include "unitsPerPixel"
 #include "technique/vertex"
 
@@ -39,6 +41,8 @@ void main() {
   #include <clipping_planes_vertex>
 
   vViewPosition = -mvPosition.xyz;
+
+  #include "emitOcclusion"
 
   #include <worldpos_vertex>
   #include <shadowmap_vertex>

@@ -25,7 +25,9 @@ export type {
 export { HATCHING_DEFAULTS } from './material/hatchingProperties.js';
 export type { ApplyHatchingOptions } from './scene/applyHatching.js';
 export { applyHatching } from './scene/applyHatching.js';
+export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
+export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';
 export type { StrokeStyleName } from './strokes/strokeStyles.js';

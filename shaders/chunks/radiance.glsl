@@ -53,6 +53,12 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
 // three also hands over what only its own materials need: a sum called reflectedLight among it, which there is none of here.
 #define RE_Direct(light, at, normal, toViewer, clearcoat, surface, sum) addDirectRadiance(light, toViewer, surface)
 
+void occludeLights(inout HatchingSurface surface) {
+  float open = openToLights();
+  surface.radiance *= open;
+  surface.shadowed *= open;
+}
+
 float indirectRadiance(const in vec3 n) {
   vec3 irradiance = getAmbientLightIrradiance(ambientLightColor);
   #ifdef USE_LIGHT_PROBES
@@ -81,14 +87,14 @@ void addIndirectRadiance(inout HatchingSurface surface) {
   #ifdef USE_AOMAP
     radiance *= 1.0 - aoMapIntensity * (1.0 - texture2D(aoMap, vAoMapUv).r);
   #endif // USE_AOMAP
-  surface.radiance += radiance;
+  surface.radiance += openToSky() * radiance;
 }
 
 // What the surroundings throw back of one light: they are a sky of that light from the opposite side, so shade is
 // darkest at the terminator and opens up behind it (an engraver's reflected light).
 void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSurface surface) {
   PerToneNormal seen = 0.5 - 0.5 * cosines(toLight, surface.normals);
-  surface.radiance += reflectedLight * luminance(color) * RECIPROCAL_PI * seen;
+  surface.radiance += openToSky() * reflectedLight * luminance(color) * RECIPROCAL_PI * seen;
 }
 
 // The same of all lights that have a direction. Light from all around knows no shadow and no cone.

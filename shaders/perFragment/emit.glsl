@@ -9,7 +9,7 @@ mat3 deformedToRest = mat3(1.0);
 #endif // USE_MORPHNORMALS
 
 // Geometry that was never prepared still has its own normals.
-vec3 strokeNormal = dot(hatchNormal, hatchNormal) > 0.25 ? hatchNormal : normal;
+vec3 strokeNormal = dot(hatchNormal.xyz, hatchNormal.xyz) > 0.25 ? hatchNormal.xyz : normal;
 #if STROKE_ANCHOR == STROKE_ANCHOR_REST
   vec3 anchorPosition = position;
   mat3 viewToAnchor = deformedToRest * viewToObject;

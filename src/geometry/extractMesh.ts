@@ -9,21 +9,22 @@ import type { VertexAttribute } from './vertexAttributes.js';
  */
 export function extractMesh(geometry: BufferGeometry, range: CornerRange): TriangleMesh {
   const position = geometry.attributes.position;
-  return { positions: copyPositions(position), indices: copyIndices(geometry, range) };
+  return { positions: copyVectors(position), indices: copyIndices(geometry, range) };
 }
 
-function copyPositions(position: VertexAttribute): Float32Array<ArrayBuffer> {
-  const length = 3 * position.count;
-  if (!('data' in position) && position.array instanceof Float32Array && position.itemSize === 3) {
-    return new Float32Array(position.array.subarray(0, length));
+/** x, y, z of every entry, as the vertex shader would see them. */
+export function copyVectors(attribute: VertexAttribute): Float32Array<ArrayBuffer> {
+  const length = 3 * attribute.count;
+  if (!('data' in attribute) && attribute.array instanceof Float32Array && attribute.itemSize === 3) {
+    return new Float32Array(attribute.array.subarray(0, length));
   }
-  const positions = new Float32Array(length);
-  for (let vertex = 0; vertex < position.count; vertex++) {
-    positions[3 * vertex] = position.getX(vertex);
-    positions[3 * vertex + 1] = position.getY(vertex);
-    positions[3 * vertex + 2] = position.itemSize > 2 ? position.getZ(vertex) : 0;
+  const vectors = new Float32Array(length);
+  for (let vertex = 0; vertex < attribute.count; vertex++) {
+    vectors[3 * vertex] = attribute.getX(vertex);
+    vectors[3 * vertex + 1] = attribute.getY(vertex);
+    vectors[3 * vertex + 2] = attribute.itemSize > 2 ? attribute.getZ(vertex) : 0;
   }
-  return positions;
+  return vectors;
 }
 
 function copyIndices({ index }: BufferGeometry, { start, count }: CornerRange): Uint32Array<ArrayBuffer> {

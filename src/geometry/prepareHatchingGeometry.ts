@@ -93,7 +93,7 @@ const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
 /**
  * Makes the geometry that `HatchingMaterial` draws. Runs in a worker. Every layout has the attribute `hatchNormal`, the
- * normal at the scale of a stroke (four normalised 16-bit integers, the last is 0).
+ * normal at the scale of a stroke (four normalised 16-bit integers; the last is 0, and `bakeOcclusion` writes there).
  *
  * - Layout `'corner'`: finds the three neighbours of every triangle and stores, for each corner, the positions of the six
  *   adjacency vertices (Suarez et al., section 3.2, figure 5; see `cornerLayout.ts`). Non-indexed; positions become 32-bit

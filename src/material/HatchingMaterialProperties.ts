@@ -144,6 +144,11 @@ export interface HatchingMaterialOptions {
    */
   reflectedLight: number;
   /**
+   * How much ambient occlusion counts that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
+   * light. Without such a bake it does nothing. In [0, 1]. Default `1`.
+   */
+  occlusion: number;
+  /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`.
    */
@@ -219,6 +224,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     toneSteps: HATCHING_DEFAULTS.toneSteps as number,
     shininess: HATCHING_DEFAULTS.shininess as number,
     reflectedLight: HATCHING_DEFAULTS.reflectedLight as number,
+    occlusion: HATCHING_DEFAULTS.occlusion as number,
     bumpScale: HATCHING_DEFAULTS.bumpScale as number,
     aoMapIntensity: HATCHING_DEFAULTS.aoMapIntensity as number,
     lightMapIntensity: HATCHING_DEFAULTS.lightMapIntensity as number,
@@ -525,6 +531,18 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set reflectedLight(value: number) {
     this.numbers.reflectedLight = checkNumber('reflectedLight', value, HATCHING_PROPERTIES.reflectedLight.range);
+  }
+
+  /**
+   * How much ambient occlusion counts that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
+   * light. Without such a bake it does nothing. In [0, 1]. Default `1`.
+   */
+  get occlusion(): number {
+    return this.numbers.occlusion;
+  }
+
+  set occlusion(value: number) {
+    this.numbers.occlusion = checkNumber('occlusion', value, HATCHING_PROPERTIES.occlusion.range);
   }
 
   /**

@@ -8,6 +8,9 @@ import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
 import { imageBuffers } from '../hatchImages/imageBuffers.js';
+import { addDirections } from '../occlusion/addDirections.js';
+import { occlusionSceneBuffers } from '../occlusion/occlusionBuffers.js';
+import { startOcclusion } from '../occlusion/startOcclusion.js';
 
 /** A long computation that the worker can run. Requests and results are plain data. */
 interface Task<Request, Result> {
@@ -36,6 +39,14 @@ export const tasks = {
   completeHatchImages: /* @__PURE__ */ task({
     run: completeHatchImages,
     resultBuffers: (result) => [...imageBuffers(result), ...thresholdBuffers(result.thresholds)],
+  }),
+  startOcclusion: /* @__PURE__ */ task({ run: startOcclusion, resultBuffers: occlusionSceneBuffers }),
+  addDirections: /* @__PURE__ */ task({
+    run: addDirections,
+    resultBuffers: ({ scene, occlusions }) => [
+      ...occlusionSceneBuffers(scene),
+      ...occlusions.map(({ buffer }) => buffer),
+    ],
   }),
 };
 

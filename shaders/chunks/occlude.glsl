@@ -1,0 +1,12 @@
+// What occlusion takes of the light. Light from all around loses the share of the sky that is hidden. Light with a direction may
+// well arrive, yet cavities must read under any: it loses the square, so that gentle folds stay clear and the deep ones close.
+uniform float occlusion; // how much of it counts
+
+float openToSky() {
+  return 1.0 - occlusion * vOcclusion;
+}
+
+float openToLights() {
+  float hidden = occlusion * vOcclusion;
+  return 1.0 - hidden * hidden;
+}

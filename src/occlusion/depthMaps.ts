@@ -1,0 +1,106 @@
+import { forEachChunk } from '../slices/forEachChunk.js';
+import type { MapAxes } from './directions.js';
+import { MAP_SIZE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
+
+/** What is in the way on either end of every line of sight along one axis. */
+export interface DepthMaps {
+  /** The greatest depth at the middle of each pixel, counted towards the one sky; −∞ where there is nothing. */
+  highest: Float32Array;
+  /** The least, as seen from the opposite sky; ∞ where there is nothing. */
+  lowest: Float32Array;
+  /** x, y in pixels and depth of each vertex. */
+  drawn: Float32Array;
+}
+
+export const createDepthMaps = (vertices: number): DepthMaps => ({
+  highest: new Float32Array(MAP_SIZE * MAP_SIZE),
+  lowest: new Float32Array(MAP_SIZE * MAP_SIZE),
+  drawn: new Float32Array(3 * vertices),
+});
+
+/** Takes points to pixels and depth: rows of a matrix. */
+export type Projection = Float64Array;
+
+/** The projection of a view along an axis, with x, y in pixels and depth in world units. */
+export function projectionOf({ right, up, towards }: MapAxes, { center, radius }: OcclusionView): Projection {
+  const pixels = MAP_SIZE / (2 * radius);
+  const rows = [right.map((x) => pixels * x), up.map((x) => pixels * x), towards];
+  return Float64Array.from(
+    rows.flatMap((row, i) => {
+      const atCenter = row[0] * center[0] + row[1] * center[1] + row[2] * center[2];
+      return [...row, (i < 2 ? MAP_SIZE / 2 : 0) - atCenter];
+    }),
+  );
+}
+
+/** Draws all triangles, front and back, for both skies at once. */
+export function* drawDepths(
+  maps: DepthMaps,
+  { positions, indices }: OcclusionScene,
+  projection: Projection,
+): Generator<number, void, void> {
+  maps.highest.fill(-Infinity);
+  maps.lowest.fill(Infinity);
+  yield* forEachChunk(positions.length / 3, (start, end) => project(positions, maps.drawn, projection, start, end));
+  yield* forEachChunk(indices.length / 3, (start, end) => drawTriangles(maps, indices, start, end));
+}
+
+function project(points: Float32Array, drawn: Float32Array, p: Projection, start: number, end: number): void {
+  for (let i = 3 * start; i < 3 * end; i += 3) {
+    const x = points[i];
+    const y = points[i + 1];
+    const z = points[i + 2];
+    drawn[i] = p[0] * x + p[1] * y + p[2] * z + p[3];
+    drawn[i + 1] = p[4] * x + p[5] * y + p[6] * z + p[7];
+    drawn[i + 2] = p[8] * x + p[9] * y + p[10] * z + p[11];
+  }
+}
+
+/** Edges belong to both their triangles, so that rounding leaves no gap. */
+const EDGE = -1e-5;
+
+function drawTriangles({ highest, lowest, drawn }: DepthMaps, indices: Uint32Array, start: number, end: number): void {
+  const size = MAP_SIZE;
+  const last = size - 1;
+  for (let corner = 3 * start; corner < 3 * end; corner += 3) {
+    const a = 3 * indices[corner];
+    const b = 3 * indices[corner + 1];
+    const c = 3 * indices[corner + 2];
+    const ax = drawn[a];
+    const ay = drawn[a + 1];
+    const bx = drawn[b] - ax;
+    const by = drawn[b + 1] - ay;
+    const cx = drawn[c] - ax;
+    const cy = drawn[c + 1] - ay;
+    const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
+    const right = Math.min(last, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
+    if (!(left <= right)) continue;
+    const bottom = Math.max(0, Math.ceil(ay + Math.min(0, by, cy) - 0.5));
+    const top = Math.min(last, Math.floor(ay + Math.max(0, by, cy) - 0.5));
+    if (!(bottom <= top)) continue;
+    const area = bx * cy - by * cx;
+    if (area === 0) continue;
+    const az = drawn[a + 2];
+    const bz = drawn[b + 2] - az;
+    const cz = drawn[c + 2] - az;
+    // Shares of b and c at the middle of a pixel, and how they change to the right.
+    const stepB = cy / area;
+    const stepC = -by / area;
+    for (let y = bottom; y <= top; y++) {
+      const px = left + 0.5 - ax;
+      const py = y + 0.5 - ay;
+      let shareB = (px * cy - py * cx) / area;
+      let shareC = (bx * py - by * px) / area;
+      const end = y * size + right;
+      for (let pixel = y * size + left; pixel <= end; pixel++) {
+        if (shareB >= EDGE && shareC >= EDGE && shareB + shareC <= 1 - EDGE) {
+          const depth = az + shareB * bz + shareC * cz;
+          if (depth > highest[pixel]) highest[pixel] = depth;
+          if (depth < lowest[pixel]) lowest[pixel] = depth;
+        }
+        shareB += stepB;
+        shareC += stepC;
+      }
+    }
+  }
+}
