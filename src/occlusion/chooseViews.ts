@@ -1,9 +1,9 @@
 import type { OcclusionView } from './OcclusionScene.js';
 
-/** Share of the samples that depth maps must show as large as they can. */
+/** Share of the samples that are the many. */
 const MOST = 0.98;
-/** Where the rest reaches this much farther, it gets maps of its own. */
-const FARTHER = 1.6;
+/** What lies this much farther out than they gets maps of its own. */
+const FARTHER = 1.5;
 /** Pixels on the border of a map stay free. */
 const MARGIN = 1.02;
 
@@ -32,13 +32,14 @@ export function chooseViews(positions: Float32Array): OcclusionView[] {
     );
   }
   const sorted = distances.slice().sort();
-  const near = sorted[Math.round(MOST * (count - 1))];
-  const far = sorted[count - 1];
-  const view = (limit: number, isIn: (distance: number) => boolean): OcclusionView => ({
+  const limit = FARTHER * sorted[Math.round(MOST * (count - 1))];
+  const near = sorted.findLast((distance) => distance <= limit) ?? 0;
+  const view = (reach: number, isIn: (distance: number) => boolean): OcclusionView => ({
     center,
-    radius: MARGIN * limit || 1,
+    radius: MARGIN * reach || 1,
     samples: Uint32Array.from(distances.keys()).filter((i) => isIn(distances[i])),
   });
-  if (!(far > FARTHER * near)) return [view(far, () => true)];
+  const far = sorted[count - 1];
+  if (far === near) return [view(far, () => true)];
   return [view(near, (distance) => distance <= near), view(far, (distance) => distance > near)];
 }

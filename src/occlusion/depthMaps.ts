@@ -80,27 +80,34 @@ function drawTriangles({ highest, lowest, drawn }: DepthMaps, indices: Uint32Arr
     if (!(bottom <= top)) continue;
     const area = bx * cy - by * cx;
     if (area === 0) continue;
+    // Shares of b and c at the middle of the first pixel, and how they change to the right and upwards.
+    const perArea = 1 / area;
+    const rightB = cy * perArea;
+    const rightC = -by * perArea;
+    const upB = -cx * perArea;
+    const upC = bx * perArea;
+    const px = left + 0.5 - ax;
+    const py = bottom + 0.5 - ay;
+    let rowB = px * rightB + py * upB;
+    let rowC = px * rightC + py * upC;
     const az = drawn[a + 2];
     const bz = drawn[b + 2] - az;
     const cz = drawn[c + 2] - az;
-    // Shares of b and c at the middle of a pixel, and how they change to the right.
-    const stepB = cy / area;
-    const stepC = -by / area;
-    for (let y = bottom; y <= top; y++) {
-      const px = left + 0.5 - ax;
-      const py = y + 0.5 - ay;
-      let shareB = (px * cy - py * cx) / area;
-      let shareC = (bx * py - by * px) / area;
-      const end = y * size + right;
-      for (let pixel = y * size + left; pixel <= end; pixel++) {
+    const width = right - left;
+    for (let row = bottom * size + left; row <= top * size + left; row += size) {
+      let shareB = rowB;
+      let shareC = rowC;
+      for (let pixel = row; pixel <= row + width; pixel++) {
         if (shareB >= EDGE && shareC >= EDGE && shareB + shareC <= 1 - EDGE) {
           const depth = az + shareB * bz + shareC * cz;
           if (depth > highest[pixel]) highest[pixel] = depth;
           if (depth < lowest[pixel]) lowest[pixel] = depth;
         }
-        shareB += stepB;
-        shareC += stepC;
+        shareB += rightB;
+        shareC += rightC;
       }
+      rowB += upB;
+      rowC += upC;
     }
   }
 }

@@ -24,13 +24,13 @@ export function toWorldNormals(
   const turn = sign * Math.sign(a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e));
   const cofactors = [
     e * i - f * h,
-    f * g - d * i,
-    d * h - e * g,
     c * h - b * i,
-    a * i - c * g,
-    b * g - a * h,
     b * f - c * e,
+    f * g - d * i,
+    a * i - c * g,
     c * d - a * f,
+    d * h - e * g,
+    b * g - a * h,
     a * e - b * d,
   ];
   const turned = new Float32Array(normals.length);

@@ -6,6 +6,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import {
   applyHatching,
+  bakeOcclusion,
   HatchingMaterial,
   type HatchingMaterialParameters,
   prepareHatchingGeometry,
@@ -89,6 +90,7 @@ const toolkit = {
   mergeGeometries,
   RoomEnvironment,
   applyHatching,
+  bakeOcclusion,
   HatchingMaterial,
   prepareHatchingGeometry,
   TonalArtMap,
