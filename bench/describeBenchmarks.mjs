@@ -7,6 +7,7 @@ const titles = {
   lines: 'Lines',
   shadows: 'Shadows',
   bake: 'The bake by phase',
+  occlusion: 'Ambient occlusion',
   upload: 'Upload',
   tam: 'Maps',
   drop: 'From drop to first frame',
@@ -23,6 +24,7 @@ adds to the frame. The shadow map is drawn once, before.`,
   bake: `The steps of the bake on one thread of the page. \`check\` validates and measures the bounds, \`weld\` joins equal positions, \`pair\` computes
 the normals of triangles and finds the twins of edges, \`creases\` cuts at the crease angle and finds the edges of the form, \`normals\` smooths the hatch normals, \`pack\` writes a
 layout; \`transfer\` hands the request to a worker and takes the result of the \`corner\` layout from it.`,
+  occlusion: `\`bakeOcclusion\` of one model of the layout \`corner\` with the default number of directions, in the library's worker.`,
   upload: `How much longer a frame takes for which the geometry has to be given to the graphics card: what \`bufferData\` and \`texImage2D\`
 cost. One triangle is drawn.`,
   tam: '`TonalArtMap.generate` does this in a worker.',

@@ -38,8 +38,8 @@ for (const technique of techniques) {
         seen++;
         expect(at(open, x, y)[0]).toBe(255);
         // Half of a sphere is open, and every place in it sees the opening alike.
-        expect(Math.abs(at(baked, x, y)[0] / 255 - 0.5), `at ${x}, ${y}`).toBeLessThan(0.04);
-        expect(Math.abs(at(half, x, y)[0] / 255 - 0.75), `at ${x}, ${y}`).toBeLessThan(0.03);
+        expect(Math.abs(at(baked, x, y)[0] / 255 - 0.5), `at ${x}, ${y}`).toBeLessThan(0.06);
+        expect(Math.abs(at(half, x, y)[0] / 255 - 0.75), `at ${x}, ${y}`).toBeLessThan(0.035);
       }
     }
     expect(seen).toBeGreaterThan(2000);
@@ -61,8 +61,8 @@ for (const technique of techniques) {
     // The wall ends at ±33 pixels from the middle, and the shelf covers five.
     expect(change(SIZE / 2 + 8)).toBeGreaterThan(30);
     expect(change(SIZE / 2 - 9)).toBeGreaterThan(30);
-    expect(change(SIZE / 2 + 30)).toBeLessThan(8);
-    expect(change(SIZE / 2 - 31)).toBeLessThan(8);
+    expect(change(SIZE / 2 + 30)).toBeLessThan(12);
+    expect(change(SIZE / 2 - 31)).toBeLessThan(12);
     expect(change(SIZE / 2 + 8)).toBeGreaterThan(change(SIZE / 2 + 16));
   });
 }
