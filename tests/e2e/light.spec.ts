@@ -175,3 +175,14 @@ test('a light that illustrators use is one press, and one undo', async ({ page }
   await page.getByRole('button', { name: 'Undo' }).click();
   expect((await lampPlace(page)).elevation).toBeCloseTo(5, 0);
 });
+
+test('hollows become darker when asked for, by the light of the page', async ({ page }) => {
+  const view = 'model=teapot&lines=off&debugView=tone&lightAzimuth=30&lightElevation=60';
+  await openPlayground(page, view);
+  const open = await readDrawing(page);
+  await openPlayground(page, `${view}&occlusion=100`);
+  const hollow = await readDrawing(page);
+  expect(changedShare(open, hollow)).toBeGreaterThan(0.01);
+  const [before, after] = [open, hollow].map((picture) => meanInk(picture, { left: 0, top: 0, right: 1, bottom: 1 }));
+  expect(after).toBeGreaterThan(before + 0.002);
+});

@@ -1,6 +1,7 @@
 // What engraving needs to know at this fragment: the function that lines are level sets of, and how it lies on the surface and
 // on the screen.
 #include "technique/fieldAxis"
+#include "technique/arrivingLight"
 #include "technique/hand"
 #include "technique/screenGradient"
 
@@ -20,7 +21,8 @@ struct HatchingParameters {
   float shareB; // of what crosses, by how well its lines run across those of the first on the surface
 };
 
-HatchingParameters engravedParameters(const in Field field) {
+HatchingParameters readHatchingParameters() {
+  Field field = firstField(arrivingLight());
   HatchingParameters h;
   vec3 normal = safeNormalize(vFieldNormal);
   vec3 waves = slowWaves(3.5 * vFieldPoint);
@@ -39,8 +41,4 @@ HatchingParameters engravedParameters(const in Field field) {
   float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
   h.shareB = mix(1.0, smoothstep(-0.35, 0.35, between), h.has);
   return h;
-}
-
-HatchingParameters readHatchingParameters() {
-  return engravedParameters(firstField(vFieldLight));
 }

@@ -5,18 +5,8 @@
     return tone >= 1.0 ? 1.0 : darkness;
   }
 #else
-  #include "technique/lightField"
-
-  // The field of the lights that arrive; where none does, across the light. It is one for all places where the same do.
+  // The field was that of the lights that arrive.
   HatchingParameters reorientedInShadow(const in HatchingParameters h) {
-    bool isAny = false;
-    bool isAll = true;
-    for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) {
-      isAny = isAny || isLightShadowed[i];
-      isAll = isAll && isLightShadowed[i];
-    }
-    if (!isAny) return h;
-    if (isAll) return engravedParameters(firstField(vec4(across(vFieldLight.xyz), 0.0)));
-    return engravedParameters(firstField(fieldLight(vViewToField, -vViewPosition, vFieldPoint)));
+    return h;
   }
 #endif // SHADOW_STROKES

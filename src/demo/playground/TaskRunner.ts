@@ -3,11 +3,11 @@ import { errorMessage } from '../files/errorMessage.js';
 import { ModelError } from '../files/ModelError.js';
 import type { Status } from './Status.js';
 
-type Slot = 'model' | 'map';
+type Slot = 'model' | 'map' | 'occlusion';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
 /**
- * Runs the page's long tasks, at most one for the model and one for the map. The status line shows them and can cancel
+ * Runs the page's long tasks, at most one for the model, one for the map and one for occlusion. The status line shows them and can cancel
  * them.
  */
 export class TaskRunner {
@@ -59,7 +59,7 @@ export class TaskRunner {
   }
 
   private show(): void {
-    const entry = this.running.get('model') ?? this.running.get('map');
+    const entry = this.running.get('model') ?? this.running.get('map') ?? this.running.get('occlusion');
     if (!entry) this.status.idle();
     else this.status.working(entry.stage, entry.progress, () => this.cancel());
   }

@@ -14,6 +14,7 @@ import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
 import { MotionPanel } from './MotionPanel.js';
 import { areMapFiles } from './mapFiles.js';
+import { OcclusionLoader } from './OcclusionLoader.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
 import { SettingsPanel } from './SettingsPanel.js';
@@ -47,6 +48,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     if (isNewModel) motion.show(scene.model?.motion);
     applySettings();
   });
+  const occlusion = new OcclusionLoader(scene, settings, tasks);
   const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
   const exportActions = new ExportActions(scene, settings, modelLoader, status, currentLink);
   const lamp = new LightHandle(page.lamp, {
@@ -135,6 +137,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   function applySettings(): void {
     scene.apply(settings);
+    occlusion.update();
     const { compare, technique } = settings;
     const isCompared = compare !== 'none';
     scene.compareWith(isCompared ? () => divider.share : undefined);

@@ -45,6 +45,7 @@ const TWINS = {
   handmade: percent('handmade'),
   edge: same('edgePixels'),
   levelRule: same('levelRule'),
+  occlusion: percent('occlusion'),
   shadowStrokes: same('shadowStrokes'),
   toneModel: same('toneModel'),
   toneNormal: same('toneNormal'),

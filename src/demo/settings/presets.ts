@@ -82,4 +82,5 @@ export const firstView = (): Settings => ({
   shadows: 'on',
   shadowStrokes: 'cross',
   ground: 'shadow',
+  occlusion: 60,
 });

@@ -420,6 +420,16 @@ export const SETTINGS = {
     max: 60,
     step: 1,
   },
+  occlusion: {
+    kind: 'number',
+    label: 'Dark hollows',
+    group: 'Light',
+    default: 0,
+    unit: '%',
+    min: 0,
+    max: 100,
+    step: 5,
+  },
   shadows: {
     kind: 'choice',
     label: 'Shadows',

@@ -19,11 +19,10 @@ const REACH = 1.05;
 const SHADOW_NEAR = 0.05;
 const SHADOW_FAR = 7;
 const SHADOW_MAP_SIZE = 2048;
-const SHADOW_BIAS = -0.002;
 /** In units of the model. */
 const SHADOW_NORMAL_BIAS = 0.02;
 /** In texels. */
-const SHADOW_SOFTNESS = 1.5;
+const SHADOW_SOFTNESS = 1;
 
 const before = new Vector3();
 
@@ -46,7 +45,6 @@ export class LightRig {
     for (const { shadow } of [sun, point, spot, this.second]) {
       Object.assign(shadow.camera, { near: SHADOW_NEAR, far: SHADOW_FAR });
       shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
-      shadow.bias = SHADOW_BIAS;
       shadow.normalBias = SHADOW_NORMAL_BIAS;
       shadow.radius = SHADOW_SOFTNESS;
     }

@@ -1,0 +1,21 @@
+// The light of the field at this fragment.
+#ifdef REORIENTS_IN_SHADOW
+  #include "technique/lightField"
+
+  // Of the lights that arrive; where none does, across the light. It is one for all places where the same do.
+  vec4 arrivingLight() {
+    bool isAny = false;
+    bool isAll = true;
+    for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) {
+      isAny = isAny || isLightShadowed[i];
+      isAll = isAll && isLightShadowed[i];
+    }
+    if (!isAny) return vFieldLight;
+    if (isAll) return vec4(across(vFieldLight.xyz), 0.0);
+    return fieldLight(vViewToField, -vViewPosition, vFieldPoint);
+  }
+#else
+  vec4 arrivingLight() {
+    return vFieldLight;
+  }
+#endif // REORIENTS_IN_SHADOW

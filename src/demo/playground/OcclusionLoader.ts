@@ -1,0 +1,39 @@
+import { bakeOcclusion, type OcclusionBake } from 'three-hatching';
+import type { HatchedModel } from '../drawing/HatchedModel.js';
+import type { Settings } from '../settings/settings.js';
+import type { HatchingScene } from '../stage/createScene.js';
+import type { TaskRunner } from './TaskRunner.js';
+
+const STAGE = 'darkening hollows';
+
+/** Bakes the occlusion of the model that is shown, once, when the settings first ask for it. */
+export class OcclusionLoader {
+  /** The model that was baked, also if that failed or was cancelled. */
+  private model: HatchedModel | undefined;
+  private bake: OcclusionBake | undefined;
+
+  constructor(
+    private readonly scene: HatchingScene,
+    private readonly settings: Settings,
+    private readonly tasks: TaskRunner,
+  ) {}
+
+  /** To be called when the model or the settings have changed. */
+  update(): void {
+    const { model } = this.scene;
+    if (model === this.model || !model || this.settings.occlusion === 0) return;
+    this.model = model;
+    this.bake?.dispose();
+    this.bake = undefined;
+    void this.tasks.run('occlusion', async (report, signal) => {
+      report(STAGE);
+      const bake = await bakeOcclusion(model.root, {
+        signal,
+        onProgress: (progress) => report(STAGE, progress),
+        onPass: () => this.scene.invalidate(),
+      });
+      if (signal.aborted) bake.dispose();
+      else this.bake = bake;
+    });
+  }
+}
