@@ -1,7 +1,7 @@
 import { ShaderChunk } from 'three';
 
 /** How many samples on each side of the middle a soft edge takes at most. */
-const MOST_SAMPLES = 4;
+const MOST_SAMPLES = '4.0';
 
 /**
  * Functions of the steady kernel. A sample of a comparing sampler is the bilinear mean of four comparisons, so samples no more
@@ -9,7 +9,7 @@ const MOST_SAMPLES = 4;
  */
 const STEADY_KERNEL = `
 int samplesAside(const in float radius) {
-  return int(clamp(ceil(radius), 0.0, ${MOST_SAMPLES.toFixed(1)}));
+  return int(clamp(ceil(radius), 0.0, ${MOST_SAMPLES}));
 }
 
 float tentWeight(const in int x, const in int y, const in int n) {
