@@ -45,9 +45,9 @@ export const PROPERTIES = {
     default: 0,
     unit: 'radians',
     uniform: false,
-    techniques: WITH_MAP,
+    techniques: [...WITH_MAP, 'engraved'],
     sentence:
-      'Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it (figure 14).',
+      "Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
   },
   strokeOffset: {
     kind: 'vector2',

@@ -33,7 +33,8 @@ export interface HatchingMaterialOptions {
   strokeScale: number;
   /**
    * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
-   * (figure 14). Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
+   * `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -264,7 +265,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
-   * (figure 14). Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
+   * `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
    */
   get strokeRotation(): number {
     return this.numbers.strokeRotation;

@@ -152,7 +152,7 @@ export const HATCHING_PROPERTIES = {
   tonalArtMap: { kind: 'tonalArtMap' },
   technique: { kind: 'choice', choices: ['triangle', 'adjacency', 'anchored', 'engraved'] },
   strokeScale: { kind: 'number', uniform: 'strokeScale', range: { above: 0 } },
-  strokeRotation: { kind: 'number', techniques: ['triangle', 'adjacency', 'anchored'] },
+  strokeRotation: { kind: 'number', techniques: ['triangle', 'adjacency', 'anchored', 'engraved'] },
   strokeOffset: { kind: 'vector2', techniques: ['triangle', 'adjacency'] },
   strokeAnchor: { kind: 'choice', define: 'STROKE_ANCHOR', choices: ['rest', 'deformed'] },
   crisp: { kind: 'switch', define: 'CRISP', techniques: ['triangle', 'adjacency'] },

@@ -87,6 +87,14 @@ const cases: Case[] = [
   { name: 'no light with a direction', lights: [hemisphere] },
   { name: 'a near lamp', lights: [lamp] },
   { name: 'a near lamp, rotated, moved and scaled object', lights: [lamp], matrixWorld: placed },
+  { name: 'turned from the light', material: { strokeRotation: 0.7 } },
+  {
+    name: 'turned from the direction to the light',
+    material: { strokeRotation: 0.4 },
+    lines: { lineField: 'towards' },
+  },
+  { name: 'turned from a near lamp', lights: [lamp], material: { strokeRotation: -0.6 } },
+  { name: 'turned beyond a near lamp', lights: [lamp], material: { strokeRotation: 2.2 } },
   { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
   { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
   { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
@@ -125,6 +133,7 @@ function expected(spec: HatchingSpec, subpixelBits: number): Map<number, Vec3> {
     reference,
     settings: {
       ...lines!,
+      strokeRotation: material.strokeRotation,
       strokeScale: material.strokeScale,
       screenConstancy: screenConstancy!,
       shadowStrokes: material.shadowStrokes,

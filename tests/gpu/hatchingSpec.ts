@@ -4,7 +4,7 @@ import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
 
 /** What only `engraved` has. */
-export type LineSettings = Omit<EngravedSettings, 'screenConstancy' | 'strokeScale'>;
+export type LineSettings = Omit<EngravedSettings, 'screenConstancy' | 'strokeScale' | 'strokeRotation'>;
 
 /** A picture to render, as plain data: what the test page and the reference both understand. */
 export interface HatchingSpec {

@@ -8,6 +8,8 @@ import type { ReferenceCamera } from './rasterizeReference.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
 export interface EngravedSettings {
+  /** Radians. */
+  strokeRotation: number;
   lineField: 'light' | 'towards' | 'x' | 'y' | 'z';
   lineSpacing: number;
   crossFrom: number;
@@ -61,10 +63,10 @@ const smoothly = (from: number, to: number, x: number) => {
 
 const alongAxis = (axis: Vec3): LineFunction => ({ value: (place) => dot(place, axis), gradient: () => axis });
 
-/** How much nearer a lamp is than to the centre. */
-const towardsLamp = (lamp: Vec3): LineFunction => ({
-  value: (place) => vec3.length(lamp) - vec3.distance(place, lamp),
-  gradient: (place) => unit(mixed(lamp, 1, place, -1)),
+/** How much nearer a lamp is than to the centre; or farther, with a sign of −1. */
+const towardsLamp = (lamp: Vec3, sign: number): LineFunction => ({
+  value: (place) => sign * (vec3.length(lamp) - vec3.distance(place, lamp)),
+  gradient: (place) => mixed(unit(mixed(lamp, 1, place, -1)), sign, lamp, 0),
 });
 
 const combined = (a: LineFunction, s: number, b: LineFunction, t: number): LineFunction => ({
@@ -120,14 +122,19 @@ function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { ax
 
 /** isDark: no light arrives, and lines run across their axis. */
 function familiesOf(scene: EngravedScene, isDark: boolean): Families {
-  const { lineField, crossAngle } = scene.settings;
+  const { lineField, crossAngle, strokeRotation } = scene.settings;
   const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
   const light = lightOf(scene);
   const { axis: toLight, bend } = isDark ? { axis: axisAcross(light.axis), bend: 0 } : light;
-  const axis: Vec3 =
-    lineField === 'light' ? toLight : lineField === 'towards' ? axisAcross(toLight) : [...axes[lineField]];
-  const isLamp = lineField === 'light' && bend !== 0;
-  const first = isLamp ? towardsLamp(axis.map((x) => x / bend) as Vec3) : alongAxis(axis);
+  // Towards the light is a quarter turn from the tangent to it.
+  const angle = strokeRotation + (lineField === 'towards' ? Math.PI / 2 : 0);
+  const isOfLight = lineField === 'light' || lineField === 'towards';
+  const axis: Vec3 = isOfLight
+    ? mixed(toLight, Math.cos(angle), axisAcross(toLight), Math.sin(angle))
+    : [...axes[lineField]];
+  const turnedBend = isOfLight ? bend * Math.cos(angle) : 0;
+  const isLamp = Math.abs(turnedBend) > 1e-9;
+  const first = isLamp ? towardsLamp(axis.map((x) => x / turnedBend) as Vec3, Math.sign(turnedBend)) : alongAxis(axis);
   const sides = [axisAcross(axis), cross(axis, axisAcross(axis))] as const;
   const leaning = (angle: number) =>
     sides.map((side) => combined(first, Math.cos(angle), alongAxis(side), Math.sin(angle))) as [

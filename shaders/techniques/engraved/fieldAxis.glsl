@@ -9,12 +9,14 @@ vec3 across(const in vec3 axis) {
   return normalize(abs(axis.y) < 0.8 ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(0.0, 0.0, 1.0)));
 }
 
+uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes are turned from the tangent to the light
+
 // light: towards it, unit, and one over its distance, field space.
 Field firstField(const in vec4 light) {
   #if LINE_FIELD == LINE_FIELD_LIGHT
-    return Field(light.xyz, light.w);
+    return Field(strokeDirection.x * light.xyz + strokeDirection.y * across(light.xyz), strokeDirection.x * light.w);
   #elif LINE_FIELD == LINE_FIELD_TOWARDS
-    return Field(across(light.xyz), 0.0);
+    return Field(strokeDirection.x * across(light.xyz) - strokeDirection.y * light.xyz, -strokeDirection.y * light.w);
   #elif LINE_FIELD == LINE_FIELD_X
     return Field(vec3(1.0, 0.0, 0.0), 0.0);
   #elif LINE_FIELD == LINE_FIELD_Y

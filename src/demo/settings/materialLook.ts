@@ -76,17 +76,23 @@ export function materialLook(
   settings: Settings,
   technique: Settings['technique'] = settings.technique,
 ): HatchingMaterialParameters {
-  const { strokeDirection, strokeAngle, offsetU, offsetV } = settings;
+  const { offsetU, offsetV } = settings;
   return {
     technique: technique === 'adjacencyCrisp' ? 'adjacency' : technique,
     crisp: technique === 'adjacencyCrisp',
-    strokeRotation: strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : ROTATIONS[strokeDirection],
+    strokeRotation: rotationOf(settings, technique),
     strokeOffset: new Vector2(offsetU, offsetV),
     toneCurve: TONE_CURVES[settings.toneCurve],
     ...Object.fromEntries(
       entriesOf(TWINS).map(([key, { property, toProperty }]) => [property, toProperty(settings[key] as never)]),
     ),
   };
+}
+
+function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Settings['technique']): number {
+  // The page asks what cuts the lines instead.
+  if (technique === 'engraved') return 0;
+  return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : ROTATIONS[strokeDirection];
 }
 
 /**
