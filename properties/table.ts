@@ -310,6 +310,20 @@ export const PROPERTIES = {
     sentence:
       'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
   },
+  keepHighlight: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    range: { from: 0, to: 1 },
+    sentence: 'Tone, after the tone curve, below which the paper stays blank: a highlight with an edge.',
+  },
+  highlightSoftness: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    range: { from: 0, to: 1 },
+    sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`.',
+  },
   normalMap: {
     kind: 'texture',
     group: 'Surface',

@@ -2,6 +2,13 @@
 #include "toneCurve"
 
 uniform float toneSteps;
+uniform float keepHighlight; // tone below which paper stays blank
+uniform float highlightSoftness;
+
+PerToneNormal highlightKept(const in PerToneNormal tone) {
+  float softness = max(keepHighlight * highlightSoftness, 1e-6);
+  return tone * clamp((tone - keepHighlight + softness) / (2.0 * softness), 0.0, 1.0);
+}
 
 PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
   PerToneNormal tone = 1.0 - clamp(radiance, 0.0, 1.0);
@@ -10,7 +17,7 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
     tone = floor(tone * last + 0.5) / last;
   #endif // TONE_MODEL
   // A curve of points may leave the range by a rounding error; what follows takes roots of tone and of 1 − tone.
-  return clamp(curvedTone(tone), 0.0, 1.0);
+  return highlightKept(clamp(curvedTone(tone), 0.0, 1.0));
 }
 
 // What the surface's light, shadows included, prints.

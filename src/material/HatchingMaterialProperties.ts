@@ -149,6 +149,13 @@ export interface HatchingMaterialOptions {
    * light. Without such a bake it does nothing. In [0, 1]. Default `1`.
    */
   occlusion: number;
+  /** Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. In [0, 1]. Default `0`. */
+  keepHighlight: number;
+  /**
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. In [0, 1]. Default
+   * `0`.
+   */
+  highlightSoftness: number;
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`.
@@ -226,6 +233,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     shininess: HATCHING_DEFAULTS.shininess as number,
     reflectedLight: HATCHING_DEFAULTS.reflectedLight as number,
     occlusion: HATCHING_DEFAULTS.occlusion as number,
+    keepHighlight: HATCHING_DEFAULTS.keepHighlight as number,
+    highlightSoftness: HATCHING_DEFAULTS.highlightSoftness as number,
     bumpScale: HATCHING_DEFAULTS.bumpScale as number,
     aoMapIntensity: HATCHING_DEFAULTS.aoMapIntensity as number,
     lightMapIntensity: HATCHING_DEFAULTS.lightMapIntensity as number,
@@ -545,6 +554,31 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set occlusion(value: number) {
     this.numbers.occlusion = checkNumber('occlusion', value, HATCHING_PROPERTIES.occlusion.range);
+  }
+
+  /** Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. In [0, 1]. Default `0`. */
+  get keepHighlight(): number {
+    return this.numbers.keepHighlight;
+  }
+
+  set keepHighlight(value: number) {
+    this.numbers.keepHighlight = checkNumber('keepHighlight', value, HATCHING_PROPERTIES.keepHighlight.range);
+  }
+
+  /**
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. In [0, 1]. Default
+   * `0`.
+   */
+  get highlightSoftness(): number {
+    return this.numbers.highlightSoftness;
+  }
+
+  set highlightSoftness(value: number) {
+    this.numbers.highlightSoftness = checkNumber(
+      'highlightSoftness',
+      value,
+      HATCHING_PROPERTIES.highlightSoftness.range,
+    );
   }
 
   /**

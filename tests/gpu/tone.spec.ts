@@ -49,3 +49,41 @@ async function measureTones(style: StrokeStyleName): Promise<number[]> {
   }
   return errors;
 }
+
+test('a highlight that is kept is blank up to its tone, sharply or softly, and nothing changes beyond', async ({
+  page,
+}) => {
+  const rows = await page.evaluate(async () => {
+    const { THREE, greyMap, hatchedMesh, makeRenderer, sceneOf, sun } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(4, 4), { technique: 'triangle', tonalArtMap: greyMap() });
+    const light = sun();
+    const scene = sceneOf(mesh, light);
+    const camera = new THREE.PerspectiveCamera(60, 1, 0.1, 10);
+    camera.position.z = 2;
+    const renderer = makeRenderer();
+    const gl = renderer.getContext();
+    const pixel = new Uint8Array(4);
+    const printed = (tone: number): number => {
+      light.position.set(Math.sqrt(1 - (1 - tone) ** 2), 0, 1 - tone);
+      renderer.render(scene, camera);
+      gl.readPixels(48, 48, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      return 1 - pixel[0] / 255;
+    };
+    const tones = [0.1, 0.25, 0.35, 0.5, 0.7];
+    const row = (keepHighlight: number, highlightSoftness: number): number[] => {
+      Object.assign(mesh.material, { keepHighlight, highlightSoftness });
+      return tones.map(printed);
+    };
+    return { all: row(0, 0), sharp: row(0.3, 0), soft: row(0.3, 0.5) };
+  });
+  const { all, sharp, soft } = rows;
+  for (const [i, tone] of [0.1, 0.25, 0.35, 0.5, 0.7].entries()) expect(all[i]).toBeCloseTo(tone, 1);
+  expect(sharp.slice(0, 2)).toEqual([0, 0]);
+  expect(sharp.slice(2)).toEqual(all.slice(2));
+  // From 0.15 to 0.45.
+  expect(soft[0]).toBe(0);
+  expect(soft[1]).toBeCloseTo((all[1] * (0.25 - 0.15)) / 0.3, 1);
+  expect(soft[2]).toBeCloseTo((all[2] * (0.35 - 0.15)) / 0.3, 1);
+  expect(soft[1]).toBeLessThan(soft[2]);
+  expect(soft.slice(3)).toEqual(all.slice(3));
+});

@@ -69,6 +69,7 @@ function wholeSample(settings: Settings, sceneRadius: number | undefined): strin
   if (settings.toneModel === 'phong') material.push(`shininess: ${settings.shininess}`);
   if (settings.toneCurve !== 'linear') material.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
   if (settings.reflectedLight > 0) material.push(`reflectedLight: ${settings.reflectedLight / 100}`);
+  if (settings.keepHighlight > 0) material.push(`keepHighlight: ${settings.keepHighlight / 100}`);
   if (settings.levelRule !== SETTINGS.levelRule.default) material.push(`levelRule: '${settings.levelRule}'`);
   if (settings.inkBlend !== SETTINGS.inkBlend.default) material.push(`inkBlend: '${settings.inkBlend}'`);
   material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);

@@ -52,6 +52,7 @@ const TWINS = {
   toneSteps: same('toneSteps'),
   shininess: same('shininess'),
   reflectedLight: percent('reflectedLight'),
+  keepHighlight: percent('keepHighlight'),
   creaseAngle: degrees('creaseAngle'),
   ink: same('ink'),
   inkBlend: same('inkBlend'),

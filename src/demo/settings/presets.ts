@@ -32,6 +32,7 @@ const LOOK_KEYS = [
   'shininess',
   'toneCurve',
   'reflectedLight',
+  'keepHighlight',
   'lightStrength',
   'inkBlend',
   'levelRule',

@@ -346,6 +346,16 @@ export const SETTINGS = {
 
   ink: { kind: 'color', label: 'Ink', group: 'Colours', default: '#1c1a17' },
   paper: { kind: 'color', label: 'Paper', group: 'Colours', default: '#f7f3e8' },
+  keepHighlight: {
+    kind: 'number',
+    label: 'Blank below',
+    group: 'Tone',
+    default: 0,
+    unit: '%',
+    min: 0,
+    max: 60,
+    step: 1,
+  },
   inkBlend: {
     kind: 'choice',
     label: 'On colour',
