@@ -55,6 +55,8 @@ for (const technique of kindsOfTechnique) {
       const pictures: number[][] = [];
       for (const root of [separate, instanced]) {
         await applyHatching(root, options);
+        // Engraved lines run on from mesh to mesh; instances have lines of their own, and here the meshes shall too.
+        root.traverse(({ userData }) => delete userData.hatchingField);
         pictures.push(pixelsOf(sceneOf(sun(), root)));
       }
       return pictures;
