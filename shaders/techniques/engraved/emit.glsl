@@ -4,11 +4,14 @@ vFieldNormal = objectToFieldNormal * strokeNormal;
 vViewToField = objectToField * viewToAnchor;
 vViewUnitsPerPixel = unitsPerPixel(mat3(1.0), mvPosition);
 
-// The light as the whole mesh sees it, not each of its bones: lines would break at joints. The first bone stands for the mesh.
-mat4 restToObject = mat4(1.0);
+mat4 restToView = objectToView;
+mat3 viewToRest = viewToObject;
 #if defined(USE_SKINNING) && STROKE_ANCHOR == STROKE_ANCHOR_REST
+  // The light as the whole mesh sees it, not each of its bones: lines would break at joints. The first bone stands for the mesh.
   mat4 firstBone = bindMatrixInverse * getBoneMatrix(0.0) * bindMatrix;
-  if (determinant(mat3(firstBone)) != 0.0) restToObject = firstBone;
+  if (determinant(mat3(firstBone)) != 0.0) {
+    restToView = objectToView * firstBone;
+    viewToRest = inverse(mat3(restToView));
+  }
 #endif // USE_SKINNING
-mat4 restToView = objectToView * restToObject;
-vFieldLight = fieldLight(objectToField * inverse(mat3(restToView)), (restToView * vec4(fieldOrigin, 1.0)).xyz, vec3(0.0));
+vFieldLight = fieldLight(objectToField * viewToRest, (restToView * vec4(fieldOrigin, 1.0)).xyz, vec3(0.0));
