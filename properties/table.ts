@@ -203,6 +203,7 @@ export const PROPERTIES = {
     defaultSource: 'Math.PI / 3',
     unit: 'radians',
     range: { above: 0, to: Math.PI / 2 },
+    uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
     sentence:
       "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.",

@@ -71,11 +71,12 @@ void main() {
   material.radiance += luminance(totalEmissiveRadiance);
   PerToneNormal tone = shadedTone(material);
   HatchingParameters parameters = readHatchingParameters();
-  #ifdef REORIENTS_IN_SHADOW
-    parameters = reorientedInShadow(parameters);
-  #endif // REORIENTS_IN_SHADOW
+  // Where frames are made per fragment, they were made of the lights that arrive.
+  #ifdef TURNS_IN_SHADOW
+    parameters = turnedInShadow(parameters);
+  #endif // TURNS_IN_SHADOW
 
-  vec4 printed = printedColor(paper * diffuseColor.rgb, hatchInShadow(parameters, tone, unshadowedTone(material)));
+  vec4 printed = printedColor(paper * diffuseColor.rgb, hatchInShadow(parameters, tone, material));
   diffuseColor.a *= printed.a;
   #include <alphatest_fragment>
   #include <alphahash_fragment>

@@ -1,11 +1,9 @@
 #include "crossedTones"
 #include "technique/hatchLayer"
 
-#if LAYERS_BY_LIGHTS || STROKE_LAYERS == STROKE_LAYERS_TONE || (defined(TELLS_SHADOWS) && SHADOW_STROKES != SHADOW_STROKES_TONE)
-  // What shifts the pattern of a layer against that of the one before, in tiles or, for `anchored`, in anchors.
-  #define LAYER_SHIFT vec3(17.37, 5.71, 11.13)
-  #include "technique/layers"
-#endif // LAYERS_BY_LIGHTS
+// What shifts the pattern of a layer against that of the one before, in tiles or, for `anchored`, in anchors.
+#define LAYER_SHIFT vec3(17.37, 5.71, 11.13)
+#include "technique/layers"
 
 // The darkness of the hatch: of its layers, printed over one another.
 #if LAYERS_BY_LIGHTS

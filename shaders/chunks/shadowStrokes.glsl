@@ -3,10 +3,11 @@
   #include "technique/shadowStrokes"
 #endif // TELLS_SHADOWS
 
-float hatchInShadow(const in HatchingParameters h, const in PerToneNormal tone, const in PerToneNormal unshadowed) {
+float hatchInShadow(const in HatchingParameters h, const in PerToneNormal tone, const in HatchingSurface surface) {
   #if defined(TELLS_SHADOWS) && SHADOW_STROKES == SHADOW_STROKES_CROSS
     // The strokes of the light run on through the shadow. It lies over them as a layer of its own, which takes what is missing
     // to the tone: 1 − (1 − T)/(1 − T_unshadowed).
+    PerToneNormal unshadowed = unshadowedTone(surface);
     return 1.0 - (1.0 - hatch(h, unshadowed)) * (1.0 - shadowLayer(h, leftOf(tone, unshadowed)));
   #else
     return hatch(h, tone);

@@ -200,7 +200,6 @@ export const HATCHING_PROPERTIES = {
   },
   crossAngle: {
     kind: 'number',
-    uniform: 'crossAngle',
     range: { above: 0, to: 1.5707963267948966 },
     techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
   },

@@ -1,7 +1,7 @@
 // Engraved lines: level sets of a function on the object. They never break, fork or repeat, on any mesh. They swell with the
 // tone, new ones are born between old ones as one comes nearer, and other families cross them in the darks.
 uniform float crossFrom; // tone above which lines cross
-uniform float crossAngle; // radians between a family and what crosses it
+uniform vec4 layerTurns; // xy: cosine and sine of the angle between a family and what crosses it
 uniform float screenConstancy; // 0: lines spaced on the object, 1: on the screen
 
 #include "technique/ruledLines"
@@ -31,6 +31,6 @@ float families(const in HatchingParameters h, const in float first, const in flo
 // Any number of families leaves as much blank as the tone does, Π (1 − Tᵢ).
 float hatchLayer(const in HatchingParameters h, const in float tone) {
   float first = h.has * takenOf(tone, crossFrom);
-  float darkness = families(h, first, leftOf(tone, first), vec2(cos(crossAngle), sin(crossAngle)));
+  float darkness = families(h, first, leftOf(tone, first), layerTurns.xy);
   return tone >= 1.0 ? 1.0 : darkness;
 }

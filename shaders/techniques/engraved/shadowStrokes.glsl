@@ -1,12 +1,7 @@
 #if SHADOW_STROKES == SHADOW_STROKES_CROSS
   // Families that lean the other way, across the first and across those of its darks.
   float shadowLayer(const in HatchingParameters h, const in float tone) {
-    float darkness = families(h, 0.0, tone, vec2(cos(crossAngle), -sin(crossAngle)));
+    float darkness = families(h, 0.0, tone, vec2(layerTurns.x, -layerTurns.y));
     return tone >= 1.0 ? 1.0 : darkness;
-  }
-#else
-  // The field was that of the lights that arrive.
-  HatchingParameters reorientedInShadow(const in HatchingParameters h) {
-    return h;
   }
 #endif // SHADOW_STROKES

@@ -40,8 +40,9 @@ export class LightRig {
     point.decay = 0;
     spot.decay = 0;
     const sun = new DirectionalLight();
-    for (const { shadow } of [sun, this.second])
+    for (const { shadow } of [sun, this.second]) {
       Object.assign(shadow.camera, { left: -REACH, right: REACH, bottom: -REACH, top: REACH });
+    }
     for (const { shadow } of [sun, point, spot, this.second]) {
       Object.assign(shadow.camera, { near: SHADOW_NEAR, far: SHADOW_FAR });
       shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
@@ -84,9 +85,10 @@ export class LightRig {
     this.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth);
     this.second.position.setFromSphericalCoords(SUN_DISTANCE, Math.PI / 2 - elevation, azimuth + around);
     if (lightFollows === 'viewer') {
-      for (const position of [this.position, this.second.position]) position.applyQuaternion(quaternion);
+      this.position.applyQuaternion(quaternion);
+      this.second.position.applyQuaternion(quaternion);
     }
-    for (const light of Object.values(this.lights)) light.position.copy(this.position);
+    for (const kind in this.lights) this.lights[kind as Settings['lightKind']].position.copy(this.position);
     return !before.equals(this.position);
   }
 }
