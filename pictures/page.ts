@@ -1,5 +1,25 @@
-import { Box3, DirectionalLight, Group, MathUtils, Mesh, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
-import { applyHatching, type HatchingPreset, type PresetName, presets, scalePreset } from 'three-hatching';
+import {
+  Box3,
+  DirectionalLight,
+  Group,
+  MathUtils,
+  Mesh,
+  MeshBasicMaterial,
+  PCFShadowMap,
+  PlaneGeometry,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import {
+  applyHatching,
+  bakeOcclusion,
+  HatchingMaterial,
+  type HatchingPreset,
+  type PresetName,
+  presets,
+  scalePreset,
+} from 'three-hatching';
 import { createCamera } from '../src/demo/stage/createCamera.js';
 import { fitCamera } from '../src/demo/stage/framing.js';
 import { loadSubject, type SubjectName } from './subjects.js';
@@ -15,12 +35,18 @@ export interface Picture {
   pixelRatio: number;
   /** Direction to the light, and from the subject to the eye. */
   light: [number, number, number];
+  /** More lights, which are weaker. */
+  fills?: { light: [number, number, number]; strength: number }[];
   view: [number, number, number];
   /** Rotation of the subject in degrees about x, y and z. */
   turned?: [number, number, number];
   /** How many times larger the picture is than one that the subject just fills. */
   zoom?: number;
   shadows?: boolean;
+  /** What the subject stands on: a sheet that shows its shadow and nothing else, or a floor. */
+  ground?: 'shadow' | 'floor';
+  /** How much of the ambient occlusion counts, 0 to 1. */
+  occlusion?: number;
   /** What differs from the preset. */
   material?: HatchingPreset['material'];
   lines?: HatchingPreset['lines'];
@@ -29,6 +55,8 @@ export interface Picture {
 /** Rendered pixels per pixel of the picture, along each axis. */
 const SUPERSAMPLING = 2;
 const SHADOW_MAP_SIZE = 2048;
+/** Side of the ground, in radii of the subject, and into how many parts it is divided along each side. */
+const GROUND = { size: 40, parts: 40 };
 
 /**
  * @param content of the file that holds the subject, in base64; empty if none does
@@ -58,21 +86,25 @@ async function drawPicture(picture: Picture, content: string): Promise<string> {
     material: { ...preset.material, ...picture.material },
     lines: { ...preset.lines, ...picture.lines },
   };
-  const hatched = await applyHatching(holder, scalePreset(look, SUPERSAMPLING * pixelRatio));
-  holder.traverse((object) => {
-    if (object instanceof Mesh) object.castShadow = object.receiveShadow = true;
+  const scaled = scalePreset(look, SUPERSAMPLING * pixelRatio);
+  const hatched = [await applyHatching(holder, scaled)];
+  if (picture.ground) {
+    const ground = groundBelow(holder);
+    scene.add(ground);
+    hatched.push(await applyHatching(ground, { ...scaled, lines: false }));
+    if (picture.ground === 'shadow') showOnlyShadows(ground.material as unknown as HatchingMaterial);
+  }
+  scene.traverse((object) => {
+    if (!(object instanceof Mesh)) return;
+    object.castShadow = object.receiveShadow = true;
+    if (picture.occlusion !== undefined && object.material instanceof HatchingMaterial)
+      object.material.occlusion = picture.occlusion;
   });
+  const occlusion = picture.occlusion === undefined ? undefined : await bakeOcclusion(scene);
   renderer.setClearColor(look.material.paper ?? 'white', 1);
 
-  const light = new DirectionalLight('white', Math.PI);
-  light.position.set(...picture.light).setLength(3);
-  light.castShadow = picture.shadows === true;
-  light.shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
-  Object.assign(light.shadow.camera, { left: -1.05, right: 1.05, bottom: -1.05, top: 1.05, near: 1, far: 5 });
-  light.shadow.bias = -0.002;
-  light.shadow.normalBias = 0.02;
-  light.shadow.radius = 2;
-  scene.add(light);
+  for (const { light, strength } of [{ light: picture.light, strength: 1 }, ...(picture.fills ?? [])])
+    scene.add(sunAt(light, strength, picture.shadows === true));
 
   const camera = createCamera();
   camera.aspect = width / height;
@@ -87,10 +119,45 @@ async function drawPicture(picture: Picture, content: string): Promise<string> {
   const target = small.getContext('2d', { alpha: false })!;
   target.imageSmoothingQuality = 'high';
   target.drawImage(canvas, 0, 0, width, height);
-  hatched.dispose();
+  occlusion?.dispose();
+  for (const one of hatched) one.dispose();
   renderer.dispose();
   renderer.forceContextLoss();
   return small.toDataURL('image/png');
+}
+
+/** @param direction to the light */
+function sunAt(direction: readonly [number, number, number], strength: number, castsShadow: boolean): DirectionalLight {
+  const light = new DirectionalLight('white', Math.PI * strength);
+  light.position.set(...direction).setLength(3);
+  light.castShadow = castsShadow;
+  light.shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
+  Object.assign(light.shadow.camera, { left: -1.05, right: 1.05, bottom: -1.05, top: 1.05, near: 1, far: 7 });
+  light.shadow.bias = -0.0005;
+  light.shadow.normalBias = 0.02;
+  light.shadow.radius = 2;
+  return light;
+}
+
+function groundBelow(object: Group): Mesh {
+  const { size, parts } = GROUND;
+  const ground = new Mesh(new PlaneGeometry(size, size, parts, parts).rotateX(-Math.PI / 2), new MeshBasicMaterial());
+  ground.position.y = new Box3().setFromObject(object, true).min.y;
+  return ground;
+}
+
+/** A shadow on paper is no darker than the dark side of what casts it. */
+const DARKEST_SHADOW = 0.62;
+
+function showOnlyShadows(material: HatchingMaterial): void {
+  material.toneModel = 'shadow';
+  material.toneCurve = [
+    [0, 0],
+    [1, DARKEST_SHADOW],
+  ];
+  material.paperOpacity = 0;
+  material.transparent = true;
+  material.depthWrite = false;
 }
 
 /**

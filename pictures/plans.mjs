@@ -14,6 +14,16 @@ export const PRESET_NAMES = [
 
 const HAND = { subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.45], shadows: true };
 const PRINT = { preset: 'engraving', width: 640, height: 640, pixelRatio: 1.6, shadows: true };
+/** A print of something that stands on the sheet, with dark hollows. */
+const STANDING = { ...PRINT, ground: 'shadow', occlusion: 0.6, material: { shadowStrokes: 'cross' } };
+
+/** Places of a light that is dragged from the left to the right, in degrees from the front. */
+const LIGHT_STEPS = [-80, -40, 0, 40, 80];
+const lightAt = (degrees) => [Math.sin((degrees * Math.PI) / 180), 1.35, Math.cos((degrees * Math.PI) / 180)];
+const FILLS = [
+  { light: [1, 1.1, 0.5], strength: 0.3 },
+  { light: [0.2, 0.8, 1], strength: 0.15 },
+];
 
 /**
  * @typedef {object} Plan
@@ -39,13 +49,75 @@ export const PLANS = {
   hero: {
     columns: 3,
     pictures: [
-      { ...PRINT, subject: 'dragon', view: [0.22, 0.18, 1], light: [-1, 1.2, 0.85], zoom: 0.97 },
-      { ...PRINT, subject: 'nefertiti', view: [0.62, 0.02, 1], light: [-0.75, 0.8, 1], zoom: 0.95 },
+      { ...STANDING, subject: 'dragon', view: [0.22, 0.3, 1], light: [-0.8, 1.6, 0.85], zoom: 0.82 },
+      { ...STANDING, subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.5, 0.8], zoom: 0.85 },
       { ...PRINT, subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.35], zoom: 0.95 },
       { ...PRINT, subject: 'gear', view: [0.7, 0.5, 1], light: [-0.35, 1.1, 0.75], zoom: 0.85 },
-      { ...PRINT, subject: 'fox', view: [-1, 0.25, 0.8], light: [0.3, 1.2, 0.6], zoom: 0.97 },
-      { ...PRINT, subject: 'bunny', view: [0, 0.1, 1], light: [-1, 1.1, -0.02], zoom: 0.9 },
+      { ...STANDING, subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.85 },
+      { ...STANDING, subject: 'bunny', view: [0, 0.25, 1], light: [-0.8, 1.5, 0.1], zoom: 0.72 },
     ],
+  },
+  shadows: {
+    columns: 3,
+    pictures: ['pen', 'engraving'].flatMap((preset) =>
+      ['tone', 'cross', 'reorient'].map((shadowStrokes) => ({
+        preset,
+        subject: 'dragonAndBall',
+        width: 600,
+        height: 440,
+        pixelRatio: 1.2,
+        view: [0.1, 0.32, 1],
+        light: [-0.75, 1.1, 0.5],
+        shadows: true,
+        ground: 'floor',
+        zoom: 0.82,
+        material: { shadowStrokes, strokeLayers: 'single', crossFrom: 1 },
+      })),
+    ),
+  },
+  occlusion: {
+    columns: 2,
+    pictures: [
+      { preset: 'engraving', subject: 'nefertiti', view: [0.4, 0.05, 1], light: [-0.3, 0.5, 1], zoom: 1.5 },
+      { preset: 'pen', subject: 'bunny', view: [0, 0.25, 1], light: [-0.3, 1.3, 0.8], zoom: 0.9, ground: 'floor' },
+    ].flatMap((picture) =>
+      [0, 1].map((occlusion) => ({ ...picture, occlusion, width: 600, height: 600, pixelRatio: 1.3 })),
+    ),
+  },
+  light: {
+    columns: LIGHT_STEPS.length,
+    pictures: [
+      { subject: 'dragon', view: [0.22, 0.3, 1] },
+      { subject: 'nefertiti', view: [0.3, 0.15, 1] },
+      { subject: 'hand', view: [0.1, 0.2, 1] },
+    ].flatMap((picture) =>
+      LIGHT_STEPS.map((degrees) => ({
+        ...STANDING,
+        ...picture,
+        width: 400,
+        height: 400,
+        pixelRatio: 1,
+        zoom: 0.75,
+        light: lightAt(degrees),
+      })),
+    ),
+  },
+  lights: {
+    columns: 3,
+    pictures: ['pen', 'engraving'].flatMap((preset) =>
+      [0, 1, 2].map((count) => ({
+        ...STANDING,
+        preset,
+        subject: 'bunny',
+        width: 600,
+        height: 520,
+        pixelRatio: 1.3,
+        zoom: 0.8,
+        view: [0, 0.25, 1],
+        light: [-0.9, 1.4, 0.4],
+        fills: FILLS.slice(0, count),
+      })),
+    ),
   },
 };
 

@@ -1,6 +1,6 @@
 /**
- * `npm run pictures`: draws docs/presets.png, docs/engraved.png and docs/hero.png. `npm run pictures -- hero` draws one of them. Subjects that no npm
- * package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
+ * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names. `npm run pictures -- hero` draws one of them.
+ * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';

@@ -8,6 +8,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   type Object3D,
+  SphereGeometry,
 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
@@ -20,6 +21,14 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../src/demo/models/models.js
 /** What a picture can show. `files` are what has to be read from a folder of models, in the order in which they are passed. */
 const subjects = {
   dragon: { load: () => builtIn('dragon2') },
+  /** Something to cast a shadow on it. */
+  dragonAndBall: {
+    load: async () => {
+      const ball = new Mesh(new SphereGeometry(0.28, 96, 48), paper());
+      ball.position.set(-0.72, -0.41, 0.45);
+      return new Group().add(await builtIn('dragon2'), ball);
+    },
+  },
   bunny: { load: () => builtIn('bunny') },
   suzanne: { load: () => builtIn('suzanne') },
   teapot: { load: () => builtIn('teapot') },

@@ -93,6 +93,59 @@ test('a second sun lightens its side, and crosses the strokes unless there is on
   expect(meanInk(crossed, RIGHT_HALF)).toBeCloseTo(meanInk(single, RIGHT_HALF), 1);
 });
 
+test('a second light is dragged by a lamp of its own', async ({ page }) => {
+  await openPlayground(
+    page,
+    `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=20&secondLight=right&secondStrength=100`,
+  );
+  const first = await lampPlace(page);
+  expect(await lampPlace(page, '#second-lamp')).toMatchObject({ azimuth: 20, elevation: 20 });
+  const before = await readDrawing(page);
+  await dragLamp(page, { x: 60, y: 40 }, '#second-lamp');
+  const second = await lampPlace(page, '#second-lamp');
+  expect(second.azimuth).toBeGreaterThan(35);
+  expect(second.elevation).toBeLessThan(15);
+  expect(await lampPlace(page)).toEqual(first);
+  expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
+
+  // It no longer goes with the light.
+  await dragLamp(page, { x: 20, y: 30 });
+  expect(await lampPlace(page)).not.toEqual(first);
+  expect(await lampPlace(page, '#second-lamp')).toEqual(second);
+  await page.locator('#second-lamp').press('ArrowLeft');
+  expect((await lampPlace(page, '#second-lamp')).azimuth).toBeCloseTo(second.azimuth - 5, 0);
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('secondLight=free');
+});
+
+test.describe('on a narrow sheet', () => {
+  test.use({ viewport: { width: 320, height: 640 } });
+
+  test('each light goes behind the model without leaving the sheet', async ({ page }) => {
+    const isOnSheet = async () => {
+      const { x, y } = await middleOf(page, '#lamp');
+      const sheet = (await page.locator('#viewport').boundingBox())!;
+      return x >= sheet.x && x <= sheet.x + sheet.width && y >= sheet.y && y <= sheet.y + sheet.height;
+    };
+    for (const kind of ['directional', 'point']) {
+      // Near enough for the outline of the lamp's sphere to lie beyond both edges.
+      await openPlayground(
+        page,
+        `model=sphere&lines=off&camera=0,0,4,0,0,0&lightKind=${kind}&lightAzimuth=30&lightDistance=2.5`,
+      );
+      const from = await middleOf(page, '#lamp');
+      const sheet = (await page.locator('#viewport').boundingBox())!;
+      await page.mouse.move(from.x, from.y);
+      await page.mouse.down();
+      await page.mouse.move(sheet.x + sheet.width - 2, from.y, { steps: 4 });
+      expect(await isOnSheet()).toBe(true);
+      await page.mouse.move(sheet.x + sheet.width / 2 + 40, from.y, { steps: 4 });
+      await page.mouse.up();
+      expect(Math.abs((await lampPlace(page)).azimuth), kind).toBeGreaterThan(90);
+      expect(await isOnSheet()).toBe(true);
+    }
+  });
+});
+
 test('arrow keys move the light by 5°, with Shift by 1°', async ({ page }) => {
   await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&strokeScale=5`);
   await page.locator('#lamp').focus();

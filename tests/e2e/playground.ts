@@ -49,7 +49,7 @@ export const framesDrawn = (page: Page): Promise<number> => page.evaluate(() => 
 /** A screenshot of the drawing alone, without lamp, divider and focus ring. */
 export async function readDrawing(page: Page): Promise<PNG> {
   await ready(page);
-  const overlays = page.locator('#lamp, #divider');
+  const overlays = page.locator('.lamp, #divider');
   const canvas = page.locator('#drawing');
   await canvas.evaluate((element) => {
     element.style.outline = 'none';
@@ -74,10 +74,13 @@ export async function savePicture(page: Page): Promise<PNG> {
   return PNG.sync.read(await readFile(await (await download).path()));
 }
 
-/** The position of the light, by the label of its handle, after the next frame is drawn. */
-export async function lampPlace(page: Page): Promise<{ azimuth: number; elevation: number; distance: number }> {
+/** The position of a light, by the label of its handle, after the next frame is drawn. */
+export async function lampPlace(
+  page: Page,
+  selector = '#lamp',
+): Promise<{ azimuth: number; elevation: number; distance: number }> {
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-  const text = (await page.locator('#lamp').getAttribute('aria-valuetext')) ?? '';
+  const text = (await page.locator(selector).getAttribute('aria-valuetext')) ?? '';
   const number = (pattern: RegExp): number => Number(pattern.exec(text)?.[1]);
   return {
     azimuth: number(/(-?[\d.]+)° around/),
@@ -98,9 +101,9 @@ export async function middleOf(page: Page, selector: string): Promise<Point> {
   return { x: box!.x + box!.width / 2, y: box!.y + box!.height / 2 };
 }
 
-/** Drags the lamp with the mouse, in several steps. @param by in pixels */
-export async function dragLamp(page: Page, by: Point): Promise<void> {
-  const from = await middleOf(page, '#lamp');
+/** Drags a lamp with the mouse, in several steps. @param by in pixels */
+export async function dragLamp(page: Page, by: Point, selector = '#lamp'): Promise<void> {
+  const from = await middleOf(page, selector);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(from.x + by.x, from.y + by.y, { steps: 6 });

@@ -93,6 +93,7 @@ export class SettingsPanel {
     this.show('lightDistance', isLocal);
     for (const key of ['shadowStrokes', 'ground'] as const) this.show(key, settings.shadows === 'on');
     this.show('secondStrength', settings.secondLight !== 'none');
+    for (const key of ['secondAzimuth', 'secondElevation'] as const) this.show(key, settings.secondLight === 'free');
     this.show('spotAngle', settings.lightKind === 'spot');
     this.show('spotSoftness', settings.lightKind === 'spot');
     for (const key of ['model', 'mapStyle'] as const) {

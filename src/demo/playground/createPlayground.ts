@@ -5,11 +5,11 @@ import { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
-import { LightHandle } from '../stage/LightHandle.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
+import { LightHandles } from './LightHandles.js';
 import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
 import { MotionPanel } from './MotionPanel.js';
@@ -51,20 +51,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const occlusion = new OcclusionLoader(scene, settings, tasks);
   const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
   const exportActions = new ExportActions(scene, settings, modelLoader, status, currentLink);
-  const lamp = new LightHandle(page.lamp, {
-    viewport: page.viewport,
-    camera: scene.camera,
-    settings,
-    lightPosition: scene.lightPosition,
-    onMove: (place) => {
-      Object.assign(settings, place);
-      recordChange('lamp');
-    },
-    onDrag: (dragging) => {
-      scene.view.controls.enabled = !dragging;
-      if (dragging) page.lamp.classList.add('is-known');
-    },
-  });
+  const lights = new LightHandles(scene, settings, recordChange);
   const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
@@ -176,7 +163,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // ── Frames ──
 
   scene.onFrame(() => {
-    lamp.update();
+    lights.update();
     motion.update();
     if (!page.divider.hidden) divider.place();
     if (tasks.isIdle && scene.isComplete && document.documentElement.dataset.state === 'loading') setPageState('ready');

@@ -1,5 +1,5 @@
 import type { Settings } from '../settings/settings.js';
-import { SECOND_LIGHT_AZIMUTH } from '../settings/settingValues.js';
+import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
 import { round } from './round.js';
 
 /** Code that adds the lights of the page to `scene`, and the classes of three.js that it needs. */
@@ -10,16 +10,15 @@ export function lightSample(settings: Settings): { code: string; classes: string
     point: `new PointLight('white', ${intensity}, 0, 0)`,
     spot: `new SpotLight('white', ${intensity}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
   }[settings.lightKind];
-  const place = (distance: number, azimuth: number) =>
-    `setFromSphericalCoords(${distance}, ${round(((90 - settings.lightElevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
-  const distance = settings.lightKind === 'directional' ? 1 : round(settings.lightDistance);
+  const at = ({ azimuth, elevation, distance = 1 }: LightPlace) =>
+    `setFromSphericalCoords(${round(distance)}, ${round(((90 - elevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
   const stay = (name: string) =>
     settings.lightFollows === 'viewer'
       ? `${name}.position.applyQuaternion(camera.quaternion); // again in every frame, to stay with the viewer\n`
       : '';
   const parts = [
     `const light = ${light};
-light.position.${place(distance, settings.lightAzimuth)};
+light.position.${at(placeOfLight(settings))};
 ${stay('light')}scene.add(light);
 `,
   ];
@@ -39,12 +38,12 @@ scene.traverse((object) => {
 });
 `);
   }
-  if (settings.secondLight !== 'none') {
+  const second = placeOfSecondLight(settings);
+  if (second) {
     classes.push('DirectionalLight');
-    const azimuth = settings.lightAzimuth + SECOND_LIGHT_AZIMUTH[settings.secondLight];
     parts.push(`
 const second = new DirectionalLight('white', ${round((Math.PI * settings.secondStrength) / 100)});
-second.position.${place(1, azimuth)};
+second.position.${at(second)};
 ${stay('second')}scene.add(second);
 `);
   }

@@ -7,6 +7,7 @@ export const page = {
   canvas: findElement('drawing') as HTMLCanvasElement,
   divider: findElement('divider'),
   lamp: findElement('lamp'),
+  secondLamp: findElement('second-lamp'),
   modelCaption: findElement('model-caption'),
   frameTime: findElement('frame-time'),
   card: findElement('card'),

@@ -1,8 +1,30 @@
+import { MathUtils } from 'three';
 import { type PresetName, presets } from 'three-hatching';
 import type { Settings } from './settings.js';
 
-/** Azimuth of the second sun, in degrees from the light. */
-export const SECOND_LIGHT_AZIMUTH = { left: -90, right: 90, opposite: 180 } as const;
+/** Where a light is, seen from the centre of the model: degrees around it, degrees high, and radii away if it is no sun. */
+export interface LightPlace {
+  azimuth: number;
+  elevation: number;
+  distance?: number;
+}
+
+/** Azimuth of a second sun that goes with the light, in degrees from it. */
+const SECOND_LIGHT_AZIMUTH = { left: -90, right: 90, opposite: 180 } as const;
+
+export function placeOfLight(settings: Settings): LightPlace {
+  const { lightAzimuth: azimuth, lightElevation: elevation, lightDistance: distance } = settings;
+  return settings.lightKind === 'directional' ? { azimuth, elevation } : { azimuth, elevation, distance };
+}
+
+/** Where the second sun is, or undefined if there is none. */
+export function placeOfSecondLight(settings: Settings): LightPlace | undefined {
+  const { secondLight, lightAzimuth, lightElevation, secondAzimuth, secondElevation } = settings;
+  if (secondLight === 'none') return undefined;
+  if (secondLight === 'free') return { azimuth: secondAzimuth, elevation: secondElevation };
+  const azimuth = lightAzimuth + SECOND_LIGHT_AZIMUTH[secondLight];
+  return { azimuth: MathUtils.euclideanModulo(azimuth + 180, 360) - 180, elevation: lightElevation };
+}
 
 const curveOf = (name: PresetName) => presets[name].material.toneCurve ?? 'linear';
 

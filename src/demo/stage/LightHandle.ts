@@ -1,10 +1,9 @@
 import { MathUtils, type PerspectiveCamera, Spherical, type Vector2, Vector3 } from 'three';
-import { SETTINGS, type Settings } from '../settings/settings.js';
+import { SETTINGS } from '../settings/settings.js';
+import type { LightPlace } from '../settings/settingValues.js';
 import { createLampIcon } from './createLampIcon.js';
-import { intersectSphere, isBehind, isHidden, nearestOutlinePoint } from './lightSphere.js';
+import { intersectSphere, isBehind, isHidden, nearestOutlinePoint, radiusWithin } from './lightSphere.js';
 import { ViewportProjection } from './ViewportProjection.js';
-
-type LightPlace = Pick<Settings, 'lightAzimuth' | 'lightElevation' | 'lightDistance'>;
 
 const STEP = 5;
 const FINE_STEP = 1;
@@ -17,15 +16,24 @@ const HINT_MARGIN = 76;
  * ratio.
  */
 const MIN_REACH = 32;
+/** A sun has no distance: its handle moves over the largest sphere in these limits whose outline lies on the sheet. */
+const SUN_RADIUS = { min: 0.45, max: 1.45 };
 
 /** What the handle works on. */
 export interface LightHandleHost {
   /** The element the handle lies over. Its client size is the size of the picture. */
   viewport: HTMLElement;
   camera: PerspectiveCamera;
-  settings: Settings;
+  /** What the light is called, as the accessible name. */
+  name: string;
   /** The position of the light, in world coordinates. The model's centre is the origin. */
   lightPosition: Vector3;
+  /** Whether the place of the light is counted from the viewer, and not from the model. */
+  isWithViewer(): boolean;
+  /** Where the light is. A sun has no distance. */
+  place(): LightPlace;
+  /** Where it goes on a double click. */
+  home(): LightPlace;
   /** Moves the light. */
   onMove(place: Partial<LightPlace>): void;
   /** A drag begins or ends. The camera must not move meanwhile. */
@@ -33,12 +41,14 @@ export interface LightHandleHost {
 }
 
 /**
- * The handle of the light. Dragging moves it over a sphere around the model; past the sphere's outline and back takes
- * it behind the model. Shift or a second finger changes the distance of a point light or spot light. Arrow keys move it
+ * The handle of a light. Dragging moves it over a sphere around the model; past the sphere's outline, or the edge of
+ * the sheet where the outline lies beyond it, and back takes it behind the model. Shift or a second finger changes the distance of a point light or spot light. Arrow keys move it
  * by 5°, with Shift by 1°.
  */
 export class LightHandle {
   private readonly projection: ViewportProjection;
+  /** Where the handle is, in world coordinates: the light's direction, at its distance if it has one. */
+  private readonly shown = new Vector3();
   private behind = false;
   private beyondOutline = false;
   private pointer: { id: number; grip: Vector2 } | undefined;
@@ -51,7 +61,7 @@ export class LightHandle {
     this.projection = new ViewportProjection(host.viewport, host.camera);
     element.tabIndex = 0;
     element.setAttribute('role', 'slider');
-    element.setAttribute('aria-label', 'Light');
+    element.setAttribute('aria-label', host.name);
     element.setAttribute('aria-valuemin', '-180');
     element.setAttribute('aria-valuemax', '180');
     element.title = 'Drag to move the light. Past the edge and back takes it behind the model.';
@@ -66,24 +76,25 @@ export class LightHandle {
 
   /** Moves the handle to where the light is seen. To be called with every frame. */
   update(): void {
-    const { settings, lightPosition, camera } = this.host;
-    const { x, y } = this.projection.project(lightPosition);
+    const { camera } = this.host;
+    const { azimuth, elevation, distance } = this.host.place();
     const { width, height } = this.projection.size;
-    const left = MathUtils.clamp(x, MARGIN, width - MARGIN);
-    const top = MathUtils.clamp(y, MARGIN, height - MARGIN);
+    this.shown.copy(this.host.lightPosition);
+    if (distance === undefined) this.shown.setLength(this.sunRadius());
+    const { x: left, y: top } = this.placeOnSheet();
     this.element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
     this.element.classList.toggle('is-at-left', left < HINT_MARGIN);
     this.element.classList.toggle('is-at-right', left > width - HINT_MARGIN);
     this.element.classList.toggle('is-at-bottom', top > height - HINT_MARGIN);
-    if (!this.pointer) this.behind = isBehind(lightPosition, camera.position);
-    this.element.classList.toggle('is-behind', isHidden(lightPosition, camera.position));
-    this.element.setAttribute('aria-valuenow', settings.lightAzimuth.toFixed(0));
+    if (!this.pointer) this.behind = isBehind(this.shown, camera.position);
+    this.element.classList.toggle('is-behind', isHidden(this.shown, camera.position));
+    this.element.setAttribute('aria-valuenow', azimuth.toFixed(0));
     const texts = [
-      `${settings.lightAzimuth.toFixed(1)}° around`,
-      `${settings.lightElevation.toFixed(1)}° high`,
+      `${azimuth.toFixed(1)}° around`,
+      `${elevation.toFixed(1)}° high`,
       this.behind ? 'behind the model' : 'in front of the model',
     ];
-    if (settings.lightKind !== 'directional') texts.push(`${settings.lightDistance.toFixed(2)} radii away`);
+    if (distance !== undefined) texts.push(`${distance.toFixed(2)} radii away`);
     this.element.setAttribute('aria-valuetext', texts.join(', '));
   }
 
@@ -93,7 +104,7 @@ export class LightHandle {
     this.element.focus({ preventScroll: true });
     this.element.setPointerCapture(event.pointerId);
     // The lamp keeps its offset from the pointer, so that it does not jump.
-    const grip = this.projection.project(this.host.lightPosition).sub(this.projection.pointer(event));
+    const grip = this.placeOnSheet().sub(this.projection.pointer(event));
     this.pointer = { id: event.pointerId, grip };
     this.beyondOutline = false;
     this.element.classList.add('is-held');
@@ -104,7 +115,7 @@ export class LightHandle {
   private readonly onPointerMove = (event: PointerEvent): void => {
     if (event.pointerId !== this.pointer?.id || this.second) return;
     const place = this.projection.pointer(event).add(this.pointer.grip);
-    if (event.shiftKey && this.host.settings.lightKind !== 'directional') this.moveAway(place);
+    if (event.shiftKey && this.host.place().distance !== undefined) this.moveAway(place);
     else this.moveOverSphere(place);
   };
 
@@ -122,9 +133,10 @@ export class LightHandle {
 
   /** A second finger changes the distance of the light as it moves away from the model's centre or towards it. */
   private readonly onSecondPointer = (event: PointerEvent): void => {
-    if (event.pointerId === this.pointer?.id || this.second || this.host.settings.lightKind === 'directional') return;
+    const { distance } = this.host.place();
+    if (event.pointerId === this.pointer?.id || this.second || distance === undefined) return;
     event.stopPropagation();
-    this.second = { id: event.pointerId, start: this.reach(event), distance: this.host.settings.lightDistance };
+    this.second = { id: event.pointerId, start: this.reach(event), distance };
     addEventListener('pointermove', this.onSecondMove, { capture: true });
     addEventListener('pointerup', this.onSecondEnd, { capture: true });
     addEventListener('pointercancel', this.onSecondEnd, { capture: true });
@@ -140,15 +152,14 @@ export class LightHandle {
   };
 
   private readonly onKeyDown = (event: KeyboardEvent): void => {
-    const { settings } = this.host;
     const step = event.shiftKey ? FINE_STEP : STEP;
     const moves: Record<string, () => void> = {
       ArrowLeft: () => this.turn(-step, 0),
       ArrowRight: () => this.turn(step, 0),
       ArrowUp: () => this.turn(0, step),
       ArrowDown: () => this.turn(0, -step),
-      PageUp: () => this.setDistance(settings.lightDistance * 1.1),
-      PageDown: () => this.setDistance(settings.lightDistance / 1.1),
+      PageUp: () => this.scaleDistance(1.1),
+      PageDown: () => this.scaleDistance(1 / 1.1),
       Home: this.onDoubleClick,
     };
     const move = moves[event.key];
@@ -159,54 +170,80 @@ export class LightHandle {
   };
 
   private readonly onDoubleClick = (): void => {
-    this.host.onMove({
-      lightAzimuth: SETTINGS.lightAzimuth.default,
-      lightElevation: SETTINGS.lightElevation.default,
-      lightDistance: SETTINGS.lightDistance.default,
-    });
+    this.host.onMove(this.host.home());
   };
 
   private turn(around: number, up: number): void {
-    const { lightAzimuth, lightElevation } = this.host.settings;
+    const { azimuth, elevation } = this.host.place();
     const { min, max } = SETTINGS.lightElevation;
     this.host.onMove({
-      lightAzimuth: MathUtils.euclideanModulo(lightAzimuth + around + 180, 360) - 180,
-      lightElevation: MathUtils.clamp(lightElevation + up, min, max),
+      azimuth: MathUtils.euclideanModulo(azimuth + around + 180, 360) - 180,
+      elevation: MathUtils.clamp(elevation + up, min, max),
     });
   }
 
   private setDistance(distance: number): void {
     const { min, max } = SETTINGS.lightDistance;
-    this.host.onMove({ lightDistance: MathUtils.clamp(distance, min, max) });
+    this.host.onMove({ distance: MathUtils.clamp(distance, min, max) });
+  }
+
+  private scaleDistance(factor: number): void {
+    const { distance } = this.host.place();
+    if (distance !== undefined) this.setDistance(distance * factor);
   }
 
   /** Scales the distance of the light by how far it is dragged from the model's centre. */
   private moveAway(place: Vector2): void {
     const centre = this.projection.project(new Vector3());
-    const now = Math.max(MIN_REACH, this.projection.project(this.host.lightPosition).distanceTo(centre));
+    const now = Math.max(MIN_REACH, this.projection.project(this.shown).distanceTo(centre));
     const next = Math.max(MIN_REACH, place.distanceTo(centre));
-    this.setDistance((this.host.settings.lightDistance * next) / now);
+    this.scaleDistance(next / now);
   }
 
   /** Moves the light to where the line of sight through `place` meets its sphere, or else to the sphere's outline. */
   private moveOverSphere(place: Vector2): void {
     const ray = this.projection.ray(place);
-    const radius = this.host.lightPosition.length();
+    const radius = this.shown.length();
     const hits = intersectSphere(ray, radius);
-    if (!hits) this.beyondOutline = true;
+    if (!hits || !this.isOnSheet(place)) this.beyondOutline = true;
     else if (this.beyondOutline) {
       this.beyondOutline = false;
       this.behind = !this.behind;
     }
     const hit = hits ? (this.behind ? hits.far : hits.near) : nearestOutlinePoint(ray, radius);
-    const { settings, camera } = this.host;
-    if (settings.lightFollows === 'viewer') hit.applyQuaternion(camera.quaternion.clone().invert());
+    if (this.host.isWithViewer()) hit.applyQuaternion(this.host.camera.quaternion.clone().invert());
     const { theta, phi } = new Spherical().setFromVector3(hit);
     const { min, max } = SETTINGS.lightElevation;
     this.host.onMove({
-      lightAzimuth: MathUtils.radToDeg(theta),
-      lightElevation: MathUtils.clamp(90 - MathUtils.radToDeg(phi), min, max),
+      azimuth: MathUtils.radToDeg(theta),
+      elevation: MathUtils.clamp(90 - MathUtils.radToDeg(phi), min, max),
     });
+  }
+
+  /** The radius of the sphere that the handle of a sun moves over. */
+  private sunRadius(): number {
+    const { camera } = this.host;
+    const { width, height } = this.projection.size;
+    const { x, y } = this.projection.project(new Vector3());
+    const room = Math.min(x, y, width - x, height - y) - MARGIN;
+    const focalLength = height / 2 / Math.tan(MathUtils.degToRad(camera.fov) / 2);
+    const radius = radiusWithin(camera.position.length(), room / focalLength);
+    return MathUtils.clamp(radius, SUN_RADIUS.min, SUN_RADIUS.max);
+  }
+
+  /** Where the handle is seen. */
+  private placeOnSheet(): Vector2 {
+    const { width, height } = this.projection.size;
+    const place = this.projection.project(this.shown);
+    place.x = MathUtils.clamp(place.x, MARGIN, width - MARGIN);
+    place.y = MathUtils.clamp(place.y, MARGIN, height - MARGIN);
+    return place;
+  }
+
+  /** Whether the handle can be at a place, and need not be kept at the edge. */
+  private isOnSheet({ x, y }: Vector2): boolean {
+    const { width, height } = this.projection.size;
+    return x >= MARGIN && y >= MARGIN && x <= width - MARGIN && y <= height - MARGIN;
   }
 
   /** How far a pointer is from the model's centre, in pixels. */

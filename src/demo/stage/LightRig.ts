@@ -1,17 +1,8 @@
-import {
-  type Camera,
-  DirectionalLight,
-  type Light,
-  MathUtils,
-  PointLight,
-  type Scene,
-  SpotLight,
-  Vector3,
-} from 'three';
+import { type Camera, DirectionalLight, MathUtils, PointLight, type Scene, SpotLight, Vector3 } from 'three';
 import type { Settings } from '../settings/settings.js';
-import { SECOND_LIGHT_AZIMUTH } from '../settings/settingValues.js';
+import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
 
-/** Distance at which the handle of a directional light is shown, in radii of the model. */
+/** Distance of a directional light, in radii of the model: outside of what casts shadows. */
 const SUN_DISTANCE = 1.45;
 
 /** The shadows of a model of radius 1 around the origin, from a light that lies outside. */
@@ -19,21 +10,28 @@ const REACH = 1.05;
 const SHADOW_NEAR = 0.05;
 const SHADOW_FAR = 7;
 const SHADOW_MAP_SIZE = 2048;
+/** While something moves on a slow machine. */
+const COARSE_SHADOW_MAP_SIZE = 1024;
 /** In units of the model. */
 const SHADOW_NORMAL_BIAS = 0.02;
 /** In texels. */
 const SHADOW_SOFTNESS = 1;
 
 const before = new Vector3();
+const secondBefore = new Vector3();
 
-/** The lights of the scene: the main light, of one of three kinds, and a second sun at a fixed angle from it. */
+/** The lights of the scene: the main light, of one of three kinds, and a second sun. */
 export class LightRig {
   /** The position of the main light, in world coordinates. The model's centre is the origin. */
   readonly position = new Vector3();
-  private readonly lights: Record<Settings['lightKind'], Light>;
+  /** The position of the second sun. */
+  readonly secondPosition: Vector3;
+  private readonly lights: { directional: DirectionalLight; point: PointLight; spot: SpotLight };
   private readonly second = new DirectionalLight();
+  private isCoarse = false;
 
   constructor(scene: Scene) {
+    this.secondPosition = this.second.position;
     const point = new PointLight();
     const spot = new SpotLight();
     // Without decay, moving the light turns the strokes and does not change the exposure.
@@ -61,12 +59,34 @@ export class LightRig {
       // At an intensity of π, a white surface that faces the light gets tone 0: bare paper.
       light.intensity = (Math.PI * settings.lightStrength) / 100;
     }
-    const spot = this.lights.spot as SpotLight;
+    const { spot } = this.lights;
     spot.angle = MathUtils.degToRad(settings.spotAngle) / 2;
     spot.penumbra = settings.spotSoftness / 100;
     this.second.visible = settings.secondLight !== 'none';
     this.second.castShadow = settings.shadows === 'on';
     this.second.intensity = (Math.PI * settings.secondStrength) / 100;
+  }
+
+  /**
+   * Lowers the quality of shadows while something moves on a slow machine: coarser maps, and one sample in the place of nine.
+   * Builds no program.
+   *
+   * @returns whether the maps must be drawn anew
+   */
+  lowerShadows(isCoarse: boolean): boolean {
+    if (isCoarse === this.isCoarse) return false;
+    this.isCoarse = isCoarse;
+    for (const { shadow } of [this.second, ...Object.values(this.lights)] as (
+      | DirectionalLight
+      | PointLight
+      | SpotLight
+    )[]) {
+      shadow.radius = isCoarse ? 0 : SHADOW_SOFTNESS;
+      // three does not resize the cube of a point light.
+      if (shadow !== this.lights.point.shadow)
+        shadow.mapSize.setScalar(isCoarse ? COARSE_SHADOW_MAP_SIZE : SHADOW_MAP_SIZE);
+    }
+    return this.lights.directional.castShadow;
   }
 
   /**
@@ -76,19 +96,20 @@ export class LightRig {
    * @returns whether one has moved
    */
   place(settings: Settings, { quaternion }: Camera): boolean {
-    const { lightFollows, lightKind, secondLight } = settings;
-    const azimuth = MathUtils.degToRad(settings.lightAzimuth);
-    const elevation = MathUtils.degToRad(settings.lightElevation);
-    const around = secondLight === 'none' ? 0 : MathUtils.degToRad(SECOND_LIGHT_AZIMUTH[secondLight]);
-    const distance = lightKind === 'directional' ? SUN_DISTANCE : settings.lightDistance;
     before.copy(this.position);
-    this.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth);
-    this.second.position.setFromSphericalCoords(SUN_DISTANCE, Math.PI / 2 - elevation, azimuth + around);
-    if (lightFollows === 'viewer') {
+    secondBefore.copy(this.secondPosition);
+    setPosition(this.position, placeOfLight(settings));
+    const second = placeOfSecondLight(settings);
+    if (second) setPosition(this.secondPosition, second);
+    if (settings.lightFollows === 'viewer') {
       this.position.applyQuaternion(quaternion);
-      this.second.position.applyQuaternion(quaternion);
+      if (second) this.secondPosition.applyQuaternion(quaternion);
     }
     for (const kind in this.lights) this.lights[kind as Settings['lightKind']].position.copy(this.position);
-    return !before.equals(this.position);
+    return !before.equals(this.position) || !secondBefore.equals(this.secondPosition);
   }
+}
+
+function setPosition(position: Vector3, { azimuth, elevation, distance = SUN_DISTANCE }: LightPlace): void {
+  position.setFromSphericalCoords(distance, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
 }

@@ -59,7 +59,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     resolution.beforeFrame();
     advanceMotion();
     const isLightMoved = settings !== undefined && lights.place(settings, camera);
-    if (isLightMoved || model?.motion) renderer.shadowMap.needsUpdate = true;
+    const areShadowsChanged = lights.lowerShadows(resolution.isCoarse);
+    if (isLightMoved || areShadowsChanged || model?.motion) renderer.shadowMap.needsUpdate = true;
     const pixelRatio = resolution.pixelRatio(width, height);
     if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
     timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio));
@@ -136,6 +137,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     camera,
     view,
     lightPosition: lights.position,
+    secondLightPosition: lights.secondPosition,
     draw,
     drawTile,
 

@@ -8,6 +8,16 @@ export function intersectSphere(ray: Ray, radius: number): { near: Vector3; far:
   return { near, far: closest.multiplyScalar(2).sub(near) };
 }
 
+/**
+ * The radius of a sphere around the origin whose outline is seen at a given size.
+ *
+ * @param distance of the eye from the origin
+ * @param size of the outline's radius, in focal lengths
+ */
+export function radiusWithin(distance: number, size: number): number {
+  return distance * Math.sin(Math.atan(size));
+}
+
 /** The point nearest to a ray on the outline of a sphere around the origin, as seen from the ray's origin. */
 export function nearestOutlinePoint(ray: Ray, radius: number): Vector3 {
   const distance = ray.origin.length();

@@ -81,6 +81,7 @@ const looks: Record<string, Partial<Settings>> = {
     shininess: 9,
   },
   'two lights that stay with the viewer': { lightFollows: 'viewer', secondLight: 'right', secondStrength: 70 },
+  'a second light somewhere else': { secondLight: 'free', secondAzimuth: 75, secondElevation: -20 },
   'a highlight with an edge': { keepHighlight: 20, reflectedLight: 0 },
   'layers by tone': { strokeLayers: 'tone', crossFrom: 40, crossAngle: 90, secondLight: 'right' },
   'engraved, crossing at a right angle': { technique: 'engraved', crossFrom: 30, crossAngle: 90 },
