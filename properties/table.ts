@@ -100,7 +100,7 @@ export const PROPERTIES = {
     range: { from: 0, to: 1 },
     techniques: ['anchored', 'engraved'],
     sentence:
-      'What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In between, strokes grow less than the object does as it comes nearer.',
+      'What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
   },
   texelPixels: {
     kind: 'number',
@@ -316,6 +316,7 @@ export const PROPERTIES = {
     group: 'Tone',
     default: 0,
     range: { from: 0, to: 1 },
+    uniform: false,
     sentence: 'Tone, after the tone curve, below which the paper stays blank: a highlight with an edge.',
   },
   highlightSoftness: {
@@ -323,6 +324,7 @@ export const PROPERTIES = {
     group: 'Tone',
     default: 0,
     range: { from: 0, to: 1 },
+    uniform: false,
     sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`.',
   },
   normalMap: {

@@ -42,6 +42,6 @@ void main() {
     vTurn = turnOf(mat3(skinMatrix));
   #endif // USE_SKINNING
 
-  vec2 texel = vec2(texelOf(vertex, int(targetSize.x))) + 0.5;
+  vec2 texel = vec2(texelOf(vertex)) + 0.5;
   gl_Position = vec4(2.0 * texel / targetSize - 1.0, 0.0, 1.0);
 }

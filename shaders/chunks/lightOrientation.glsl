@@ -10,11 +10,9 @@
 
 #include "lightLuminance"
 
-// A unit vector perpendicular to n, built on the coordinate axis that n leans to least.
+// A vector perpendicular to n, not of unit length, and never short.
 vec3 anyTangent(const in vec3 n) {
-  vec3 a = abs(n);
-  vec3 axis = a.x <= a.y && a.x <= a.z ? vec3(1.0, 0.0, 0.0) : a.y <= a.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
-  return normalize(axis - n * dot(n, axis));
+  return abs(n.x) > abs(n.z) ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y);
 }
 
 // Below this squared sine of the angle between light and normal, the light gives no direction.
@@ -63,9 +61,9 @@ vec3 lightBitangent(
   vec3 l = viewToObject * light.direction;
   vec3 projected = l - n * dot(l, n);
   float squaredLength = dot(projected, projected);
-  // L ∥ N: the lit pole is white and the unlit one black, so any tangent will do. Negated, so that NaN ends here too.
-  if (!(squaredLength > PARALLEL_SQUARED_SINE * dot(l, l))) return anyTangent(n);
-  return projected * inversesqrt(squaredLength);
+  // L ∥ N: the lit pole is white and the unlit one black, so any tangent will do; for NaN too.
+  vec3 chosen = squaredLength > PARALLEL_SQUARED_SINE * dot(l, l) ? projected : anyTangent(n);
+  return chosen * inversesqrt(dot(chosen, chosen));
 }
 
 #else
@@ -98,7 +96,7 @@ vec3 lightBitangent(
 ) {
   LightOrientation o;
   o.n = n;
-  o.e1 = anyTangent(n);
+  o.e1 = normalize(anyTangent(n));
   o.e2 = cross(n, o.e1);
   o.tensor = vec2(0.0);
   o.sum = vec2(0.0);

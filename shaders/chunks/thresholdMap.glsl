@@ -7,6 +7,7 @@
 
 uniform highp sampler2D thresholdMap;
 uniform float thresholdMapSize; // texels per side of level 0
+uniform vec2 thresholdMapTexel; // share of the texture's width and height
 uniform float thresholdMapLevels;
 uniform float edgePixels; // width of the edge of a stroke
 
@@ -40,23 +41,23 @@ ThresholdLevel chooseLevel(const in float level) {
   float rest = 1.0 - share;
   float variance = dot(thresholdMoments, vec3(rest * rest, share * share, 2.0 * rest * share));
   float size = thresholdMapSize * exp2(-finer);
-  vec2 texel = 1.0 / vec2(textureSize(thresholdMap, 0));
   // Every level has a margin of one texel.
   vec2 corner = vec2(2.0 * (thresholdMapSize - size + finer) + 1.0, 1.0);
-  return ThresholdLevel(corner * texel, size * texel, share, inversesqrt(variance), 4.0 * rest * share * min(2.0 * share, 1.0));
+  return ThresholdLevel(corner * thresholdMapTexel, size * thresholdMapTexel, share, inversesqrt(variance), 4.0 * rest * share * min(2.0 * share, 1.0));
 }
 
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
-  vec2 encoded = texture(thresholdMap, level.corner + level.side * fract(uv)).rg;
+  // Not texture(): it wants derivatives, and some fragments of a quad may not come here.
+  vec2 encoded = textureLod(thresholdMap, level.corner + level.side * fract(uv), 0.0).rg;
   return level.contrast * (6.0 * mix(encoded.r, encoded.g, level.share) - 3.0);
 }
 
 // The field of four places, blended by their weights.
-HatchField blendedField(
+float blendedField(
   const in vec2 a, const in vec2 b, const in vec2 c, const in vec2 d, const in vec4 weights, const in ThresholdLevel level
 ) {
   vec4 fields = vec4(thresholdAt(a, level), thresholdAt(b, level), thresholdAt(c, level), thresholdAt(d, level));
-  return HatchField(dot(fields, weights) * inversesqrt(dot(weights, weights)), level.mixing);
+  return dot(fields, weights) * inversesqrt(dot(weights, weights));
 }
 
 // Φ, the standard normal distribution, to 2e-4, and its slope.
@@ -84,9 +85,9 @@ float inkAt(const in HatchField field, const in float tone, const in float crowd
   h.x = unskew(h.x, field.mixing);
   float width = clamp(fwidth(field.g) * h.y * edgePixels, 1e-7, 1.0);
   // Near blank and near full, an edge that reaches beyond [0, 1] would lose some of its ink; draw it elsewhere instead.
-  float level = tone;
-  if (tone < 0.5 * width) level = sqrt(2.0 * width * tone) - 0.5 * width;
-  else if (1.0 - tone < 0.5 * width) level = 1.0 + 0.5 * width - sqrt(2.0 * width * (1.0 - tone));
+  float nearest = min(tone, 1.0 - tone);
+  float moved = sqrt(2.0 * width * nearest) - 0.5 * width;
+  float level = nearest < 0.5 * width ? (tone < 0.5 ? moved : 1.0 - moved) : tone;
   float ink = clamp((level - h.x) / width + 0.5, 0.0, 1.0);
   // At a slant strokes crowd until a pixel holds several; one taken from among them would be a stray dot. Theirs is the tone.
   return mix(ink, tone, min(edgePixels, 1.0) * smoothstep(CROWDED_FROM, CROWDED, crowding));

@@ -2,12 +2,11 @@
 #include "toneCurve"
 
 uniform float toneSteps;
-uniform float keepHighlight; // tone below which paper stays blank
-uniform float highlightSoftness;
+// Slope and height at tone 0 of the ramp from 0, where paper stays blank, to 1.
+uniform vec2 highlightRamp;
 
 PerToneNormal highlightKept(const in PerToneNormal tone) {
-  float softness = max(keepHighlight * highlightSoftness, 1e-6);
-  return tone * clamp((tone - keepHighlight + softness) / (2.0 * softness), 0.0, 1.0);
+  return tone * clamp(highlightRamp.x * tone + highlightRamp.y, 0.0, 1.0);
 }
 
 PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {

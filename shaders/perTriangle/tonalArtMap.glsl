@@ -3,6 +3,7 @@
 
 uniform highp sampler2DArray tonalArtMap;
 uniform float tonalArtMapTones;
+uniform float tonalArtMapLastLayer;
 
 // Darkness ∈ [0, 1] of the hatch at uv: the two neighbouring hatch images interpolated by tone or, for bands as hard as
 // those of `toon`, the nearest one. Call it in uniform control flow: derivatives of uv may choose the level.
@@ -11,7 +12,9 @@ float sampleTonalArtMap(const in vec2 uv, const in float tone) {
   #if TONE_MODEL == TONE_MODEL_TOON
     x = floor(x + 0.5);
   #endif // TONE_MODEL
-  float layer = clamp(floor(x / 3.0), 0.0, max(ceil((tonalArtMapTones - 1.0) / 3.0) - 1.0, 0.0));
-  vec4 weights = max(1.0 - abs(x - 3.0 * layer - vec4(0.0, 1.0, 2.0, 3.0)), 0.0);
-  return dot(1.0 - readImages(tonalArtMap, vec3(uv, layer)), weights);
+  float layer = clamp(floor(x / 3.0), 0.0, tonalArtMapLastLayer);
+  // How far from each image on to the next; of the three, one lies within (0, 1).
+  vec3 steps = clamp(x - 3.0 * layer - vec3(0.0, 1.0, 2.0), 0.0, 1.0);
+  vec4 images = readImages(tonalArtMap, vec3(uv, layer));
+  return 1.0 - images.r - dot(images.gba - images.rgb, steps);
 }

@@ -5,3 +5,4 @@
 #include "perTriangle/adjacencyPrimitive"
 #include "perTriangle/vertexLayouts"
 #include "perTriangle/strokeCoordinates"
+#include "safeNormalize"

@@ -1,10 +1,12 @@
 import { vertexAcross } from '../adjacency/vertexAcross.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import { pullTextureSize, TRIANGLE_WORDS, VERTEX_WORDS } from './pullLayout.js';
+import { pullColumns, pullTextureSize, TRIANGLE_WORDS, VERTEX_WORDS } from './pullLayout.js';
 
 /** The textures of the `pull` layout, padded to whole rows (`pullTextureSize`). */
 export interface PackedPull {
+  /** Texels in a row of either texture, if there is more than one row. */
+  columns: number;
   /** `TRIANGLE_WORDS` words per triangle. */
   triangleVertices: Uint32Array<ArrayBuffer>;
   /** `VERTEX_WORDS` floats per vertex. */
@@ -19,9 +21,11 @@ export function* packPull(
 ): Generator<number, PackedPull, void> {
   const triangleCount = indices.length / 3;
   const vertexCount = positions.length / 3;
+  const columns = pullColumns(Math.max((triangleCount * TRIANGLE_WORDS) / 4, (vertexCount * VERTEX_WORDS) / 4));
   const packed = {
-    triangleVertices: new Uint32Array(paddedWords(triangleCount, TRIANGLE_WORDS)),
-    vertexPositions: new Float32Array(paddedWords(vertexCount, VERTEX_WORDS)),
+    columns,
+    triangleVertices: new Uint32Array(paddedWords(triangleCount, TRIANGLE_WORDS, columns)),
+    vertexPositions: new Float32Array(paddedWords(vertexCount, VERTEX_WORDS, columns)),
   };
   const isUsed = new Uint8Array(vertexCount);
   yield* asPhase(
@@ -40,8 +44,8 @@ export function* packPull(
 }
 
 /** Words of a texture that holds `entries` entries. A texel has four words. */
-export function paddedWords(entries: number, wordsPerEntry: number): number {
-  const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4);
+export function paddedWords(entries: number, wordsPerEntry: number, columns?: number): number {
+  const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4, columns);
   return 4 * width * height;
 }
 

@@ -14,11 +14,21 @@ export const TRIANGLE_WORDS = 8;
 /** Words of the position texture per vertex: x, y, z and an unused one. */
 export const VERTEX_WORDS = 4;
 
-/** WebGL2 guarantees textures of this width. It is even, so both texels of a triangle lie in one row. */
-const MOST_COLUMNS = 2048;
+/** WebGL2 guarantees textures of this width. */
+const LEAST_COLUMNS = 2048;
+
+/**
+ * How wide textures of so many texels are that take more than one row. A power of two, so that shaders need not divide,
+ * and no less than there are rows, so that devices allow the height. Both texels of a triangle lie in one row.
+ */
+export function pullColumns(texels: number): number {
+  let columns = LEAST_COLUMNS;
+  while (columns * columns < texels) columns *= 2;
+  return columns;
+}
 
 /** Width and height of a texture that holds `texels` texels, row by row. */
-export function pullTextureSize(texels: number): { width: number; height: number } {
-  const width = Math.min(texels, MOST_COLUMNS);
+export function pullTextureSize(texels: number, columns = pullColumns(texels)): { width: number; height: number } {
+  const width = Math.min(texels, columns);
   return { width, height: Math.ceil(texels / width) };
 }

@@ -8,10 +8,13 @@ export class PulledVertices {
   readonly triangleVertices: DataTexture;
   /** In the rest pose. */
   readonly positions: DataTexture;
+  /** Texels in a row, as a power of two. */
+  readonly rowShift: number;
 
-  constructor({ triangleVertices, vertexPositions }: PackedPull) {
-    const triangles = pullTextureSize(triangleVertices.length / 4);
-    const vertices = pullTextureSize(vertexPositions.length / 4);
+  constructor({ columns, triangleVertices, vertexPositions }: PackedPull) {
+    this.rowShift = Math.log2(columns);
+    const triangles = pullTextureSize(triangleVertices.length / 4, columns);
+    const vertices = pullTextureSize(vertexPositions.length / 4, columns);
     this.triangleVertices = new DataTexture(
       triangleVertices,
       triangles.width,

@@ -19,7 +19,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import { pullTextureSize } from '../bake/pullLayout.js';
+import { pullColumns, pullTextureSize } from '../bake/pullLayout.js';
 import { identityOf } from '../geometry/identityOf.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { deformationShaders } from './hatchingShaders.js';
@@ -56,7 +56,8 @@ export class Deformation {
     private readonly geometry: BufferGeometry,
     vertices: PulledVertices | null,
   ) {
-    const { width, height } = vertices?.positions.image ?? pullTextureSize(geometry.attributes.position.count);
+    const { count } = geometry.attributes.position;
+    const { width, height } = vertices?.positions.image ?? pullTextureSize(count);
     this.target = new WebGLRenderTarget(width, height, {
       count: 3,
       type: FloatType,
@@ -67,6 +68,7 @@ export class Deformation {
     this.shader = new ShaderMaterial({
       name: 'HatchingDeformation',
       uniforms: {
+        pullRowShift: { value: vertices?.rowShift ?? Math.log2(pullColumns(count)) },
         triangleVertices: { value: vertices?.triangleVertices ?? null },
         targetSize: { value: new Vector2(width, height) },
       },

@@ -345,7 +345,10 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       this.strokeWidth === null ? this.texelPixels : this.strokeWidth / (this.tonalArtMap?.strokeWidth ?? 1);
     u.creaseCosine.value = Math.cos(this.creaseAngle);
     u.tonalArtMap.value = map?.texture ?? blankTonalArtMap();
-    u.tonalArtMapTones.value = map?.tones ?? 2;
+    const tones = map?.tones ?? 2;
+    u.tonalArtMapTones.value = tones;
+    // A layer begins with the last tone of the one before.
+    u.tonalArtMapLastLayer.value = Math.ceil((tones - 1) / 3) - 1;
 
     // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
     const { strokeScale: scale, strokeOffset: offset } = this;
@@ -353,6 +356,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const sin = Math.sin(this.strokeRotation);
     u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
     u.strokeDirection.value.set(cos, sin);
+    const highlightReach = Math.max(this.keepHighlight * this.highlightSoftness, 1e-6);
+    u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * this.keepHighlight) / highlightReach);
     // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
     const { crossAngle } = this;
     u.layerTurns.value.set(
@@ -366,12 +371,15 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       u.thresholdMapLevels.value = 1;
       u.thresholdMoments.value.set(1, 1, 0);
       u.thresholdMapSize.value = 1;
+      u.thresholdMapTexel.value.set(1, 1);
     } else if (usesThresholds) {
       u.thresholdMap.value = map.thresholdTexture;
       u.thresholdMapLevels.value = map.levels;
       const { variance, coarserVariance, covariance } = map.thresholdMoments;
       u.thresholdMoments.value.set(variance, coarserVariance, covariance);
       u.thresholdMapSize.value = map.size;
+      const { width, height } = map.thresholdTexture.image;
+      u.thresholdMapTexel.value.set(1 / width, 1 / height);
     }
   }
 
@@ -408,6 +416,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
     // As three.js has USE_UV1 to USE_UV3.
     write('USE_UV0', usesFirstChannel ? '' : undefined);
+    // Strokes that are sized on the object alone need one lattice, and no code for a second.
+    write('SIZED_ON_SCREEN', technique === 'anchored' && this.screenConstancy > 0 ? '' : undefined);
     write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
     write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(this.readsAdjacency ? this.vertexLayout : 'corner'));
     if (hasChanged) this.needsUpdate = true;

@@ -54,8 +54,8 @@ export interface HatchingMaterialOptions {
   levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
-   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`,
-   * `'engraved'`.
+   * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
+   * which is cheaper. In [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
    */
   screenConstancy: number;
   /**
@@ -324,8 +324,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
-   * between, strokes grow less than the object does as it comes nearer. In [0, 1]. Default `0`. Only `'anchored'`,
-   * `'engraved'`.
+   * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
+   * which is cheaper. In [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
    */
   get screenConstancy(): number {
     return this.numbers.screenConstancy;

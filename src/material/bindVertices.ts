@@ -54,6 +54,7 @@ export function bindVertices(
   }
   bind(material, 'triangleVertices', vertices.triangleVertices);
   bind(material, 'restPositions', vertices.positions);
+  bind(material, 'pullRowShift', vertices.rowShift);
   if (!isDeforming || !canDeform(renderer, geometry, object)) return 'pull';
 
   const deformation = deformationOf(renderer, object as Mesh, geometry, vertices);
@@ -126,9 +127,9 @@ export function canDeform(renderer: WebGLRenderer, geometry: BufferGeometry, obj
 }
 
 /** Sets a uniform that differs between meshes. By default three.js uploads uniforms once for all meshes of a material. */
-function bind(material: ShaderMaterial, name: string, texture: Texture): void {
+function bind(material: ShaderMaterial, name: string, value: Texture | number): void {
   const uniform = material.uniforms[name];
-  if (uniform.value === texture) return;
-  uniform.value = texture;
+  if (uniform.value === value) return;
+  uniform.value = value;
   material.uniformsNeedUpdate = true;
 }

@@ -13,6 +13,7 @@ export function createHatchingUniforms(): Uniforms {
     {
       alphaTest: { value: 0 },
       creaseCosine: { value: 0 },
+      highlightRamp: { value: new Vector2() },
       layerTurns: { value: new Vector4() },
       opacity: { value: 1 },
       strokeDirection: { value: new Vector2() },
@@ -26,8 +27,10 @@ export function createHatchingUniforms(): Uniforms {
       thresholdMap: { value: null },
       thresholdMapLevels: { value: 1 },
       thresholdMapSize: { value: 1 },
+      thresholdMapTexel: { value: new Vector2(1, 1) },
       thresholdMoments: { value: new Vector3(1, 1, 0) },
       tonalArtMap: { value: null },
+      tonalArtMapLastLayer: { value: 0 },
       tonalArtMapTones: { value: 2 },
       // of the scene's environment
       environment: { value: null },
@@ -41,6 +44,7 @@ export function createHatchingUniforms(): Uniforms {
       fieldOrigin: { value: new Vector3() },
       objectToField: { value: new Matrix3() },
       objectToFieldNormal: { value: new Matrix3() },
+      pullRowShift: { value: 0 },
       restPositions: { value: null },
       triangleVertices: { value: null },
     },

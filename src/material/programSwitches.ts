@@ -4,7 +4,7 @@ import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProper
 
 /**
  * What three.js builds a program by but looks at only once `needsUpdate` is set, as one number: whether there are textures and
- * which coordinates they go by, sides, vertex colours and the like. Another number needs another program. Allocates nothing.
+ * which coordinates they go by, whether strokes are sized on the screen, sides, vertex colours and the like. Another number needs another program. Allocates nothing.
  */
 export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
   let switches: number = material.normalMapType;
@@ -12,6 +12,7 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
     if (HATCHING_PROPERTIES[name as HatchingPropertyName].kind !== 'texture') continue;
     switches = switches * 16 + textureSwitches(material[name as HatchingPropertyName] as Texture | null);
   }
+  switches = switches * 2 + Number(material.screenConstancy > 0);
   switches = switches * 4 + material.side;
   switches = switches * 8 + material.blending;
   switches = switches * 2 + Number(material.transparent);

@@ -34,8 +34,8 @@ const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** Wellons 2018, lowbias32, over the coordinates of a lattice point and the number of its lattice. */
 export function hashAnchor(id: Vec3, lattice: number): number {
-  let h = Math.imul(id[0], 0x8da6b343) ^ Math.imul(id[1], 0xd8163841) ^ Math.imul(id[2], 0xcb1ab31f);
-  h ^= Math.imul(lattice, 0x9e3779b9);
+  let h = Math.imul(id[0], 0x8da6b343) + Math.imul(id[1], 0xd8163841) + Math.imul(id[2], 0xcb1ab31f);
+  h = (h + Math.imul(lattice, 0x9e3779b9)) | 0;
   h ^= h >>> 16;
   h = Math.imul(h, 0x7feb352d);
   h ^= h >>> 15;

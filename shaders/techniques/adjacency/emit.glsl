@@ -27,8 +27,8 @@ vec3 blendFactors = vec3(
   vBlendFactors = blendFactors;
 #else
   // A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
-  vFaceNormalCentral = normalC * viewToObject;
-  vFaceNormalAlpha = vec4(normalAlpha * viewToObject, blendFactors.x);
-  vFaceNormalBeta = vec4(normalBeta * viewToObject, blendFactors.y);
-  vFaceNormalGamma = vec4(normalGamma * viewToObject, blendFactors.z);
+  vFaceNormalCentral = safeNormalize(normalC * viewToObject);
+  vFaceNormalAlpha = vec4(safeNormalize(normalAlpha * viewToObject), blendFactors.x);
+  vFaceNormalBeta = vec4(safeNormalize(normalBeta * viewToObject), blendFactors.y);
+  vFaceNormalGamma = vec4(safeNormalize(normalGamma * viewToObject), blendFactors.z);
 #endif // TONE_NORMAL

@@ -5,8 +5,7 @@
 #if TONE_NORMAL == TONE_NORMAL_FACE
   mat4x3 readFaceNormals(const in float side) {
     return mat4x3(
-      safeNormalize(vFaceNormalCentral) * side, safeNormalize(vFaceNormalAlpha.xyz) * side,
-      safeNormalize(vFaceNormalBeta.xyz) * side, safeNormalize(vFaceNormalGamma.xyz) * side
+      vFaceNormalCentral * side, vFaceNormalAlpha.xyz * side, vFaceNormalBeta.xyz * side, vFaceNormalGamma.xyz * side
     );
   }
 #endif // TONE_NORMAL

@@ -7,7 +7,7 @@ varying vec4 vStrokeUvBetaGamma; // (u, v) in the frame of β, then of γ
 #if TONE_NORMAL == TONE_NORMAL_SMOOTH
   varying vec3 vBlendFactors;
 #else
-  varying vec3 vFaceNormalCentral; // view space, as the others
+  varying vec3 vFaceNormalCentral; // unit, view space, as the others
   varying vec4 vFaceNormalAlpha; // and the blend factor
   varying vec4 vFaceNormalBeta;
   varying vec4 vFaceNormalGamma;

@@ -7,14 +7,17 @@ struct LatticeAnchors {
   uvec4 hashes; // a random word each
 };
 
-// Random words for the lattice points at cell, cell + second, cell + third and cell + 1 (finaliser: Wellons, "Prospecting
-// for Hash Functions", 2018).
-uvec4 hashAnchors(const in ivec3 cell, const in uvec3 second, const in uvec3 third, const in uint lattice) {
-  uvec3 base = uvec3(cell);
-  uvec4 h = (base.x + uvec4(0u, second.x, third.x, 1u)) * 0x8da6b343u;
-  h ^= (base.y + uvec4(0u, second.y, third.y, 1u)) * 0xd8163841u;
-  h ^= (base.z + uvec4(0u, second.z, third.z, 1u)) * 0xcb1ab31fu;
-  h ^= lattice * 0x9e3779b9u;
+// Odd, and without a pattern in common.
+const uvec3 HASH_STEP = uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
+
+// Random words for the lattice points at cell, cell + second, cell + third and cell + 1. A sum, of which a corner takes its
+// share: products joined by XOR give mirrored cells the same word (finaliser: Wellons, "Prospecting for Hash Functions", 2018).
+uvec4 hashAnchors(const in ivec3 cell, const in vec3 second, const in vec3 third, const in uint lattice) {
+  uvec3 own = uvec3(cell) * HASH_STEP;
+  uint toSecond = second.x > 0.5 ? HASH_STEP.x : second.y > 0.5 ? HASH_STEP.y : HASH_STEP.z;
+  uint all = HASH_STEP.x + HASH_STEP.y + HASH_STEP.z;
+  uint toThird = all - (third.x < 0.5 ? HASH_STEP.x : third.y < 0.5 ? HASH_STEP.y : HASH_STEP.z);
+  uvec4 h = own.x + own.y + own.z + lattice * 0x9e3779b9u + uvec4(0u, toSecond, toThird, all);
   h ^= h >> 16u;
   h *= 0x7feb352du;
   h ^= h >> 15u;
@@ -39,6 +42,6 @@ LatticeAnchors nearestAnchors(const in vec3 x, const in float lattice) {
   vec4 weights = max(0.5 - squares, 0.0);
   weights = weights * weights * weights;
   return LatticeAnchors(
-    offsets, weights * weights, hashAnchors(ivec3(cell), uvec3(second), uvec3(third), uint(int(lattice)))
+    offsets, weights * weights, hashAnchors(ivec3(cell), second, third, uint(int(lattice)))
   );
 }

@@ -5,4 +5,4 @@ vStrokeUv = strokesC.xy;
   vCrossing = strokesC.z;
 #endif // LAYERS_BY_LIGHTS
 // A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
-vFaceNormal = normalC * viewToObject;
+vFaceNormal = safeNormalize(normalC * viewToObject);

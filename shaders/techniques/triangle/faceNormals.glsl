@@ -2,5 +2,5 @@
 #define PerFaceNormal float
 
 vec3 readFaceNormals(const in float side) {
-  return safeNormalize(vFaceNormal) * side;
+  return vFaceNormal * side;
 }

@@ -70,6 +70,8 @@ test('textures are two texels per triangle and one per vertex, padded to rows', 
   expect(vertexPositions.length).toBe(rows(mesh.positions.length / 3));
   expect(pullTextureSize(12)).toEqual({ width: 12, height: 1 });
   expect(pullTextureSize(2049)).toEqual({ width: 2048, height: 2 });
+  // Ten million triangles: wider, so that no device has too few rows.
+  expect(pullTextureSize(20_000_000)).toEqual({ width: 8192, height: 2442 });
 });
 
 test('all buffers travel, and are used once', () => {

@@ -2,6 +2,7 @@ import { Color, DoubleSide, ShaderChunk, ShaderLib, Texture, Vector2 } from 'thr
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
+import { programSwitches } from '../../../src/material/programSwitches.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 
 const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]) });
@@ -163,6 +164,23 @@ describe('HatchingMaterial', () => {
     material.crisp = true;
     expect(material.version).toBe(version + 1);
     expect(material.clone().crisp).toBe(true);
+  });
+
+  test('strokes sized on the object alone have a program of their own, and other sizes one between them', () => {
+    const material = new HatchingMaterial({ technique: 'anchored' });
+    // The renderer asks for it when it chooses a program.
+    const definesAt = (screenConstancy: number) => {
+      material.screenConstancy = screenConstancy;
+      material.customProgramCacheKey();
+      return { ...material.defines };
+    };
+    const onObject = definesAt(0);
+    expect(definesAt(0.5)).not.toEqual(onObject);
+    expect(definesAt(0.5)).toEqual(definesAt(1));
+    expect(definesAt(0)).toEqual(onObject);
+    expect(programSwitches(Object.assign(material, { screenConstancy: 0.4 }))).not.toBe(
+      programSwitches(new HatchingMaterial({ technique: 'anchored' })),
+    );
   });
 
   test('reads thresholds only where they are drawn', () => {

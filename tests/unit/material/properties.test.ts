@@ -109,7 +109,8 @@ describe('every property', () => {
       return JSON.stringify([vertexShader, fragmentShader, defines, values]);
     };
     for (const [name, row] of rows) {
-      const base = row.techniques ? { technique: row.techniques[0] } : {};
+      // Without a highlight its softness is nothing.
+      const base = { ...(row.techniques && { technique: row.techniques[0] }), keepHighlight: 0.1 };
       const parameters = { ...base, tonalArtMap: changed.tonalArtMap, [name]: anotherValue(name, row) };
       const before = new HatchingMaterial({
         ...base,
