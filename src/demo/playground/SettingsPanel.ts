@@ -32,7 +32,15 @@ export class SettingsPanel {
     const folders = SETTING_GROUPS.map((group, i) => {
       const folder = i === 0 ? gui : gui.addFolder(group).close();
       // Without lil-gui's own style sheet, its opening animation would never end.
-      folder.openAnimated = (open) => folder.open(open);
+      folder.openAnimated = (open) => {
+        folder.open(open);
+        // What a fold holds is seen at once: all of it, or its beginning if it is longer than the panel.
+        if (open) {
+          folder.domElement.scrollIntoView({ block: 'nearest' });
+          folder.$title.scrollIntoView({ block: 'nearest' });
+        }
+        return folder;
+      };
       return [group, folder] as const;
     });
     const folderOf = new Map(folders);
