@@ -4,6 +4,7 @@ import { checkTriangleCount } from '../files/checkTriangleCount.js';
 import { measureExtent } from '../files/fitModel.js';
 import type { ModelScene } from '../files/parseGltf.js';
 import { placements } from '../files/placements.js';
+import { repairScene } from '../files/repairGeometry.js';
 import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
@@ -28,6 +29,7 @@ export async function hatchScene(
 ): Promise<{ model: HatchedModel; broken: number }> {
   const usable = animations.filter(isUsable);
   hideAllButMeshes(root);
+  repairScene(root);
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
   const bounds = fitScene(holder, motion);

@@ -2,12 +2,24 @@
 export interface PlainMesh {
   /** Three numbers per vertex. */
   positions: Float32Array;
-  /** Three numbers per vertex, or null if the source has none; they are computed then. */
+  /** Three numbers per vertex, or null if the source has none. Those that are missing or zero are computed. */
   normals: Float32Array | null;
   /** Linear RGB, three numbers per vertex, or null if the source has none. */
   colors: Float32Array | null;
   /** Three per triangle, or null if every three vertices in a row make one. */
   indices: Uint32Array | null;
+  /** Two numbers per vertex, only of meshes with pictures. */
+  uvs?: Float32Array;
+  /** Which corners are drawn with which picture, one after the other, only of meshes with pictures. */
+  ranges?: PictureRange[];
+}
+
+/** Corners in a row that are drawn with one picture. */
+export interface PictureRange {
+  start: number;
+  count: number;
+  /** The index of the picture, or -1 for none. */
+  picture: number;
 }
 
 /** The number of triangles in a mesh. */
@@ -17,6 +29,6 @@ export function triangleCount(mesh: PlainMesh): number {
 
 /** The buffers to transfer with a mesh. */
 export function meshBuffers(mesh: PlainMesh): ArrayBuffer[] {
-  const arrays = [mesh.positions, mesh.normals, mesh.colors, mesh.indices];
+  const arrays = [mesh.positions, mesh.normals, mesh.colors, mesh.indices, mesh.uvs];
   return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
 }

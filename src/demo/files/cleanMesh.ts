@@ -1,5 +1,5 @@
 import { ModelError } from './ModelError.js';
-import { type PlainMesh, triangleCount } from './PlainMesh.js';
+import { type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js';
 
 /**
  * Removes what three's loaders let through: triangles with a vertex that is missing, infinite or not a number, and
@@ -20,17 +20,23 @@ export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } 
 
   const kept = new Uint32Array(3 * total);
   let length = 0;
-  for (let corner = 0; corner < 3 * total; corner += 3) {
-    const a = indices ? indices[corner] : corner;
-    const b = indices ? indices[corner + 1] : corner + 1;
-    const c = indices ? indices[corner + 2] : corner + 2;
-    if (!(isValid(a) && isValid(b) && isValid(c))) continue;
-    kept[length++] = a;
-    kept[length++] = b;
-    kept[length++] = c;
+  const ranges: PictureRange[] = [];
+  for (const { start, count, picture } of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
+    const first = length;
+    for (let corner = start; corner < start + count; corner += 3) {
+      const a = indices ? indices[corner] : corner;
+      const b = indices ? indices[corner + 1] : corner + 1;
+      const c = indices ? indices[corner + 2] : corner + 2;
+      if (!(isValid(a) && isValid(b) && isValid(c))) continue;
+      kept[length++] = a;
+      kept[length++] = b;
+      kept[length++] = c;
+    }
+    if (length > first) ranges.push({ start: first, count: length - first, picture });
   }
   if (length === 0) throw new ModelError('None of the triangles in the file has three valid corners.');
-  return { mesh: compact(mesh, kept.subarray(0, length)), broken: total - length / 3 };
+  const cleaned = compact(mesh, kept.subarray(0, length));
+  return { mesh: mesh.ranges ? { ...cleaned, ranges } : cleaned, broken: total - length / 3 };
 }
 
 /** Removes the vertices that are not in use and renumbers the others. */
@@ -40,20 +46,22 @@ function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
   for (const vertex of indices) renumbered[vertex] = 1;
   let count = 0;
   for (let vertex = 0; vertex < vertexCount; vertex++) if (renumbered[vertex]) renumbered[vertex] = ++count;
-  const pick = (source: Float32Array | null): Float32Array | null => {
-    if (!source) return null;
-    if (count === vertexCount) return source.length === 3 * vertexCount ? source : source.slice(0, 3 * vertexCount);
-    const picked = new Float32Array(3 * count);
+  const pick = (source: Float32Array, size: number): Float32Array => {
+    if (count === vertexCount)
+      return source.length === size * vertexCount ? source : source.slice(0, size * vertexCount);
+    const picked = new Float32Array(size * count);
     for (let vertex = 0; vertex < vertexCount; vertex++) {
-      const to = renumbered[vertex];
-      if (to) picked.set(source.subarray(3 * vertex, 3 * vertex + 3), 3 * (to - 1));
+      const from = size * vertex;
+      const to = size * (renumbered[vertex] - 1);
+      if (to >= 0) for (let i = 0; i < size; i++) picked[to + i] = source[from + i];
     }
     return picked;
   };
   return {
-    positions: pick(mesh.positions)!,
-    normals: pick(mesh.normals),
-    colors: pick(mesh.colors),
+    positions: pick(mesh.positions, 3),
+    normals: mesh.normals && pick(mesh.normals, 3),
+    colors: mesh.colors && pick(mesh.colors, 3),
     indices: indices.map((vertex) => renumbered[vertex] - 1),
+    ...(mesh.uvs && { uvs: pick(mesh.uvs, 2) }),
   };
 }
