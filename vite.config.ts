@@ -49,6 +49,7 @@ export default defineConfig(
           'loaders/OBJLoader.js',
           'loaders/MTLLoader.js',
           'loaders/PLYLoader.js',
+          'loaders/TGALoader.js',
           'loaders/STLLoader.js',
           'loaders/DRACOLoader.js',
           'libs/meshopt_decoder.module.js',

@@ -10,6 +10,9 @@ import {
   octahedronMtl,
   octahedronObj,
   octahedronPly,
+  skyPng,
+  squareMtl,
+  squareObj,
   type TestFile,
 } from './modelFiles.js';
 import { changedShare, meanInk, WHOLE } from './pictures.js';
@@ -60,8 +63,8 @@ test('a mirrored part of a model is not turned inside out', async ({ page }) => 
   expect(below).toBeGreaterThan(1.5 * mirrored);
 });
 
-test('a picked file is drawn, with its colours', async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+test('a picked file is drawn, with its colours and its picture', async ({ page }) => {
+  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0');
   await page
     .locator('#file-input')
     .setInputFiles([file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)]);
@@ -70,6 +73,20 @@ test('a picked file is drawn, with its colours', async ({ page }) => {
   let red = 0;
   for (let i = 0; i < data.length; i += 4) if (data[i] > 150 && data[i + 1] < 110) red++;
   expect(red).toBeGreaterThan(1000);
+
+  await drop(page, [file('square.obj', squareObj), file('square.mtl', squareMtl), file('sky.png', skyPng())]);
+  await expect(page.locator('#model-name')).toHaveText('square.obj');
+  const picture = await readDrawing(page);
+  const count = { blueAbove: 0, blueBelow: 0, greenAbove: 0, greenBelow: 0 };
+  for (let i = 0; i < picture.data.length; i += 4) {
+    const [, green, blue] = picture.data.subarray(i, i + 3);
+    const side = i < picture.data.length / 2 ? 'Above' : 'Below';
+    if (blue > green + 100) count[`blue${side}`]++;
+    if (green > blue + 100) count[`green${side}`]++;
+  }
+  expect(count.blueAbove).toBeGreaterThan(3000);
+  expect(count.greenBelow).toBeGreaterThan(3000);
+  expect(count.blueBelow + count.greenAbove).toBeLessThan(1000);
 });
 
 test('a file that cannot be read gives one clear sentence and leaves the drawing unchanged', async ({ page }) => {

@@ -1,4 +1,5 @@
 import { MeshoptEncoder } from 'meshoptimizer';
+import { PNG } from 'pngjs';
 import { packGlb } from './columnModel.js';
 
 /** An octahedron in every format that the page reads, made by code so that the tests need no files. */
@@ -42,6 +43,23 @@ export const octahedronObj = [
 ].join('\n');
 
 export const octahedronMtl = 'newmtl red\nKd 0.8 0.1 0.1\nmap_Kd missing.png\n';
+
+/** A square that faces the viewer, with a picture. */
+export const squareObj = [
+  'mtllib square.mtl',
+  ...[0, 1, 2, 3].flatMap((i) => [`v ${i & 1} ${i >> 1} 0`, `vt ${i & 1} ${i >> 1}`]),
+  'usemtl pictured',
+  'f 1/1 2/2 4/4 3/3',
+].join('\n');
+
+export const squareMtl = 'newmtl pictured\nmap_Kd sky.png\n';
+
+/** A picture whose upper half is blue and whose lower half is green. */
+export function skyPng(): Buffer {
+  const picture = new PNG({ width: 16, height: 16 });
+  for (let i = 0; i < 256; i++) picture.data.set(i < 128 ? [20, 40, 255, 255] : [20, 200, 40, 255], 4 * i);
+  return PNG.sync.write(picture);
+}
 
 export const octahedronPly = [
   'ply',

@@ -24,6 +24,10 @@ export async function bakeMesh(
   if (mesh.indices) source.setIndex(new BufferAttribute(mesh.indices, 1));
   if (mesh.normals) source.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   if (mesh.colors) source.setAttribute('color', new BufferAttribute(mesh.colors, 3));
+  if (mesh.uvs) source.setAttribute('uv', new BufferAttribute(mesh.uvs, 2));
+  mesh.ranges?.forEach(({ start, count }, i) => {
+    source.addGroup(start, count, i);
+  });
   const geometry = await prepareHatchingGeometry(source, options);
   const statistics = geometry.userData.hatching as HatchingStatistics;
   return {

@@ -1,22 +1,49 @@
-import { Group, Mesh } from 'three';
+import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
 import { HatchingLines, HatchingMaterial } from 'three-hatching';
+import type { MeshPicture } from '../files/meshPictures.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
 
-/** Makes a hatched model of one mesh. */
+/** The alpha below which a cut-out surface is not drawn. */
+const CUT_OUT = 0.5;
+
+/**
+ * Makes a hatched model of one mesh, with a material for each of its pictures.
+ *
+ * @param pictures of its ranges, whose bitmaps the model owns from now on
+ */
 export async function hatchMesh(
   mesh: PlainMesh,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
+  pictures: readonly (MeshPicture | undefined)[] = [],
 ): Promise<HatchedModel> {
   const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, lines: true });
-  const material = new HatchingMaterial({ strokeScale: 1, vertexColors: mesh.colors !== null, side });
-  const drawn = new Mesh(geometry, material);
+  const textures = pictures.map((picture) => picture && textureOf(picture));
+  const materials = (mesh.ranges ?? [{ picture: -1 }]).map(({ picture }) => {
+    const map = textures[picture] ?? null;
+    const alphaTest = map && pictures[picture]?.cutOut ? CUT_OUT : 0;
+    return new HatchingMaterial({ strokeScale: 1, vertexColors: mesh.colors !== null, side, map, alphaTest });
+  });
+  const drawn = new Mesh(geometry, mesh.ranges ? materials : materials[0]);
   const lines = new HatchingLines(drawn);
   const root = new Group().add(drawn.add(lines));
-  return new HatchedModel(root, geometry.boundingBox!, statistics, undefined, [material], [lines], () => {
+  return new HatchedModel(root, geometry.boundingBox!, statistics, undefined, materials, [lines], () => {
     lines.dispose();
     geometry.dispose();
-    material.dispose();
+    for (const material of materials) material.dispose();
+    for (const picture of pictures) picture?.bitmap.close();
   });
+}
+
+function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {
+  const texture = new Texture(bitmap);
+  // The bitmap is the right way up already.
+  texture.flipY = false;
+  texture.colorSpace = SRGBColorSpace;
+  texture.wrapS = wrapS;
+  texture.wrapT = wrapT;
+  texture.anisotropy = 4;
+  texture.needsUpdate = true;
+  return texture;
 }

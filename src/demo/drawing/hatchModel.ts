@@ -6,16 +6,16 @@ import type { HatchedModel } from './HatchedModel.js';
 import { hatchMesh } from './hatchMesh.js';
 import type { Report } from './Report.js';
 
-/** Makes a hatched model of what was read. `broken` counts the triangles, or meshes and clips, that were left out. */
+/** Makes a hatched model of what was read. `notes` is what the caption is to say of what was left out. */
 export async function hatchModel(
   read: ReadModel | BuiltInScene,
   report: Report,
   signal: AbortSignal,
-): Promise<{ model: HatchedModel; broken: number }> {
+): Promise<{ model: HatchedModel; notes: string[] }> {
   if (read.kind === 'mesh') {
     const count = triangleCount(read.mesh).toLocaleString('en');
     const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
-    return { model: await hatchMesh(read.mesh, { signal, onProgress }), broken: read.broken };
+    return { model: await hatchMesh(read.mesh, { signal, onProgress }, read.pictures), notes: read.notes };
   }
   report('putting the parts together');
   try {
@@ -23,7 +23,9 @@ export async function hatchModel(
     const scene =
       read.kind === 'scene' ? read.scene : await (await import('../files/parseGltf.js')).parseGltf(read.parts);
     signal.throwIfAborted();
-    return await hatchScene(scene, { signal, onProgress: (progress) => report('joining triangles', progress) });
+    const onProgress = (progress: number): void => report('joining triangles', progress);
+    const { model, notes } = await hatchScene(scene, { signal, onProgress });
+    return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
   } catch (error) {
     signal.throwIfAborted();
     throw toModelError(read.name, error);

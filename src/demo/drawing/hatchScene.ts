@@ -19,14 +19,14 @@ const MAX_POINTS = 20_000;
  * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines and points are hidden, and
  * so are lights, because the page has its own.
  *
- * @returns the model, and the number of meshes and clips that were left out, because of values that are not numbers,
- *   say
+ * @returns the model, and what the caption is to say of the meshes and clips that were left out, because of values that are not
+ *   numbers, say
  * @throws ModelError with one sentence for the user
  */
 export async function hatchScene(
   { root, animations }: ModelScene,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
-): Promise<{ model: HatchedModel; broken: number }> {
+): Promise<{ model: HatchedModel; notes: string[] }> {
   const usable = animations.filter(isUsable);
   hideAllButMeshes(root);
   repairScene(root);
@@ -53,7 +53,13 @@ export async function hatchScene(
       hatched.dispose();
     },
   );
-  return { model, broken: hatched.skipped.length + animations.length - usable.length };
+  return { model, notes: leftOut(hatched.skipped.length, animations.length - usable.length) };
+}
+
+function leftOut(parts: number, clips: number): string[] {
+  const count = (number: number, noun: string): string[] =>
+    number === 0 ? [] : [`${number.toLocaleString('en')} damaged ${noun}${number === 1 ? '' : 's'} left out`];
+  return [...count(parts, 'part'), ...count(clips, 'clip')];
 }
 
 const isUsable = ({ tracks, duration }: AnimationClip): boolean =>

@@ -1,4 +1,4 @@
-/** Width and height in pixels, read from the header of a PNG, JPEG or WebP image. Undefined for anything else. */
+/** Width and height in pixels, read from the header of a PNG, JPEG, WebP, BMP or GIF image. Undefined for anything else. */
 export function imageSize(bytes: Uint8Array): [width: number, height: number] | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const text = (at: number): string => String.fromCharCode(...bytes.subarray(at, at + 4));
@@ -6,8 +6,13 @@ export function imageSize(bytes: Uint8Array): [width: number, height: number] | 
   if (text(1) === 'PNG\r') return [view.getUint32(16), view.getUint32(20)];
   if (text(0) === 'RIFF' && text(8) === 'WEBP') return webpSize(view, text(12));
   if (view.getUint16(0) === 0xffd8) return jpegSize(view);
+  if (text(0).startsWith('BM')) return positive(view.getInt32(18, true), Math.abs(view.getInt32(22, true)));
+  if (text(0) === 'GIF8') return positive(view.getUint16(6, true), view.getUint16(8, true));
   return undefined;
 }
+
+const positive = (width: number, height: number): [number, number] | undefined =>
+  width > 0 && height > 0 ? [width, height] : undefined;
 
 function webpSize(view: DataView, kind: string): [number, number] | undefined {
   const u24 = (at: number): number => view.getUint16(at, true) | (view.getUint8(at + 2) << 16);

@@ -12,6 +12,7 @@ import {
 } from 'three';
 import { checkTriangleCount } from './checkTriangleCount.js';
 import type { PictureRange, PlainMesh } from './PlainMesh.js';
+import type { PictureLink } from './pictureLinks.js';
 import { placements } from './placements.js';
 import { repairScene } from './repairGeometry.js';
 
@@ -144,12 +145,17 @@ function pictureOf(
 
 /** What makes two pictures differ on the graphics card. Offsets and scales are written into texture coordinates. */
 function pictureKey({ texture, cutOut }: WantedPicture): string {
-  const { source, flipY, wrapS, wrapT } = texture;
-  return [(source.data as { url?: string } | null)?.url ?? source.uuid, flipY, wrapS, wrapT, cutOut].join();
+  const { flipY, wrapS, wrapT } = texture;
+  return [linkOf(texture)?.url, flipY, wrapS, wrapT, cutOut].join();
 }
 
-const mapOf = (material: Material | undefined): Texture | undefined =>
-  (material as { map?: Texture | null } | undefined)?.map ?? undefined;
+const linkOf = ({ image }: Texture): Partial<PictureLink> | null => image as Partial<PictureLink> | null;
+
+/** The texture of a material's colour, if it says where its picture lies. */
+function mapOf(material: Material | undefined): Texture | undefined {
+  const map = (material as { map?: Texture | null } | undefined)?.map;
+  return map?.isTexture && linkOf(map)?.url ? map : undefined;
+}
 
 const uvName = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${channel}`);
 

@@ -11,16 +11,19 @@ export type ModelWorkerMessage =
 
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
-/** The buffers to transfer. Several views may share one. */
-function buffersOf(model: ReadModel): ArrayBuffer[] {
-  if (model.kind === 'mesh') return meshBuffers(model.mesh);
+/** What to transfer. Several views may share a buffer, and several pictures a bitmap. */
+function transferables(model: ReadModel): Transferable[] {
+  if (model.kind === 'mesh') {
+    const bitmaps = model.pictures.flatMap((picture) => (picture ? [picture.bitmap] : []));
+    return [...meshBuffers(model.mesh), ...new Set(bitmaps)];
+  }
   return [...new Set(model.parts.buffers.map(({ buffer }) => buffer as ArrayBuffer))];
 }
 
 addEventListener('message', async ({ data }: MessageEvent<ModelFile[]>) => {
   try {
     const model = await readModel(data, (stage) => post({ kind: 'stage', stage }));
-    post({ kind: 'done', model }, buffersOf(model));
+    post({ kind: 'done', model }, transferables(model));
   } catch (error) {
     post({ kind: 'failed', message: errorMessage(error), isModelError: error instanceof ModelError });
   }

@@ -1,19 +1,20 @@
-import { type BufferGeometry, Mesh } from 'three';
-import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { STLLoader } from 'three/addons/loaders/STLLoader.js';
-import { checkPly } from './checkPly.js';
 import { cleanMesh } from './cleanMesh.js';
 import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf, withoutGz } from './fileName.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
+import type { LoadedScene } from './LoadedScene.js';
 import { ModelError, toModelError } from './ModelError.js';
-import { mergeScene } from './mergeScene.js';
+import { mergeScene, type WantedPicture } from './mergeScene.js';
+import { type MeshPicture, missingNote, readMeshPictures } from './meshPictures.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
 import { readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
-import { MODEL_EXTENSIONS, sniffFormat } from './sniffFormat.js';
+import { readPly } from './readPly.js';
+import { readStl } from './readStl.js';
+import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
+import { toUtf8 } from './toUtf8.js';
 
 /** Of all files together. A model is held in memory several times while it is read. */
 const MAX_BYTES = 512 * 1024 * 1024;
@@ -32,13 +33,15 @@ interface Read {
   name: string;
   /** The up axis that is usual for the format. */
   upAxis: 'y' | 'z';
+  /** What the caption is to say beside the statistics: what was left out, and why. */
+  notes: string[];
 }
 
 export interface ReadMesh extends Read {
   kind: 'mesh';
   mesh: PlainMesh;
-  /** Number of triangles left out because a corner was missing or not a number. */
-  broken: number;
+  /** The pictures of its ranges; undefined for those that are not there. */
+  pictures: (MeshPicture | undefined)[];
 }
 
 export interface ReadParts extends Read {
@@ -63,28 +66,45 @@ export async function readModel(files: readonly ModelFile[], onStage: (stage: st
   }
   const main = chooseMain(files);
   onStage(`reading ${main.name}`);
-  const bytes = await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name);
+  const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name));
   const format = sniffFormat(withoutGz(main.name), bytes);
   const findFile: FindFile = async (uri) => {
     const wanted = baseName(safeDecode(uri)).toLowerCase();
     const file = files.find(({ name }) => baseName(name).toLowerCase() === wanted);
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
+  const name = withoutGz(main.name);
   const parsed = await parse(format, bytes, main.name, findFile);
-  const read: Read = { name: withoutGz(main.name), upAxis: format === 'stl' ? 'z' : 'y' };
-  if ('document' in parsed) return { kind: 'parts', ...read, parts: parsed };
-  onStage('looking over the triangles');
-  const { mesh, broken } = cleanMesh(parsed);
+  if ('document' in parsed) return { kind: 'parts', name, upAxis: 'y', notes: [], parts: parsed };
+  const wanted: WantedPicture[] = [];
+  const scene = 'root' in parsed ? parsed : undefined;
+  const { mesh, broken } = cleanMesh('root' in parsed ? mergeScene(parsed.root, wanted) : parsed);
   fitModel(mesh);
-  return { kind: 'mesh', ...read, mesh, broken };
+  if (wanted.length > 0) onStage('decoding pictures');
+  const { pictures, notes } = await readMeshPictures(wanted, findFile);
+  return {
+    kind: 'mesh',
+    name,
+    upAxis: scene?.upAxis ?? (format === 'stl' ? 'z' : 'y'),
+    mesh,
+    pictures,
+    notes: [...brokenNote(broken), ...missingNote(scene?.missing ?? []), ...notes],
+  };
 }
 
+const brokenNote = (triangles: number): string[] =>
+  triangles === 0
+    ? []
+    : [
+        `${triangles.toLocaleString('en')} ${triangles === 1 ? 'triangle' : 'triangles'} without three valid corners left out`,
+      ];
+
 async function parse(
-  format: string,
+  format: ModelFormat,
   bytes: Uint8Array,
   name: string,
   findFile: FindFile,
-): Promise<PlainMesh | GltfParts> {
+): Promise<PlainMesh | GltfParts | LoadedScene> {
   try {
     switch (format) {
       case 'glb':
@@ -93,24 +113,13 @@ async function parse(
       case 'obj':
         return await readObj(bytes, findFile);
       case 'ply':
-        checkPly(bytes, name);
-        return fromGeometry(new PLYLoader().parse(wholeBuffer(bytes)));
+        return readPly(bytes, name);
       default:
-        return fromGeometry(new STLLoader().parse(wholeBuffer(bytes)));
+        return readStl(bytes);
     }
   } catch (error) {
     throw toModelError(name, error);
   }
-}
-
-function fromGeometry(geometry: BufferGeometry): PlainMesh {
-  return mergeScene(new Mesh(geometry));
-}
-
-/** A buffer that holds exactly these bytes, because three's loaders take whole buffers only. */
-function wholeBuffer(bytes: Uint8Array): ArrayBuffer {
-  const isWhole = bytes.byteOffset === 0 && bytes.byteLength === bytes.buffer.byteLength;
-  return (isWhole ? bytes.buffer : bytes.slice().buffer) as ArrayBuffer;
 }
 
 function safeDecode(uri: string): string {

@@ -1,20 +1,40 @@
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
+import { cleanMtl, cleanObj, materialLibraries } from './cleanObj.js';
 import type { FindFile } from './FindFile.js';
-import { mergeScene } from './mergeScene.js';
-import type { PlainMesh } from './PlainMesh.js';
+import { baseName } from './fileName.js';
+import type { LoadedScene } from './LoadedScene.js';
+import { withPictureLinks } from './pictureLinks.js';
+import { toUtf8 } from './toUtf8.js';
 
-/** Reads an OBJ file, with the colours of its MTL file if that was dropped together with it. */
-export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<PlainMesh> {
+/** Reads an OBJ file, with the materials of its MTL files if they were dropped together with it. */
+export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<LoadedScene> {
   const decoder = new TextDecoder();
   const text = decoder.decode(bytes);
+  const { materials, missing } = await findMaterials(materialLibraries(text), findFile);
   const loader = new OBJLoader();
-  const library = /^\s*mtllib\s+(.+?)\s*$/m.exec(text)?.[1];
-  const materials = library ? await findFile(library) : undefined;
-  if (materials) {
-    // Textures are not drawn, and a worker could not load them.
-    const plain = decoder.decode(materials).replace(/^\s*(map_|bump|disp|decal|refl|norm)\S*.*$/gim, '');
-    loader.setMaterials(new MTLLoader().parse(plain, ''));
+  const root = withPictureLinks(() => {
+    if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
+    return loader.parse(cleanObj(text));
+  });
+  return { root, missing };
+}
+
+/** The text of all libraries together, and the names of those that are not there. */
+async function findMaterials(
+  libraries: readonly string[],
+  findFile: FindFile,
+): Promise<{ materials: string; missing: string[] }> {
+  const texts: string[] = [];
+  const missing: string[] = [];
+  const read = async (library: string): Promise<boolean> => {
+    const found = await findFile(library);
+    if (found) texts.push(new TextDecoder().decode(toUtf8(found)));
+    return found !== undefined;
+  };
+  for (const line of new Set(libraries)) {
+    if (await read(line)) continue;
+    for (const library of line.split(/\s+/)) if (!(await read(library))) missing.push(baseName(library));
   }
-  return mergeScene(loader.parse(text));
+  return { materials: texts.join('\n'), missing };
 }

@@ -17,7 +17,8 @@ export function repairGeometry({ attributes, morphAttributes, morphTargetsRelati
   let repaired = 0;
   for (const [name, attribute] of Object.entries(attributes) as [string, Attribute][]) {
     if (name === 'position' || !canHoldBadValues(attribute)) continue;
-    repaired += replaceBadValues(attribute, () => (name === 'color' ? WHITE : 0));
+    repaired +=
+      name === 'normal' ? zeroBadVectors(attribute) : replaceBadValues(attribute, () => (name === 'color' ? WHITE : 0));
   }
   for (const [name, targets] of Object.entries(morphAttributes)) {
     const base = morphTargetsRelative ? undefined : (attributes[name] as Attribute | undefined);
@@ -47,6 +48,18 @@ export function repairScene(root: Object3D): void {
 /** Integers are always finite. */
 function canHoldBadValues(attribute: Attribute): boolean {
   return attribute.array instanceof Float32Array || attribute.array instanceof Float64Array;
+}
+
+/** A vector of which one part is no number has no direction. */
+function zeroBadVectors(attribute: Attribute): number {
+  let zeroed = 0;
+  for (let vertex = 0; vertex < attribute.count; vertex++) {
+    const sum = attribute.getX(vertex) + attribute.getY(vertex) + attribute.getZ(vertex);
+    if (sum - sum === 0) continue;
+    attribute.setXYZ(vertex, 0, 0, 0);
+    zeroed++;
+  }
+  return zeroed;
 }
 
 function replaceBadValues(attribute: Attribute, valueFor: (vertex: number, component: number) => number): number {

@@ -1,13 +1,11 @@
 import { extensionOf } from './fileName.js';
 import { ModelError } from './ModelError.js';
+import { binaryStlLength } from './readStl.js';
 
 export type ModelFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
 
 /** Formats of main files, in order of preference. Other files of a drop only belong to a main file. */
 export const MODEL_EXTENSIONS: readonly ModelFormat[] = ['glb', 'gltf', 'obj', 'ply', 'stl'];
-
-const BINARY_STL_HEADER = 84;
-const BINARY_STL_TRIANGLE = 50;
 
 /**
  * Detects the format of a file from its content, and from its name only if the content is ambiguous.
@@ -24,18 +22,12 @@ export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat {
   const other = otherKind(bytes, head);
   if (other) throw new ModelError(`${name} is ${other}, not a 3D model.`);
   if (/^\s*(\uFEFF|ï»¿)?\{/.test(head)) return 'gltf';
-  if (isBinaryStl(bytes) || /^\s*solid\b[\s\S]*\bfacet\b/.test(head)) return 'stl';
+  if (binaryStlLength(bytes) !== undefined || /^\s*(#.*\s+)*solid\b[\s\S]*\bfacet\b/i.test(head)) return 'stl';
   if (extension === 'obj' || /^\s*v\s+-?[\d.]/m.test(head)) return 'obj';
   if (MODEL_EXTENSIONS.includes(extension as ModelFormat)) {
     throw new ModelError(`${name} is not a ${extension!.toUpperCase()} file inside, or it was cut short.`);
   }
   throw new ModelError(`${name} is not a model this page can read; it takes GLB, glTF, OBJ, PLY and STL.`);
-}
-
-function isBinaryStl(bytes: Uint8Array): boolean {
-  if (bytes.length < BINARY_STL_HEADER) return false;
-  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
-  return count > 0 && BINARY_STL_HEADER + count * BINARY_STL_TRIANGLE <= bytes.length;
 }
 
 /** First bytes of files that are often dropped by mistake. */

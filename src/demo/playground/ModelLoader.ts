@@ -73,7 +73,7 @@ export class ModelLoader {
     setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
-      const { model: next, broken } = await hatchModel(loaded.read, report, signal);
+      const { model: next, notes } = await hatchModel(loaded.read, report, signal);
       if (signal.aborted) {
         next.dispose();
         throw signal.reason;
@@ -85,7 +85,7 @@ export class ModelLoader {
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
       history.adopt();
-      page.modelCaption.replaceChildren(...modelCaption(loaded.title, next.statistics, broken));
+      page.modelCaption.replaceChildren(...modelCaption(loaded.title, next.statistics, notes));
       document.title = `${loaded.title}, hatched`;
       scene.setModel(next, loaded.view);
       this.onChange(true);

@@ -35,6 +35,13 @@ describe('the size of a picture', () => {
     ]);
   });
 
+  test('BMP, also with its rows from the top, and GIF', () => {
+    const sizes = (height: number) => [...new Uint8Array(Int32Array.of(300, height).buffer)];
+    expect(imageSize(bytes('BM', new Array(16).fill(0), sizes(7)))).toEqual([300, 7]);
+    expect(imageSize(bytes('BM', new Array(16).fill(0), sizes(-7)))).toEqual([300, 7]);
+    expect(imageSize(bytes('GIF89a', [0x2c, 1, 7, 0]))).toEqual([300, 7]);
+  });
+
   test('nothing else, and nothing cut short', () => {
     expect(imageSize(bytes('GIF89a'))).toBeUndefined();
     expect(imageSize(bytes(`RIFF\0\0\0\0WEBPICCP`))).toBeUndefined();

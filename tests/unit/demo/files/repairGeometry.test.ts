@@ -11,12 +11,12 @@ const floats = (size: number, ...values: number[]): Float32BufferAttribute => ne
 test('colours that are not numbers become white, other values zero, and good ones stay', () => {
   const geometry = triangle()
     .setAttribute('color', floats(3, 0.5, NaN, 0.25, 0, 0, 0, 1, Infinity, 1))
-    .setAttribute('normal', floats(3, NaN, 0, 1, 0, 0, 1, 0, 0, 0))
+    .setAttribute('normal', floats(3, NaN, 0, 1, 0, 0, 1, 0, Infinity, -Infinity))
     .setAttribute('uv', floats(2, 0.5, NaN, 1, 0, -Infinity, 1))
     .setAttribute('tangent', new Uint8BufferAttribute([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12], 4));
   expect(repairGeometry(geometry)).toBe(true);
   expect([...geometry.attributes.color.array]).toEqual([0.5, 1, 0.25, 0, 0, 0, 1, 1, 1]);
-  expect([...geometry.attributes.normal.array]).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 0]);
+  expect([...geometry.attributes.normal.array]).toEqual([0, 0, 0, 0, 0, 1, 0, 0, 0]);
   expect([...geometry.attributes.uv.array]).toEqual([0.5, 0, 1, 0, 0, 1]);
   expect(repairGeometry(geometry)).toBe(false);
 });

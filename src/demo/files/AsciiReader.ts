@@ -1,0 +1,86 @@
+const SPACE = 0x20;
+const MINUS = 0x2d;
+const PLUS = 0x2b;
+const DOT = 0x2e;
+const ZERO = 0x30;
+const NINE = 0x39;
+const HASH = 0x23;
+const LINE_FEED = 0x0a;
+const CARRIAGE_RETURN = 0x0d;
+/** Integers below this are exact as doubles, and so is their product with or quotient by a power of ten in the table. */
+const MAX_EXACT = 2 ** 53;
+const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i);
+
+/** Reads words and numbers that are separated by white space, without making a string of each number. */
+export class AsciiReader {
+  private readonly decoder = new TextDecoder('latin1');
+
+  /** @param at where to begin */
+  constructor(
+    private readonly bytes: Uint8Array,
+    private at = 0,
+  ) {}
+
+  /** Skips white space. @returns whether nothing follows it */
+  get isAtEnd(): boolean {
+    while (this.at < this.bytes.length && this.bytes[this.at] <= SPACE) this.at++;
+    return this.at >= this.bytes.length;
+  }
+
+  /** How many bytes are left. */
+  get bytesLeft(): number {
+    return this.bytes.length - this.at;
+  }
+
+  /** The next word, or '' at the end. */
+  word(): string {
+    if (this.isAtEnd) return '';
+    const start = this.at;
+    this.skipWord();
+    return this.decoder.decode(this.bytes.subarray(start, this.at));
+  }
+
+  /** The next word as a number; NaN if it is none. */
+  number(): number {
+    if (this.isAtEnd) return NaN;
+    const { bytes } = this;
+    const start = this.at;
+    let at = start;
+    const isNegative = bytes[at] === MINUS;
+    if (isNegative || bytes[at] === PLUS) at++;
+    let digits = 0;
+    let digitCount = 0;
+    let decimals = -1;
+    for (; at < bytes.length; at++) {
+      const byte = bytes[at];
+      if (byte >= ZERO && byte <= NINE) {
+        digits = 10 * digits + byte - ZERO;
+        digitCount++;
+        if (decimals >= 0) decimals++;
+      } else if (byte === DOT && decimals < 0) decimals = 0;
+      else break;
+    }
+    const isPlain = at >= bytes.length || bytes[at] <= SPACE;
+    if (isPlain && digits < MAX_EXACT && decimals < POWERS_OF_TEN.length && digitCount > 0) {
+      this.at = at;
+      const value = decimals > 0 ? digits / POWERS_OF_TEN[decimals] : digits;
+      return isNegative ? -value : value;
+    }
+    return Number(this.word());
+  }
+
+  /** Skips the rest of the line. */
+  skipLine(): void {
+    const { bytes } = this;
+    while (this.at < bytes.length && bytes[this.at] !== LINE_FEED && bytes[this.at] !== CARRIAGE_RETURN) this.at++;
+  }
+
+  /** Whether the next word begins a comment. */
+  get isAtComment(): boolean {
+    return !this.isAtEnd && this.bytes[this.at] === HASH;
+  }
+
+  private skipWord(): void {
+    while (this.at < this.bytes.length && this.bytes[this.at] > SPACE) this.at++;
+  }
+}

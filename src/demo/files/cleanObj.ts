@@ -1,0 +1,38 @@
+/**
+ * Leaves what an OBJ file draws triangles from, in the form that three's loader reads: vertices, faces and the use of materials.
+ * The loader takes words of a comment for corners, faces beside lines or points for lines, and minutes for many groups.
+ */
+export function cleanObj(text: string): string {
+  return (
+    withLineFeeds(text)
+      .replace(/\\[ \t]*\n/g, ' ')
+      // Names of materials may hold a "#".
+      .replace(/^([ \t]*(?:v[tn]?|f)[ \t][^#\n]*)#.*$/gm, '$1')
+      .replace(/^[ \t]*usemtl[ \t]+/gm, 'usemtl ')
+      .replace(/^(?![ \t]*(?:v[tn]?|f)[ \t]|usemtl ).+$/gm, '')
+  );
+}
+
+/** The files of materials that an OBJ file names, in its order. A line may name several, and names may hold spaces. */
+export function materialLibraries(text: string): string[] {
+  return [...withLineFeeds(text).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*$/gm)].map(([, names]) => names ?? '');
+}
+
+/** Leaves of an MTL file what a hatched surface shows: colours and their pictures, and where these are cut out. */
+export function cleanMtl(text: string): string {
+  return (
+    withLineFeeds(text)
+      .replace(/^[ \t]*(newmtl|Kd|map_Kd|map_d)[ \t]+/gim, '$1 ')
+      .replace(/^(?!(?:newmtl|Kd|map_Kd|map_d) ).+$/gim, '')
+      // A colour may be one number, for all three, or a spectrum, which nothing reads.
+      .replace(/^Kd ([-+.\de]+)[ \t]*$/gim, 'Kd $1 $1 $1')
+      .replace(/^Kd (?:spectral|xyz).*$/gim, '')
+      // Options that three's loader takes for a part of the name.
+      .replace(/^(map_.*)$/gim, (line: string) => line.replace(MAP_OPTION, ''))
+  );
+}
+
+const MAP_OPTION =
+  /-(?:(?:blendu|blendv|cc|clamp|imfchan|type|texres|boost|bm)[ \t]+\S+|t(?:[ \t]+-?[\d.]+){1,3})[ \t]+/gi;
+
+const withLineFeeds = (text: string): string => (text.includes('\r') ? text.replace(/\r\n?/g, '\n') : text);
