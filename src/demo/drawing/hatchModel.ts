@@ -15,7 +15,12 @@ export async function hatchModel(
   if (read.kind === 'mesh') {
     const count = triangleCount(read.mesh).toLocaleString('en');
     const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
-    return { model: await hatchMesh(read.mesh, { signal, onProgress }, read.pictures), notes: read.notes };
+    try {
+      return { model: await hatchMesh(read.mesh, { signal, onProgress }, read.pictures), notes: read.notes };
+    } catch (error) {
+      signal.throwIfAborted();
+      throw toModelError(read.name, error, 'its mesh');
+    }
   }
   report('putting the parts together');
   try {

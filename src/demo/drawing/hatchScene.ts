@@ -89,7 +89,7 @@ function fitScene(holder: Group, motion: Motion): Box3 {
     addPoints(holder, step, points);
   }
   motion.time = 0;
-  const { centre, radius } = measureExtent(Float32Array.from(points));
+  const { centre, radius } = measureExtent(points);
   holder.scale.setScalar(1 / radius);
   holder.position.set(...centre).divideScalar(-radius);
   holder.updateMatrixWorld(true);

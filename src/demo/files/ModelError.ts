@@ -5,11 +5,30 @@ export class ModelError extends Error {
   override readonly name = 'ModelError';
 }
 
-/** Wraps what was thrown while a file was read. A ModelError is returned as it is. */
-export function toModelError(name: string, error: unknown): ModelError {
+/**
+ * A sentence for what was thrown while a file was read. A ModelError is returned as it is. What a loader says is passed on; what
+ * JavaScript itself says (`Cannot read properties of undefined`) is not: it means nothing to who dropped the file.
+ *
+ * @param part what was being read, as the subject of a sentence
+ */
+export function toModelError(name: string, error: unknown, part = 'it'): ModelError {
   if (error instanceof ModelError) return error;
-  const reason = errorMessage(error)
-    .replace(/^(THREE\.)?\w+:\s*/, '')
-    .replace(/[.\s]+$/, '');
-  return new ModelError(`${name} could not be read; it seems to be damaged (${reason}).`);
+  const message = errorMessage(error);
+  if (/allocation failed|out of memory|invalid (array|string) length/i.test(message)) {
+    return new ModelError(`${name} needs more memory than this page can get, or ${part} is damaged.`);
+  }
+  const reason = isOfLoader(error) ? plain(message) : '';
+  return new ModelError(`${name} could not be read; ${part} seems to be damaged${reason && ` (${reason})`}.`);
 }
+
+/** Whether an error was made by a loader: those of JavaScript and of the browser have names of their own. */
+function isOfLoader(error: unknown): error is Error {
+  return error instanceof Error && error.name === 'Error' && Object.getPrototypeOf(error) === Error.prototype;
+}
+
+/** A loader's message without the loader's name. */
+const plain = (message: string): string =>
+  message
+    .replace(/^(THREE\.)?\w+(\.\w+)*(\(\))?:\s*/, '')
+    .replace(/[.\s]+$/, '')
+    .slice(0, 200);

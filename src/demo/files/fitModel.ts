@@ -31,7 +31,7 @@ export function fitModel({ positions }: PlainMesh): void {
  *
  * @throws ModelError if all points lie at one place
  */
-export function measureExtent(positions: Float32Array): Extent {
+export function measureExtent(positions: ArrayLike<number>): Extent {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i++) {

@@ -36,12 +36,15 @@ export async function loadModelFiles(files: readonly ModelFile[], options: LoadO
       );
       worker.addEventListener('error', (event) => {
         event.preventDefault();
-        reject(new ModelError(`The file could not be read: ${event.message || 'the reader did not start'}.`));
+        // A reader that did not load has no message. What others say is JavaScript's.
+        reject(
+          new ModelError(`The file could not be read: the reader ${event.message ? 'stopped' : 'did not start'}.`),
+        );
       });
       worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => {
         if (data.kind === 'stage') onStage(data.stage);
         else if (data.kind === 'done') resolve(data.model);
-        else reject(new ModelError(data.isModelError ? data.message : `The file could not be read: ${data.message}.`));
+        else reject(new ModelError(data.message));
       });
       worker.postMessage(files);
     });

@@ -11,6 +11,7 @@ import {
   Vector3,
 } from 'three';
 import { checkTriangleCount } from './checkTriangleCount.js';
+import { nearOrigin } from './nearOrigin.js';
 import type { PictureRange, PlainMesh } from './PlainMesh.js';
 import type { PictureLink } from './pictureLinks.js';
 import { placements } from './placements.js';
@@ -35,6 +36,8 @@ export function mergeScene(root: Object3D, pictures?: WantedPicture[]): PlainMes
   root.updateMatrixWorld(true);
   repairScene(root);
   const parts = placedParts(root, pictures);
+  const toOrigin = nearOrigin(parts);
+  if (toOrigin) for (const part of parts) part.matrix = part.matrix.clone().premultiply(toOrigin);
   const pieces = parts.flatMap((part) => part.pieces.map((piece) => ({ part, piece })));
   const cornerCount = pieces.reduce((sum, { piece }) => sum + piece.count, 0);
   checkTriangleCount(cornerCount / 3);

@@ -1,13 +1,12 @@
 import { errorMessage } from './errorMessage.js';
-import { ModelError } from './ModelError.js';
 import { meshBuffers } from './PlainMesh.js';
 import { type ModelFile, type ReadModel, readModel } from './readModel.js';
 
-/** Messages of the worker: its progress, its result, or its error. */
+/** Messages of the worker: its progress, its result, or the sentence of its error. */
 export type ModelWorkerMessage =
   | { kind: 'stage'; stage: string }
   | { kind: 'done'; model: ReadModel }
-  | { kind: 'failed'; message: string; isModelError: boolean };
+  | { kind: 'failed'; message: string };
 
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
@@ -25,6 +24,6 @@ addEventListener('message', async ({ data }: MessageEvent<ModelFile[]>) => {
     const model = await readModel(data, (stage) => post({ kind: 'stage', stage }));
     post({ kind: 'done', model }, transferables(model));
   } catch (error) {
-    post({ kind: 'failed', message: errorMessage(error), isModelError: error instanceof ModelError });
+    post({ kind: 'failed', message: errorMessage(error) });
   }
 });

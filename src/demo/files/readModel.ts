@@ -66,16 +66,29 @@ export async function readModel(files: readonly ModelFile[], onStage: (stage: st
   }
   const main = chooseMain(files);
   onStage(`reading ${main.name}`);
+  try {
+    return await readMain(main, files, onStage);
+  } catch (error) {
+    throw toModelError(main.name, error);
+  }
+}
+
+async function readMain(
+  main: ModelFile,
+  files: readonly ModelFile[],
+  onStage: (stage: string) => void,
+): Promise<ReadModel> {
+  const name = withoutGz(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name));
-  const format = sniffFormat(withoutGz(main.name), bytes);
+  const format = sniffFormat(name, bytes);
   const findFile: FindFile = async (uri) => {
     const wanted = baseName(safeDecode(uri)).toLowerCase();
-    const file = files.find(({ name }) => baseName(name).toLowerCase() === wanted);
+    const file = files.find((one) => baseName(one.name).toLowerCase() === wanted);
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
-  const name = withoutGz(main.name);
   const parsed = await parse(format, bytes, main.name, findFile);
   if ('document' in parsed) return { kind: 'parts', name, upAxis: 'y', notes: [], parts: parsed };
+  onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
   const scene = 'root' in parsed ? parsed : undefined;
   const { mesh, broken } = cleanMesh('root' in parsed ? mergeScene(parsed.root, wanted) : parsed);
@@ -105,20 +118,16 @@ async function parse(
   name: string,
   findFile: FindFile,
 ): Promise<PlainMesh | GltfParts | LoadedScene> {
-  try {
-    switch (format) {
-      case 'glb':
-      case 'gltf':
-        return await readGltf(bytes, name, format === 'glb', findFile);
-      case 'obj':
-        return await readObj(bytes, findFile);
-      case 'ply':
-        return readPly(bytes, name);
-      default:
-        return readStl(bytes);
-    }
-  } catch (error) {
-    throw toModelError(name, error);
+  switch (format) {
+    case 'glb':
+    case 'gltf':
+      return readGltf(bytes, name, format === 'glb', findFile);
+    case 'obj':
+      return readObj(bytes, findFile);
+    case 'ply':
+      return readPly(bytes, name);
+    default:
+      return readStl(bytes);
   }
 }
 

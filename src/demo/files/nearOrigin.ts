@@ -1,0 +1,51 @@
+import { type BufferGeometry, Matrix4, type Mesh, Vector3 } from 'three';
+
+/** Sizes outside of this, and places so many sizes away, lose what single precision can tell apart. */
+const MAX_SIZE = 1e20;
+const MAX_DISTANCE = 1000;
+
+/**
+ * A matrix that brings meshes near the origin in a size near 1, or undefined if they lie well already. Without it, positions
+ * of tiny models become one point, and those of models far away become steps.
+ */
+export function nearOrigin(placed: readonly { mesh: Mesh; matrix: Matrix4 }[]): Matrix4 | undefined {
+  const low = new Vector3().setScalar(Infinity);
+  const high = new Vector3().setScalar(-Infinity);
+  const bounds = new Map<BufferGeometry, Vector3[]>();
+  const corner = new Vector3();
+  for (const { mesh, matrix } of placed) {
+    const { geometry } = mesh;
+    if (!bounds.has(geometry)) bounds.set(geometry, cornersOf(geometry));
+    for (const place of bounds.get(geometry)!) {
+      corner.copy(place).applyMatrix4(matrix);
+      low.min(corner);
+      high.max(corner);
+    }
+  }
+  const centre = low.clone().lerp(high, 0.5);
+  const size = high.distanceTo(low);
+  const distance = centre.length();
+  if (!(size > 0 && size + distance < Infinity)) return undefined;
+  if (size < MAX_SIZE && size > 1 / MAX_SIZE && distance < MAX_DISTANCE * size) return undefined;
+  return new Matrix4().makeScale(1 / size, 1 / size, 1 / size).multiply(new Matrix4().makeTranslation(centre.negate()));
+}
+
+/** The corners of the bounding box of all vertices that are finite; none if there are none. */
+function cornersOf(geometry: BufferGeometry): Vector3[] {
+  const position = geometry.getAttribute('position');
+  const low = new Vector3().setScalar(Infinity);
+  const high = new Vector3().setScalar(-Infinity);
+  const point = new Vector3();
+  for (let i = 0; i < position.count; i++) {
+    point.fromBufferAttribute(position, i);
+    const sum = point.x + point.y + point.z;
+    if (sum - sum !== 0) continue;
+    low.min(point);
+    high.max(point);
+  }
+  if (low.x > high.x) return [];
+  return Array.from(
+    { length: 8 },
+    (_, i) => new Vector3(i & 1 ? low.x : high.x, i & 2 ? low.y : high.y, i & 4 ? low.z : high.z),
+  );
+}
