@@ -109,7 +109,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
       /^away\.gltf needs away\.bin; drop both files together\.$/,
     ],
     [
-      [file('loop.gltf', octahedronGltf('a.bin', { nodes: [{ children: [1] }, { children: [0] }] }))],
+      [file('loop.gltf', octahedronGltf('a.bin', { nodes: [{ children: [1], mesh: 0 }, { children: [0] }] }))],
       /^loop\.gltf is damaged: some of its nodes contain themselves\.$/,
     ],
     [[file('old.gltf', '{"asset":{"version":"1.0"}}')], /^old\.gltf is glTF version 1\.0/],
@@ -117,8 +117,11 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
       [
         file(
           'greedy.gltf',
-          octahedronGltf('a.bin', { accessors: [{ count: 1e8, componentType: 5126, type: 'VEC3' }] }),
+          octahedronGltf('a.bin', {
+            accessors: new Array(2).fill({ count: 1e8, componentType: 5125, type: 'VEC3' }),
+          }),
         ),
+        file('a.bin', octahedronBin()),
       ],
       /^greedy\.gltf asks for more memory/,
     ],

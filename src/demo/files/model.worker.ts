@@ -1,3 +1,4 @@
+import { withPictures } from './decodePictures.js';
 import { errorMessage } from './errorMessage.js';
 import { meshBuffers } from './PlainMesh.js';
 import { type ModelFile, type ReadModel, readModel } from './readModel.js';
@@ -10,18 +11,20 @@ export type ModelWorkerMessage =
 
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
-/** What to transfer. Several views may share a buffer, and several pictures a bitmap. */
+/** What to transfer. Several pictures may share a bitmap. */
 function transferables(model: ReadModel): Transferable[] {
   if (model.kind === 'mesh') {
     const bitmaps = model.pictures.flatMap((picture) => (picture ? [picture.bitmap] : []));
     return [...meshBuffers(model.mesh), ...new Set(bitmaps)];
   }
-  return [...new Set(model.parts.buffers.map(({ buffer }) => buffer as ArrayBuffer))];
+  const { arrays, bitmaps } = model.parts;
+  return [...arrays, ...bitmaps.filter((bitmap) => bitmap !== undefined)];
 }
 
 addEventListener('message', async ({ data }: MessageEvent<ModelFile[]>) => {
   try {
-    const model = await readModel(data, (stage) => post({ kind: 'stage', stage }));
+    const onStage = (stage: string): void => post({ kind: 'stage', stage });
+    const model = await withPictures(await readModel(data, onStage), onStage);
     post({ kind: 'done', model }, transferables(model));
   } catch (error) {
     post({ kind: 'failed', message: errorMessage(error) });

@@ -1,20 +1,32 @@
-import { type AnimationClip, type Group, LoadingManager } from 'three';
-import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
-import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
-import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { type GltfDocument, withBaseColors } from './gltfFile.js';
-import { ModelError } from './ModelError.js';
+import {
+  type AnimationClip,
+  ClampToEdgeWrapping,
+  type Group,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  LinearMipmapNearestFilter,
+  MirroredRepeatWrapping,
+  NearestFilter,
+  NearestMipmapLinearFilter,
+  NearestMipmapNearestFilter,
+  RepeatWrapping,
+  Texture,
+} from 'three';
+import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
+import type { GltfSampler } from './gltfDocument.js';
+import type { Picture } from './gltfPictures.js';
 
 /** The checked parts of a glTF file, in a form that a worker can post. */
 export interface GltfParts {
-  /** The name of the file. */
-  name: string;
-  document: GltfDocument;
-  /** By their index in the document. */
-  buffers: Uint8Array[];
-  /** The images to be used, by their index in the document. */
-  images: (Blob | undefined)[];
+  /** A document without packing, whose buffer views are the arrays. */
+  json: object;
+  arrays: ArrayBuffer[];
+  /** The image and sampler of each texture. */
+  textures: { image: number; sampler: GltfSampler | undefined }[];
+  /** By the index of their image. */
+  pictures: (Picture | undefined)[];
+  /** The pictures once they are decoded. */
+  bitmaps: (ImageBitmap | undefined)[];
 }
 
 /** The scene of a model, and its clips. */
@@ -23,47 +35,52 @@ export interface ModelScene {
   animations: AnimationClip[];
 }
 
-/** Parses a scene from its parts. Nothing else is fetched. */
-export async function parseGltf({ name, document, buffers, images }: GltfParts): Promise<ModelScene> {
-  const urls: string[] = [];
-  const urlOf = (blob: Blob): string => {
-    const url = URL.createObjectURL(blob);
-    urls.push(url);
-    return url;
-  };
-  const manager = new LoadingManager();
-  manager.setURLModifier((url) => {
-    if (/^(blob|data):/.test(url) || url === dracoUrls.js || url === dracoUrls.wasm) return url;
-    throw new ModelError(`${name} refers to ${url}, which is not among the dropped files.`);
-  });
-  const loader = new GLTFLoader(manager);
-  const draco = new DRACOLoader(manager).setDecoderPath(dracoUrls as never);
-  loader.setDRACOLoader(draco);
-  try {
-    const { extensionsUsed = [], extensionsRequired = [] } = document;
-    if ([...extensionsUsed, ...extensionsRequired].some((extension) => extension.endsWith('meshopt_compression'))) {
-      const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
-      loader.setMeshoptDecoder(MeshoptDecoder);
-    }
-    const placed = {
-      ...withBaseColors(
-        document,
-        images.map((image) => image && urlOf(image)),
-      ),
-      buffers: buffers.map((buffer) => ({
-        byteLength: buffer.length,
-        uri: urlOf(new Blob([buffer as Uint8Array<ArrayBuffer>])),
-      })),
-    };
-    const { scene, animations } = await loader.parseAsync(placed as never, '');
-    return { root: scene, animations };
-  } finally {
-    draco.dispose();
-    for (const url of urls) URL.revokeObjectURL(url);
+/** Makes a scene of its parts. Nothing is fetched, and nothing is decoded. */
+export async function parseGltf(parts: GltfParts): Promise<ModelScene> {
+  const loader = new GLTFLoader().register((parser) => new PartsPlugin(parser, parts));
+  const { scene, animations } = await loader.parseAsync(parts.json as never, '');
+  return { root: scene, animations };
+}
+
+/** Gives three's loader the arrays and pictures that it would load otherwise. */
+class PartsPlugin implements GLTFLoaderPlugin {
+  readonly name = 'parts';
+
+  constructor(
+    private readonly parser: GLTFParser,
+    private readonly parts: GltfParts,
+  ) {}
+
+  async loadBufferView(index: number): Promise<ArrayBuffer> {
+    return this.parts.arrays[index];
+  }
+
+  async loadTexture(index: number): Promise<Texture> {
+    const { image, sampler = {} } = this.parts.textures[index];
+    const texture = new Texture(this.parts.bitmaps[image]);
+    texture.flipY = false;
+    texture.magFilter = sampler.magFilter === 9728 ? NearestFilter : LinearFilter;
+    texture.minFilter = MIN_FILTERS[sampler.minFilter ?? 0] ?? LinearMipmapLinearFilter;
+    texture.wrapS = WRAPPINGS[sampler.wrapS ?? 0] ?? RepeatWrapping;
+    texture.wrapT = WRAPPINGS[sampler.wrapT ?? 0] ?? RepeatWrapping;
+    texture.generateMipmaps = texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
+    texture.needsUpdate = true;
+    this.parser.associations.set(texture, { textures: index });
+    return texture;
   }
 }
 
-const dracoUrls = {
-  js: new URL(dracoScriptUrl, import.meta.url).href,
-  wasm: new URL(dracoWasmUrl, import.meta.url).href,
+/** WebGL's constants in a file, and those of three.js. */
+const MIN_FILTERS: Record<number, Texture['minFilter']> = {
+  9728: NearestFilter,
+  9729: LinearFilter,
+  9984: NearestMipmapNearestFilter,
+  9985: LinearMipmapNearestFilter,
+  9986: NearestMipmapLinearFilter,
+  9987: LinearMipmapLinearFilter,
+};
+const WRAPPINGS: Record<number, Texture['wrapS']> = {
+  33071: ClampToEdgeWrapping,
+  33648: MirroredRepeatWrapping,
+  10497: RepeatWrapping,
 };

@@ -9,7 +9,7 @@ import { mergeScene, type WantedPicture } from './mergeScene.js';
 import { type MeshPicture, missingNote, readMeshPictures } from './meshPictures.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
-import { readGltf } from './readGltf.js';
+import { type ReadGltf, readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
 import { readPly } from './readPly.js';
 import { readStl } from './readStl.js';
@@ -87,11 +87,15 @@ async function readMain(
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
   const parsed = await parse(format, bytes, main.name, findFile);
-  if ('document' in parsed) return { kind: 'parts', name, upAxis: 'y', notes: [], parts: parsed };
+  const { broken: brokenBefore = 0, notes: notesBefore = [] } = 'content' in parsed ? parsed : {};
+  const content = 'content' in parsed ? parsed.content : parsed;
+  if ('arrays' in content) {
+    return { kind: 'parts', name, upAxis: 'y', notes: [...brokenNote(brokenBefore), ...notesBefore], parts: content };
+  }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
-  const scene = 'root' in parsed ? parsed : undefined;
-  const { mesh, broken } = cleanMesh('root' in parsed ? mergeScene(parsed.root, wanted) : parsed);
+  const scene = 'root' in content ? content : undefined;
+  const { mesh, broken } = cleanMesh('root' in content ? mergeScene(content.root, wanted) : content);
   fitModel(mesh);
   if (wanted.length > 0) onStage('decoding pictures');
   const { pictures, notes } = await readMeshPictures(wanted, findFile);
@@ -101,7 +105,7 @@ async function readMain(
     upAxis: scene?.upAxis ?? (format === 'stl' ? 'z' : 'y'),
     mesh,
     pictures,
-    notes: [...brokenNote(broken), ...missingNote(scene?.missing ?? []), ...notes],
+    notes: [...brokenNote(brokenBefore + broken), ...notesBefore, ...missingNote(scene?.missing ?? []), ...notes],
   };
 }
 
@@ -117,7 +121,7 @@ async function parse(
   bytes: Uint8Array,
   name: string,
   findFile: FindFile,
-): Promise<PlainMesh | GltfParts | LoadedScene> {
+): Promise<PlainMesh | ReadGltf | LoadedScene> {
   switch (format) {
     case 'glb':
     case 'gltf':

@@ -1,0 +1,79 @@
+import type { GltfDocument } from './gltfDocument.js';
+import { ModelError } from './ModelError.js';
+
+const MAX_NODES = 100_000;
+const MAX_DEPTH = 500;
+
+/** The part of a glTF document that is shown. */
+export interface ChosenScene {
+  name: string | undefined;
+  /** The indices of its topmost nodes. */
+  roots: number[];
+  /** The indices of all its nodes that are visible. */
+  visible: number[];
+  /** What to say about the choice. */
+  notes: string[];
+}
+
+/**
+ * Chooses the scene that a document calls its own, or else its first. Without a scene, all nodes are shown; without nodes,
+ * every mesh, with a node that is added to the document.
+ *
+ * @throws ModelError if there is no mesh, or nodes contain themselves, or are too many
+ */
+export function chooseScene(document: GltfDocument, fileName: string): ChosenScene {
+  const { scenes, nodes, meshes } = document;
+  if (meshes.length === 0) throw new ModelError(`${fileName} holds no mesh, so there is nothing to draw.`);
+  const hasNodes = nodes.length > 0;
+  if (!hasNodes) nodes.push(...meshes.map((_, mesh) => ({ mesh })));
+  const tops = topmostNodes(document, fileName);
+  const index = document.scene ?? 0;
+  const scene = hasNodes ? scenes[index] : undefined;
+  const isTop = new Set(tops);
+  // What lies below another node is drawn there.
+  const roots = scene ? [...new Set(scene.nodes)].filter((node) => isTop.has(node)) : tops;
+  const notes: string[] = [];
+  if (!scene) notes.push(`it has no scene: all its ${hasNodes ? 'nodes' : 'meshes'} are shown`);
+  else if (scenes.length > 1) {
+    notes.push(`scene ${index + 1} of ${scenes.length}${scene.name ? `, “${scene.name.slice(0, 40)}”` : ''}`);
+  }
+  return { name: scene?.name, roots, visible: visibleNodes(document, roots), notes };
+}
+
+/** The nodes without a parent. Leaves every node with one parent at most. */
+function topmostNodes({ nodes }: GltfDocument, fileName: string): number[] {
+  if (nodes.length > MAX_NODES) {
+    throw new ModelError(`${fileName} has ${nodes.length.toLocaleString('en')} nodes, too many for a page.`);
+  }
+  const hasParent = new Uint8Array(nodes.length);
+  for (const one of nodes) {
+    // A node has one parent. The loader would wait for ever for one that lies below itself.
+    one.children = one.children?.filter((child) => {
+      const isNew = hasParent[child] === 0;
+      hasParent[child] = 1;
+      return isNew;
+    });
+  }
+  const tops = [...nodes.keys()].filter((node) => hasParent[node] === 0);
+  const pending = tops.map((node) => ({ node, depth: 0 }));
+  let count = 0;
+  for (let next = pending.pop(); next; next = pending.pop()) {
+    const { node, depth } = next;
+    count++;
+    if (depth > MAX_DEPTH) throw new ModelError(`${fileName} nests its nodes more than ${MAX_DEPTH} deep.`);
+    for (const child of nodes[node].children ?? []) pending.push({ node: child, depth: depth + 1 });
+  }
+  if (count < nodes.length) throw new ModelError(`${fileName} is damaged: some of its nodes contain themselves.`);
+  return tops;
+}
+
+function visibleNodes({ nodes }: GltfDocument, roots: readonly number[]): number[] {
+  const visible = new Set<number>();
+  const pending = [...roots];
+  for (let node = pending.pop(); node !== undefined; node = pending.pop()) {
+    if (nodes[node].extensions?.KHR_node_visibility?.visible === false) continue;
+    visible.add(node);
+    for (const child of nodes[node].children ?? []) pending.push(child);
+  }
+  return [...visible];
+}

@@ -1,0 +1,34 @@
+import { counted } from './counted.js';
+import type { Picture } from './gltfPictures.js';
+import type { ReadModel } from './readModel.js';
+
+/** Decodes the pictures of a model. A worker should do it: a large one takes seconds. */
+export async function withPictures(model: ReadModel, onStage: (stage: string) => void): Promise<ReadModel> {
+  if (model.kind === 'mesh') return model;
+  const { parts } = model;
+  const count = parts.pictures.filter(Boolean).length;
+  // One after the other, because each takes its full size for a moment.
+  let number = 0;
+  let lost = 0;
+  for (const [i, picture] of parts.pictures.entries()) {
+    if (!picture) continue;
+    onStage(`decoding picture ${++number} of ${count}`);
+    parts.bitmaps[i] = await decode(picture);
+    if (!parts.bitmaps[i]) lost++;
+  }
+  const notes = lost > 0 ? [counted(lost, 'damaged picture', 'left out')] : [];
+  return { ...model, notes: [...model.notes, ...notes] };
+}
+
+async function decode({ content, width, height, isReduced }: Picture): Promise<ImageBitmap | undefined> {
+  try {
+    return await createImageBitmap(content, {
+      ...(isReduced && { resizeWidth: width, resizeHeight: height, resizeQuality: 'medium' }),
+      // As three's loader of pictures has it: no conversion of what the shader reads as numbers.
+      premultiplyAlpha: 'none',
+      colorSpaceConversion: 'none',
+    });
+  } catch {
+    return undefined;
+  }
+}

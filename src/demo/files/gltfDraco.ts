@@ -1,0 +1,46 @@
+import { type BufferGeometry, LinearSRGBColorSpace } from 'three';
+import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
+import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+
+/** Draco's ids of the attributes of a part, and the names of the typed arrays for their values. */
+export type DracoAttributes = Record<string, { id: number; arrayType: string }>;
+
+/** The types lack this method. */
+interface AllParameters {
+  decodeDracoFile(
+    buffer: ArrayBufferLike,
+    onLoad: (geometry: BufferGeometry) => void,
+    ids: Record<string, number>,
+    types: Record<string, string>,
+    colorSpace: string,
+    onError: (error: unknown) => void,
+  ): void;
+}
+
+const urls = {
+  js: new URL(dracoScriptUrl, import.meta.url).href,
+  wasm: new URL(dracoWasmUrl, import.meta.url).href,
+};
+
+/** Unpacks what is packed with Draco, in workers of its own. */
+export class DracoUnpacker {
+  private readonly loader = new DRACOLoader().setDecoderPath(urls as never);
+
+  unpack(bytes: Uint8Array, attributes: DracoAttributes): Promise<BufferGeometry> {
+    const ids: Record<string, number> = {};
+    const types: Record<string, string> = {};
+    for (const [name, { id, arrayType }] of Object.entries(attributes)) {
+      ids[name] = id;
+      types[name] = arrayType;
+    }
+    const loader = this.loader as DRACOLoader & AllParameters;
+    return new Promise((resolve, reject) => {
+      loader.decodeDracoFile(bytes.slice().buffer, resolve, ids, types, LinearSRGBColorSpace, reject);
+    });
+  }
+
+  dispose(): void {
+    this.loader.dispose();
+  }
+}

@@ -1,0 +1,69 @@
+import type { GltfDocument, GltfMaterial, GltfTextureUse } from './gltfDocument.js';
+
+/** The uses of textures in a material that can be drawn. */
+const TEXTURES = ['normalTexture', 'occlusionTexture', 'emissiveTexture'] as const;
+
+/** The index of a texture's image. */
+export function textureSource({ textures }: GltfDocument, texture: number | undefined): number | undefined {
+  const { source, extensions } = textures[texture ?? -1] ?? {};
+  return extensions?.EXT_texture_webp?.source ?? source;
+}
+
+/** The images that the materials of a document use, by their index. */
+export function usedImages(document: GltfDocument): Set<number> {
+  const used = new Set<number>();
+  for (const material of document.materials) {
+    for (const use of [baseColor(material).texture, ...TEXTURES.map((key) => material?.[key])]) {
+      const image = textureSource(document, use?.index);
+      if (image !== undefined) used.add(image);
+    }
+  }
+  return used;
+}
+
+/**
+ * Reduces the materials of a document to what a hatching material takes over: base colour, normals, occlusion, emitted light,
+ * alpha and sides.
+ *
+ * @param hasImage whether there is a picture for an image; textures without one are left out
+ */
+export function drawnMaterials(document: GltfDocument, hasImage: (image: number) => boolean): object[] {
+  const drawn = (use: GltfTextureUse | undefined): GltfTextureUse | undefined => {
+    const image = textureSource(document, use?.index);
+    return image !== undefined && hasImage(image) ? use : undefined;
+  };
+  return document.materials.map((material) => {
+    const { name, alphaMode, alphaCutoff, doubleSided, emissiveFactor, extensions } = material ?? {};
+    const { factor, texture } = baseColor(material);
+    const strength = extensions?.KHR_materials_emissive_strength;
+    return {
+      name,
+      alphaMode,
+      alphaCutoff,
+      doubleSided,
+      emissiveFactor,
+      pbrMetallicRoughness: {
+        ...(factor && { baseColorFactor: factor }),
+        ...optional('baseColorTexture', drawn(texture)),
+      },
+      ...Object.assign({}, ...TEXTURES.map((key) => optional(key, drawn(material?.[key])))),
+      ...(strength && { extensions: { KHR_materials_emissive_strength: strength } }),
+    };
+  });
+}
+
+/** That of the older extension for gloss, where a material has no other. */
+function baseColor(material: GltfMaterial | undefined): {
+  factor?: number[] | undefined;
+  texture?: GltfTextureUse | undefined;
+} {
+  const { pbrMetallicRoughness: metal, extensions } = material ?? {};
+  const gloss = metal ? undefined : extensions?.KHR_materials_pbrSpecularGlossiness;
+  return {
+    factor: metal?.baseColorFactor ?? gloss?.diffuseFactor,
+    texture: metal?.baseColorTexture ?? gloss?.diffuseTexture,
+  };
+}
+
+const optional = <Value>(key: string, value: Value | undefined): Record<string, Value> =>
+  value === undefined ? {} : { [key]: value };
