@@ -5,6 +5,7 @@ import type { GltfDocument } from './gltfDocument.js';
 import { usedImages } from './gltfMaterials.js';
 import { imageSize } from './imageSize.js';
 import { ModelError } from './ModelError.js';
+import { missingNote } from './meshPictures.js';
 import { readUri } from './readUri.js';
 
 /** A picture to be decoded, and the size it is to be drawn in. */
@@ -86,8 +87,6 @@ function reduce(pictures: readonly (Picture | undefined)[]): number | undefined 
   }
 }
 
-const NAMED = 3;
-
 function describe(
   missing: readonly string[],
   unreadable: number,
@@ -95,12 +94,7 @@ function describe(
   side: number | undefined,
 ): string[] {
   const pictures = (count: number): string => `${count} ${count === 1 ? 'picture' : 'pictures'}`;
-  const notes: string[] = [];
-  if (missing.length > 0) {
-    const names = [...new Set(missing)].map((name) => name.slice(0, 60));
-    const more = names.length > NAMED ? ` and ${names.length - NAMED} more` : '';
-    notes.push(`without ${names.slice(0, NAMED).join(', ')}${more}: drop ${names.length > 1 ? 'them' : 'it'} along`);
-  }
+  const notes = missingNote([...new Set(missing)]);
   if (unreadable > 0) notes.push(`${pictures(unreadable)} left out: not PNG, JPEG or WebP`);
   if (tooLarge > 0) notes.push(`${pictures(tooLarge)} left out: too large`);
   if (side !== undefined) notes.push(`pictures reduced to ${side.toLocaleString('en')} pixels`);

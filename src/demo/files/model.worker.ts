@@ -1,13 +1,13 @@
 import { withPictures } from './decodePictures.js';
-import { errorMessage } from './errorMessage.js';
+import { toModelError } from './ModelError.js';
 import { meshBuffers } from './PlainMesh.js';
-import { type ModelFile, type ReadModel, readModel } from './readModel.js';
+import { type ModelFile, type OnStage, type ReadModel, readModel } from './readModel.js';
 
 /** Messages of the worker: its progress, its result, or the sentence of its error. */
 export type ModelWorkerMessage =
-  | { kind: 'stage'; stage: string }
+  | { kind: 'stage'; stage: string; bytes: number | undefined }
   | { kind: 'done'; model: ReadModel }
-  | { kind: 'failed'; message: string };
+  | { kind: 'failed'; sentence: string };
 
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
@@ -23,10 +23,10 @@ function transferables(model: ReadModel): Transferable[] {
 
 addEventListener('message', async ({ data }: MessageEvent<ModelFile[]>) => {
   try {
-    const onStage = (stage: string): void => post({ kind: 'stage', stage });
+    const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
     const model = await withPictures(await readModel(data, onStage), onStage);
     post({ kind: 'done', model }, transferables(model));
   } catch (error) {
-    post({ kind: 'failed', message: errorMessage(error) });
+    post({ kind: 'failed', sentence: toModelError('The file', error).message });
   }
 });

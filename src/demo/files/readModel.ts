@@ -25,6 +25,9 @@ export interface ModelFile {
   content: Blob;
 }
 
+/** Is told what is being done, in a few words, and how many bytes it is done with, if they are more than those of the files. */
+export type OnStage = (stage: string, bytes?: number) => void;
+
 /** A model that was read: one mesh, or the checked parts of a file that one mesh cannot show. */
 export type ReadModel = ReadMesh | ReadParts;
 
@@ -54,10 +57,9 @@ export interface ReadParts extends Read {
  * broken triangles and fits the rest into a unit sphere. A glTF file that is drawn as a scene is only checked and left
  * in its parts.
  *
- * @param onStage called with a few words on what is being done
  * @throws ModelError with one sentence for the user
  */
-export async function readModel(files: readonly ModelFile[], onStage: (stage: string) => void): Promise<ReadModel> {
+export async function readModel(files: readonly ModelFile[], onStage: OnStage): Promise<ReadModel> {
   const size = files.reduce((sum, file) => sum + file.content.size, 0);
   if (size > MAX_BYTES) {
     throw new ModelError(
@@ -73,13 +75,10 @@ export async function readModel(files: readonly ModelFile[], onStage: (stage: st
   }
 }
 
-async function readMain(
-  main: ModelFile,
-  files: readonly ModelFile[],
-  onStage: (stage: string) => void,
-): Promise<ReadModel> {
+async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: OnStage): Promise<ReadModel> {
   const name = withoutGz(main.name);
-  const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name));
+  const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name, MAX_BYTES));
+  onStage(`reading ${main.name}`, bytes.length);
   const format = sniffFormat(name, bytes);
   const findFile: FindFile = async (uri) => {
     const wanted = baseName(safeDecode(uri)).toLowerCase();

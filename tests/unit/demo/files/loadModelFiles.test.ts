@@ -1,0 +1,104 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { loadModelFiles } from '../../../../src/demo/files/loadModelFiles.js';
+import type { ModelWorkerMessage } from '../../../../src/demo/files/model.worker.js';
+import type { ReadModel } from '../../../../src/demo/files/readModel.js';
+
+/** A worker that says what the test lets it say. */
+class FakeWorker extends EventTarget {
+  static started: FakeWorker[] = [];
+  isAlive = true;
+
+  constructor() {
+    super();
+    FakeWorker.started.push(this);
+  }
+
+  postMessage(): void {}
+
+  terminate(): void {
+    this.isAlive = false;
+  }
+
+  say(data: ModelWorkerMessage): void {
+    this.dispatchEvent(new MessageEvent('message', { data }));
+  }
+}
+
+const MEGABYTE = 2 ** 20;
+const files = (bytes: number) => [{ name: 'a.obj', content: { size: bytes } as Blob }];
+
+/** Starts to read, and says how it ended. */
+const start = (bytes = 1) => {
+  const stages: string[] = [];
+  const controller = new AbortController();
+  const { signal } = controller;
+  const state = { end: 'reading', stages, controller, worker: undefined as unknown as FakeWorker };
+  loadModelFiles(files(bytes), { signal, onStage: (stage) => stages.push(stage) }).then(
+    () => Object.assign(state, { end: 'read' }),
+    (error: Error) => Object.assign(state, { end: error.message }),
+  );
+  state.worker = FakeWorker.started.at(-1)!;
+  return state;
+};
+
+describe('reading in a worker', () => {
+  beforeEach(() => {
+    vi.useFakeTimers();
+    vi.stubGlobal('Worker', FakeWorker);
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
+
+  test('is given up after twenty seconds of silence, and its worker with it', async () => {
+    const state = start();
+    await vi.advanceTimersByTimeAsync(20_500);
+    expect(state.end).toBe('reading');
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(state.end).toBe('The file was put aside, because its reader made no progress for 21 seconds.');
+    expect(state.worker.isAlive).toBe(false);
+    expect(start().worker).not.toBe(state.worker);
+  });
+
+  test('may go on for as long as it gives signs of life', async () => {
+    const state = start();
+    for (let i = 0; i < 10; i++) {
+      await vi.advanceTimersByTimeAsync(20_000);
+      state.worker.say({ kind: 'stage', stage: `picture ${i}`, bytes: undefined });
+    }
+    expect(state.stages).toHaveLength(10);
+    state.worker.say({ kind: 'done', model: {} as ReadModel });
+    await vi.advanceTimersByTimeAsync(0);
+    expect(state.end).toBe('read');
+    expect(state.worker.isAlive).toBe(false);
+  });
+
+  test('gets longer for what is large, also once it is unpacked', async () => {
+    const large = start(100 * MEGABYTE);
+    const packed = start(MEGABYTE);
+    packed.worker.say({ kind: 'stage', stage: 'reading', bytes: 100 * MEGABYTE });
+    await vi.advanceTimersByTimeAsync(69_000);
+    expect([large.end, packed.end]).toEqual(['reading', 'reading']);
+    await vi.advanceTimersByTimeAsync(2000);
+    expect(large.end).toMatch(/no progress for 70 seconds/);
+    expect(packed.end).toMatch(/no progress for 70 seconds/);
+  });
+
+  test('ends with its sentence, when it fails or does not start', async () => {
+    const failed = start();
+    failed.worker.say({ kind: 'failed', sentence: 'It is empty.' });
+    const broken = start();
+    broken.worker.dispatchEvent(new Event('error', { cancelable: true }));
+    await vi.advanceTimersByTimeAsync(0);
+    expect(failed.end).toBe('It is empty.');
+    expect(broken.end).toBe('The file could not be read: the reader did not start.');
+  });
+
+  test('ends at once when it is cancelled', async () => {
+    const state = start();
+    state.controller.abort(new Error('cancelled'));
+    await vi.advanceTimersByTimeAsync(0);
+    expect(state).toMatchObject({ end: 'cancelled', worker: { isAlive: false } });
+  });
+});
