@@ -16,7 +16,7 @@ export type Shape<Type> = (value: unknown, at: string, context: ShapeContext) =>
 const LONGEST_QUOTE = 40;
 
 function damaged(value: unknown, expected: string, at: string, { name }: ShapeContext): ModelError {
-  const text = JSON.stringify(value) ?? 'missing';
+  const text = value === null || value === undefined ? 'missing' : JSON.stringify(value);
   const quote = text.length > LONGEST_QUOTE ? `${text.slice(0, LONGEST_QUOTE)}…` : text;
   return new ModelError(`${name} is damaged: ${at} is ${quote}, not ${expected}.`);
 }

@@ -1,4 +1,6 @@
 import { cleanMesh } from './cleanMesh.js';
+import { counted } from './counted.js';
+import { dropDuplicates } from './dropDuplicates.js';
 import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf, withoutGz } from './fileName.js';
 import { fitModel } from './fitModel.js';
@@ -94,7 +96,8 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
   const scene = 'root' in content ? content : undefined;
-  const { mesh, broken } = cleanMesh('root' in content ? mergeScene(content.root, wanted) : content);
+  const { mesh: distinct, duplicates } = dropDuplicates('root' in content ? mergeScene(content.root, wanted) : content);
+  const { mesh, broken } = cleanMesh(distinct);
   fitModel(mesh);
   if (wanted.length > 0) onStage('decoding pictures');
   const { pictures, notes } = await readMeshPictures(wanted, findFile);
@@ -104,7 +107,13 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     upAxis: scene?.upAxis ?? (format === 'stl' ? 'z' : 'y'),
     mesh,
     pictures,
-    notes: [...brokenNote(brokenBefore + broken), ...notesBefore, ...missingNote(scene?.missing ?? []), ...notes],
+    notes: [
+      ...brokenNote(brokenBefore + broken),
+      ...duplicateNote(duplicates),
+      ...notesBefore,
+      ...missingNote(scene?.missing ?? []),
+      ...notes,
+    ],
   };
 }
 
@@ -114,6 +123,9 @@ const brokenNote = (triangles: number): string[] =>
     : [
         `${triangles.toLocaleString('en')} ${triangles === 1 ? 'triangle' : 'triangles'} without three valid corners left out`,
       ];
+
+const duplicateNote = (triangles: number): string[] =>
+  triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
 
 async function parse(
   format: ModelFormat,

@@ -47,10 +47,10 @@ export class GltfBuilder {
     return new Uint8Array(Buffer.concat(this.chunks));
   }
 
-  /** The file as GLB. */
-  glb(): Uint8Array {
-    const bytes = this.bytes;
-    this.json.buffers[0].byteLength ??= bytes.length;
+  /** The file as GLB. @param bytes of its buffer */
+  glb(bytes = this.bytes): Uint8Array {
+    const [buffer] = Array.isArray(this.json.buffers) ? this.json.buffers : [];
+    if (typeof buffer === 'object' && buffer) buffer.byteLength ??= bytes.length;
     const text = Buffer.from(JSON.stringify(this.json));
     const json = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, ' ')]);
     const head = Buffer.alloc(20);

@@ -332,7 +332,7 @@ describe('scenes', () => {
   test('the default one of several, and the caption says so', async () => {
     const model = await read(
       changed((json) => {
-        json.nodes = [{ mesh: 0 }, { mesh: 0, children: [2] }, { mesh: 0 }];
+        json.nodes = [{ mesh: 0 }, { mesh: 0, children: [2] }, { mesh: 0, translation: [3, 0, 0] }];
         json.scenes = [{ nodes: [0] }, { name: 'Pair', nodes: [1] }];
         json.scene = 1;
       }),
