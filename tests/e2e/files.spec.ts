@@ -1,4 +1,5 @@
 import { expect, test } from '../browser/test.js';
+import { dae, fbx, usda, zip } from '../unit/demo/files/sceneWriters.js';
 import {
   file,
   octahedronAsciiStl,
@@ -35,6 +36,9 @@ test('models of every format are drawn when dropped', async ({ page }) => {
     ['octahedron.ply', '8 triangles', [file('octahedron.ply', octahedronPly)]],
     ['binary.stl', '8 triangles', [file('binary.stl', octahedronBinaryStl())]],
     ['ascii.stl', '8 triangles', [file('ascii.stl', octahedronAsciiStl)]],
+    ['box.fbx', '12 triangles', [file('box.fbx', fbx())]],
+    ['box.dae', '12 triangles', [file('box.zip', Buffer.from(zip({ 'box.dae': dae() })))]],
+    ['box.usdz', '12 triangles', [file('box.usdz', Buffer.from(zip({ 'box.usda': usda() }, 0)))]],
     ['misnamed.obj', '8 triangles', [file('misnamed.obj', octahedronPly)]],
   ];
   for (const [name, statistics, files] of cases) {

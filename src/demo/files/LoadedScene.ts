@@ -5,6 +5,8 @@ export interface LoadedScene {
   root: Object3D;
   /** The names of files that it asks for and that were not dropped. */
   missing?: string[];
+  /** What else the caption is to say. */
+  notes?: string[];
   /** The up axis, if the loader has not turned the scene to y. */
   upAxis?: 'y' | 'z';
 }

@@ -13,9 +13,9 @@ import {
 import { checkTriangleCount } from './checkTriangleCount.js';
 import { nearOrigin } from './nearOrigin.js';
 import type { PictureRange, PlainMesh } from './PlainMesh.js';
-import type { PictureLink } from './pictureLinks.js';
 import { placements } from './placements.js';
 import { repairScene } from './repairGeometry.js';
+import type { PictureLink } from './standIns.js';
 
 /** A picture that a merged mesh asks for. */
 export interface WantedPicture {

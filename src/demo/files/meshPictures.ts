@@ -3,8 +3,8 @@ import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf } from './fileName.js';
 import { imageSize } from './imageSize.js';
 import type { WantedPicture } from './mergeScene.js';
-import type { PictureLink } from './pictureLinks.js';
 import { readUri } from './readUri.js';
+import type { PictureLink } from './standIns.js';
 
 /** A picture of a mesh, decoded and the right way up. */
 export interface MeshPicture {
@@ -37,13 +37,13 @@ export async function readMeshPictures(wanted: readonly WantedPicture[], findFil
   const pixels = MAX_DRAWN_PIXELS / wanted.length;
   const pictures: MeshPictures['pictures'] = [];
   for (const { texture, cutOut } of wanted) {
-    const { url } = texture.image as PictureLink;
+    const { url, content } = texture.image as PictureLink;
     const { flipY, wrapS, wrapT } = texture;
     const isInside = /^(blob|data):/.test(url);
     const name = isInside ? 'a picture in the file' : baseName(url);
     const key = `${flipY} ${isInside ? url : name.toLowerCase()}`;
     if (!shared.has(key)) {
-      const bytes = await pictureBytes(url, findFile);
+      const bytes = content ? new Uint8Array(await content.arrayBuffer()) : await readUri(url, findFile);
       if (!bytes) missing.add(name);
       shared.set(key, bytes ? decode(bytes, url, flipY, pixels) : Promise.resolve(undefined));
       if (bytes && !(await shared.get(key))) unreadable.add(name);
@@ -52,12 +52,6 @@ export async function readMeshPictures(wanted: readonly WantedPicture[], findFil
     pictures.push(bitmap && { bitmap, wrapS, wrapT, cutOut });
   }
   return { pictures, notes: [...missingNote([...missing]), ...unreadableNote([...unreadable])] };
-}
-
-/** The bytes of a picture: a file that was dropped, or a part of the model that a loader made a URL for. */
-async function pictureBytes(url: string, findFile: FindFile): Promise<Uint8Array | undefined> {
-  if (!url.startsWith('blob:')) return readUri(url, findFile);
-  return new Uint8Array(await (await fetch(url)).arrayBuffer());
 }
 
 /** Says which files a model asks for that nobody dropped. */

@@ -7,13 +7,16 @@ import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
 import type { LoadedScene } from './LoadedScene.js';
 import { ModelError, toModelError } from './ModelError.js';
+import type { ModelFile } from './ModelFile.js';
 import { mergeScene, type WantedPicture } from './mergeScene.js';
 import { type MeshPicture, missingNote, readMeshPictures } from './meshPictures.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
+import { readArchive } from './readArchive.js';
 import { type ReadGltf, readGltf } from './readGltf.js';
 import { readObj } from './readObj.js';
 import { readPly } from './readPly.js';
+import { readScene } from './readScene.js';
 import { readStl } from './readStl.js';
 import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
 import { toUtf8 } from './toUtf8.js';
@@ -21,11 +24,7 @@ import { toUtf8 } from './toUtf8.js';
 /** Of all files together. A model is held in memory several times while it is read. */
 const MAX_BYTES = 512 * 1024 * 1024;
 
-/** A file that was dropped or picked, or that holds a built-in model. */
-export interface ModelFile {
-  name: string;
-  content: Blob;
-}
+export type { ModelFile };
 
 /** Is told what is being done, in a few words, and how many bytes it is done with, if they are more than those of the files. */
 export type OnStage = (stage: string, bytes?: number) => void;
@@ -81,7 +80,12 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
   const name = withoutGz(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name, MAX_BYTES));
   onStage(`reading ${main.name}`, bytes.length);
-  const format = sniffFormat(name, bytes);
+  let format = sniffFormat(name, bytes);
+  if (format === 'zip') {
+    const archive = await readArchive(bytes, main.name);
+    if ('files' in archive) return readArchived(archive.files, name, files, onStage);
+    ({ format } = archive);
+  }
   const findFile: FindFile = async (uri) => {
     const wanted = baseName(safeDecode(uri)).toLowerCase();
     const file = files.find((one) => baseName(one.name).toLowerCase() === wanted);
@@ -111,10 +115,25 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
       ...brokenNote(brokenBefore + broken),
       ...duplicateNote(duplicates),
       ...notesBefore,
+      ...(scene?.notes ?? []),
       ...missingNote(scene?.missing ?? []),
       ...notes,
     ],
   };
+}
+
+/** Reads the model in an archive, whose files are `archived`, with those that were dropped along. */
+async function readArchived(
+  archived: readonly ModelFile[],
+  name: string,
+  dropped: readonly ModelFile[],
+  onStage: OnStage,
+): Promise<ReadModel> {
+  const main = chooseMain(archived);
+  onStage(`reading ${main.name}`);
+  const read = await readMain(main, [...archived, ...dropped], onStage);
+  const count = archived.filter((file) => rankOf(file) < MODEL_EXTENSIONS.length).length;
+  return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${name}`, ...read.notes] };
 }
 
 const brokenNote = (triangles: number): string[] =>
@@ -141,8 +160,12 @@ async function parse(
       return readObj(bytes, findFile);
     case 'ply':
       return readPly(bytes, name);
-    default:
+    case 'stl':
       return readStl(bytes);
+    case 'zip':
+      throw new ModelError(`${name} is an archive in an archive, which this page does not unpack.`);
+    default:
+      return readScene(format, bytes, name);
   }
 }
 
@@ -155,11 +178,13 @@ function safeDecode(uri: string): string {
 }
 
 function chooseMain(files: readonly ModelFile[]): ModelFile {
-  const rank = (file: ModelFile): number => {
-    const at = (MODEL_EXTENSIONS as readonly string[]).indexOf(extensionOf(withoutGz(file.name)) ?? '');
-    return at === -1 ? MODEL_EXTENSIONS.length : at;
-  };
-  const [main] = [...files].sort((a, b) => rank(a) - rank(b));
+  const [main] = [...files].sort((a, b) => rankOf(a) - rankOf(b));
   if (!main) throw new ModelError('There was no file in what was dropped.');
   return main;
+}
+
+/** The place of a file's extension in the order of preference; behind all others if it is no model. */
+function rankOf({ name }: ModelFile): number {
+  const at = MODEL_EXTENSIONS.indexOf(extensionOf(withoutGz(name)) ?? '');
+  return at === -1 ? MODEL_EXTENSIONS.length : at;
 }

@@ -4,7 +4,7 @@ import { cleanMtl, cleanObj, materialLibraries } from './cleanObj.js';
 import type { FindFile } from './FindFile.js';
 import { baseName } from './fileName.js';
 import type { LoadedScene } from './LoadedScene.js';
-import { withPictureLinks } from './pictureLinks.js';
+import { withStandIns } from './standIns.js';
 import { toUtf8 } from './toUtf8.js';
 
 /** Reads an OBJ file, with the materials of its MTL files if they were dropped together with it. */
@@ -13,7 +13,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
   const text = decoder.decode(bytes);
   const { materials, missing } = await findMaterials(materialLibraries(text), findFile);
   const loader = new OBJLoader();
-  const root = withPictureLinks(() => {
+  const root = withStandIns(() => {
     if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
     return loader.parse(cleanObj(text));
   });

@@ -1,5 +1,6 @@
 import type { ModelFile, ReadMesh } from '../../../../src/demo/files/readModel.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
+import { BOX_CORNERS, BOX_FACES } from './box.js';
 
 /** Small files of every kind, written by code, and what the playground makes of them. */
 
@@ -54,17 +55,6 @@ export function measure({ mesh: { positions, indices } }: ReadMesh): { area: num
   }
   return { area, volume };
 }
-
-export const BOX_CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
-/** Counter-clockwise from outside: the two faces across each of x, y and z. */
-export const BOX_FACES = [
-  [0, 4, 6, 2],
-  [1, 3, 7, 5],
-  [0, 1, 5, 4],
-  [2, 6, 7, 3],
-  [0, 2, 3, 1],
-  [4, 5, 7, 6],
-];
 
 /** Hexagons of radius 1 at z = 0 and z = 1: twelve points, two faces of six corners and six of four. */
 export const PRISM_CORNERS = Array.from({ length: 12 }, (_, i) => [

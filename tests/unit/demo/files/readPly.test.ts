@@ -1,7 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { BOX_CORNERS, BOX_FACES } from './box.js';
 import {
-  BOX_CORNERS,
-  BOX_FACES,
   CORNER_LIST,
   colorsOf,
   measure,
