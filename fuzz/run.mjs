@@ -1,6 +1,6 @@
 /**
  * `npm run fuzz`: 10,000 damaged files and calls, from seeds. `npm run fuzz -- 50000 20001` tries as many as are asked for, from that seed
- * on. What goes wrong is listed with its seed; the counts are left in tests/output/fuzz.json.
+ * on. What goes wrong is listed with its seed; the counts are left in tests/output/fuzz.
  */
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -16,14 +16,15 @@ const { status } = spawnSync('npx', ['vitest', 'run', 'tests/unit/fuzz'], {
   stdio: 'inherit',
   env: { ...process.env, FUZZ_CASES: cases, FUZZ_FIRST: first },
 });
+const report = ['files', 'library'].map((name) =>
+  JSON.parse(readFileSync(`${root}/tests/output/fuzz/${name}.json`, 'utf8')),
+);
 console.table(
   Object.fromEntries(
-    Object.entries(JSON.parse(readFileSync(`${root}/tests/output/fuzz.json`, 'utf8'))).map(
-      ([kind, { slowest, ...sums }]) => [
-        kind,
-        { ...sums, slowestSeed: slowest.seed, milliseconds: slowest.milliseconds },
-      ],
-    ),
+    Object.entries(Object.assign({}, ...report)).map(([kind, { slowest, ...sums }]) => [
+      kind,
+      { ...sums, 'slowest, ms': slowest.milliseconds, 'its seed': slowest.seed },
+    ]),
   ),
 );
 process.exitCode = status ?? 1;

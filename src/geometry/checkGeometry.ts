@@ -1,6 +1,18 @@
 import type { BufferGeometry } from 'three';
 import { isInstanced, type VertexAttribute } from './vertexAttributes.js';
 
+/** The arrays of normalized attributes that three.js reads. */
+const NORMALIZABLE: ReadonlySet<string> = new Set([
+  'Float32Array',
+  'Uint32Array',
+  'Uint16Array',
+  'Uint8Array',
+  'Uint8ClampedArray',
+  'Int32Array',
+  'Int16Array',
+  'Int8Array',
+]);
+
 /**
  * Throws a TypeError or RangeError if the vertex data of `geometry` cannot be read. Returns the beginning of all further error
  * messages: the function and the name of the geometry.
@@ -23,6 +35,11 @@ export function checkGeometry(geometry: BufferGeometry): string {
       );
     }
     checkMemory(label, `attribute "${name}"`, attribute);
+    if (attribute.normalized && !NORMALIZABLE.has(attribute.array.constructor.name)) {
+      throw new TypeError(
+        `${label}: attribute "${name}" is normalized, but a ${attribute.array.constructor.name}, which three.js cannot normalize. Set normalized to false, or use another array.`,
+      );
+    }
     if (!isInstanced(attribute) && attribute.count < position.count) {
       throw new RangeError(
         `${label}: attribute "${name}" has ${attribute.count} entries, but there are ${position.count} positions. Give each vertex one entry, or delete the attribute.`,

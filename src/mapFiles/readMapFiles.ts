@@ -126,8 +126,8 @@ function parseDescription(name: string, text: string): MapDescription {
   let found: Partial<MapDescription>;
   try {
     found = JSON.parse(text);
-  } catch (error) {
-    fail(name, `is not JSON (${(error as Error).message}); save the map again`);
+  } catch {
+    fail(name, 'is not valid JSON; save the map again');
   }
   if (found?.format !== MAP_FORMAT) {
     fail(name, `describes no tonal art map; its "format" must be "${MAP_FORMAT}"`);

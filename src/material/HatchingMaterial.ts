@@ -20,6 +20,7 @@ import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bin
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
+import { checkValueTypes } from './checkValueTypes.js';
 import { defaultOf } from './defaultOf.js';
 import { environmentAround } from './environmentAround.js';
 import { writeFieldFrame } from './fieldFrame.js';
@@ -132,9 +133,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     else if (this.secondLayer) this.strokeLayers = 'single';
   }
 
-  /** Sets properties by name, as three's own. Warns of one that does not count for the technique. */
+  /**
+   * Sets properties by name, as three's own. Warns of one that does not count for the technique.
+   *
+   * @throws TypeError for a texture or vector that is none, before anything is set
+   */
   override setValues(values?: HatchingMaterialParameters): void {
     const { defines } = this;
+    if (values) checkValueTypes(values);
     super.setValues(values);
     if (!values) return;
     if (this.defines !== defines) {

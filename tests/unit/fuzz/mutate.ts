@@ -4,7 +4,7 @@ import type { GoodDrop, GoodFile } from './goodFiles.js';
 import type { Random } from './Random.js';
 
 /** Values that readers stumble over. */
-const NASTY: readonly unknown[] = [
+export const NASTY: readonly unknown[] = [
   -1,
   0,
   1,
@@ -92,7 +92,7 @@ function mutateDocument(json: Json, random: Random): void {
   }
 }
 
-function mutateBytes(source: Uint8Array, random: Random): Uint8Array {
+export function mutateBytes(source: Uint8Array, random: Random): Uint8Array {
   const bytes = source.slice();
   if (bytes.length < 8) return bytes;
   const view = new DataView(bytes.buffer);
@@ -125,7 +125,7 @@ function mutateBytes(source: Uint8Array, random: Random): Uint8Array {
   }
 }
 
-function mutateText(text: string, random: Random): string {
+export function mutateText(text: string, random: Random): string {
   const lines = text.split('\n');
   const at = random.below(lines.length);
   switch (random.below(7)) {

@@ -379,6 +379,12 @@ describe('bad input is rejected', () => {
       /Set one/,
     ],
     [
+      'normalized floats of 64 bits',
+      changed((g) => g.setAttribute('uv', new BufferAttribute(new Float64Array(8), 2, true))),
+      `${beginning}: attribute "uv" is normalized, but a Float64Array`,
+      /Set normalized to false/,
+    ],
+    [
       'freed arrays',
       changed((g) => Reflect.set(g.attributes.position, 'array', null)),
       `${beginning}: the data of attribute "position" is not in memory`,

@@ -287,3 +287,23 @@ describe('HatchingMaterial', () => {
     for (const name of Object.keys(a.uniforms)) expect(a.uniforms[name], name).not.toBe(b.uniforms[name]);
   });
 });
+
+describe('values of the wrong kind', () => {
+  test('are refused before anything is set', () => {
+    const material = new HatchingMaterial();
+    for (const [wrong, message] of [
+      [{ strokeScale: 7, map: { image: {} } }, 'HatchingMaterial.map: expected a THREE.Texture or null.'],
+      [{ strokeScale: 7, normalMap: 1 }, 'HatchingMaterial.normalMap: expected a THREE.Texture or null.'],
+      [{ strokeScale: 7, strokeOffset: null }, 'HatchingMaterial.strokeOffset: expected a THREE.Vector2'],
+      [
+        { strokeScale: 7, normalScale: { x: 1, y: Number.NaN } },
+        'HatchingMaterial.normalScale: expected a THREE.Vector2',
+      ],
+    ] as const) {
+      expect(() => material.setValues(wrong as never)).toThrow(message);
+      expect(() => new HatchingMaterial(wrong as never)).toThrow(message);
+    }
+    expect(material.strokeScale).not.toBe(7);
+    material.setValues({ map: null });
+  });
+});

@@ -244,7 +244,7 @@ describe('TonalArtMap.load refuses', () => {
       (files) => [json({ images: ['7.png', '8.png', '9.png'] }), ...files],
       /7\.png is the darkest image but comes first; list the lightest first/,
     ],
-    ['broken JSON', () => [new File(['{"format": '], 'map.json')], /map\.json is not JSON \(.*\); save the map again/],
+    ['broken JSON', () => [new File(['{"format": '], 'map.json')], /map\.json is not valid JSON; save the map again/],
     [
       'JSON of something else',
       () => [new File(['[1]'], 'data.json')],
