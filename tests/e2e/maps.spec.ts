@@ -51,17 +51,26 @@ test('the contact sheet opens by keyboard, shows every tone and level, and follo
 test('PNG images of the user become the map; invalid ones leave it unchanged', async ({ page }) => {
   await openPlayground(page, PLAIN);
   const before = await readDrawing(page);
-  await drop(page, [await tile('dark.png', 0.8), await tile('light.png', 0.2), await tile('middle.png', 0.5)]);
+  const tiles = [await tile('dark.png', 0.8), await tile('light.png', 0.2), await tile('middle.png', 0.5)];
+  const question = page.getByRole('dialog', { name: 'These 3 pictures belong to no model here.' });
+  await drop(page, tiles);
+  await question.getByRole('button', { name: 'Leave the drawing' }).click();
+  await expect(question).toBeHidden();
+  expect((await readDrawing(page)).data.equals(before.data)).toBe(true);
+  await drop(page, tiles);
+  await question.getByRole('button', { name: 'Draw strokes' }).click();
   await ready(page);
   await expect(page.locator('select').filter({ hasText: 'Your own' }).nth(1).locator('option:checked')).toHaveText(
     'Your own',
   );
   const own = await readDrawing(page);
   expect(own.data.equals(before.data)).toBe(false);
+  await page.getByRole('button', { name: 'Show the map' }).click();
   await drop(page, [await tile('a.png', 0.5), await tile('b.png', 0.8, 32)]);
   await expect(page.getByRole('status')).toContainText(
     /[ab]\.png has \d+ pixels per side, but [ab]\.png has \d+; give every tone the same/,
   );
+  await page.getByRole('button', { name: 'Close' }).click();
   expect((await readDrawing(page)).data.equals(own.data)).toBe(true);
 });
 

@@ -5,7 +5,6 @@ import type { GltfDocument } from './gltfDocument.js';
 import { usedImages } from './gltfMaterials.js';
 import { imageSize } from './imageSize.js';
 import { ModelError } from './ModelError.js';
-import { missingNote } from './meshPictures.js';
 import { readUri } from './readUri.js';
 
 /** A picture to be decoded, and the size it is to be drawn in. */
@@ -28,6 +27,8 @@ const MAX_DRAWN_SIDE = 4096;
 /** The pictures that are drawn, by the index of their image, and what to say about the others. */
 export interface Pictures {
   pictures: (Picture | undefined)[];
+  /** The names of those that nobody dropped. */
+  missing: string[];
   notes: string[];
 }
 
@@ -57,7 +58,7 @@ export async function collectPictures(
     }
   }
   const side = reduce(pictures);
-  return { pictures, notes: describe(missing, unreadable, tooLarge, side) };
+  return { pictures, missing: [...new Set(missing)], notes: describe(unreadable, tooLarge, side) };
 }
 
 function viewBytes(values: GltfValues, view: number | undefined): Uint8Array | undefined {
@@ -87,14 +88,9 @@ function reduce(pictures: readonly (Picture | undefined)[]): number | undefined 
   }
 }
 
-function describe(
-  missing: readonly string[],
-  unreadable: number,
-  tooLarge: number,
-  side: number | undefined,
-): string[] {
+function describe(unreadable: number, tooLarge: number, side: number | undefined): string[] {
   const pictures = (count: number): string => `${count} ${count === 1 ? 'picture' : 'pictures'}`;
-  const notes = missingNote([...new Set(missing)]);
+  const notes: string[] = [];
   if (unreadable > 0) notes.push(`${pictures(unreadable)} left out: not PNG, JPEG or WebP`);
   if (tooLarge > 0) notes.push(`${pictures(tooLarge)} left out: too large`);
   if (side !== undefined) notes.push(`pictures reduced to ${side.toLocaleString('en')} pixels`);

@@ -26,6 +26,8 @@ const NAMED = 3;
 /** The pictures of a mesh, by their index in its ranges, and what to say about those that are not there. */
 export interface MeshPictures {
   pictures: (MeshPicture | undefined)[];
+  /** The names of those that nobody dropped. */
+  missing: string[];
   notes: string[];
 }
 
@@ -51,7 +53,7 @@ export async function readMeshPictures(wanted: readonly WantedPicture[], findFil
     const bitmap = await shared.get(key);
     pictures.push(bitmap && { bitmap, wrapS, wrapT, cutOut });
   }
-  return { pictures, notes: [...missingNote([...missing]), ...unreadableNote([...unreadable])] };
+  return { pictures, missing: [...missing], notes: unreadableNote([...unreadable]) };
 }
 
 /** Says which files a model asks for that nobody dropped. */

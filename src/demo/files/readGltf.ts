@@ -25,6 +25,8 @@ export interface ReadGltf {
   broken: number;
   /** What to say about the model: what was chosen, and what was left out. */
   notes: string[];
+  /** The names of pictures that it asks for and that nobody dropped. */
+  missing: string[];
 }
 
 /**
@@ -46,18 +48,18 @@ export async function readGltf(
   const values = new GltfValues(document, await collectBuffers(document, name, binary, findFile), name);
   await values.prepare();
   const plain = await unpackGltf(document, chosen, values, name);
-  const { pictures, notes: pictureNotes } = await collectPictures(document, values, findFile);
+  const { pictures, missing, notes: pictureNotes } = await collectPictures(document, values, findFile);
   const notes = [...chosen.notes, ...plain.notes, ...pictureNotes];
   if (leftOut > 0) notes.push(counted(leftOut, 'damaged setting', 'left out'));
   const isPictured = pictures.some(Boolean);
   const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
   const isScene = plain.moves || isPictured || glows;
   if (isScene && isSmall(plain)) {
-    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes };
+    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes, missing };
   }
   if (isScene) notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
   const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
-  return { content: mergeScene(root), broken: plain.broken, notes };
+  return { content: mergeScene(root), broken: plain.broken, notes, missing };
 }
 
 function isSmall({ json, vertices, draws }: PlainGltf): boolean {

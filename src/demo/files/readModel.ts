@@ -39,6 +39,8 @@ interface Read {
   upAxis: 'y' | 'z';
   /** What the caption is to say beside the statistics: what was left out, and why. */
   notes: string[];
+  /** The names of files that the model asks for and that were not dropped along. */
+  missing: string[];
 }
 
 export interface ReadMesh extends Read {
@@ -92,10 +94,12 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
   const parsed = await parse(format, bytes, main.name, findFile);
-  const { broken: brokenBefore = 0, notes: notesBefore = [] } = 'content' in parsed ? parsed : {};
-  const content = 'content' in parsed ? parsed.content : parsed;
+  const before = 'content' in parsed ? parsed : { content: parsed, broken: 0, notes: [], missing: [] };
+  const { content } = before;
   if ('arrays' in content) {
-    return { kind: 'parts', name, upAxis: 'y', notes: [...brokenNote(brokenBefore), ...notesBefore], parts: content };
+    const { missing } = before;
+    const notes = [...brokenNote(before.broken), ...before.notes, ...missingNote(missing)];
+    return { kind: 'parts', name, upAxis: 'y', notes, missing, parts: content };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
@@ -104,19 +108,21 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
   const { mesh, broken } = cleanMesh(distinct);
   fitModel(mesh);
   if (wanted.length > 0) onStage('decoding pictures');
-  const { pictures, notes } = await readMeshPictures(wanted, findFile);
+  const { pictures, notes, ...lacks } = await readMeshPictures(wanted, findFile);
+  const missing = [...before.missing, ...(scene?.missing ?? []), ...lacks.missing];
   return {
     kind: 'mesh',
     name,
     upAxis: scene?.upAxis ?? (format === 'stl' ? 'z' : 'y'),
     mesh,
     pictures,
+    missing,
     notes: [
-      ...brokenNote(brokenBefore + broken),
+      ...brokenNote(before.broken + broken),
       ...duplicateNote(duplicates),
-      ...notesBefore,
+      ...before.notes,
       ...(scene?.notes ?? []),
-      ...missingNote(scene?.missing ?? []),
+      ...missingNote(missing),
       ...notes,
     ],
   };

@@ -107,5 +107,5 @@ function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNo
 
 function builtInMesh(name: string, mesh: PlainMesh): ReadModel {
   fitModel(mesh);
-  return { kind: 'mesh', mesh, pictures: [], name, notes: [], upAxis: 'y' };
+  return { kind: 'mesh', mesh, pictures: [], name, notes: [], missing: [], upAxis: 'y' };
 }

@@ -10,12 +10,14 @@ import { SETTINGS, type Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import { modelCaption } from './modelCaption.js';
 import { page } from './page.js';
+import type { ShownFiles } from './sortDrop.js';
 import type { TaskRunner } from './TaskRunner.js';
 
 interface LoadedModel {
   title: string;
   view?: [number, number, number] | undefined;
   read: ReadModel | BuiltInScene;
+  shown?: ShownFiles;
 }
 
 /** Loads models and shows them. While one is loading, and if it fails, the previous one stays. */
@@ -24,6 +26,8 @@ export class ModelLoader {
   title = '';
   /** The radius of a model that is drawn as a scene, before it was fitted. Undefined for one mesh. */
   sceneRadius: number | undefined;
+  /** What the shown model was read from. Built-in models ask for nothing. */
+  shownFiles: ShownFiles = { files: [], missing: [] };
   /** The value of the setting for the model that is shown. */
   private shownModel: Settings['model'];
 
@@ -53,7 +57,7 @@ export class ModelLoader {
   showFiles(files: readonly ModelFile[]): Promise<void> {
     return this.show('file', async (report, signal) => {
       const read = await loadModelFiles(files, { signal, onStage: report });
-      return { title: read.name, read };
+      return { title: read.name, read, shown: { files, missing: read.missing } };
     });
   }
 
@@ -81,6 +85,7 @@ export class ModelLoader {
       report('drawing', 1);
       this.shownModel = model;
       this.title = loaded.title;
+      this.shownFiles = loaded.shown ?? { files: [], missing: [] };
       this.sceneRadius = loaded.read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;

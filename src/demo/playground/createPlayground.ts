@@ -1,3 +1,4 @@
+import type { ModelFile } from '../files/readModel.js';
 import { setPageState } from '../page/setPageState.js';
 import { LIGHT_LOOKS } from '../settings/lightLooks.js';
 import { presetLook } from '../settings/presets.js';
@@ -5,6 +6,7 @@ import { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
+import { askForStrokes } from './askForStrokes.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
@@ -13,12 +15,12 @@ import { LightHandles } from './LightHandles.js';
 import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
 import { MotionPanel } from './MotionPanel.js';
-import { areMapFiles } from './mapFiles.js';
 import { OcclusionLoader } from './OcclusionLoader.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
 import { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
+import { sortDrop } from './sortDrop.js';
 import { TaskRunner } from './TaskRunner.js';
 
 declare global {
@@ -188,11 +190,18 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // ── Files and buttons ──
 
   dropFiles({ overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
-    void (areMapFiles(files) ? mapLoader.showFiles(files) : modelLoader.showFiles(files));
+    void showFiles(files);
   });
   page.savePng.addEventListener('click', exportActions.savePng);
   page.saveMap.addEventListener('click', exportActions.saveMap);
   page.undo.addEventListener('click', undo);
+
+  /** Shows a model, or draws with a map. */
+  async function showFiles(dropped: readonly ModelFile[]): Promise<void> {
+    const { kind, files } = sortDrop(dropped, modelLoader.shownFiles, !page.contactSheet.sheet.hidden);
+    if (kind === 'model') await modelLoader.showFiles(files);
+    else if (kind === 'map' || (await askForStrokes(files.map(({ name }) => name)))) await mapLoader.showFiles(files);
+  }
 
   /** Opens or closes the card of settings, which narrow screens show on request only. */
   function openCard(open: boolean): void {

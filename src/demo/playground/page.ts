@@ -27,6 +27,10 @@ export const page = {
   saveMap: findElement('save-map'),
   openMap: findElement('open-map'),
   drop: findElement('drop'),
+  ask: {
+    dialog: findElement('ask') as HTMLDialogElement,
+    question: findElement('ask-question'),
+  },
   fileInput: findElement('file-input') as HTMLInputElement,
   status: {
     message: findElement('status'),
