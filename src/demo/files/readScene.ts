@@ -1,4 +1,6 @@
 import type { Mesh, Object3D } from 'three';
+import { check3ds } from './check3ds.js';
+import { errorMessage } from './errorMessage.js';
 import type { LoadedScene } from './LoadedScene.js';
 import { ModelError } from './ModelError.js';
 import { withStandIns } from './standIns.js';
@@ -42,6 +44,7 @@ async function load(format: SceneFormat, bytes: Uint8Array, name: string): Promi
       return withStandIns(() => new FBXLoader().parse(buffer, ''));
     }
     case '3ds': {
+      check3ds(bytes, name);
       const { TDSLoader } = await import('three/addons/loaders/TDSLoader.js');
       return withStandIns(() => new TDSLoader().parse(buffer, ''));
     }
@@ -59,7 +62,13 @@ async function load(format: SceneFormat, bytes: Uint8Array, name: string): Promi
     }
     default: {
       const { ThreeMFLoader } = await import('three/addons/loaders/3MFLoader.js');
-      return withStandIns(() => new ThreeMFLoader().parse(buffer));
+      try {
+        return withStandIns(() => new ThreeMFLoader().parse(buffer));
+      } catch (error) {
+        // What the loader says when it could not unpack the file, too.
+        if (!errorMessage(error).includes('relationship file')) throw error;
+        throw new ModelError(`${name} is damaged or cut short: its list of parts is missing.`);
+      }
     }
   }
 }

@@ -3,6 +3,7 @@ import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
 import { addTrack, GltfBuilder } from '../demo/files/GltfBuilder.js';
 import { type PlyFormat, ply } from '../demo/files/modelWriters.js';
+import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../demo/files/sceneWriters.js';
 import type { Random } from './Random.js';
 
 /** A file as its writer knows it: text, bytes, or a glTF document with its data. */
@@ -236,6 +237,9 @@ const stl = (random: Random): GoodDrop => {
   return [{ name: 'ball.stl', kind: 'bytes', bytes: new Uint8Array(view.buffer) }];
 };
 
+const text = (name: string, content: string): GoodDrop => [{ name, kind: 'text', text: content }];
+const bytes = (name: string, content: Uint8Array): GoodDrop => [{ name, kind: 'bytes', bytes: content }];
+
 const WRITERS: Record<string, (random: Random) => GoodDrop> = {
   glb: (random) => [{ name: 'ball.glb', kind: 'gltf', builder: gltfBuilder(random), isBinary: true }],
   gltf: (random) => [{ name: 'ball.gltf', kind: 'gltf', builder: gltfBuilder(random), isBinary: false }],
@@ -253,6 +257,14 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
       file.kind === 'text' ? Buffer.from(file.text) : file.kind === 'bytes' ? file.bytes : Buffer.alloc(0);
     return [{ name: `${file.name}.gz`, kind: 'bytes', bytes: new Uint8Array(gzipSync(content)) }];
   },
+  fbx: () => text('box.fbx', fbx()),
+  dae: (random) => text('box.dae', dae(random.chance(0.5) ? 'wood.png' : undefined, random.chance(0.3))),
+  wrl: () => text('box.wrl', wrl()),
+  usd: (random) =>
+    random.chance(0.5) ? text('box.usda', usda()) : bytes('box.usdz', zip({ 'box.usda': usda('wood.png') }, 0)),
+  '3mf': (random) => bytes('box.3mf', threeMf(random.chance(0.5) ? 0 : 9)),
+  '3ds': () => bytes('box.3ds', tds()),
+  zip: (random) => bytes('box.zip', zip({ 'a/box.dae': dae('wood.png'), 'a/wood.png': png(random) }, 0)),
 };
 
 export const KINDS = Object.keys(WRITERS);

@@ -120,6 +120,18 @@ function announcing(archive: Uint8Array, size: number): Uint8Array {
   return archive;
 }
 
+test('a part of 3DS without a length is no endless loop', async () => {
+  const box = tds();
+  // The chunk of materials is the third: after the outermost and the version.
+  for (const at of [6 + 10, 6 + 10 + 6, 6 + 10 + 6 + 6]) {
+    const broken = box.slice();
+    broken.set([0, 0, 0, 0], at + 2);
+    expect(await refusal(['box.3ds', broken])).toBe(
+      'box.3ds is damaged or cut short: one of its parts has a wrong length.',
+    );
+  }
+});
+
 test('edges of 3DS stay sharp', async () => {
   expect((await read(['box.3ds', tds()])).mesh.normals).toBe(null);
 });

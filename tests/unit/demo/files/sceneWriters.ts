@@ -218,7 +218,7 @@ ${
 `;
 
 /** 3MF, with colours of triangles and a prefix for their namespace. */
-export const threeMf = (): Uint8Array => {
+export const threeMf = (level?: 0 | 9): Uint8Array => {
   const triangles = BOX_FACES.flatMap(([a, b, c, d], face) =>
     [
       [a, b, c],
@@ -228,16 +228,19 @@ export const threeMf = (): Uint8Array => {
         `<triangle v1="${corners[0]}" v2="${corners[1]}" v3="${corners[2]}" pid="2" p1="${face >> 1}" p2="${face >> 1}" p3="${face >> 1}"/>`,
     ),
   );
-  return zip({
-    '[Content_Types].xml': '<Types/>',
-    '_rels/.rels': '<Relationships><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="model"/></Relationships>',
-    '3D/3dmodel.model': `<?xml version="1.0"?><model unit="millimeter" xmlns="core" xmlns:m="materials"><resources>
+  return zip(
+    {
+      '[Content_Types].xml': '<Types/>',
+      '_rels/.rels': '<Relationships><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="model"/></Relationships>',
+      '3D/3dmodel.model': `<?xml version="1.0"?><model unit="millimeter" xmlns="core" xmlns:m="materials"><resources>
       <m:colorgroup id="2"><m:color color="#FF0000"/><m:color color="#00FF00"/><m:color color="#0000FF"/></m:colorgroup>
       <object id="1" type="model" pid="2" pindex="0"><mesh>
         <vertices>${BOX_CORNERS.map(([x, y, z]) => `<vertex x="${x}" y="${y}" z="${z}"/>`).join('')}</vertices>
         <triangles>${triangles.join('')}</triangles></mesh></object>
       </resources><build><item objectid="1"/></build></model>`,
-  });
+    },
+    level,
+  );
 };
 
 function chunk(id: number, ...parts: (Uint8Array | number[])[]): Uint8Array {
