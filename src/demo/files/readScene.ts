@@ -9,6 +9,8 @@ import { withoutBackground } from './withoutBackground.js';
 /** Formats that loaders of three's read whose result is a scene. */
 export type SceneFormat = 'fbx' | '3ds' | 'usd' | 'wrl' | 'dae' | '3mf';
 
+/** Where the version of an FBX file is looked for. */
+const HEAD_BYTES = 65536;
 /** FBX before these is laid out differently. */
 const MIN_FBX = { ascii: 7000, binary: 6400 };
 
@@ -75,11 +77,12 @@ async function load(format: SceneFormat, bytes: Uint8Array, name: string): Promi
 
 /** @throws ModelError if the file is older than what three's loader reads */
 function checkFbx(bytes: Uint8Array, name: string): void {
-  const head = new TextDecoder('latin1').decode(bytes.subarray(0, 4096));
+  const head = new TextDecoder('latin1').decode(bytes.subarray(0, HEAD_BYTES));
   const isBinary = head.startsWith('Kaydara FBX Binary');
   const version = isBinary
     ? new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength).getUint32(23, true)
     : Number(/FBXVersion:\s*(\d+)/.exec(head)?.[1]);
+  if (Number.isNaN(version)) throw new ModelError(`${name} is damaged: it does not say its version.`);
   if (version < (isBinary ? MIN_FBX.binary : MIN_FBX.ascii)) {
     throw new ModelError(`${name} is FBX version ${version / 1000}; this page reads version 7 and newer.`);
   }

@@ -202,6 +202,7 @@ describe('other files are called by their names', () => {
     ],
     ['a.svg', '<svg>', 'a.svg is an XML file, not a 3D model.'],
     ['a.fbx', fbx(6100), 'a.fbx is FBX version 6.1; this page reads version 7 and newer.'],
+    ['a.fbx', fbx().replace('FBXVersion', 'Version'), 'a.fbx is damaged: it does not say its version.'],
     ['a.tif', 'MM\0*\0\0\0\b------------------', 'a.tif is not a model this page can read; it takes'],
   ])('%s', async (name, content, sentence) => {
     expect((await refusal([name, content])).startsWith(sentence)).toBe(true);
