@@ -37,7 +37,6 @@ export function withStandIns<Result>(parse: () => Result): Result {
         blobs.set(url, blob);
         return url;
       },
-      revokeObjectURL: () => {},
     }),
     replace(console, { debug: () => {}, log: () => {}, info: () => {}, warn: () => {}, error: () => {} }),
     replace(globalThis, {

@@ -29,6 +29,11 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     const radius = Math.hypot(1, 0.5);
     expect(measure(prism).volume).toBeCloseTo((1.5 * Math.sqrt(3)) / radius ** 3, 4);
     expect(measure(prism).area).toBeCloseTo((3 * Math.sqrt(3) + 6) / radius ** 2, 4);
+    // Closed: every edge is passed once in each direction.
+    const { indices } = prism.mesh;
+    const edges = [...indices!].map((from, i) => `${from} ${indices![i % 3 === 2 ? i - 2 : i + 1]}`);
+    expect(new Set(edges)).toEqual(new Set(edges.map((edge) => edge.split(' ').reverse().join(' '))));
+    expect(new Set(edges).size).toBe(60);
     expect(prism.notes).toEqual([]);
   });
 
@@ -134,6 +139,22 @@ describe.each(FORMATS)('PLY, %s', (format) => {
           .replace('property list', 'comment\nproperty list')
           .replaceAll('\n', end);
       expect(triangles(await read(['prism.ply', prismPly(format, header)]))).toBe(20);
+    }
+  });
+
+  test('data that begin as a line does', async () => {
+    // A line feed, or a carriage return and a line feed.
+    for (const first of [[10], [13, 10]]) {
+      const prism = ply(
+        [
+          { name: 'mark', properties: first.map((_, i) => `uchar m${i}`), rows: [first] },
+          { name: 'vertex', properties: XYZ, rows: PRISM_CORNERS },
+          { name: 'face', properties: [CORNER_LIST], rows: PRISM_FACES.map((face) => [face]) },
+        ],
+        format,
+        (text) => text.replaceAll('\n', first.length === 1 ? '\r' : '\n'),
+      );
+      expect(measure(await read(['prism.ply', prism])).volume).toBeCloseTo((1.5 * Math.sqrt(3)) / 1.25 ** 1.5, 4);
     }
   });
 

@@ -1,6 +1,7 @@
 import { PNG } from 'pngjs';
-import { ImageLoader } from 'three';
+import { FileLoader, ImageLoader, TextureLoader } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
+import { withStandIns } from '../../../../src/demo/files/standIns.js';
 import { XmlParser } from '../../../../src/demo/files/XmlElement.js';
 import {
   type Content,
@@ -100,6 +101,14 @@ describe('pictures and motion', () => {
 
   test('a model that moves stands still, and the caption says so', async () => {
     expect((await read(['box.dae', dae(undefined, true)])).notes).toEqual(['shown without its motion']);
+  });
+
+  test('no loader of three can fetch', () => {
+    vi.stubGlobal('fetch', () => expect.unreachable('nothing is fetched'));
+    withStandIns(() => {
+      new FileLoader().load('https://example.org/a.bin', () => {});
+      new TextureLoader().load('https://example.org/a.png');
+    });
   });
 
   test('what stands in for a page is taken away again', async () => {
