@@ -366,7 +366,7 @@ describe('scenes', () => {
 
   test('hidden nodes', async () => {
     const hidden = { extensions: { KHR_node_visibility: { visible: false } }, children: [2] };
-    const nodes = [{ mesh: 0 }, hidden, { mesh: 0 }];
+    const nodes = [{ mesh: 0 }, hidden, { mesh: 0, translation: [3, 0, 0] }];
     const model = await read(changed((json) => Object.assign(json, { nodes, scenes: [{ nodes: [0, 1] }] })));
     expect(model.kind === 'mesh' && model.mesh.indices!.length).toBe(12);
   });
