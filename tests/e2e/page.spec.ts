@@ -1,7 +1,10 @@
-import type { PNG } from 'pngjs';
+import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
 import { expect, test } from '../browser/test.js';
+import { columnGlb } from './columnModel.js';
+import { file, octahedronPly } from './modelFiles.js';
 import { changedShare, largestDifference, meanInk } from './pictures.js';
-import { framesDrawn, middleOf, openPlayground, readDrawing, ready, savePicture } from './playground.js';
+import { drop, framesDrawn, middleOf, openPlayground, readDrawing, ready, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 
@@ -186,23 +189,97 @@ test('only settings of the techniques in use are offered', async ({ page }) => {
   await expect(shift).toBeVisible();
 });
 
-test('a lost graphics context is reported and comes back with the same drawing', async ({ page }) => {
-  await openPlayground(page, 'model=bunny');
-  const before = await readDrawing(page);
+test.describe('a lost graphics context', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' }, viewport: { width: 400, height: 360 } });
+
+  test('is reported and comes back with the same drawing and saved pictures; lost again, the last picture stays', async ({
+    page,
+  }) => {
+    await openPlayground(page, 'model=cube&technique=adjacency&shadows=on&ground=shadow');
+    // With a skin, a morph target and a texture.
+    await drop(page, [file('column.glb', columnGlb())]);
+    await expect(page.locator('#model-name')).toHaveText('column.glb');
+    const before = await readDrawing(page);
+    const saved = await savePicture(page);
+
+    await loseContext(page);
+    await expect(page.locator('#status')).toHaveText(/let go of the drawing\. It should come back/);
+    await expect(page.locator('html')).toHaveAttribute('data-state', 'lost');
+    await page.locator('#lamp').press('ArrowLeft');
+    await page.locator('#lamp').press('ArrowRight');
+    await page.getByRole('button', { name: 'Save PNG' }).last().click();
+    await expect(page.locator('#status')).toHaveText(/nothing to save/);
+    await restoreContext(page);
+    await expect(page.locator('#status')).toHaveText('The drawing is back.');
+    expect(largestDifference(before, await readDrawing(page))).toBe(0);
+    expect(largestDifference(saved, await savePicture(page))).toBe(0);
+    // From now on the page keeps a copy.
+    await page.waitForFunction(() => document.querySelector<HTMLCanvasElement>('.last-picture')!.width > 300);
+
+    await loseContext(page);
+    await expect(page.locator('#status')).toHaveText(/again\. This is its last picture/);
+    expect(largestDifference(before, await readLastPicture(page))).toBe(0);
+    // What is changed meanwhile is drawn later.
+    await drop(page, [file('octahedron.ply', octahedronPly)]);
+    await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
+    await expect(page.locator('html')).toHaveAttribute('data-state', 'lost');
+    await expect(page.locator('#status')).toHaveText(/again\. This is its last picture/);
+    await restoreContext(page);
+    expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
+    // Disposes of what was uploaded before and after.
+    await drop(page, [file('column.glb', columnGlb())]);
+    await expect(page.locator('#model-name')).toHaveText('column.glb');
+    expect(largestDifference(before, await readDrawing(page))).toBe(0);
+  });
+});
+
+/** Takes the graphics context from the drawing. */
+async function loseContext(page: Page): Promise<void> {
   await page.evaluate(() => {
     const gl = (document.getElementById('drawing') as HTMLCanvasElement).getContext('webgl2')!;
     const extension = gl.getExtension('WEBGL_lose_context')!;
     (window as unknown as { __bringBack: () => void }).__bringBack = () => extension.restoreContext();
     extension.loseContext();
   });
-  await expect(page.locator('#status')).toHaveText(/let go of the drawing/);
-  await expect(page.locator('html')).toHaveAttribute('data-state', 'lost');
-  await page.locator('#lamp').press('ArrowLeft');
-  await page.locator('#lamp').press('ArrowRight');
-  await page.evaluate(() => (window as unknown as { __bringBack: () => void }).__bringBack());
-  // A program that is compiled again may round differently.
-  expect(largestDifference(before, await readDrawing(page))).toBeLessThanOrEqual(2);
-  await expect(page.locator('#status')).toHaveText('The drawing is back.');
+}
+
+/** What a page shows that has lost its context, without lamp and focus ring. */
+async function readLastPicture(page: Page): Promise<PNG> {
+  const above = page.locator('.lamp, #drawing');
+  const show = (visibility: string) =>
+    above.evaluateAll((elements, value) => {
+      for (const element of elements) (element as HTMLElement).style.visibility = value;
+    }, visibility);
+  await show('hidden');
+  const picture = await page.locator('#viewport').screenshot();
+  await show('');
+  return PNG.sync.read(picture);
+}
+
+const restoreContext = (page: Page): Promise<void> =>
+  page.evaluate(() => (window as unknown as { __bringBack: () => void }).__bringBack());
+
+test('what is missing at the start is said, and not covered by what goes well', async ({ page, pageProblems }) => {
+  const status = page.locator('#status');
+  await page.route(/dragon_vrip_res4\.ply\.gz$/, (route) => route.fulfill({ status: 404 }));
+  await page.goto('./#model=dragon4&mapSeed=1.5');
+  await expect(page.locator('html')).toHaveAttribute('data-state', 'failed');
+  await expect(status).toHaveText('The dragon could not be fetched: the server answered 404.');
+  expect(pageProblems.splice(0).every((problem) => problem.includes('404'))).toBe(true);
+  // Not its fault, and no remedy.
+  await page.getByRole('button', { name: 'Settings' }).click();
+  await page.getByRole('button', { name: 'Stipple' }).click();
+  await page.waitForFunction(() => window.__playground!.isIdle);
+  await expect(status).toHaveText('The dragon could not be fetched: the server answered 404.');
+
+  // The script of the worker that reads files.
+  await page.route('**/model.worker*', (route) => route.fulfill({ contentType: 'text/html', body: '<html></html>' }));
+  await page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Suzanne');
+  await expect(status).toHaveText(/^The file could not be read: the reader did not start\.$/);
+  pageProblems.splice(0);
+  await page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Cube');
+  await ready(page);
+  await expect(status).toHaveText('');
 });
 
 test('a browser without WebGL 2 gets a message', async ({ page }) => {

@@ -15,6 +15,7 @@ import type { Settings } from '../settings/settings.js';
 import { applyToMaterial } from './applyToMaterial.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
+import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
 
 /** What the bake found in a model. */
 export interface ModelStatistics {
@@ -133,6 +134,16 @@ export class HatchedModel {
   /** Selects the materials for the next rendering. */
   useMaterials(kind: 'drawn' | 'compared'): void {
     for (const entry of this.meshes) entry.mesh.material = entry[kind];
+  }
+
+  /** Disposes of what is on the graphics card, where it is uploaded again. To be called while the context is lost. */
+  releaseGraphics(): void {
+    releaseGraphics(this.root);
+    for (const { drawn, compared, surface } of this.pairs) {
+      releaseMaterial(drawn);
+      releaseMaterial(compared);
+      surface.map?.dispose();
+    }
   }
 
   dispose(): void {

@@ -37,4 +37,10 @@ export class TonalArtMapCache {
     }
     return map;
   }
+
+  /** Disposes of what all maps have on the graphics card, where those in use are uploaded again. */
+  releaseGraphics(): void {
+    for (const map of this.maps.values()) map.dispose();
+    this.own?.dispose();
+  }
 }

@@ -8,6 +8,7 @@ import { repairScene } from '../files/repairGeometry.js';
 import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
+import { freeGraphics } from './releaseGraphics.js';
 
 /**
  * The bounds of a clip are measured at so many poses and vertices at most. A skinned vertex costs about a microsecond.
@@ -51,6 +52,8 @@ export async function hatchScene(
     () => {
       motion.dispose();
       hatched.dispose();
+      // The source materials are back, and with them every texture of the file.
+      freeGraphics(root);
     },
   );
   return { model, notes: leftOut(hatched.skipped.length, animations.length - usable.length) };

@@ -1,4 +1,5 @@
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
+import { errorMessage } from '../files/errorMessage.js';
 import { fitModel } from '../files/fitModel.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
@@ -72,7 +73,10 @@ function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
     async load(options) {
       const { default: url } = await importUrl();
       options.onStage('fetching the dragon');
-      const response = await fetch(url, { signal: options.signal });
+      const response = await fetch(url, { signal: options.signal }).catch((error) => {
+        options.signal.throwIfAborted();
+        throw new ModelError(`The dragon could not be fetched: ${errorMessage(error)}.`);
+      });
       if (!response.ok)
         throw new ModelError(`The dragon could not be fetched: the server answered ${response.status}.`);
       return loadModelFiles([{ name: 'dragon.ply.gz', content: await response.blob() }], options);

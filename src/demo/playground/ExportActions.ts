@@ -9,6 +9,7 @@ import type { ModelLoader } from './ModelLoader.js';
 import { zipMap } from './mapFiles.js';
 import { page } from './page.js';
 import type { Status } from './Status.js';
+import { sentenceFor } from './sentenceFor.js';
 
 /** The actions that export a drawing: as a picture, as a link, as code; and the map it is drawn with. */
 export class ExportActions {
@@ -44,8 +45,12 @@ export class ExportActions {
     const map = this.scene.tonalArtMap;
     if (!map) return;
     const { mapStyle } = this.settings;
-    download(await zipMap(map), `${mapStyle === 'file' ? 'map' : mapStyle}.zip`);
-    this.status.say('The map is saved.');
+    try {
+      download(await zipMap(map), `${mapStyle === 'file' ? 'map' : mapStyle}.zip`);
+      this.status.say('The map is saved.');
+    } catch (error) {
+      this.status.fail(sentenceFor(error));
+    }
   };
 
   readonly copyLink = async (): Promise<void> => {

@@ -42,6 +42,11 @@ export class MapLoader {
     });
   }
 
+  /** To be called while the graphics context is lost. */
+  releaseGraphics(): void {
+    this.cache.releaseGraphics();
+  }
+
   private use(map: TonalArtMap): void {
     this.scene.setTonalArtMap(map);
     this.contactSheet.show(map, SETTINGS.mapStyle.choices[this.settings.mapStyle]);

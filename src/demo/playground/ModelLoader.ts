@@ -74,7 +74,7 @@ export class ModelLoader {
     load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
   ): Promise<void> {
     const { settings, history, scene } = this;
-    setPageState('loading');
+    if (!scene.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
       const { model: next, notes } = await hatchModel(loaded.read, report, signal);

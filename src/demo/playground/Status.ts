@@ -2,6 +2,8 @@
 export class Status {
   private cancelTask: (() => void) | undefined;
   private clearTimer: ReturnType<typeof setTimeout> | undefined;
+  /** What is wrong with the page, by what it is about; the latest last. */
+  private readonly problems = new Map<string, string>();
 
   constructor(
     private readonly elements: {
@@ -14,10 +16,10 @@ export class Status {
     elements.cancel.addEventListener('click', () => this.cancelTask?.());
   }
 
-  /** Shows the stage of a task. `progress` is in [0, 1], or undefined if it is unknown. */
+  /** Shows the stage of a task, or a problem that is not solved. `progress` is in [0, 1], or undefined if it is unknown. */
   working(stage: string, progress: number | undefined, cancel: () => void): void {
     this.cancelTask = cancel;
-    this.write(`${stage.charAt(0).toUpperCase()}${stage.slice(1)}…`, false);
+    this.rest(`${stage.charAt(0).toUpperCase()}${stage.slice(1)}…`);
     const { progress: bar, progressLine, cancel: button } = this.elements;
     bar.hidden = false;
     button.hidden = false;
@@ -28,7 +30,7 @@ export class Status {
   idle(): void {
     const wasWorking = this.cancelTask !== undefined;
     this.finish();
-    if (wasWorking) this.write('', false);
+    if (wasWorking) this.rest();
   }
 
   /** Shows an error, until the next message. */
@@ -41,13 +43,35 @@ export class Status {
   say(sentence: string): void {
     this.finish();
     this.write(sentence, false);
-    this.clearTimer = setTimeout(() => this.write('', false), 6000);
+    this.clearTimer = setTimeout(() => this.rest(), 6000);
+  }
+
+  /**
+   * Shows a problem until it is solved: other tasks that go on do not hide it, and it comes back after a message.
+   *
+   * @param about what it is about. There is one problem at most about each thing.
+   */
+  addProblem(about: string, sentence: string): void {
+    this.problems.delete(about);
+    this.problems.set(about, sentence);
+    this.write(sentence, true);
+  }
+
+  /** The problem about something is solved. */
+  solveProblem(about: string): void {
+    if (this.problems.delete(about)) this.rest();
   }
 
   private finish(): void {
     this.cancelTask = undefined;
     this.elements.progress.hidden = true;
     this.elements.cancel.hidden = true;
+  }
+
+  /** Shows the latest problem, or, if there is none, the text. */
+  private rest(text = ''): void {
+    const problem = [...this.problems.values()].at(-1);
+    this.write(problem ?? text, problem !== undefined);
   }
 
   private write(text: string, isError: boolean): void {

@@ -1,7 +1,6 @@
 import type { Report } from '../drawing/Report.js';
-import { errorMessage } from '../files/errorMessage.js';
-import { ModelError } from '../files/ModelError.js';
 import type { Status } from './Status.js';
+import { sentenceFor } from './sentenceFor.js';
 
 type Slot = 'model' | 'map' | 'occlusion';
 type TaskEnd = 'done' | 'failed' | 'replaced';
@@ -18,7 +17,12 @@ export class TaskRunner {
 
   constructor(
     private readonly status: Status,
-    private readonly onIdle: () => void,
+    private readonly page: {
+      /** Whether there is a drawing. What failed before there was one is said until it is mended. */
+      hasDrawing(): boolean;
+      /** Called when the last task has ended. */
+      onIdle(): void;
+    },
   ) {}
 
   get isIdle(): boolean {
@@ -26,12 +30,17 @@ export class TaskRunner {
   }
 
   /**
-   * Runs a task. One that is still running in the same slot is aborted. Failures are shown in the status line.
+   * Runs a task. One that is still running in the same slot is aborted. A failure is shown in the status line until the task is tried
+   * again or, where there is a drawing all the same, another is begun.
    *
    * @returns how it ended: `replaced` if a later task took its slot, `failed` also if the user cancelled it
    */
   async run(slot: Slot, task: (report: Report, signal: AbortSignal) => Promise<void>): Promise<TaskEnd> {
+    const { status, page } = this;
     this.running.get(slot)?.controller.abort();
+    // Occlusion is baked by itself, after a model: that is no answer to what is on the status line.
+    if (slot !== 'occlusion' && page.hasDrawing()) for (const about of SLOTS) status.solveProblem(about);
+    status.solveProblem(slot);
     const controller = new AbortController();
     const entry = { controller, stage: 'starting', progress: undefined as number | undefined };
     this.running.set(slot, entry);
@@ -50,12 +59,17 @@ export class TaskRunner {
     }
     const isLatest = this.running.get(slot) === entry;
     if (isLatest) this.running.delete(slot);
-    if (failure !== undefined) this.status.fail(failure);
-    else if (isLatest && controller.signal.aborted) this.status.say('Cancelled; the drawing is as it was.');
+    if (failure !== undefined) status.addProblem(slot, failure);
+    else if (isLatest && controller.signal.aborted) this.sayCancelled(slot);
     this.show();
-    if (this.isIdle) this.onIdle();
+    if (this.isIdle) page.onIdle();
     if (!isLatest) return 'replaced';
     return finished ? 'done' : 'failed';
+  }
+
+  private sayCancelled(slot: Slot): void {
+    if (this.page.hasDrawing()) this.status.say('Cancelled; the drawing is as it was.');
+    else this.status.addProblem(slot, 'Cancelled, so there is no drawing yet: choose a model, or reload the page.');
   }
 
   private show(): void {
@@ -69,7 +83,4 @@ export class TaskRunner {
   }
 }
 
-function sentenceFor(error: unknown): string {
-  if (error instanceof ModelError) return error.message;
-  return `That did not work: ${errorMessage(error)}`;
-}
+const SLOTS: readonly Slot[] = ['model', 'map', 'occlusion'];

@@ -1,3 +1,4 @@
+import { errorMessage } from '../files/errorMessage.js';
 import type { ModelFile } from '../files/readModel.js';
 import { setPageState } from '../page/setPageState.js';
 import { LIGHT_LOOKS } from '../settings/lightLooks.js';
@@ -43,7 +44,13 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const { settings, camera } = readLink(location.hash);
   const scene = createScene(page.canvas, context, page.viewport);
   const history = new SettingsHistory(settings);
-  const tasks = new TaskRunner(status, () => scene.invalidate());
+  const tasks = new TaskRunner(status, {
+    hasDrawing: () => scene.isComplete,
+    onIdle: () => {
+      showPageState();
+      scene.invalidate();
+    },
+  });
   const contactSheet = new ContactSheet(page.contactSheet);
   const mapLoader = new MapLoader(scene, settings, tasks, contactSheet, () => recordChange());
   const modelLoader = new ModelLoader(scene, settings, history, tasks, (isNewModel) => {
@@ -168,7 +175,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     lights.update();
     motion.update();
     if (!page.divider.hidden) divider.place();
-    if (tasks.isIdle && scene.isComplete && document.documentElement.dataset.state === 'loading') setPageState('ready');
+    if (tasks.isIdle && scene.isComplete) setPageState('ready');
   });
   scene.onFrameTime(() => {
     const time = `${scene.frameMilliseconds?.toFixed(0)} ms`;
@@ -179,19 +186,34 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   });
   page.canvas.addEventListener('webglcontextlost', () => {
     setPageState('lost');
-    status.fail('The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.');
+    mapLoader.releaseGraphics();
+    status.addProblem(
+      'context',
+      scene.showsLastPicture
+        ? 'The graphics card has let go of the drawing again. This is its last picture; reload the page to go on if it stays.'
+        : 'The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.',
+    );
   });
   page.canvas.addEventListener('webglcontextrestored', () => {
-    setPageState('loading');
+    status.solveProblem('context');
     status.say('The drawing is back.');
+    setPageState('loading');
+    showPageState();
     scene.invalidate();
   });
 
+  /** Shows that there is nothing to draw, and nothing that could still come. */
+  function showPageState(): void {
+    if (tasks.isIdle && !scene.isComplete && !context.isContextLost()) setPageState('failed');
+  }
+
   // ── Files and buttons ──
 
-  dropFiles({ overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] }, (files) => {
-    void showFiles(files);
-  });
+  dropFiles(
+    { overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
+    (files) => void showFiles(files),
+    (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
+  );
   page.savePng.addEventListener('click', exportActions.savePng);
   page.saveMap.addEventListener('click', exportActions.saveMap);
   page.undo.addEventListener('click', undo);

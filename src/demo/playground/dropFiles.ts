@@ -2,11 +2,12 @@ import type { ModelFile } from '../files/readModel.js';
 
 /**
  * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged
- * over the page.
+ * over the page; `onFailure` is called where a folder cannot be read.
  */
 export function dropFiles(
   elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
   onFiles: (files: ModelFile[]) => void,
+  onFailure: (error: unknown) => void,
 ): void {
   const { overlay, input, buttons } = elements;
   const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
@@ -22,11 +23,11 @@ export function dropFiles(
     // There is a related target unless the pointer leaves the page.
     if (event.relatedTarget === null) overlay.hidden = true;
   });
-  addEventListener('drop', async (event) => {
+  addEventListener('drop', (event) => {
     overlay.hidden = true;
     if (!carriesFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
-    onFiles(await droppedFiles(event.dataTransfer));
+    droppedFiles(event.dataTransfer).then(onFiles, onFailure);
   });
   input.addEventListener('change', () => {
     const files = [...(input.files ?? [])].map((file) => ({ name: file.name, content: file }));

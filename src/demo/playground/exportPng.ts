@@ -16,6 +16,8 @@ export interface PictureOptions {
 /** Draws the view at the size of the picture, tile by tile, and encodes it as PNG. */
 export async function exportPng(scene: HatchingScene, options: PictureOptions): Promise<Blob> {
   const { renderer, camera } = scene;
+  if (scene.isLost)
+    throw new Error('There is nothing to save before the graphics card has taken up the drawing again.');
   const width = Math.round(options.width * options.scale);
   const height = Math.round(options.height * options.scale);
   const picture = document.createElement('canvas');
@@ -39,6 +41,7 @@ export async function exportPng(scene: HatchingScene, options: PictureOptions): 
         scene.drawTile({ viewWidth: width, x, width: tileWidth, height: tileHeight }, options.scale);
         // In the same task as the rendering, because the canvas does not keep its content for longer.
         context.drawImage(renderer.domElement, x, y);
+        if (scene.isLost) throw new Error('The graphics card gave up at a picture of this size; choose a smaller one.');
       }
     }
   } finally {

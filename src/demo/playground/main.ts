@@ -1,3 +1,4 @@
+import { errorMessage } from '../files/errorMessage.js';
 import { setPageState } from '../page/setPageState.js';
 import { createPlayground } from './createPlayground.js';
 import { page } from './page.js';
@@ -11,8 +12,15 @@ const context = page.canvas.getContext('webgl2', {
   powerPreference: 'high-performance',
 });
 
-if (context) createPlayground(context, status);
-else {
+if (!context) {
   setPageState('failed');
   status.fail('This page needs WebGL 2, which this browser does not offer or has switched off.');
+} else {
+  try {
+    createPlayground(context, status);
+  } catch (error) {
+    setPageState('failed');
+    status.fail(`The page could not be set up: ${errorMessage(error)}`);
+    throw error;
+  }
 }

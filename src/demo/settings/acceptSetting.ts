@@ -1,4 +1,4 @@
-import type { Setting } from './Setting.js';
+import type { NumberSetting, Setting } from './Setting.js';
 import { SETTINGS, type SettingKey } from './settings.js';
 
 /** The allowed value of a setting that is nearest to `value`, or undefined if there is none. */
@@ -8,11 +8,19 @@ export function acceptSetting(key: SettingKey, value: string | number): string |
     case 'number': {
       const number = Number(value);
       if (value === '' || !Number.isFinite(number)) return undefined;
-      return Math.min(setting.max, Math.max(setting.min, number));
+      return nearestStep(setting, number);
     }
     case 'choice':
       return Object.hasOwn(setting.choices, value) ? String(value) : undefined;
     case 'color':
       return /^#[0-9a-f]{6}$/i.test(String(value)) ? String(value).toLowerCase() : undefined;
   }
+}
+
+/** The nearest value that the control can show: its steps begin at the least one. */
+function nearestStep({ min, max, step }: NumberSetting, number: number): number {
+  const clamped = Math.min(max, Math.max(min, number));
+  const stepped = min + Math.round((clamped - min) / step) * step;
+  // So that 0.1 + 2 × 0.1 is 0.3.
+  return Math.min(max, Number(stepped.toFixed(6)));
 }

@@ -9,6 +9,7 @@ const GIVE_UP_MILLISECONDS = 10_000;
 export class FrameTimer {
   private durations: number[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
+  private fence: WebGLSync | null = null;
 
   /** @param onMeasured called when the time of a frame is known */
   constructor(
@@ -25,8 +26,14 @@ export class FrameTimer {
   /** Discards all measurements. To be called when something else is drawn. */
   reset(): void {
     this.durations = [];
+    this.stop();
+  }
+
+  private stop(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
+    this.gl.deleteSync(this.fence);
+    this.fence = null;
   }
 
   /** Draws a frame and measures it, unless the previous frame is still being measured. */
@@ -34,10 +41,10 @@ export class FrameTimer {
     const start = performance.now();
     draw();
     if (this.timer !== undefined) return;
-    const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (!fence) return;
+    this.fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!this.fence) return;
     this.gl.flush();
-    this.poll(fence, start);
+    this.poll(this.fence, start);
   }
 
   private poll(fence: WebGLSync, start: number): void {
@@ -48,8 +55,7 @@ export class FrameTimer {
         this.poll(fence, start);
         return;
       }
-      this.timer = undefined;
-      this.gl.deleteSync(fence);
+      this.stop();
       if (!isDone) return;
       this.durations.push(elapsed);
       if (this.durations.length > KEPT_DURATIONS) this.durations.shift();

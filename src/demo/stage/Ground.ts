@@ -1,6 +1,7 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type TonalArtMap } from 'three-hatching';
 import { applyToMaterial } from '../drawing/applyToMaterial.js';
+import { releaseMaterial } from '../drawing/releaseGraphics.js';
 import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
 
@@ -60,10 +61,20 @@ export class Ground {
     material.depthWrite = !isClear;
   }
 
+  /** To be called while the graphics context is lost. */
+  releaseGraphics(): void {
+    releaseMaterial(this.material);
+  }
+
   private async make(): Promise<void> {
     this.isMade = true;
     const plane = new PlaneGeometry(SIZE, SIZE, PARTS, PARTS).rotateX(-Math.PI / 2);
-    const mesh = new Mesh(await prepareHatchingGeometry(plane), this.material);
+    const prepared = await prepareHatchingGeometry(plane).catch((error) => {
+      // Tried again with the next change.
+      this.isMade = false;
+      throw error;
+    });
+    const mesh = new Mesh(prepared, this.material);
     mesh.receiveShadow = true;
     this.holder.add(mesh);
     this.onReady();

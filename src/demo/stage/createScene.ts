@@ -1,12 +1,14 @@
 import { Group, MathUtils, Scene, WebGLRenderer } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
+import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import type { Settings } from '../settings/settings.js';
 import { AdaptiveResolution } from './AdaptiveResolution.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
 import { FrameScheduler } from './FrameScheduler.js';
 import { FrameTimer } from './FrameTimer.js';
 import { Ground } from './Ground.js';
+import { LastPicture } from './LastPicture.js';
 import { LightRig } from './LightRig.js';
 import { View } from './View.js';
 
@@ -49,6 +51,12 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   });
   const timeListeners: (() => void)[] = [];
   const view = new View(canvas, camera, () => scheduler.invalidate());
+  const lastPicture = new LastPicture(canvas, () => {
+    const { clientWidth: width, clientHeight: height } = viewport;
+    if (context.isContextLost() || width === 0 || height === 0) return false;
+    drawTile({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio());
+    return true;
+  });
   let lastFrame = 0;
   /** Share of the width that shows the compared technique; undefined if nothing is compared. */
   let divider: (() => number) | undefined;
@@ -66,6 +74,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio));
     previousModel?.dispose();
     previousModel = undefined;
+    lastPicture.frameDrawn();
     for (const listener of frameListeners) listener();
     if (model?.motion?.isPlaying) scheduler.invalidate();
   }
@@ -123,9 +132,22 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     view.setBounds(bounds, first);
   }
 
+  const onLost = (): void => {
+    timer.reset();
+    previousModel?.dispose();
+    previousModel = undefined;
+    model?.releaseGraphics();
+    ground.releaseGraphics();
+    releaseGraphics(scene);
+    lastPicture.lost();
+  };
   const onRestored = (): void => {
     renderer.shadowMap.needsUpdate = true;
+    // three.js goes back to black, which saved pictures would have between strokes.
+    if (settings) renderer.setClearColor(settings.paper, 1);
+    lastPicture.restored();
   };
+  canvas.addEventListener('webglcontextlost', onLost);
   canvas.addEventListener('webglcontextrestored', onRestored);
   const resizeObserver = new ResizeObserver(resize);
   resizeObserver.observe(viewport);
@@ -160,6 +182,16 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     /** The time a frame takes, or undefined before one was measured. */
     get frameMilliseconds(): number | undefined {
       return timer.milliseconds;
+    },
+
+    /** Whether the graphics context is lost. What is changed meanwhile is drawn when it comes back. */
+    get isLost(): boolean {
+      return context.isContextLost();
+    },
+
+    /** Whether the last picture before the loss of the context is on the page. */
+    get showsLastPicture(): boolean {
+      return context.isContextLost() && lastPicture.isKept;
     },
 
     /** Whether frames are drawn in a lower resolution, because the machine is too slow for the movement. */
@@ -244,7 +276,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     dispose(): void {
       resizeObserver.disconnect();
+      canvas.removeEventListener('webglcontextlost', onLost);
       canvas.removeEventListener('webglcontextrestored', onRestored);
+      lastPicture.dispose();
       view.dispose();
       scheduler.dispose();
       timer.reset();

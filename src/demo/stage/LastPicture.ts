@@ -1,0 +1,78 @@
+/** Milliseconds between two copies, while frames are drawn. */
+const INTERVAL_MILLISECONDS = 1000;
+
+/**
+ * Keeps a copy of the latest picture, to be shown while the graphics context is lost. The copy lies behind the drawing, in memory of
+ * the processor, because what the graphics card holds goes with the context.
+ *
+ * Copying takes time, so it begins after the first loss: pages that have lost a context once are those that lose it again.
+ */
+export class LastPicture {
+  private readonly copy = document.createElement('canvas');
+  private readonly context = this.copy.getContext('2d', { willReadFrequently: true });
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private keptAt = -Infinity;
+  private isOn = false;
+
+  /** @param draw draws the picture once more; returns whether it could */
+  constructor(
+    private readonly drawing: HTMLCanvasElement,
+    private readonly draw: () => boolean,
+  ) {
+    this.copy.className = 'last-picture';
+    this.copy.hidden = true;
+    this.copy.setAttribute('aria-hidden', 'true');
+    drawing.before(this.copy);
+  }
+
+  /** Whether there is a picture to show. */
+  get isKept(): boolean {
+    return this.keptAt > -Infinity;
+  }
+
+  /** To be called after each frame. The last one of a movement is kept too, a little later. */
+  frameDrawn(): void {
+    if (!this.isOn || this.timer !== undefined) return;
+    const wait = Math.max(0, this.keptAt + INTERVAL_MILLISECONDS - performance.now());
+    this.timer = setTimeout(() => {
+      this.timer = undefined;
+      this.keep();
+    }, wait);
+  }
+
+  /** Shows the copy, if there is one. */
+  lost(): void {
+    this.stop();
+    this.copy.hidden = !this.isKept;
+    this.drawing.classList.toggle('is-lost', this.isKept);
+  }
+
+  /** Shows the drawing again, and keeps copies of it from now on. */
+  restored(): void {
+    this.isOn = true;
+    this.copy.hidden = true;
+    this.drawing.classList.remove('is-lost');
+  }
+
+  dispose(): void {
+    this.stop();
+    this.copy.remove();
+  }
+
+  private stop(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+  }
+
+  private keep(): void {
+    const { copy, context, drawing } = this;
+    // In one task, because the canvas does not keep its content for longer.
+    if (!this.draw()) return;
+    this.keptAt = performance.now();
+    if (copy.width !== drawing.width || copy.height !== drawing.height) {
+      Object.assign(copy, { width: drawing.width, height: drawing.height });
+    }
+    context?.clearRect(0, 0, copy.width, copy.height);
+    context?.drawImage(drawing, 0, 0);
+  }
+}

@@ -1,0 +1,115 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { ModelError } from '../../../../src/demo/files/ModelError.js';
+import { TaskRunner } from '../../../../src/demo/playground/TaskRunner.js';
+import { fakeStatus } from './fakeStatus.js';
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+/** A task that ends when it is told to. */
+function openTask() {
+  let end = (_error?: Error): void => {};
+  const ended = new Promise<void>((resolve, reject) => {
+    end = (error) => (error ? reject(error) : resolve());
+  });
+  return { task: () => ended, end };
+}
+
+function makePage({ hasDrawing = false } = {}) {
+  const line = fakeStatus();
+  const state = { hasDrawing, idle: 0 };
+  const tasks = new TaskRunner(line.status, {
+    hasDrawing: () => state.hasDrawing,
+    onIdle: () => void state.idle++,
+  });
+  return { line, state, tasks };
+}
+
+describe('the status line', () => {
+  test('keeps what failed at the start, whatever the other tasks report', async () => {
+    const { line, state, tasks } = makePage();
+    const map = openTask();
+    let report = (_stage: string): void => {};
+    const map1 = tasks.run('map', (give) => {
+      report = give;
+      return map.task();
+    });
+    await tasks.run('model', () => Promise.reject(new ModelError('The dragon could not be fetched.')));
+    expect(line.text).toBe('The dragon could not be fetched.');
+    report('drawing strokes');
+    expect(line.text).toBe('The dragon could not be fetched.');
+    expect(line.isWorking).toBe(true);
+    map.end();
+    await map1;
+    expect([line.text, line.isError, line.isWorking, state.idle]).toEqual([
+      'The dragon could not be fetched.',
+      true,
+      false,
+      1,
+    ]);
+  });
+
+  test('keeps it over another choice that does not mend it, and drops it with one that does', async () => {
+    const { line, tasks } = makePage();
+    await tasks.run('model', () => Promise.reject(new ModelError('No model.')));
+    await tasks.run('map', async () => {});
+    expect(line.text).toBe('No model.');
+    line.status.say('The link is on the clipboard.');
+    expect([line.text, line.isError]).toEqual(['The link is on the clipboard.', false]);
+    vi.advanceTimersByTime(7000);
+    expect([line.text, line.isError]).toEqual(['No model.', true]);
+    const model = openTask();
+    const end = tasks.run('model', model.task);
+    expect(line.isError).toBe(false);
+    model.end();
+    expect(await end).toBe('done');
+    expect([line.text, line.isError]).toEqual(['', false]);
+  });
+
+  test('says both of two failures, one after the other', async () => {
+    const { line, tasks } = makePage();
+    await tasks.run('model', () => Promise.reject(new ModelError('No model.')));
+    await tasks.run('map', () => Promise.reject(new Error('seed is 1.5')));
+    expect(line.text).toBe('That did not work: seed is 1.5');
+    await tasks.run('map', async () => {});
+    expect(line.text).toBe('No model.');
+  });
+
+  test('where there is a drawing all the same, forgets a failure with the next task, but not with one that the page begins', async () => {
+    const { line, tasks } = makePage({ hasDrawing: true });
+    await tasks.run('model', () => Promise.reject(new ModelError('letter.txt is no model.')));
+    await tasks.run('occlusion', async () => {});
+    expect(line.text).toBe('letter.txt is no model.');
+    await tasks.run('map', async () => {});
+    expect(line.text).toBe('');
+  });
+
+  test('says after a cancelled start that there is no drawing, and goes on saying so', async () => {
+    const { line, tasks } = makePage();
+    const model = openTask();
+    const end = tasks.run('model', model.task);
+    await tasks.run('map', async (report) => report('drawing strokes'));
+    line.cancel();
+    model.end();
+    expect(await end).toBe('failed');
+    vi.advanceTimersByTime(7000);
+    expect(line.text).toMatch(/^Cancelled, so there is no drawing yet/);
+  });
+
+  test('names no address of a script that is missing', async () => {
+    const { line, tasks } = makePage();
+    await tasks.run('map', () =>
+      Promise.reject(new TypeError('Failed to fetch dynamically imported module: http://x/a.js')),
+    );
+    expect(line.text).toMatch(/^A part of this page could not be fetched\./);
+  });
+
+  test('a lost context is said until it is back, whatever ends meanwhile', async () => {
+    const { line, tasks } = makePage({ hasDrawing: true });
+    line.status.addProblem('context', 'Lost.');
+    await tasks.run('model', async (report) => report('joining'));
+    expect([line.text, line.isError]).toEqual(['Lost.', true]);
+    line.status.solveProblem('context');
+    expect([line.text, line.isError]).toEqual(['', false]);
+  });
+});
