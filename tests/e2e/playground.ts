@@ -41,6 +41,7 @@ export async function drop(page: Page, files: readonly TestFile[]): Promise<void
   await page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
   await expect(page.getByText('Drop a model to have it drawn')).toBeVisible();
   await page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
+  await transfer.dispose();
   await expect(page.getByText('Drop a model to have it drawn')).toBeHidden();
 }
 

@@ -21,10 +21,9 @@ export class OcclusionLoader {
   /** To be called when the model or the settings have changed. */
   update(): void {
     const { model } = this.scene;
+    if (model !== this.model) this.letGo();
     if (model === this.model || !model || this.settings.occlusion === 0) return;
     this.model = model;
-    this.bake?.dispose();
-    this.bake = undefined;
     void this.tasks.run('occlusion', async (report, signal) => {
       report(STAGE);
       const bake = await bakeOcclusion(model.root, {
@@ -35,5 +34,13 @@ export class OcclusionLoader {
       if (signal.aborted) bake.dispose();
       else this.bake = bake;
     });
+  }
+
+  /** Stops, and keeps nothing of a model that is gone. */
+  private letGo(): void {
+    this.tasks.stop('occlusion');
+    this.bake?.dispose();
+    this.bake = undefined;
+    this.model = undefined;
   }
 }

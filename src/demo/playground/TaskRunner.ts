@@ -67,6 +67,12 @@ export class TaskRunner {
     return finished ? 'done' : 'failed';
   }
 
+  /** Stops a task that nobody needs any more, without a word. */
+  stop(slot: Slot): void {
+    this.running.get(slot)?.controller.abort();
+    if (this.running.delete(slot)) this.show();
+  }
+
   private sayCancelled(slot: Slot): void {
     if (this.page.hasDrawing()) this.status.say('Cancelled; the drawing is as it was.');
     else this.status.addProblem(slot, 'Cancelled, so there is no drawing yet: choose a model, or reload the page.');

@@ -96,6 +96,23 @@ describe('the status line', () => {
     expect(line.text).toMatch(/^Cancelled, so there is no drawing yet/);
   });
 
+  test('says nothing of a task that is stopped because nobody needs it', async () => {
+    const { line, tasks } = makePage({ hasDrawing: true });
+    const occlusion = openTask();
+    let signal: AbortSignal | undefined;
+    const end = tasks.run('occlusion', (report, given) => {
+      report('darkening hollows');
+      signal = given;
+      return occlusion.task();
+    });
+    expect(line.isWorking).toBe(true);
+    tasks.stop('occlusion');
+    expect([signal!.aborted, tasks.isIdle, line.isWorking, line.text]).toEqual([true, true, false, '']);
+    occlusion.end(new Error('aborted'));
+    expect(await end).toBe('replaced');
+    expect(line.text).toBe('');
+  });
+
   test('names no address of a script that is missing', async () => {
     const { line, tasks } = makePage();
     await tasks.run('map', () =>

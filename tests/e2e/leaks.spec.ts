@@ -1,0 +1,62 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../browser/test.js';
+import { columnGlb } from './columnModel.js';
+import { countObjects, liveObjects } from './liveObjects.js';
+import { file, octahedronPly } from './modelFiles.js';
+import { drop, openPlayground, savePicture } from './playground.js';
+
+test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotion: 'reduce' } });
+
+const ROUNDS = 1;
+/** Small pictures and maps, so that rounds are short. */
+const SMALL = 'mapSize=64&mapTones=4';
+/** What may be more or less by chance: an idle worker ends by itself, downloads keep their address for a while. */
+const SLACK: Record<string, number> = { Worker: 1, URL: ROUNDS, listeners: 4, nodes: 20, kilobytes: 8 };
+
+const idle = (page: Page) => page.waitForFunction(() => window.__playground!.isIdle);
+
+/** Follows a link in the open page. */
+async function follow(page: Page, hash: string): Promise<void> {
+  await page.evaluate((link) => {
+    location.hash = link;
+  }, `${SMALL}&${hash}`);
+  // The event that says so comes in a task of its own.
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
+  await idle(page);
+}
+
+/** Everything that makes and frees: models with and without a skin, broken files, techniques, comparisons, maps, shadows, pictures. */
+async function oneRound(page: Page): Promise<void> {
+  for (const name of ['a.glb', 'b.glb']) {
+    await drop(page, [file(name, columnGlb())]);
+    await expect(page.locator('#model-name')).toHaveText(name);
+    await idle(page);
+  }
+  await drop(page, [file('broken.ply', octahedronPly.slice(0, 60))]);
+  await expect(page.locator('#status')).toHaveText(/^broken\.ply/);
+  await drop(page, [file('octahedron.ply', octahedronPly)]);
+  await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
+  await follow(page, 'model=cube&occlusion=50');
+  await follow(page, 'model=cube&technique=adjacency&compare=triangle&mapSeed=2');
+  await follow(page, 'model=cube&technique=engraved&shadows=on&ground=floor');
+  await savePicture(page);
+  await follow(page, 'model=cube');
+}
+
+test('what is made for models, maps, techniques, comparisons and shadows is given back', async ({ page }) => {
+  await countObjects(page);
+  await openPlayground(page, `${SMALL}&model=cube`);
+  // The first round fills what is kept for later.
+  await oneRound(page);
+  const before = await liveObjects(page);
+  expect(before.Texture).toBeGreaterThan(3);
+  expect(before.kilobytes).toBeGreaterThan(50);
+  for (let i = 0; i < ROUNDS; i++) await oneRound(page);
+  await expect
+    .poll(async () =>
+      Object.entries(await liveObjects(page))
+        .filter(([kind, count]) => count > before[kind] + (SLACK[kind] ?? 0))
+        .map(([kind, count]) => `${kind}: ${before[kind]}, then ${count}`),
+    )
+    .toEqual([]);
+});
