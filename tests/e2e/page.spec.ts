@@ -276,12 +276,11 @@ test('what is missing at the start is said, and not covered by what goes well', 
   await page.waitForFunction(() => window.__playground!.isIdle);
   await expect(status).toHaveText('The dragon could not be fetched: the server answered 404.');
 
-  // The script of the worker that reads files.
+  // The script of the worker that reads files: small ones are read without.
   await page.route('**/model.worker*', (route) => route.fulfill({ contentType: 'text/html', body: '<html></html>' }));
   await page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Suzanne');
-  await expect(status).toHaveText(/^The file could not be read: the reader did not start\.$/);
-  pageProblems.splice(0);
-  await page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Cube');
+  await expect(page.locator('#model-name')).toHaveText('Suzanne');
+  expect(pageProblems.splice(0).every((problem) => problem.includes('model.worker'))).toBe(true);
   await ready(page);
   await expect(status).toHaveText('');
 });

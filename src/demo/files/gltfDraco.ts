@@ -2,6 +2,7 @@ import { type BufferGeometry, LinearSRGBColorSpace } from 'three';
 import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
 import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { ModelError } from './ModelError.js';
 
 /** Draco's ids of the attributes of a part, and the names of the typed arrays for their values. */
 export type DracoAttributes = Record<string, { id: number; arrayType: string }>;
@@ -23,6 +24,11 @@ const urls = {
   wasm: new URL(dracoWasmUrl, import.meta.url).href,
 };
 
+const forbidden = ({ effectiveDirective }: SecurityPolicyViolationEvent): ModelError =>
+  new ModelError(
+    `The model is packed with Draco, which this page may not unpack: its Content-Security-Policy forbids it (${effectiveDirective}).`,
+  );
+
 /** Unpacks what is packed with Draco, in workers of its own. */
 export class DracoUnpacker {
   private readonly loader = new DRACOLoader().setDecoderPath(urls as never);
@@ -34,10 +40,15 @@ export class DracoUnpacker {
       ids[name] = id;
       types[name] = arrayType;
     }
+    const done = new AbortController();
     const loader = this.loader as DRACOLoader & AllParameters;
-    return new Promise((resolve, reject) => {
+    return new Promise<BufferGeometry>((resolve, reject) => {
+      // The loader waits for ever for a worker that it may not make.
+      globalThis.addEventListener('securitypolicyviolation', (event) => reject(forbidden(event)), {
+        signal: done.signal,
+      });
       loader.decodeDracoFile(bytes.slice().buffer, resolve, ids, types, LinearSRGBColorSpace, reject);
-    });
+    }).finally(() => done.abort());
   }
 
   dispose(): void {

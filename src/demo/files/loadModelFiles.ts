@@ -10,26 +10,62 @@ export interface LoadOptions {
   onStage: (stage: string) => void;
 }
 
+/** The main thread stands still while it reads, and cannot be stopped: small files only. */
+const MAX_BYTES_WITHOUT_WORKER = 4 * 2 ** 20;
+
+/** The reader did not start: its script is missing, or a Content-Security-Policy forbids workers. */
+class NotStarted extends Error {}
+
 /**
  * Reads a model in a worker of its own, which is terminated if the caller aborts or it is silent for too long: some files
- * keep a parser busy for minutes. Without workers it reads on the main thread.
+ * keep a parser busy for minutes. Where no worker starts, small files are read on the main thread.
  *
  * @throws ModelError with one sentence for the user
  */
 export async function loadModelFiles(files: readonly ModelFile[], options: LoadOptions): Promise<ReadModel> {
-  const { signal, onStage } = options;
-  signal.throwIfAborted();
-  if (typeof Worker === 'undefined') {
-    const { readModel } = await import('./readModel.js');
-    const { withPictures } = await import('./decodePictures.js');
-    return withPictures(await readModel(files, onStage), onStage);
+  options.signal.throwIfAborted();
+  try {
+    return await readInWorker(files, options);
+  } catch (error) {
+    if (error instanceof NotStarted) return readHere(files, options);
+    throw error;
   }
-  const worker = new Worker(new URL('./model.worker.ts', import.meta.url), { type: 'module', name: 'model' });
+}
+
+async function readHere(files: readonly ModelFile[], { signal, onStage }: LoadOptions): Promise<ReadModel> {
+  const bytes = sizeOf(files);
+  if (bytes > MAX_BYTES_WITHOUT_WORKER) {
+    const [has, takes] = [bytes, MAX_BYTES_WITHOUT_WORKER].map((size) => Math.ceil(size / 2 ** 20));
+    throw new ModelError(
+      `The file has ${has} MB. It takes a reader in the background, which did not start on this page; without one, up to ${takes} MB can be read.`,
+    );
+  }
+  const { readModel } = await import('./readModel.js');
+  const { withPictures } = await import('./decodePictures.js');
+  signal.throwIfAborted();
+  const model = await withPictures(await readModel(files, onStage), onStage);
+  signal.throwIfAborted();
+  return model;
+}
+
+function startWorker(): Worker {
+  try {
+    return new Worker(new URL('./model.worker.ts', import.meta.url), { type: 'module', name: 'model' });
+  } catch {
+    // There are none, or the page may not make one.
+    throw new NotStarted();
+  }
+}
+
+const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { content }) => sum + content.size, 0);
+
+async function readInWorker(files: readonly ModelFile[], { signal, onStage }: LoadOptions): Promise<ReadModel> {
+  const worker = startWorker();
   let timer: ReturnType<typeof setTimeout> | undefined;
   try {
     return await new Promise<ReadModel>((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
-      let bytes = files.reduce((sum, { content }) => sum + content.size, 0);
+      let bytes = sizeOf(files);
       const restartTimer = (): void => {
         clearTimeout(timer);
         const seconds = Math.ceil(readingTime(bytes));
@@ -37,15 +73,17 @@ export async function loadModelFiles(files: readonly ModelFile[], options: LoadO
         timer = setTimeout(() => reject(new ModelError(sentence)), seconds * 1000);
       };
       restartTimer();
+      let hasSpoken = false;
       const fail = (event: Event): void => {
         event.preventDefault();
         // A reader that did not load has no message. What others say is JavaScript's.
-        const what = 'message' in event && event.message ? 'stopped' : 'did not start';
-        reject(new ModelError(`The file could not be read: the reader ${what}.`));
+        const isLoaded = hasSpoken || ('message' in event && Boolean(event.message));
+        reject(isLoaded ? new ModelError('The file could not be read: the reader stopped.') : new NotStarted());
       };
       worker.addEventListener('error', fail);
       worker.addEventListener('messageerror', fail);
       worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => {
+        hasSpoken = true;
         if (data.kind === 'stage') {
           bytes = Math.max(bytes, data.bytes ?? 0);
           restartTimer();

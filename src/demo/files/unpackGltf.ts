@@ -250,7 +250,8 @@ class DracoParts {
       const { DracoUnpacker: Unpacker } = await import('./gltfDraco.js');
       this.unpacker ??= new Unpacker();
       geometry = await this.unpacker.unpack(bytes, wanted);
-    } catch {
+    } catch (error) {
+      if (error instanceof ModelError) throw error;
       throw new ModelError(`${this.fileName} is damaged: a part packed with Draco cannot be unpacked.`);
     }
     return geometry;

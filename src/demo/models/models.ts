@@ -6,6 +6,7 @@ import { loadModelFiles } from '../files/loadModelFiles.js';
 import { ModelError } from '../files/ModelError.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
+import { dataOf } from '../files/readUri.js';
 import type { BuiltInScene } from './BuiltInScene.js';
 
 interface BuiltIn {
@@ -41,8 +42,9 @@ const builtIn = {
     title: 'Suzanne',
     async load(options) {
       const { default: dataUri } = await import('@pmndrs/assets/models/suzi.glb.js');
-      const content = await (await fetch(dataUri)).blob();
-      return loadModelFiles([{ name: 'Suzanne.glb', content }], options);
+      const content = dataOf(dataUri);
+      if (!content) throw new ModelError('Suzanne is damaged.');
+      return loadModelFiles([{ name: 'Suzanne.glb', content: new Blob([content]) }], options);
     },
   },
   teapot: threeShape('Utah teapot', async () => {

@@ -89,10 +89,14 @@ describe('reading in a worker', () => {
     const failed = start();
     failed.worker.say({ kind: 'failed', sentence: 'It is empty.' });
     const broken = start();
+    broken.worker.say({ kind: 'stage', stage: 'reading', bytes: undefined });
     broken.worker.dispatchEvent(new Event('error', { cancelable: true }));
+    const large = start(9 * MEGABYTE);
+    large.worker.dispatchEvent(new Event('error', { cancelable: true }));
     await vi.advanceTimersByTimeAsync(0);
     expect(failed.end).toBe('It is empty.');
-    expect(broken.end).toBe('The file could not be read: the reader did not start.');
+    expect(broken.end).toBe('The file could not be read: the reader stopped.');
+    expect(large.end).toMatch(/^The file has 9 MB\. It takes a reader in the background, which did not start/);
   });
 
   test('ends at once when it is cancelled', async () => {
@@ -100,5 +104,40 @@ describe('reading in a worker', () => {
     state.controller.abort(new Error('cancelled'));
     await vi.advanceTimersByTimeAsync(0);
     expect(state).toMatchObject({ end: 'cancelled', worker: { isAlive: false } });
+  });
+});
+
+describe('where no worker starts', () => {
+  afterEach(() => void vi.unstubAllGlobals());
+
+  const triangle = new Blob(['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n']);
+  const read = () =>
+    loadModelFiles([{ name: 'a.obj', content: triangle }], {
+      signal: new AbortController().signal,
+      onStage: () => {},
+    });
+
+  test.each([
+    ['there are none', undefined],
+    [
+      'they may not be made',
+      class {
+        constructor() {
+          throw new Error('SecurityError');
+        }
+      },
+    ],
+    [
+      'their script is missing or may not run',
+      class extends FakeWorker {
+        override postMessage(): void {
+          queueMicrotask(() => this.dispatchEvent(new Event('error', { cancelable: true })));
+        }
+      },
+    ],
+  ])('because %s, a small file is read on the main thread', async (_, worker) => {
+    vi.stubGlobal('Worker', worker);
+    const model = await read();
+    expect(model).toMatchObject({ kind: 'mesh', name: 'a.obj' });
   });
 });

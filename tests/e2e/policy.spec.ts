@@ -1,0 +1,60 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../browser/test.js';
+import { columnGlb } from './columnModel.js';
+import { file, octahedronBin, octahedronGltf } from './modelFiles.js';
+import { changedShare } from './pictures.js';
+import { drop, openPlayground, readDrawing } from './playground.js';
+
+test.use({ viewport: { width: 400, height: 300 }, contextOptions: { reducedMotion: 'reduce' } });
+
+/** Puts the page under a Content-Security-Policy, beside those that it has, from its next loading on. */
+async function forbid(page: Page, policy: string): Promise<void> {
+  await page.goto('about:blank');
+  await page.addInitScript((content) => {
+    new MutationObserver((_, observer) => {
+      if (!document.head) return;
+      observer.disconnect();
+      const meta = document.createElement('meta');
+      meta.httpEquiv = 'Content-Security-Policy';
+      meta.content = content;
+      document.head.prepend(meta);
+    }).observe(document, { childList: true, subtree: true });
+  }, policy);
+}
+
+/** What the browser and the library say of the policy, which they should. */
+const ABOUT_THE_POLICY = /Content[ -]Security[ -]Policy/i;
+
+test('files are read and drawn where a page may use neither blob: nor data:, and where it may have no workers', async ({
+  page,
+  pageProblems,
+}) => {
+  const name = page.locator('#model-name');
+  const status = page.locator('#status');
+  for (const policy of ["worker-src 'self'; connect-src 'self'; img-src 'self'", "worker-src 'none'"]) {
+    await forbid(page, policy);
+    await openPlayground(page, 'model=cube&mapSize=64&mapTones=4');
+    const before = await readDrawing(page);
+    // With the buffer in a data: URI.
+    const uri = `data:application/octet-stream;base64,${octahedronBin().toString('base64')}`;
+    await drop(page, [file('inside.gltf', octahedronGltf(uri))]);
+    await expect(name).toHaveText('inside.gltf');
+    // With a picture within.
+    await drop(page, [file('column.glb', columnGlb())]);
+    await expect(name).toHaveText('column.glb');
+    expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
+    await expect(status).toHaveText('');
+    expect(pageProblems.filter((problem) => !ABOUT_THE_POLICY.test(problem))).toEqual([]);
+    pageProblems.splice(0);
+    // The policies hold.
+    expect(await page.evaluate(() => fetch('data:,x').then(String, () => 'forbidden'))).toBe('forbidden');
+    expect(pageProblems.splice(0).length).toBeGreaterThan(0);
+  }
+  // Packed with Draco, whose unpacker is a worker of its own.
+  await page.evaluate(() => {
+    location.hash = 'model=suzanne';
+  });
+  await expect(status).toHaveText(/^The model is packed with Draco, .* forbids it \(worker-src\)\.$/);
+  await expect(name).toHaveText('column.glb');
+  pageProblems.splice(0);
+});
