@@ -1,5 +1,6 @@
-import type { Page } from '@playwright/test';
+import { chromium, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
+import { launchOptions } from '../browser/launchOptions.mjs';
 import { expect, test } from '../browser/test.js';
 import { columnGlb } from './columnModel.js';
 import { file, octahedronPly } from './modelFiles.js';
@@ -235,6 +236,26 @@ test.describe('a lost graphics context', () => {
     await expect(page.locator('#model-name')).toHaveText('column.glb');
     expect(largestDifference(before, await readDrawing(page))).toBe(0);
   });
+});
+
+test('after a crash of the graphics process the same drawing comes back, also as a saved picture', async ({
+  baseURL,
+}) => {
+  // A browser of its own, because others would crash with it.
+  const browser = await chromium.launch(await launchOptions());
+  try {
+    const page = await browser.newPage({ baseURL: baseURL!, viewport: { width: 400, height: 360 } });
+    await openPlayground(page, 'model=cube');
+    const shown = await readDrawing(page);
+    const saved = await savePicture(page);
+    const session = await browser.newBrowserCDPSession();
+    await session.send('Browser.crashGpuProcess').catch(() => {});
+    await expect(page.locator('#status')).toHaveText('The drawing is back.', { timeout: 30_000 });
+    expect(largestDifference(shown, await readDrawing(page))).toBe(0);
+    expect(largestDifference(saved, await savePicture(page))).toBe(0);
+  } finally {
+    await browser.close();
+  }
 });
 
 /** Takes the graphics context from the drawing. */

@@ -1,0 +1,103 @@
+import type { Page } from '@playwright/test';
+import { columnGlb } from '../tests/e2e/columnModel.js';
+import {
+  file,
+  octahedronAsciiStl,
+  octahedronBinaryStl,
+  octahedronGlb,
+  octahedronMeshoptGlb,
+  octahedronMtl,
+  octahedronObj,
+  octahedronPly,
+  type TestFile,
+} from '../tests/e2e/modelFiles.js';
+import { drop, savePicture } from '../tests/e2e/playground.js';
+import type { Chance } from './chance.js';
+
+/** Something that a user does. */
+type Action = (page: Page, chance: Chance) => Promise<void>;
+
+const MODELS = ['cube', 'sphere', 'teapot', 'bunny', 'dragon4', 'suzanne', 'fish'];
+const TECHNIQUES = ['anchored', 'engraved', 'adjacency', 'adjacencyCrisp', 'triangle'];
+const STYLES = ['hatching', 'crossHatching', 'stippling', 'dashes', 'woodcut', 'pencil', 'ruled', 'contours'];
+
+const setting =
+  (key: string, values: readonly string[]): Action =>
+  async (page, chance) => {
+    await page.evaluate(
+      ([name, value]) => {
+        const link = new URLSearchParams(location.hash.slice(1));
+        link.set(name, value);
+        // Maps are drawn small: their size takes time and proves nothing.
+        for (const [small, size] of [
+          ['mapSize', '64'],
+          ['mapTones', '4'],
+        ])
+          link.set(small, size);
+        location.hash = link.toString();
+      },
+      [key, chance.oneOf(values)] as const,
+    );
+  };
+
+const GOOD: (readonly [name: string, content: () => Buffer | string | Promise<Buffer>])[] = [
+  ['column.glb', columnGlb],
+  ['still.glb', () => columnGlb({ still: true })],
+  ['octahedron.glb', octahedronGlb],
+  ['meshopt.glb', octahedronMeshoptGlb],
+  ['octahedron.ply', () => octahedronPly],
+  ['binary.stl', octahedronBinaryStl],
+  ['ascii.stl', () => octahedronAsciiStl],
+  ['octahedron.obj', () => octahedronObj],
+];
+
+async function chooseFile(chance: Chance): Promise<TestFile> {
+  const [name, content] = chance.oneOf(GOOD);
+  return file(name, await content());
+}
+
+/** Cut short, or with some bytes changed. */
+function broken({ name, buffer }: TestFile, chance: Chance): TestFile {
+  if (chance.share() < 0.5) return file(`cut-${name}`, buffer.subarray(0, chance.index(buffer.length)));
+  const changed = Buffer.from(buffer);
+  for (let i = 0; i < 8; i++) changed[chance.index(changed.length)] = chance.index(256);
+  return file(`changed-${name}`, changed);
+}
+
+async function dragFrom(page: Page, chance: Chance, selector: string): Promise<void> {
+  const box = await page.locator(selector).boundingBox();
+  if (!box) return;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 0; i < 6; i++) await page.mouse.move(x + 160 * (chance.share() - 0.5), y + 120 * (chance.share() - 0.5));
+  await page.mouse.up();
+}
+
+/** Everything that is done in a lap, in an order left to chance, each as often as it says. */
+export const ACTIONS: readonly { times: number; name: string; act: Action }[] = [
+  { times: 6, name: 'drag the light', act: (page, chance) => dragFrom(page, chance, '#lamp') },
+  { times: 2, name: 'turn the model', act: (page, chance) => dragFrom(page, chance, '#drawing') },
+  { times: 4, name: 'model', act: setting('model', MODELS) },
+  { times: 3, name: 'technique', act: setting('technique', TECHNIQUES) },
+  { times: 2, name: 'comparison', act: setting('compare', ['none', 'none', ...TECHNIQUES]) },
+  { times: 2, name: 'style', act: setting('mapStyle', STYLES) },
+  { times: 1, name: 'seed', act: setting('mapSeed', ['1', '2', '3', '4', '5']) },
+  { times: 1, name: 'shadows', act: setting('shadows', ['on', 'off']) },
+  { times: 1, name: 'ground', act: setting('ground', ['none', 'shadow', 'floor']) },
+  { times: 1, name: 'light', act: setting('lightKind', ['directional', 'point', 'spot']) },
+  { times: 1, name: 'occlusion', act: setting('occlusion', ['0', '50']) },
+  { times: 1, name: 'lines', act: setting('lines', ['on', 'off']) },
+  { times: 1, name: 'surfaces', act: setting('surfaceColors', ['shown', 'paper']) },
+  {
+    times: 3,
+    name: 'file',
+    act: async (page, chance) => drop(page, [await chooseFile(chance), file('octahedron.mtl', octahedronMtl)]),
+  },
+  {
+    times: 3,
+    name: 'broken file',
+    act: async (page, chance) => drop(page, [broken(await chooseFile(chance), chance)]),
+  },
+  { times: 1, name: 'save', act: async (page) => void (await savePicture(page)) },
+];

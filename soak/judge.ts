@@ -1,0 +1,41 @@
+/** What there is of each kind at the end of a lap, when the page shows the same as at the end of every other. */
+export type Lap = Readonly<Record<string, number>>;
+
+/** How much more there may be of each kind in the end: what ends by itself, and what a browser keeps for a while. */
+const SLACK: Record<string, number> = {
+  worker: 1,
+  url: 5,
+  sync: 2,
+  listeners: 20,
+  nodes: 60,
+  // Of the arrays, in megabytes.
+  arrays: 0.5,
+  // Code that is compiled late, and what the browser measures of the page.
+  heap: 8,
+  // Freed memory is not given back at once.
+  process: 250,
+};
+
+/** The laps that fill caches: of maps, programs and code. */
+const WARM_UP = 2;
+
+/**
+ * What grows: the least of the later laps is more than the greatest of the early ones. A single high lap is none, nor a cache
+ * that fills up once.
+ *
+ * @returns a line for each kind
+ */
+export function judge(laps: readonly Lap[]): string[] {
+  const counted = laps.slice(WARM_UP);
+  if (counted.length < 2) return [`Only ${laps.length} laps: too few to tell. Give it more minutes.`];
+  const half = Math.ceil(counted.length / 2);
+  const [early, late] = [counted.slice(0, half), counted.slice(half)];
+  const complaints: string[] = [];
+  for (const kind of Object.keys(counted[0])) {
+    const before = Math.max(...early.map((lap) => lap[kind]));
+    const after = Math.min(...late.map((lap) => lap[kind]));
+    if (after > before + (SLACK[kind] ?? 0)) complaints.push(`${kind} grows: ${before} at first, ${after} later.`);
+    if (Number.isNaN(after)) complaints.push(`${kind} could not be counted.`);
+  }
+  return complaints;
+}

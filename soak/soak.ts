@@ -1,0 +1,186 @@
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import type { Browser, ConsoleMessage, Page } from '@playwright/test';
+import { toleratedMessages } from '../tests/browser/toleratedMessages.js';
+import { countObjects, liveObjects } from '../tests/e2e/liveObjects.js';
+import { ACTIONS } from './actions.js';
+import { Chance } from './chance.js';
+import { judge, type Lap } from './judge.js';
+
+interface SoakOptions {
+  /** Where the pages are served. */
+  address: string;
+  minutes: number;
+  seed: number;
+  /** Prints a line. */
+  say: (line: string) => void;
+}
+
+/** Longer than anything here should take, also on a slow machine. */
+const STUCK_MILLISECONDS = 120_000;
+const KEPT_ACTIONS = 5;
+/** What the page shows at the end of each lap. */
+const REST = 'model=cube&mapSize=64&mapTones=4';
+const COLUMNS = [
+  'minute',
+  'lap',
+  'buffer',
+  'texture',
+  'program',
+  'framebuffer',
+  'vertexarray',
+  'sync',
+  'worker',
+  'url',
+  'listeners',
+  'nodes',
+  'arrays',
+  'heap',
+  'process',
+] as const;
+
+/**
+ * Uses the playground for some minutes, in laps that each do everything once in an order left to chance, and then the page of
+ * the figures.
+ *
+ * @returns what went wrong, a line each
+ */
+export async function soak(browser: Browser, { address, minutes, seed, say }: SoakOptions): Promise<string[]> {
+  const chance = new Chance(seed);
+  const page = await browser.newPage({ viewport: { width: 480, height: 360 } });
+  const problems = problemsOf(page);
+  await countObjects(page);
+  await page.goto(`${address}#${REST}`);
+  await idle(page);
+  const start = performance.now();
+  const laps: Lap[] = [];
+  /** What was done last, for whoever looks for the cause. */
+  let trail: string[] = [];
+  const place = (): string => `Lap ${laps.length + 1}, after ${trail.join(', ')}: `;
+  say(COLUMNS.map((name) => name.slice(0, 9).padStart(10)).join(''));
+  try {
+    while (performance.now() - start < 60_000 * minutes) {
+      for (const { name, act } of shuffled(chance)) {
+        trail = [...trail.slice(-KEPT_ACTIONS + 1), name];
+        await act(page, chance);
+        await idle(page);
+        if (problems.length > 0) return [`${place()}${problems.join('\n')}`];
+      }
+      const lap = await measure(page, browser);
+      laps.push(lap);
+      const row: Record<string, number> = { minute: (performance.now() - start) / 60_000, lap: laps.length, ...lap };
+      say(COLUMNS.map((name) => format(row[name]).padStart(10)).join(''));
+    }
+    return [...judge(laps), ...(await soakFigures(page, address, say)), ...problems];
+  } catch (error) {
+    return [`${place()}${(error as Error).message}`, ...problems];
+  }
+}
+
+/** Turns the light of the figures forty times. */
+async function soakFigures(page: Page, address: string, say: (line: string) => void): Promise<string[]> {
+  await page.goto(`${address}figures/`);
+  const turn = async (times: number): Promise<Lap> => {
+    for (let i = 0; i < times; i++) {
+      await page.locator('#turn').fill(String(((i * 35) % 360) - 180));
+      await page.waitForFunction(() => window.__figures!.isIdle, null, { timeout: STUCK_MILLISECONDS });
+    }
+    return lowerCase(await liveObjects(page));
+  };
+  await page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: STUCK_MILLISECONDS });
+  const laps = [await turn(2)];
+  for (let i = 0; i < 4; i++) laps.push(await turn(10));
+  say(`Figures, the light turned 42 times: ${laps.map(({ texture }) => texture).join(', ')} textures.`);
+  return judge(laps).map((complaint) => `Figures: ${complaint}`);
+}
+
+function shuffled(chance: Chance): (typeof ACTIONS)[number][] {
+  const actions = ACTIONS.flatMap((action) => Array.from({ length: action.times }, () => action));
+  for (let i = actions.length - 1; i > 0; i--) {
+    const j = chance.index(i + 1);
+    [actions[i], actions[j]] = [actions[j], actions[i]];
+  }
+  return actions;
+}
+
+/** Whatever the page complains of. What a refused file says is on its status line, not in the console. */
+function problemsOf(page: Page): string[] {
+  const problems: string[] = [];
+  page.on('console', (message: ConsoleMessage) => {
+    if (message.type() !== 'warning' && message.type() !== 'error') return;
+    if (toleratedMessages.some(({ pattern }) => pattern.test(message.text()))) return;
+    problems.push(message.text());
+  });
+  page.on('pageerror', (error) => problems.push(error.stack ?? error.message));
+  page.on('crash', () => problems.push('The page crashed.'));
+  return problems;
+}
+
+async function idle(page: Page): Promise<void> {
+  // What follows from an event comes in tasks of its own.
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
+  // A clip that plays keeps the page from being idle.
+  await page.waitForFunction(
+    () => {
+      const playing = [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Pause');
+      playing?.click();
+      return window.__playground!.isIdle;
+    },
+    null,
+    { timeout: STUCK_MILLISECONDS, polling: 50 },
+  );
+}
+
+/** What there is, once the page shows what it shows at the end of every lap. */
+async function measure(page: Page, browser: Browser): Promise<Lap> {
+  for (const model of ['sphere', 'cube']) {
+    await page.evaluate(
+      (link) => {
+        location.hash = link;
+      },
+      REST.replace('cube', model),
+    );
+    await idle(page);
+  }
+  const { kilobytes, ...counts } = lowerCase(await liveObjects(page));
+  return { ...counts, arrays: kilobytes / 1000, heap: await heapOf(page), process: await memoryOf(browser) };
+}
+
+const lowerCase = (counts: Record<string, number>): Record<string, number> =>
+  Object.fromEntries(Object.entries(counts).map(([kind, count]) => [kind.toLowerCase(), count]));
+
+/** Megabytes of the JavaScript heap. */
+async function heapOf(page: Page): Promise<number> {
+  const session = await page.context().newCDPSession(page);
+  const { usedSize } = await session.send('Runtime.getHeapUsage');
+  await session.detach();
+  return usedSize / 1e6;
+}
+
+/** Megabytes of memory that the browser's processes for pages and graphics hold; 0 where that is not known. */
+async function memoryOf(browser: Browser): Promise<number> {
+  const session = await browser.newBrowserCDPSession();
+  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+  await session.detach();
+  const held = processInfo.filter(({ type }) => /renderer|GPU/i.test(type)).map(({ id }) => residentMegabytes(id));
+  return held.reduce((sum, one) => sum + one, 0);
+}
+
+function residentMegabytes(process: number): number {
+  try {
+    return Number(/VmRSS:\s*(\d+)/.exec(readFileSync(`/proc/${process}/status`, 'utf8'))?.[1] ?? 0) / 1000;
+  } catch {
+    return residentByPs(process);
+  }
+}
+
+function residentByPs(process: number): number {
+  try {
+    return Number(execFileSync('ps', ['-o', 'rss=', '-p', String(process)], { encoding: 'utf8' })) / 1000;
+  } catch {
+    return 0;
+  }
+}
+
+const format = (value: number | undefined): string =>
+  value === undefined ? '–' : Number.isInteger(value) ? String(value) : value.toFixed(1);

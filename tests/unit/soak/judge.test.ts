@@ -1,0 +1,22 @@
+import { describe, expect, test } from 'vitest';
+import { judge } from '../../../soak/judge.js';
+
+const laps = (...textures: number[]) => textures.map((texture) => ({ texture, heap: 20 }));
+
+describe('the soak', () => {
+  test('finds what grows', () => {
+    expect(judge(laps(9, 12, 13, 14, 15, 16))).toEqual(['texture grows: 14 at first, 15 later.']);
+    expect(judge([20, 30, 40, 50, 60, 70].map((heap) => ({ texture: 9, heap })))).toHaveLength(1);
+  });
+
+  test('minds neither a cache that fills up nor a single high lap', () => {
+    expect(judge(laps(3, 9, 12, 12, 12, 12))).toEqual([]);
+    expect(judge(laps(9, 9, 9, 9, 14, 9))).toEqual([]);
+    expect(judge(laps(9, 9, 14, 9, 12, 12))).toEqual([]);
+  });
+
+  test('says when it was too short, and when something was not counted', () => {
+    expect(judge(laps(9, 9, 9))[0]).toMatch(/too few to tell/);
+    expect(judge(laps(9, 9, 9, Number.NaN))[0]).toMatch(/could not be counted/);
+  });
+});
