@@ -20,7 +20,7 @@ interface SoakOptions {
 const STUCK_MILLISECONDS = 120_000;
 const KEPT_ACTIONS = 5;
 /** What the page shows at the end of each lap. */
-const REST = 'model=cube&mapSize=64&mapTones=4';
+const REST = 'mapSize=64&mapTones=4&model=cube';
 const COLUMNS = [
   'minute',
   'lap',
