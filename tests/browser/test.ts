@@ -87,8 +87,11 @@ async function usePage(
 /**
  * The same `test` with one `page` for all tests of a file, opened once at the address: for pages whose every answer depends on the
  * question alone. Loading the page takes longer than most of the pictures.
+ *
+ * @param options.freesContexts whether the graphics contexts that a test makes are taken away when it ends, for pages whose tests
+ *   make their own: browsers keep sixteen
  */
-export const testOnOnePage = (address: string) =>
+export const testOnOnePage = (address: string, { freesContexts = false } = {}) =>
   test.extend<object, { onePage: Page }>({
     onePage: [
       async ({ browser, site }, use) => {
@@ -101,9 +104,21 @@ export const testOnOnePage = (address: string) =>
       { scope: 'worker' },
     ],
     page: async ({ onePage, pageProblems, checkGlErrors }, use) => {
-      await usePage(onePage, pageProblems, checkGlErrors, use);
+      try {
+        await usePage(onePage, pageProblems, checkGlErrors, use);
+      } finally {
+        if (freesContexts) await onePage.evaluate(freeContexts);
+      }
     },
   });
+
+/** Runs in the page: takes away every context that was made, and what is on the page. */
+function freeContexts(): void {
+  for (const gl of window.__webglContexts?.splice(0) ?? []) {
+    if (!gl.isContextLost()) gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+  document.body.replaceChildren();
+}
 
 /** Runs in the page before its own scripts: notes each WebGL2 context, on page canvases and offscreen ones. */
 function recordContexts(): void {

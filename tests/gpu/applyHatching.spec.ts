@@ -1,14 +1,10 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { at, covered, difference, differing, isGround, SIZE } from './pixels.js';
 import { hasSharedModels, NO_MODELS, serveSharedModels } from './sharedModels.js';
 import { kindsOfTechnique } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** Whole scenes in one call: the pictures they give, and what is left on the graphics card. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 test('groups keep their colours, nested meshes their places', async ({ page }) => {
   const pixels = await page.evaluate(async () => {

@@ -1,13 +1,9 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { at, centre, covered, difference, isGround } from './pixels.js';
 import { techniques } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** Ink on paper: what covers, what multiplies, and what is seen through. three's own basic material says what a colour is. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 /** Darkness of the hatch at tone 1/2 of the grey map: image 2 of 4, in bytes. */
 const HALF = 127 / 255;

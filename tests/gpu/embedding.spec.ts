@@ -1,13 +1,9 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { at, centre, covered, differing, isGround } from './pixels.js';
 import { kindsOfTechnique } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** The material inside other people's scenes: every feature of three it must not break, one test each. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 for (const technique of kindsOfTechnique) {
   test(`an InstancedMesh gives the pixels of separate meshes, whatever the instance matrix: ${technique}`, async ({

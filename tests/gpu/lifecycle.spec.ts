@@ -1,12 +1,8 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { at, centre, covered, difference } from './pixels.js';
+import { test } from './toolkitPage.js';
 
 /** From new to disposed: copies, renderers, frames without waste, and what is drawn where something is missing or extreme. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 test('clone and copy draw the same picture', async ({ page }) => {
   const [original, cloned, copied] = await page.evaluate(async () => {

@@ -1,13 +1,9 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { centre, covered, difference, differing } from './pixels.js';
 import { kindsOfTechnique } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** Lights that come and go while the page runs, and layers of strokes: where several disagree, and in the darks. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 for (const technique of kindsOfTechnique) {
   test(`a number of lights seen before needs no new program, and no light that only changes does: ${technique}`, async ({

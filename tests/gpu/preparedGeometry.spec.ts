@@ -1,14 +1,10 @@
 import type { BufferGeometry } from 'three';
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { centre, covered, difference, differing } from './pixels.js';
 import { kindsOfTechnique } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** Prepared geometry that was damaged before the bake, or changed, merged or exported after it. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 for (const technique of kindsOfTechnique) {
   test(`a mesh whose normals are NaN or zero is not black: ${technique}`, async ({ page }) => {

@@ -1,12 +1,8 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { centre, covered, differing } from './pixels.js';
+import { test } from './toolkitPage.js';
 
 /** Settings at the ends of their ranges, and settings that come late: after a frame was drawn without them. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 test('a crease angle of 0 blends nothing, coplanar triangles neither', async ({ page }) => {
   const [alone, uncreased] = await page.evaluate(async () => {

@@ -1,13 +1,9 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { at, difference, SIZE } from './pixels.js';
 import { techniques } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** Maps and emitted light that count for tone, against three's own Lambert material with the same ones. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 const luminance = ([r, g, b]: number[]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 

@@ -1,12 +1,8 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
+import { test } from './toolkitPage.js';
 import { varyingRows } from './varyingRows.js';
 
 /** WebGL 2 promises 15 rows of four varyings between the stages, and no more. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 const ROWS = 15;
 
