@@ -53,6 +53,15 @@ export const PARTS: readonly Part[] = [
     from: 'three/examples/jsm/libs/fflate.module.js',
   },
   {
+    name: 'Chevrotain',
+    use: 'reads VRML',
+    by: 'SAP SE, and the Chevrotain contributors',
+    address: 'https://chevrotain.io',
+    licence: 'Apache-2.0',
+    licenceFile: 'notice/Apache-2.0.txt',
+    from: 'three/examples/jsm/libs/chevrotain.module.min.js',
+  },
+  {
     name: 'lil-gui',
     use: 'the panel of settings',
     by: 'George Michael Brower',
