@@ -52,6 +52,10 @@ export async function soak(browser: Browser, { address, minutes, seed, say }: So
   await countObjects(page);
   await page.goto(`${address}#${REST}`);
   await idle(page);
+  // Shadow maps and the ground are made when they are first needed, and kept.
+  for (const light of ['directional', 'point', 'spot']) {
+    await follow(page, `${REST}&shadows=on&ground=floor&compare=triangle&lightKind=${light}`);
+  }
   const start = performance.now();
   const laps: Lap[] = [];
   /** What was done last, for whoever looks for the cause. */
@@ -114,6 +118,14 @@ function problemsOf(page: Page): string[] {
   page.on('pageerror', (error) => problems.push(error.stack ?? error.message));
   page.on('crash', () => problems.push('The page crashed.'));
   return problems;
+}
+
+/** Follows a link in the open page. */
+async function follow(page: Page, hash: string): Promise<void> {
+  await page.evaluate((link) => {
+    location.hash = link;
+  }, hash);
+  await idle(page);
 }
 
 async function idle(page: Page): Promise<void> {
