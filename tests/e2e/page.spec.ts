@@ -26,7 +26,7 @@ test('opens with the dragon, hatched, without a layout shift and without request
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page);
   await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
-  await expect(page.locator('#model-statistics')).toHaveText(/^47,794 triangles/);
+  await expect(page.locator('#model-statistics')).toHaveText(/^47,592 triangles, 2,080 non-manifold edges$/);
   await expect(page.getByRole('slider', { name: 'Light' })).toBeVisible();
   await expect(page.getByText('drag the light')).toBeVisible();
   const picture = await readDrawing(page);
@@ -67,6 +67,22 @@ test('the camera orbits by mouse and keys, and frames the whole model again', as
   expect(changedShare(first, await readDrawing(page))).toBeGreaterThan(0.05);
   await page.locator('#drawing').press('Home');
   expect(changedShare(first, await readDrawing(page))).toBe(0);
+});
+
+test('another model is seen whole, however near the camera was; a link keeps its own place', async ({ page }) => {
+  const near = '0.2,0.1,1,0,0,0.7';
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page, `model=cube&lines=off&camera=${near}`);
+  await page.evaluate((camera) => {
+    location.hash = `model=sphere&lines=off&camera=${camera}`;
+  }, near);
+  await expect(page.locator('#model-name')).toHaveText('Sphere');
+  await ready(page);
+  expect(await page.evaluate(() => location.hash)).toContain(encodeURIComponent(near));
+  await page.getByLabel('Model').selectOption('Cube');
+  await expect(page.locator('#model-name')).toHaveText('Cube');
+  await ready(page);
+  await expect.poll(() => page.evaluate(() => location.hash)).not.toContain('camera');
 });
 
 test('the link restores every setting after a reload, and unknown ones are ignored', async ({ page }) => {

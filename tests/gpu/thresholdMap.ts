@@ -8,6 +8,7 @@ import {
   RawShaderMaterial,
   RedFormat,
   Scene,
+  Vector2,
   Vector3,
   WebGLRenderer,
   WebGLRenderTarget,
@@ -25,6 +26,7 @@ const camera = new Camera();
  */
 function sample(map: TonalArtMap, level: number, shift = 0, octaves = level): Float32Array {
   const size = map.size >> level;
+  const { width, height } = map.thresholdTexture.image;
   const target = new WebGLRenderTarget(size, size, {
     depthBuffer: false,
     format: RedFormat,
@@ -47,6 +49,7 @@ function sample(map: TonalArtMap, level: number, shift = 0, octaves = level): Fl
     uniforms: {
       thresholdMap: { value: map.thresholdTexture },
       thresholdMapSize: { value: map.size },
+      thresholdMapTexel: { value: new Vector2(1 / width, 1 / height) },
       thresholdMapLevels: { value: map.levels },
       // No contrast is given back, so that what is read is what is stored.
       thresholdMoments: { value: new Vector3(1, 1, 1) },

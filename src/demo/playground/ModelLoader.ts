@@ -45,24 +45,33 @@ export class ModelLoader {
   /** Shows the built-in model that the settings ask for. */
   showChosen(): void {
     const { settings } = this;
-    if (settings.model !== 'file') void this.showBuiltIn(settings.model);
+    // A link may have placed the camera.
+    if (settings.model !== 'file') void this.showBuiltIn(settings.model, false);
   }
 
-  /** As {@link showChosen}, after another model was chosen. Resets the up axis. */
-  changeModel(): void {
-    if (this.settings.model !== 'file') this.settings.upAxis = SETTINGS.upAxis.default;
-    this.showChosen();
+  /**
+   * As {@link showChosen}, after another model was chosen. Resets the up axis.
+   *
+   * @param isFramed whether the camera goes to where it sees the whole model
+   */
+  changeModel(isFramed = true): void {
+    const { settings } = this;
+    if (settings.model === 'file') return;
+    settings.upAxis = SETTINGS.upAxis.default;
+    void this.showBuiltIn(settings.model, isFramed);
   }
 
   showFiles(files: readonly ModelFile[]): Promise<void> {
-    return this.show('file', async (report, signal) => {
+    // The same model, with pictures that it lacked, stays where it is.
+    const isAnother = !files.some((file) => this.shownFiles.files.includes(file));
+    return this.show('file', isAnother, async (report, signal) => {
       const read = await loadModelFiles(files, { signal, onStage: report });
       return { title: read.name, read, shown: { files, missing: read.missing } };
     });
   }
 
-  private showBuiltIn(model: BuiltInModel): Promise<void> {
-    return this.show(model, async (report, signal) => {
+  private showBuiltIn(model: BuiltInModel, isFramed: boolean): Promise<void> {
+    return this.show(model, isFramed, async (report, signal) => {
       const { title, view, load } = BUILT_IN_MODELS[model];
       report(`fetching ${title}`);
       return { title, view, read: await load({ signal, onStage: report }) };
@@ -71,6 +80,7 @@ export class ModelLoader {
 
   private async show(
     model: Settings['model'],
+    isFramed: boolean,
     load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
   ): Promise<void> {
     const { settings, history, scene } = this;
@@ -90,9 +100,12 @@ export class ModelLoader {
       settings.model = model;
       if (model === 'file') settings.upAxis = loaded.read.upAxis;
       history.adopt();
-      page.modelCaption.replaceChildren(...modelCaption(loaded.title, next.statistics, notes));
+      // What is left out of our own models is no news to anyone.
+      const told = model === 'file' ? notes : [];
+      page.modelCaption.replaceChildren(...modelCaption(loaded.title, next.statistics, told));
       document.title = `${loaded.title}, hatched`;
       scene.setModel(next, loaded.view);
+      if (isFramed) scene.view.frame();
       this.onChange(true);
       page.lamp.hidden = false;
     });

@@ -75,7 +75,7 @@ function wholeSample(settings: Settings, sceneRadius: number | undefined): strin
   material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);
   if (!isScene) material.push(`color: '${settings.color}'`);
   else if (settings.surfaceColors === 'paper') material.push(`color: 'white'`, 'map: null', 'vertexColors: false');
-  const lights = lightSample(settings);
+  const lights = lightSample(settings, sceneRadius);
   const classes = new Set(lights.classes);
   if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
   if (!isScene) classes.add('Mesh');

@@ -123,11 +123,15 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     applySettings();
   }
 
-  /** Replaces all settings and loads the model and the map they ask for. */
-  function replaceSettings(next: Settings): void {
+  /**
+   * Replaces all settings and loads the model and the map they ask for.
+   *
+   * @param isFramed whether the camera goes to where it sees another model whole
+   */
+  function replaceSettings(next: Settings, isFramed = true): void {
     const { model } = settings;
     Object.assign(settings, next);
-    if (settings.model !== model) modelLoader.changeModel();
+    if (settings.model !== model) modelLoader.changeModel(isFramed);
     void mapLoader.showChosen();
   }
 
@@ -163,7 +167,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   scene.view.controls.addEventListener('change', updateAddress);
   addEventListener('hashchange', () => {
     const link = readLink(location.hash);
-    replaceSettings(link.settings);
+    replaceSettings(link.settings, link.camera === undefined);
     if (link.camera) scene.view.place = link.camera;
     else scene.view.frame();
     recordChange();

@@ -2,8 +2,12 @@ import type { Settings } from '../settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
 import { round } from './round.js';
 
-/** Code that adds the lights of the page to `scene`, and the classes of three.js that it needs. */
-export function lightSample(settings: Settings): { code: string; classes: string[] } {
+/**
+ * Code that adds the lights of the page to `scene`, and the classes of three.js that it needs.
+ *
+ * @param radius of what they light; that of the page's models is 1
+ */
+export function lightSample(settings: Settings, radius = 1): { code: string; classes: string[] } {
   const intensity = round((Math.PI * settings.lightStrength) / 100);
   const light = {
     directional: `new DirectionalLight('white', ${intensity})`,
@@ -11,7 +15,7 @@ export function lightSample(settings: Settings): { code: string; classes: string
     spot: `new SpotLight('white', ${intensity}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
   }[settings.lightKind];
   const at = ({ azimuth, elevation, distance = 1 }: LightPlace) =>
-    `setFromSphericalCoords(${round(distance)}, ${round(((90 - elevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
+    `setFromSphericalCoords(${round(distance * radius)}, ${round(((90 - elevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
   const stay = (name: string) =>
     settings.lightFollows === 'viewer'
       ? `${name}.position.applyQuaternion(camera.quaternion); // again in every frame, to stay with the viewer\n`

@@ -9,7 +9,7 @@ import { lightSample } from './lightSample.js';
  */
 export function presetSample(preset: PresetName, settings: Settings, sceneRadius: number | undefined): string {
   const isScene = sceneRadius !== undefined;
-  const { code: lights, classes } = lightSample(settings);
+  const { code: lights, classes } = lightSample(settings, sceneRadius);
   const [load, model, strokeScale] = isScene
     ? [
         `const { scene: model } = await new GLTFLoader().loadAsync('model.glb');

@@ -34,6 +34,7 @@ const LOOK_KEYS = [
   'reflectedLight',
   'keepHighlight',
   'lightStrength',
+  'creaseAngle',
   'inkBlend',
   'levelRule',
   'lines',

@@ -5,6 +5,9 @@ import { DEFAULT_VIEW } from './createCamera.js';
 import { framingDistance } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 
+/** From what it turns around, in radii of the model: near enough to look into a room. */
+const MIN_DISTANCE = 0.15;
+
 /** Controls the camera: orbited by the user, or placed so that the whole model is in the picture. */
 export class View {
   readonly controls: OrbitControls;
@@ -22,7 +25,8 @@ export class View {
     private readonly onChange: () => void,
   ) {
     this.controls = new OrbitControls(camera, canvas);
-    this.controls.minDistance = 1.3;
+    this.controls.minDistance = MIN_DISTANCE;
+    this.controls.zoomToCursor = true;
     this.controls.maxDistance = 30;
     this.controls.addEventListener('change', () => {
       if (!this.isFraming) this.framed = false;

@@ -182,6 +182,14 @@ describe('codeSample', () => {
     },
   );
 
+  test.each([{}, presetLook('pen')])('places a lamp by the size of a loaded scene', async (look: Partial<Settings>) => {
+    const settings: Settings = { ...defaultSettings(), ...look, lightKind: 'point', lightDistance: 2 };
+    const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 2), new THREE.MeshStandardMaterial());
+    const scene = await run(codeSample(settings, 5), model);
+    const lamp = scene.children.find((child) => child instanceof THREE.PointLight)!;
+    expect(lamp.position.length()).toBeCloseTo(10, 2);
+  });
+
   test.each(PRESET_NAMES)('names the preset that the page shows: %s', (name) => {
     const settings: Settings = { ...defaultSettings(), ...presetLook(name) };
     expect(codeSample(settings, undefined)).toContain(`scalePreset(presets.${name}, renderer.getPixelRatio())`);

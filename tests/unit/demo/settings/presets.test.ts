@@ -63,9 +63,10 @@ describe('the presets of the page', () => {
       shadows: 'on',
       offsetU: 0.5,
       crossAngle: 20,
+      creaseAngle: 30,
     };
     const after = { ...before, ...presetLook('stipple') };
-    expect(after).toMatchObject({ model: 'bunny', lightAzimuth: 12, shadows: 'on', offsetU: 0, crossAngle: 60 });
+    expect(after).toMatchObject({ model: 'bunny', lightAzimuth: 12, shadows: 'on', offsetU: 0, crossAngle: 60, creaseAngle: 90 });
   });
 });
 
