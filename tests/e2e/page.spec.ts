@@ -79,7 +79,7 @@ test('another model is seen whole, however near the camera was; a link keeps its
   await expect(page.locator('#model-name')).toHaveText('Sphere');
   await ready(page);
   expect(await page.evaluate(() => location.hash)).toContain(encodeURIComponent(near));
-  await page.getByLabel('Model').selectOption('Cube');
+  await page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Cube');
   await expect(page.locator('#model-name')).toHaveText('Cube');
   await ready(page);
   await expect.poll(() => page.evaluate(() => location.hash)).not.toContain('camera');
@@ -286,7 +286,7 @@ async function loseContext(page: Page): Promise<void> {
 
 /** What a page shows that has lost its context, without lamp and focus ring. */
 async function readLastPicture(page: Page): Promise<PNG> {
-  const above = page.locator('.lamp, #drawing');
+  const above = page.locator('.lamp, #drawing, #status');
   const show = (visibility: string) =>
     above.evaluateAll((elements, value) => {
       for (const element of elements) (element as HTMLElement).style.visibility = value;

@@ -47,10 +47,10 @@ export async function drop(page: Page, files: readonly TestFile[]): Promise<void
 
 export const framesDrawn = (page: Page): Promise<number> => page.evaluate(() => window.__playground!.framesDrawn);
 
-/** A screenshot of the drawing alone, without lamp, divider and focus ring. */
+/** A screenshot of the drawing alone, without lamp, divider, focus ring and sentences that lie over it. */
 export async function readDrawing(page: Page): Promise<PNG> {
   await ready(page);
-  const overlays = page.locator('.lamp, #divider');
+  const overlays = page.locator('.lamp, #divider, #status');
   const canvas = page.locator('#drawing');
   await canvas.evaluate((element) => {
     element.style.outline = 'none';
