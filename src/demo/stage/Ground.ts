@@ -9,12 +9,15 @@ import type { Settings } from '../settings/settings.js';
 const SIZE = 40;
 /** So that strokes of techniques that have a frame per triangle follow perspective and lamps. */
 const PARTS = 40;
+/** Changes of the material, some to a look, after which programs of earlier looks are freed. */
+const MANY_VERSIONS = 24;
 
 /** What the model stands on: a sheet that shows its shadow and nothing else, or a floor. Drawn by the hand of the model. */
 export class Ground {
   private readonly holder = new Group();
   private readonly material = new HatchingMaterial();
   private isMade = false;
+  private freedVersion = 0;
   private kind: Settings['ground'] = 'none';
 
   /** @param onReady called when a frame with the ground can be drawn */
@@ -44,6 +47,14 @@ export class Ground {
     applyToMaterial(this.material, settings);
     if (this.kind === 'shadow') this.material.toneModel = 'shadow';
     this.showPaper(true);
+    this.freePrograms();
+  }
+
+  /** three.js keeps a program of each look until the material is disposed of, and models come and go over the same ground. */
+  private freePrograms(): void {
+    if (this.material.version - this.freedVersion < MANY_VERSIONS) return;
+    this.freedVersion = this.material.version;
+    this.material.dispose();
   }
 
   /** Sets how wide strokes are. @param pixelRatio pixels of the render target per CSS pixel */
