@@ -66,7 +66,14 @@ describe('the presets of the page', () => {
       creaseAngle: 30,
     };
     const after = { ...before, ...presetLook('stipple') };
-    expect(after).toMatchObject({ model: 'bunny', lightAzimuth: 12, shadows: 'on', offsetU: 0, crossAngle: 60, creaseAngle: 90 });
+    expect(after).toMatchObject({
+      model: 'bunny',
+      lightAzimuth: 12,
+      shadows: 'on',
+      offsetU: 0,
+      crossAngle: 60,
+      creaseAngle: 90,
+    });
   });
 });
 
