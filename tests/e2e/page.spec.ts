@@ -26,7 +26,7 @@ test('opens with the dragon, hatched, without a layout shift and without request
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page);
   await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
-  await expect(page.locator('#model-statistics')).toHaveText(/^47,592 triangles, 2,080 non-manifold edges$/);
+  await expect(page.locator('#model-statistics')).toHaveText(/^47,794 triangles, 2,094 non-manifold edges$/);
   await expect(page.getByRole('slider', { name: 'Light' })).toBeVisible();
   await expect(page.getByText('drag the light')).toBeVisible();
   const picture = await readDrawing(page);

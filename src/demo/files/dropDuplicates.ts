@@ -1,6 +1,12 @@
 import { type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js';
 
 /**
+ * Below this share of the triangles, duplicates stay: they cost little, and scans have some beside their reverses, where the
+ * majority says which side is out.
+ */
+const HARMLESS_SHARE = 0.1;
+
+/**
  * Leaves out triangles that are drawn before, exactly: same corners in the same sense, with the same colours and pictures.
  * Thousands of them in one place would keep a graphics card busy for a minute, and nobody could see it.
  *
@@ -34,7 +40,7 @@ export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: 
     }
     if (length > first) ranges.push({ start: first, count: length - first, picture });
   }
-  if (length === kept.length) return { mesh, duplicates: 0 };
+  if (total - length / 3 <= HARMLESS_SHARE * total) return { mesh, duplicates: 0 };
   const indices = kept.slice(0, length);
   return { mesh: { ...mesh, indices, ...(mesh.ranges && { ranges }) }, duplicates: total - length / 3 };
 }
