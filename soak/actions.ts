@@ -12,10 +12,10 @@ import {
   type TestFile,
 } from '../tests/e2e/modelFiles.js';
 import { drop, savePicture } from '../tests/e2e/playground.js';
-import type { Chance } from './chance.js';
+import type { Random } from '../tests/Random.js';
 
 /** Something that a user does. */
-type Action = (page: Page, chance: Chance) => Promise<void>;
+type Action = (page: Page, random: Random) => Promise<void>;
 
 const MODELS = ['cube', 'sphere', 'teapot', 'bunny', 'dragon4', 'suzanne', 'fish'];
 const TECHNIQUES = ['anchored', 'engraved', 'adjacency', 'adjacencyCrisp', 'triangle'];
@@ -23,7 +23,7 @@ const STYLES = ['hatching', 'crossHatching', 'stippling', 'dashes', 'woodcut', '
 
 const setting =
   (key: string, values: readonly string[]): Action =>
-  async (page, chance) => {
+  async (page, random) => {
     await page.evaluate(
       ([name, value]) => {
         const link = new URLSearchParams(location.hash.slice(1));
@@ -36,7 +36,7 @@ const setting =
           link.set(small, size);
         location.hash = link.toString();
       },
-      [key, chance.oneOf(values)] as const,
+      [key, random.pick(values)] as const,
     );
   };
 
@@ -51,33 +51,33 @@ const GOOD: (readonly [name: string, content: () => Buffer | string | Promise<Bu
   ['octahedron.obj', () => octahedronObj],
 ];
 
-async function chooseFile(chance: Chance): Promise<TestFile> {
-  const [name, content] = chance.oneOf(GOOD);
+async function chooseFile(random: Random): Promise<TestFile> {
+  const [name, content] = random.pick(GOOD);
   return file(name, await content());
 }
 
 /** Cut short, or with some bytes changed. */
-function broken({ name, buffer }: TestFile, chance: Chance): TestFile {
-  if (chance.share() < 0.5) return file(`cut-${name}`, buffer.subarray(0, chance.index(buffer.length)));
+function broken({ name, buffer }: TestFile, random: Random): TestFile {
+  if (random.next() < 0.5) return file(`cut-${name}`, buffer.subarray(0, random.below(buffer.length)));
   const changed = Buffer.from(buffer);
-  for (let i = 0; i < 8; i++) changed[chance.index(changed.length)] = chance.index(256);
+  for (let i = 0; i < 8; i++) changed[random.below(changed.length)] = random.below(256);
   return file(`changed-${name}`, changed);
 }
 
-async function dragFrom(page: Page, chance: Chance, selector: string): Promise<void> {
+async function dragFrom(page: Page, random: Random, selector: string): Promise<void> {
   const box = await page.locator(selector).boundingBox();
   if (!box) return;
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
-  for (let i = 0; i < 6; i++) await page.mouse.move(x + 160 * (chance.share() - 0.5), y + 120 * (chance.share() - 0.5));
+  for (let i = 0; i < 6; i++) await page.mouse.move(x + 160 * (random.next() - 0.5), y + 120 * (random.next() - 0.5));
   await page.mouse.up();
 }
 
 /** Everything that is done in a lap, in an order left to chance, each as often as it says. */
 export const ACTIONS: readonly { times: number; name: string; act: Action }[] = [
-  { times: 6, name: 'drag the light', act: (page, chance) => dragFrom(page, chance, '#lamp') },
-  { times: 2, name: 'turn the model', act: (page, chance) => dragFrom(page, chance, '#drawing') },
+  { times: 6, name: 'drag the light', act: (page, random) => dragFrom(page, random, '#lamp') },
+  { times: 2, name: 'turn the model', act: (page, random) => dragFrom(page, random, '#drawing') },
   { times: 4, name: 'model', act: setting('model', MODELS) },
   { times: 3, name: 'technique', act: setting('technique', TECHNIQUES) },
   { times: 2, name: 'comparison', act: setting('compare', ['none', 'none', ...TECHNIQUES]) },
@@ -92,12 +92,12 @@ export const ACTIONS: readonly { times: number; name: string; act: Action }[] = 
   {
     times: 3,
     name: 'file',
-    act: async (page, chance) => drop(page, [await chooseFile(chance), file('octahedron.mtl', octahedronMtl)]),
+    act: async (page, random) => drop(page, [await chooseFile(random), file('octahedron.mtl', octahedronMtl)]),
   },
   {
     times: 3,
     name: 'broken file',
-    act: async (page, chance) => drop(page, [broken(await chooseFile(chance), chance)]),
+    act: async (page, random) => drop(page, [broken(await chooseFile(random), random)]),
   },
   { times: 1, name: 'save', act: async (page) => void (await savePicture(page)) },
 ];

@@ -3,8 +3,8 @@ import { readFileSync } from 'node:fs';
 import type { Browser, ConsoleMessage, Page } from '@playwright/test';
 import { toleratedMessages } from '../tests/browser/toleratedMessages.js';
 import { countObjects, liveObjects } from '../tests/e2e/liveObjects.js';
+import { Random } from '../tests/Random.js';
 import { ACTIONS } from './actions.js';
-import { Chance } from './chance.js';
 import { judge, type Lap } from './judge.js';
 
 interface SoakOptions {
@@ -46,7 +46,7 @@ const COLUMNS = [
  * @returns what went wrong, a line each
  */
 export async function soak(browser: Browser, { address, minutes, seed, say }: SoakOptions): Promise<string[]> {
-  const chance = new Chance(seed);
+  const random = new Random(seed);
   const page = await browser.newPage({ viewport: { width: 480, height: 360 } });
   const problems = problemsOf(page);
   await countObjects(page);
@@ -64,9 +64,9 @@ export async function soak(browser: Browser, { address, minutes, seed, say }: So
   say(COLUMNS.map((name) => name.slice(0, 9).padStart(10)).join(''));
   try {
     while (performance.now() - start < 60_000 * minutes) {
-      for (const { name, act } of shuffled(chance)) {
+      for (const { name, act } of shuffled(random)) {
         trail = [...trail.slice(-KEPT_ACTIONS + 1), name];
-        await act(page, chance);
+        await act(page, random);
         await idle(page);
         if (problems.length > 0) return [`${place()}${problems.join('\n')}`];
       }
@@ -98,10 +98,10 @@ async function soakFigures(page: Page, address: string, say: (line: string) => v
   return judge(laps).map((complaint) => `Figures: ${complaint}`);
 }
 
-function shuffled(chance: Chance): (typeof ACTIONS)[number][] {
+function shuffled(random: Random): (typeof ACTIONS)[number][] {
   const actions = ACTIONS.flatMap((action) => Array.from({ length: action.times }, () => action));
   for (let i = actions.length - 1; i > 0; i--) {
-    const j = chance.index(i + 1);
+    const j = random.below(i + 1);
     [actions[i], actions[j]] = [actions[j], actions[i]];
   }
   return actions;
@@ -146,13 +146,7 @@ async function idle(page: Page): Promise<void> {
 /** What there is, once the page shows what it shows at the end of every lap. */
 async function measure(page: Page, browser: Browser): Promise<Lap> {
   for (const model of ['sphere', 'cube']) {
-    await page.evaluate(
-      (link) => {
-        location.hash = link;
-      },
-      REST.replace('cube', model),
-    );
-    await idle(page);
+    await follow(page, REST.replace('cube', model));
   }
   const { kilobytes, ...counts } = lowerCase(await liveObjects(page));
   return { ...counts, arrays: kilobytes / 1000, heap: await heapOf(page), process: await memoryOf(browser) };

@@ -136,9 +136,8 @@ export class HatchedModel {
     for (const entry of this.meshes) entry.mesh.material = entry[kind];
   }
 
-  /** Disposes of what is on the graphics card, where it is uploaded again. To be called while the context is lost. */
-  releaseGraphics(): void {
-    releaseGraphics(this.root);
+  /** As {@link releaseGraphics} for what its meshes do not show at the moment: the materials compared with, and pictures. */
+  releaseMaterials(): void {
     for (const { drawn, compared, surface } of this.pairs) {
       releaseMaterial(drawn);
       releaseMaterial(compared);

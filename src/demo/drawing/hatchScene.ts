@@ -1,6 +1,7 @@
 import { type AnimationClip, Box3, Group, type InstancedMesh, MathUtils, type Object3D, Vector3 } from 'three';
 import { applyHatching, type HatchingStatistics } from 'three-hatching';
 import { checkTriangleCount } from '../files/checkTriangleCount.js';
+import { counted } from '../files/counted.js';
 import { measureExtent } from '../files/fitModel.js';
 import type { ModelScene } from '../files/parseGltf.js';
 import { placements } from '../files/placements.js';
@@ -60,9 +61,7 @@ export async function hatchScene(
 }
 
 function leftOut(parts: number, clips: number): string[] {
-  const count = (number: number, noun: string): string[] =>
-    number === 0 ? [] : [`${number.toLocaleString('en')} damaged ${noun}${number === 1 ? '' : 's'} left out`];
-  return [...count(parts, 'part'), ...count(clips, 'clip')];
+  return [counted(parts, 'damaged part', 'left out'), counted(clips, 'damaged clip', 'left out')].filter(Boolean);
 }
 
 const isUsable = ({ tracks, duration }: AnimationClip): boolean =>

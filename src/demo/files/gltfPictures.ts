@@ -5,6 +5,7 @@ import type { GltfDocument } from './gltfDocument.js';
 import { usedImages } from './gltfMaterials.js';
 import { imageSize } from './imageSize.js';
 import { ModelError } from './ModelError.js';
+import { MAX_DRAWN_PIXELS, MAX_DRAWN_SIDE, MAX_PIXELS } from './pictureLimits.js';
 import { readUri } from './readUri.js';
 
 /** A picture to be decoded, and the size it is to be drawn in. */
@@ -16,13 +17,8 @@ export interface Picture {
   isReduced: boolean;
 }
 
-/** Of one picture: one of 44 kilobytes can decode to a gigabyte. */
-const MAX_PIXELS = 2 ** 26;
-/** Of all pictures of a file together, which are decoded one after the other. */
+/** Pixels of all pictures of a file together, which are decoded one after the other. */
 const MAX_TOTAL_PIXELS = 2 ** 28;
-/** Of all pictures together as they are drawn: eight of 2,048 pixels square, 171 megabytes with their smaller levels. */
-const MAX_DRAWN_PIXELS = 2 ** 25;
-const MAX_DRAWN_SIDE = 4096;
 
 /** The pictures that are drawn, by the index of their image, and what to say about the others. */
 export interface Pictures {

@@ -3,6 +3,7 @@ import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf } from './fileName.js';
 import { imageSize } from './imageSize.js';
 import type { WantedPicture } from './mergeScene.js';
+import { MAX_DRAWN_PIXELS, MAX_DRAWN_SIDE, MAX_PIXELS } from './pictureLimits.js';
 import { readUri } from './readUri.js';
 import type { PictureLink } from './standIns.js';
 
@@ -15,11 +16,6 @@ export interface MeshPicture {
   cutOut: boolean;
 }
 
-/** A picture of 44 kilobytes can decode to a gigabyte. */
-const MAX_PIXELS = 2 ** 26;
-/** Of all pictures together, as they are drawn. */
-const MAX_DRAWN_PIXELS = 2 ** 25;
-const MAX_DRAWN_SIDE = 4096;
 /** So many names are given in a note. */
 const NAMED = 3;
 

@@ -1,3 +1,4 @@
+import type { Object3D } from 'three';
 import { cleanMesh } from './cleanMesh.js';
 import { counted } from './counted.js';
 import { dropDuplicates } from './dropDuplicates.js';
@@ -93,35 +94,32 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     const file = files.find((one) => baseName(one.name).toLowerCase() === wanted);
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
-  const parsed = await parse(format, bytes, main.name, findFile);
-  const before = 'content' in parsed ? parsed : { content: parsed, broken: 0, notes: [], missing: [] };
-  const { content } = before;
+  const { content, upAxis, ...parsed } = await parse(format, bytes, main.name, findFile);
   if ('arrays' in content) {
-    const { missing } = before;
-    const notes = [...brokenNote(before.broken), ...before.notes, ...missingNote(missing)];
-    return { kind: 'parts', name, upAxis: 'y', notes, missing, parts: content };
+    const { missing } = parsed;
+    const notes = [...brokenNote(parsed.broken), ...parsed.notes, ...missingNote(missing)];
+    return { kind: 'parts', name, upAxis, notes, missing, parts: content };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
-  const scene = 'root' in content ? content : undefined;
-  const { mesh: distinct, duplicates } = dropDuplicates('root' in content ? mergeScene(content.root, wanted) : content);
+  const merged = 'isObject3D' in content ? mergeScene(content, wanted) : content;
+  const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh, broken } = cleanMesh(distinct);
   fitModel(mesh);
   if (wanted.length > 0) onStage('decoding pictures');
   const { pictures, notes, ...lacks } = await readMeshPictures(wanted, findFile);
-  const missing = [...before.missing, ...(scene?.missing ?? []), ...lacks.missing];
+  const missing = [...parsed.missing, ...lacks.missing];
   return {
     kind: 'mesh',
     name,
-    upAxis: scene?.upAxis ?? (format === 'stl' ? 'z' : 'y'),
+    upAxis,
     mesh,
     pictures,
     missing,
     notes: [
-      ...brokenNote(before.broken + broken),
+      ...brokenNote(parsed.broken + broken),
       ...duplicateNote(duplicates),
-      ...before.notes,
-      ...(scene?.notes ?? []),
+      ...parsed.notes,
       ...missingNote(missing),
       ...notes,
     ],
@@ -143,36 +141,40 @@ async function readArchived(
 }
 
 const brokenNote = (triangles: number): string[] =>
-  triangles === 0
-    ? []
-    : [
-        `${triangles.toLocaleString('en')} ${triangles === 1 ? 'triangle' : 'triangles'} without three valid corners left out`,
-      ];
+  triangles === 0 ? [] : [counted(triangles, 'triangle', 'without three valid corners left out')];
 
 const duplicateNote = (triangles: number): string[] =>
   triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
 
-async function parse(
-  format: ModelFormat,
-  bytes: Uint8Array,
-  name: string,
-  findFile: FindFile,
-): Promise<PlainMesh | ReadGltf | LoadedScene> {
+/** What the reader of a format makes of a file. */
+interface Parsed extends Omit<ReadGltf, 'content'> {
+  content: PlainMesh | GltfParts | Object3D;
+  upAxis: 'y' | 'z';
+}
+
+async function parse(format: ModelFormat, bytes: Uint8Array, name: string, findFile: FindFile): Promise<Parsed> {
   switch (format) {
     case 'glb':
     case 'gltf':
-      return readGltf(bytes, name, format === 'glb', findFile);
+      return { upAxis: 'y', ...(await readGltf(bytes, name, format === 'glb', findFile)) };
     case 'obj':
-      return readObj(bytes, findFile);
+      return parsedOf(await readObj(bytes, findFile));
     case 'ply':
-      return readPly(bytes, name);
+      return parsedOf(readPly(bytes, name));
     case 'stl':
-      return readStl(bytes);
+      return { ...parsedOf(readStl(bytes)), upAxis: 'z' };
     case 'zip':
       throw new ModelError(`${name} is an archive in an archive, which this page does not unpack.`);
     default:
-      return readScene(format, bytes, name);
+      return parsedOf(await readScene(format, bytes, name));
   }
+}
+
+/** Of what says nothing of them, y is the up axis, and nothing is missing. */
+function parsedOf(read: PlainMesh | LoadedScene): Parsed {
+  const isScene = 'root' in read;
+  const { upAxis = 'y', notes = [], missing = [] }: Partial<LoadedScene> = isScene ? read : {};
+  return { content: isScene ? read.root : read, upAxis, broken: 0, notes, missing };
 }
 
 function safeDecode(uri: string): string {

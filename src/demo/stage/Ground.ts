@@ -1,7 +1,6 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type TonalArtMap } from 'three-hatching';
 import { applyToMaterial } from '../drawing/applyToMaterial.js';
-import { releaseMaterial } from '../drawing/releaseGraphics.js';
 import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
 
@@ -70,11 +69,6 @@ export class Ground {
     material.transparent = isClear;
     material.paperOpacity = isClear ? 0 : 1;
     material.depthWrite = !isClear;
-  }
-
-  /** To be called while the graphics context is lost. */
-  releaseGraphics(): void {
-    releaseMaterial(this.material);
   }
 
   private async make(): Promise<void> {

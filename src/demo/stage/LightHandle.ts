@@ -42,7 +42,8 @@ export interface LightHandleHost {
 
 /**
  * The handle of a light. Dragging moves it over a sphere around the model; past the sphere's outline, or the edge of
- * the sheet where the outline lies beyond it, and back takes it behind the model. Shift or a second finger changes the distance of a point light or spot light. Arrow keys move it
+ * the sheet where the outline lies beyond it, and back takes it behind the model. Shift or a second finger changes the
+ * distance of a point light or spot light. Arrow keys move it
  * by 5°, with Shift by 1°.
  */
 export class LightHandle {

@@ -17,6 +17,8 @@ const SHADOW_NORMAL_BIAS = 0.02;
 /** In texels. */
 const SHADOW_SOFTNESS = 1;
 
+type CastingLight = DirectionalLight | PointLight | SpotLight;
+
 const before = new Vector3();
 const secondBefore = new Vector3();
 
@@ -26,45 +28,53 @@ export class LightRig {
   readonly position = new Vector3();
   /** The position of the second sun. */
   readonly secondPosition: Vector3;
-  private readonly lights: { directional: DirectionalLight; point: PointLight; spot: SpotLight };
   private readonly second = new DirectionalLight();
+  private readonly main: Record<Settings['lightKind'], CastingLight>;
+  private readonly spot = new SpotLight();
+  private readonly all: readonly CastingLight[];
+  /** Where the settings put the lights, before they go with the viewer. */
+  private readonly settled = new Vector3();
+  private readonly secondSettled = new Vector3(0, SUN_DISTANCE, 0);
+  private isWithViewer = false;
   private isCoarse = false;
 
   constructor(scene: Scene) {
     this.secondPosition = this.second.position;
+    const sun = new DirectionalLight();
     const point = new PointLight();
-    const spot = new SpotLight();
     // Without decay, moving the light turns the strokes and does not change the exposure.
     point.decay = 0;
-    spot.decay = 0;
-    const sun = new DirectionalLight();
+    this.spot.decay = 0;
+    this.main = { directional: sun, point, spot: this.spot };
+    this.all = [sun, point, this.spot, this.second];
     for (const { shadow } of [sun, this.second]) {
       Object.assign(shadow.camera, { left: -REACH, right: REACH, bottom: -REACH, top: REACH });
     }
-    for (const { shadow } of [sun, point, spot, this.second]) {
+    for (const { shadow } of this.all) {
       Object.assign(shadow.camera, { near: SHADOW_NEAR, far: SHADOW_FAR });
       shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
       shadow.normalBias = SHADOW_NORMAL_BIAS;
       shadow.radius = SHADOW_SOFTNESS;
     }
-    this.lights = { directional: sun, point, spot };
-    scene.add(this.second, ...Object.values(this.lights));
+    scene.add(...this.all);
   }
 
-  /** Applies the settings, all but the place of the lights. */
+  /** Applies the settings. */
   apply(settings: Settings): void {
-    for (const [kind, light] of Object.entries(this.lights)) {
+    for (const light of this.all) light.castShadow = settings.shadows === 'on';
+    for (const [kind, light] of Object.entries(this.main)) {
       light.visible = kind === settings.lightKind;
-      light.castShadow = settings.shadows === 'on';
       // At an intensity of π, a white surface that faces the light gets tone 0: bare paper.
       light.intensity = (Math.PI * settings.lightStrength) / 100;
     }
-    const { spot } = this.lights;
-    spot.angle = MathUtils.degToRad(settings.spotAngle) / 2;
-    spot.penumbra = settings.spotSoftness / 100;
-    this.second.visible = settings.secondLight !== 'none';
-    this.second.castShadow = settings.shadows === 'on';
+    this.spot.angle = MathUtils.degToRad(settings.spotAngle) / 2;
+    this.spot.penumbra = settings.spotSoftness / 100;
+    const second = placeOfSecondLight(settings);
+    this.second.visible = second !== undefined;
     this.second.intensity = (Math.PI * settings.secondStrength) / 100;
+    setPosition(this.settled, placeOfLight(settings));
+    if (second) setPosition(this.secondSettled, second);
+    this.isWithViewer = settings.lightFollows === 'viewer';
   }
 
   /**
@@ -76,36 +86,31 @@ export class LightRig {
   lowerShadows(isCoarse: boolean): boolean {
     if (isCoarse === this.isCoarse) return false;
     this.isCoarse = isCoarse;
-    for (const { shadow } of [this.second, ...Object.values(this.lights)] as (
-      | DirectionalLight
-      | PointLight
-      | SpotLight
-    )[]) {
+    for (const { shadow } of this.all) {
       shadow.radius = isCoarse ? 0 : SHADOW_SOFTNESS;
       // three does not resize the cube of a point light.
-      if (shadow !== this.lights.point.shadow)
+      if (shadow !== this.main.point.shadow)
         shadow.mapSize.setScalar(isCoarse ? COARSE_SHADOW_MAP_SIZE : SHADOW_MAP_SIZE);
     }
-    return this.lights.directional.castShadow;
+    return this.second.castShadow;
   }
 
   /**
-   * Places the lights.
+   * Places the lights where the settings put them. Allocates nothing.
    *
-   * @param viewer that the light stays with, if the settings say so
+   * @param viewer that they stay with, if the settings say so
    * @returns whether one has moved
    */
-  place(settings: Settings, { quaternion }: Camera): boolean {
+  place({ quaternion }: Camera): boolean {
     before.copy(this.position);
     secondBefore.copy(this.secondPosition);
-    setPosition(this.position, placeOfLight(settings));
-    const second = placeOfSecondLight(settings);
-    if (second) setPosition(this.secondPosition, second);
-    if (settings.lightFollows === 'viewer') {
+    this.position.copy(this.settled);
+    this.secondPosition.copy(this.secondSettled);
+    if (this.isWithViewer) {
       this.position.applyQuaternion(quaternion);
-      if (second) this.secondPosition.applyQuaternion(quaternion);
+      this.secondPosition.applyQuaternion(quaternion);
     }
-    for (const kind in this.lights) this.lights[kind as Settings['lightKind']].position.copy(this.position);
+    for (const kind in this.main) this.main[kind as Settings['lightKind']].position.copy(this.position);
     return !before.equals(this.position) || !secondBefore.equals(this.secondPosition);
   }
 }

@@ -66,7 +66,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (context.isContextLost() || width === 0 || height === 0) return;
     resolution.beforeFrame();
     advanceMotion();
-    const isLightMoved = settings !== undefined && lights.place(settings, camera);
+    const isLightMoved = settings !== undefined && lights.place(camera);
     const areShadowsChanged = lights.lowerShadows(resolution.isCoarse);
     if (isLightMoved || areShadowsChanged || model?.motion) renderer.shadowMap.needsUpdate = true;
     const pixelRatio = resolution.pixelRatio(width, height);
@@ -136,9 +136,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     timer.reset();
     previousModel?.dispose();
     previousModel = undefined;
-    model?.releaseGraphics();
-    ground.releaseGraphics();
     releaseGraphics(scene);
+    model?.releaseMaterials();
     lastPicture.lost();
   };
   const onRestored = (): void => {

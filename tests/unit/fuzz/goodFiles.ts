@@ -1,10 +1,10 @@
 import { gzipSync } from 'node:zlib';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
+import type { Random } from '../../Random.js';
 import { addTrack, GltfBuilder } from '../demo/files/GltfBuilder.js';
 import { type PlyFormat, ply } from '../demo/files/modelWriters.js';
 import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../demo/files/sceneWriters.js';
-import type { Random } from './Random.js';
 
 /** A file as its writer knows it: text, bytes, or a glTF document with its data. */
 export type GoodFile =

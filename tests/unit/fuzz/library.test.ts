@@ -2,8 +2,8 @@ import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAt
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterAll, describe, expect, test } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../src/material/hatchingProperties.js';
+import type { Random } from '../../Random.js';
 import { mutateBytes, mutateText, NASTY } from './mutate.js';
-import type { Random } from './Random.js';
 import { consoleDuring, FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';
 
 const report: FuzzReport = {};

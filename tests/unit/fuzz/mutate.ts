@@ -1,7 +1,7 @@
 import type { ModelFile } from '../../../src/demo/files/readModel.js';
+import type { Random } from '../../Random.js';
 import type { Json } from '../demo/files/GltfBuilder.js';
 import type { GoodDrop, GoodFile } from './goodFiles.js';
-import type { Random } from './Random.js';
 
 /** Values that readers stumble over. */
 export const NASTY: readonly unknown[] = [

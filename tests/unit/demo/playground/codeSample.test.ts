@@ -140,7 +140,7 @@ describe('codeSample', () => {
     const drawn = new THREE.Scene();
     const rig = new LightRig(drawn);
     rig.apply(settings);
-    rig.place(settings, viewer);
+    rig.place(viewer);
     const describeLight = (light: THREE.Object3D) => {
       const direction = light.position.clone();
       if (light instanceof THREE.DirectionalLight) direction.normalize();
