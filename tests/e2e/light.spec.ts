@@ -115,6 +115,11 @@ test('a second light is dragged by a lamp of its own', async ({ page }) => {
   await page.locator('#second-lamp').press('ArrowLeft');
   expect((await lampPlace(page, '#second-lamp')).azimuth).toBeCloseTo(second.azimuth - 5, 0);
   await expect.poll(() => page.evaluate(() => location.hash)).toContain('secondLight=free');
+  const dragged = await readDrawing(page);
+  const place = await lampPlace(page);
+  await page.reload();
+  expect(changedShare(dragged, await readDrawing(page))).toBe(0);
+  expect(await lampPlace(page)).toEqual(place);
 });
 
 test.describe('on a narrow sheet', () => {

@@ -1,3 +1,4 @@
+import { acceptSetting } from '../settings/acceptSetting.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
 import type { HatchingScene } from '../stage/createScene.js';
@@ -16,7 +17,9 @@ export class LightHandles {
     onChange: (source: string) => void,
   ) {
     const change = (source: string, values: Partial<Settings>): void => {
-      Object.assign(settings, values);
+      // As controls and links have them, so that a link gives back the very drawing.
+      for (const [key, value] of Object.entries(values))
+        Object.assign(settings, { [key]: acceptSetting(key as keyof Settings, value) });
       onChange(source);
     };
     const common = {

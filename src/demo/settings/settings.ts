@@ -380,7 +380,7 @@ export const SETTINGS = {
     unit: '°',
     min: -180,
     max: 180,
-    step: 1,
+    step: 0.1,
   },
   lightElevation: {
     kind: 'number',
@@ -390,7 +390,7 @@ export const SETTINGS = {
     unit: '°',
     min: -89,
     max: 89,
-    step: 1,
+    step: 0.1,
   },
   lightFollows: {
     kind: 'choice',
@@ -407,7 +407,7 @@ export const SETTINGS = {
     unit: 'radii',
     min: 1.1,
     max: 5,
-    step: 0.05,
+    step: 0.01,
   },
   spotAngle: { kind: 'number', label: 'Spot width', group: 'Light', default: 52, unit: '°', min: 5, max: 120, step: 1 },
   spotSoftness: {
@@ -482,7 +482,7 @@ export const SETTINGS = {
     unit: '°',
     min: -180,
     max: 180,
-    step: 1,
+    step: 0.1,
   },
   secondElevation: {
     kind: 'number',
@@ -492,7 +492,7 @@ export const SETTINGS = {
     unit: '°',
     min: -89,
     max: 89,
-    step: 1,
+    step: 0.1,
   },
   secondStrength: {
     kind: 'number',
