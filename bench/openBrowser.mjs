@@ -14,7 +14,7 @@ const isolation = {
  *
  * `measure` runs a measurement in a page of its own, where nothing is compiled or cached yet, and closes it.
  *
- * @param {'swiftshader' | 'llvmpipe'} [rasteriser]
+ * @param {'swiftshader' | 'llvmpipe' | 'gpu'} [rasteriser]
  */
 export async function openBrowser(rasteriser) {
   const server = await createServer({
@@ -25,6 +25,7 @@ export async function openBrowser(rasteriser) {
   });
   await server.listen();
   const browser = await chromium.launch(await launchOptions(rasteriser));
+  const clock = rasteriser === 'gpu' ? '?clock=gpu' : '';
   const openPage = async (address) => {
     const page = await browser.newPage();
     page.on('pageerror', (error) => console.error(error));
@@ -34,7 +35,7 @@ export async function openBrowser(rasteriser) {
   return {
     openPage,
     async measure(name, ...args) {
-      const page = await openPage(`${server.resolvedUrls.local[0]}bench/bench.html`);
+      const page = await openPage(`${server.resolvedUrls.local[0]}bench/bench.html${clock}`);
       await page.waitForFunction(() => typeof window.measure === 'function');
       try {
         return await page.evaluate(([name, args]) => window.measure(name, ...args), [name, args]);

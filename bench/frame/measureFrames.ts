@@ -38,7 +38,7 @@ export async function measureFrames(model: string, turns: number, size: number):
   for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
     // Every other turn backwards: what is drawn before may make a difference.
     for (const name of turn % 2 === 0 ? order : order.toReversed()) {
-      const time = stage.timeFrame(meshes[name]);
+      const time = await stage.timeFrame(meshes[name]);
       if (turn >= 0) times[name].push(time);
     }
   }

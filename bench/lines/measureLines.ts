@@ -58,7 +58,7 @@ export async function measureLines(model: string, turns: number, size: number, i
   for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
     // Every other turn backwards: what is drawn before may make a difference.
     for (const name of turn % 2 === 0 ? order : order.toReversed()) {
-      const time = stage.timeFrame(meshes[name]);
+      const time = await stage.timeFrame(meshes[name]);
       if (turn >= 0) times[name].push(time);
     }
   }
@@ -110,11 +110,11 @@ function onBone(geometry: BufferGeometry, material: HatchingMaterial): SkinnedMe
 
 /** Draws until the worker has sent the list of candidates. */
 async function listReady(stage: Stage, mesh: Mesh): Promise<void> {
-  stage.timeFrame(mesh);
+  stage.drawFrame(mesh);
   const first = linesOf(mesh).geometry.drawRange.count;
   for (let i = 0; i < 100; i++) {
     await new Promise((resolve) => setTimeout(resolve, 20));
-    stage.timeFrame(mesh);
+    stage.drawFrame(mesh);
     if (linesOf(mesh).geometry.drawRange.count < first) return;
   }
 }
@@ -133,7 +133,7 @@ async function timeScript(stage: Stage, mesh: Mesh): Promise<number[]> {
   });
   for (let i = 0; i < 60; i++) {
     stage.turnCamera(STEP);
-    stage.timeFrame(mesh);
+    stage.drawFrame(mesh);
     await new Promise((resolve) => setTimeout(resolve, 0));
   }
   // The first ones compile.

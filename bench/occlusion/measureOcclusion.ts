@@ -59,7 +59,7 @@ export async function measureOcclusion(
     for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
       // Every other turn backwards: what is drawn before may make a difference.
       for (const name of turn % 2 === 0 ? (['open', 'occluded'] as const) : (['occluded', 'open'] as const)) {
-        const time = stage.timeFrame(name === 'open' ? open : occluded);
+        const time = await stage.timeFrame(name === 'open' ? open : occluded);
         if (turn >= 0) frames[name].push(time);
       }
     }

@@ -57,7 +57,7 @@ export async function measureShadows(model: string, turns: number, size: number)
   for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
     // Every other turn backwards: what is drawn before may make a difference.
     for (const name of turn % 2 === 0 ? order : order.toReversed()) {
-      const time = stage.timeFrame(objects[name]);
+      const time = await stage.timeFrame(objects[name]);
       if (turn >= 0) times[name].push(time);
     }
   }

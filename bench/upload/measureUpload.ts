@@ -16,12 +16,12 @@ export async function measureUpload(
 ): Promise<{ bytes: number; times: number[] }> {
   const stage = new Stage(SIZE);
   const material = new HatchingMaterial({ technique: 'anchored' });
-  stage.timeFrame(new Mesh(await prepareHatchingGeometry(new TorusGeometry(), { layout }), material));
+  stage.drawFrame(new Mesh(await prepareHatchingGeometry(new TorusGeometry(), { layout }), material));
   const geometry = await prepareHatchingGeometry(await loadModel(model), { layout });
   geometry.setDrawRange(0, 3);
   const mesh = new Mesh(geometry, material);
   const times = Array.from({ length: repeats }, () => {
-    const time = stage.timeFrame(mesh) - stage.timeFrame(mesh);
+    const time = stage.drawFrame(mesh) - stage.drawFrame(mesh);
     geometry.dispose();
     return Math.max(0, time);
   });
