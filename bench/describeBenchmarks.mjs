@@ -35,7 +35,9 @@ file of a page, warm the following ones. Both are medians with their 95 % interv
 /** Writes docs/benchmarks.md from the files in bench/results. */
 export function describeBenchmarks() {
   const sections = benchmarks.flatMap((benchmark) => {
-    const runs = ['', '.swiftshader', '.llvmpipe'].flatMap((suffix) => read(`${benchmark.name}${suffix}.json`) ?? []);
+    const runs = ['', '.gpu', '.swiftshader', '.llvmpipe'].flatMap(
+      (suffix) => read(`${benchmark.name}${suffix}.json`) ?? [],
+    );
     if (runs.length === 0) return [];
     const parts = runs.map(({ environment, seconds, result }) => {
       const { renderer, cpu, cores, chromium, node, commit } = environment;
@@ -52,9 +54,10 @@ ${benchmark.describe(result)}`;
 
 const introduction = `# Benchmarks
 
-Written by \`npm run bench\` from the files in \`bench/results\`. The processor draws, so times say little about a graphics card; what they
+Written by \`npm run bench\` from the files in \`bench/results\`. Under SwiftShader and llvmpipe the processor draws, so times say little about a graphics card; what they
 are good for is comparing, and there only ratios from one run count: on a busy machine times drift by a factor of two, ratios within a turn
-hardly.
+hardly. Where a graphics card is named, \`--rasteriser=gpu\`, it draws and times itself (\`EXT_disjoint_timer_query_webgl2\`), without
+what the processor takes. The H100 is a card for computing: two of its 66 clusters can draw, so its times are those of a small card.
 
 \`a [b, c]\` is a median a with its 95 % interval from b to c, from the ranks of the values, whatever their distribution.
 
@@ -67,4 +70,6 @@ function read(name) {
   return existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : undefined;
 }
 
-const shortName = (renderer) => /swiftshader|llvmpipe/i.exec(renderer)?.[0] ?? renderer;
+/** Of `ANGLE (NVIDIA Corporation, NVIDIA H100/PCIe/SSE2, OpenGL ES 3.2)`, what stands second. */
+const shortName = (renderer) =>
+  /swiftshader|llvmpipe/i.exec(renderer)?.[0] ?? /, ([^,/(]+)/.exec(renderer)?.[1] ?? renderer;

@@ -1,8 +1,13 @@
 mat4 objectToView = modelViewMatrix;
-#ifdef USE_BATCHING
-  objectToView = objectToView * batchingMatrix;
-#endif // USE_BATCHING
-#ifdef USE_INSTANCING
-  objectToView = objectToView * instanceMatrix;
+#if defined(USE_INSTANCING) || defined(USE_BATCHING)
+  #ifdef USE_BATCHING
+    objectToView = objectToView * batchingMatrix;
+  #endif // USE_BATCHING
+  #ifdef USE_INSTANCING
+    objectToView = objectToView * instanceMatrix;
+  #endif // USE_INSTANCING
+  mat3 viewToObject = inverse(mat3(objectToView)); // linear part
+#else
+  // three has the transpose of the inverse: one for all vertices.
+  mat3 viewToObject = transpose(normalMatrix);
 #endif // USE_INSTANCING
-mat3 viewToObject = inverse(mat3(objectToView)); // linear part

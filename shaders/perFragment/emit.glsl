@@ -19,3 +19,6 @@ vec3 strokeNormal = dot(hatchNormal.xyz, hatchNormal.xyz) > 0.25 ? hatchNormal.x
   strokeNormal = strokeNormal * deformedToRest;
   mat3 viewToAnchor = viewToObject;
 #endif // STROKE_ANCHOR
+#ifndef RIGID
+  vViewToAnchor = viewToAnchor;
+#endif // RIGID

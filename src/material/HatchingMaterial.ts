@@ -39,6 +39,7 @@ import {
 } from './hatchingProperties.js';
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
+import { isRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
 import {
   CHANNEL_VARYINGS,
@@ -48,6 +49,9 @@ import {
   type VertexLayout,
 } from './shaderConventions.js';
 import { isUsedBy, warnOfUnused } from './unusedProperties.js';
+
+/** Before the shaders of a mesh that neither deforms nor has instances. */
+const RIGID = '#define RIGID\n';
 
 const viewport = /* @__PURE__ */ new Vector4();
 
@@ -222,8 +226,15 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.useVertexLayout(vertexLayoutOf(mesh.geometry, mesh));
   }
 
-  /** Called by the renderer. Builds the programs of the pre-pass and of the environment's blur too, which only drawing does. */
-  override onBeforeCompile(_shader: unknown, renderer: WebGLRenderer): void {
+  /**
+   * Called by the renderer. Tells the shaders what three tells the vertex shader alone, and builds the programs of the pre-pass and
+   * of the environment's blur too, which only drawing does.
+   */
+  override onBeforeCompile(shader: ProgramParameters, renderer: WebGLRenderer): void {
+    if (isRigid(shader)) {
+      shader.vertexShader = `${RIGID}${shader.vertexShader}`;
+      shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
+    }
     for (const mesh of this.announced.splice(0)) {
       if (this.readsAdjacency) compilePrePass(renderer, mesh);
       const environment = environmentAround(mesh);

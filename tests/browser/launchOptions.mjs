@@ -1,10 +1,12 @@
 import { findChromium } from './findChromium.mjs';
 
-/** Chromium's flags per rasteriser. SwiftShader draws the goldens; llvmpipe is a second opinion (needs libegl1 and libgl1-mesa-dri). */
+/** Chromium's flags per rasteriser. SwiftShader draws the goldens; llvmpipe is a second opinion (needs libegl1 and libgl1-mesa-dri),
+ * gpu whatever card is there. */
 const rasterisers = {
   swiftshader: ['--use-angle=swiftshader'],
   llvmpipe: ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'],
-  gpu: ['--use-gl=angle', '--ignore-gpu-blocklist'],
+  // Headless Linux has no window system, but EGL.
+  gpu: ['--use-gl=angle', ...(process.platform === 'linux' ? ['--use-angle=gl-egl'] : []), '--ignore-gpu-blocklist'],
 };
 
 /** Chromium speaks to its maker's hosts unless told not to; on a closed network that only costs time. */

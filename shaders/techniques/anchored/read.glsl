@@ -1,5 +1,6 @@
 // What hatching needs to know at this fragment: the light's frame is found here, so that it turns continuously.
 #include "lightOrientation"
+#include "perFragment/viewToAnchor"
 
 uniform vec2 strokeDirection; // cosine and sine of the strokes' rotation
 
@@ -13,7 +14,7 @@ struct HatchingParameters {
 HatchingParameters readHatchingParameters() {
   HatchingParameters h;
   vec3 n = safeNormalize(vStrokeNormal);
-  vec3 bitangent = lightBitangent(n, -vViewPosition, vViewToObject, h.crossing);
+  vec3 bitangent = lightBitangent(n, -vViewPosition, readViewToAnchor(), h.crossing);
   vec3 tangent = cross(bitangent, n);
   h.point = vRestPosition;
   h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;

@@ -1,5 +1,6 @@
+#include "perFragment/varyings"
+
 varying vec3 vRestPosition; // object space
 varying vec3 vStrokeNormal; // at the scale of a stroke, object space
-varying mat3 vViewToObject; // linear part
 varying float vUnitsPerPixel; // object units to a pixel
 varying vec3 vToViewer; // object space, of any length

@@ -12,7 +12,7 @@
     }
     if (!isAny) return vFieldLight;
     if (isAll) return vec4(across(vFieldLight.xyz), 0.0);
-    return fieldLight(vViewToField, -vViewPosition, vFieldPoint);
+    return fieldLight(objectToField * readViewToAnchor(), -vViewPosition, vFieldPoint);
   }
 #else
   vec4 arrivingLight() {

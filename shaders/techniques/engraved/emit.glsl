@@ -1,7 +1,6 @@
 #include "perFragment/emit"
 vFieldPoint = objectToField * (anchorPosition - fieldOrigin);
 vFieldNormal = objectToFieldNormal * strokeNormal;
-vViewToField = objectToField * viewToAnchor;
 vViewUnitsPerPixel = unitsPerPixel(mat3(1.0), mvPosition);
 
 mat4 restToView = objectToView;

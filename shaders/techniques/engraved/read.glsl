@@ -1,5 +1,9 @@
 // What engraving needs to know at this fragment: the function that lines are level sets of, and how it lies on the surface and
 // on the screen.
+#include "perFragment/viewToAnchor"
+
+uniform mat3 objectToField; // linear part
+
 #include "technique/fieldAxis"
 #include "technique/arrivingLight"
 #include "technique/hand"

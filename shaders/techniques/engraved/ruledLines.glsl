@@ -15,13 +15,13 @@ float lineInk(const in float away, const in float halfWidth) {
 
 // The logarithm to base 2 at powers of two, and linear between them: all that continuous octaves need. x: above 0.
 float octaves(const in float x) {
-  // The bits of a float are its exponent, then its mantissa.
-  return float(floatBitsToInt(x)) * exp2(-23.0) - 127.0;
+  // The bits of a float are its exponent, then 23 of its mantissa.
+  return float(floatBitsToInt(x)) / 8388608.0 - 127.0;
 }
 
 // The inverse.
 float powerOf2(const in float octave) {
-  return intBitsToFloat(int((octave + 127.0) * exp2(23.0)));
+  return intBitsToFloat(int((octave + 127.0) * 8388608.0));
 }
 
 // value: of the function, tiles. perPixel: its change from one pixel to the next. slope: its change along the surface.
