@@ -10,6 +10,7 @@ export const PRESET_NAMES = [
   'stipple',
   'pencil',
   'charcoal',
+  'chalk',
 ];
 
 const HAND = { subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.45], shadows: true };
@@ -34,8 +35,25 @@ const FILLS = [
 /** @type {Record<string, Plan>} */
 export const PLANS = {
   presets: {
-    columns: 4,
+    columns: 3,
     pictures: PRESET_NAMES.map((preset) => ({ ...HAND, preset, width: 400, height: 500, pixelRatio: 1.5 })),
+  },
+  media: {
+    columns: 3,
+    pictures: [
+      { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 0.8], zoom: 0.95 },
+      { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 },
+    ].flatMap((subject) =>
+      ['pencil', 'charcoal', 'chalk'].map((preset) => ({
+        ...subject,
+        preset,
+        width: 560,
+        height: 560,
+        pixelRatio: 1.3,
+        shadows: true,
+        occlusion: 0.6,
+      })),
+    ),
   },
   engraved: {
     columns: 4,

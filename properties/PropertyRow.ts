@@ -3,7 +3,7 @@ import type { NumberRange } from '../src/material/HatchingProperty.js';
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
 
-export type PropertyGroup = 'Strokes' | 'Tone' | 'Surface' | 'Colour' | 'Checking';
+export type PropertyGroup = 'Strokes' | 'Medium' | 'Tone' | 'Surface' | 'Colour' | 'Checking';
 
 interface BaseRow {
   group: PropertyGroup;

@@ -134,7 +134,8 @@ export const PROPERTIES = {
     unit: 'pixels',
     range: { from: 0 },
     techniques: WITH_MAP,
-    sentence: 'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard.',
+    sentence:
+      'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have `softness` instead.',
   },
   anchorSpacing: {
     kind: 'number',
@@ -243,6 +244,54 @@ export const PROPERTIES = {
     },
     default: 'tone',
     sentence: 'What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all.',
+  },
+  medium: {
+    kind: 'choice',
+    group: 'Medium',
+    type: 'Medium',
+    typeSentence: 'What strokes are drawn with.',
+    choices: {
+      ink: 'ink or paper, and nothing between.',
+      dry: 'pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which lies on the screen.',
+    },
+    default: 'ink',
+    techniques: ['anchored'],
+    sentence: 'What strokes are drawn with ([media.md](media.md)). The tone is the same with all.',
+  },
+  tooth: {
+    kind: 'number',
+    group: 'Medium',
+    default: 0.4,
+    range: { from: 0, to: 1 },
+    techniques: ['anchored'],
+    sentence:
+      'How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1 there is nothing but grain.',
+  },
+  toothSize: {
+    kind: 'number',
+    group: 'Medium',
+    default: 2.5,
+    unit: 'pixels of the drawing buffer',
+    range: { above: 0 },
+    techniques: ['anchored'],
+    sentence: 'Size of the bumps of that tooth.',
+  },
+  softness: {
+    kind: 'number',
+    group: 'Medium',
+    default: 0.6,
+    range: { from: 0, to: 1 },
+    techniques: ['anchored'],
+    sentence:
+      'How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a grey.',
+  },
+  smudge: {
+    kind: 'number',
+    group: 'Medium',
+    default: 0,
+    range: { from: 0, to: 1 },
+    techniques: ['anchored'],
+    sentence: 'How much of a dry medium is rubbed into plain tone below the strokes.',
   },
   toneModel: {
     kind: 'choice',

@@ -15,6 +15,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
+import { toothMap } from '../tam/toothMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
@@ -39,6 +40,7 @@ import {
 } from './hatchingProperties.js';
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
+import { writePictureOffset } from './pictureOffset.js';
 import { isRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
 import {
@@ -255,7 +257,9 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.drawnSwitches = switches;
     // The cameras of an ArrayCamera have a part of the target each.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
-    this.uniforms.viewportHeight.value = (part ?? renderer.getCurrentViewport(viewport)).w;
+    const drawn = part ?? renderer.getCurrentViewport(viewport);
+    this.uniforms.viewportHeight.value = drawn.w;
+    writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
     this.writeUniforms(renderer.capabilities.maxTextureSize);
     this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
     if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) {
@@ -361,6 +365,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     u.texelPixels.value =
       this.strokeWidth === null ? this.texelPixels : this.strokeWidth / (this.tonalArtMap?.strokeWidth ?? 1);
     u.creaseCosine.value = Math.cos(this.creaseAngle);
+    if (this.medium === 'dry') u.toothMap.value = toothMap();
     u.tonalArtMap.value = map?.texture ?? blankTonalArtMap();
     const tones = map?.tones ?? 2;
     u.tonalArtMapTones.value = tones;

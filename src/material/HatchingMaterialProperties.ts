@@ -13,6 +13,7 @@ import {
   type InkBlend,
   type LevelRule,
   type LineField,
+  type Medium,
   type ShadowStrokes,
   type StrokeAnchor,
   type StrokeLayers,
@@ -71,8 +72,8 @@ export interface HatchingMaterialOptions {
    */
   strokeWidth: number | null;
   /**
-   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
-   * Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
+   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   edgePixels: number;
   /**
@@ -121,6 +122,25 @@ export interface HatchingMaterialOptions {
    * `'tone'`. Another value builds another program.
    */
   shadowStrokes: ShadowStrokes;
+  /**
+   * What strokes are drawn with. The tone is the same with all. Default `'ink'`. Only `'anchored'`. Another value
+   * builds another program.
+   */
+  medium: Medium;
+  /**
+   * How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1
+   * there is nothing but grain. In [0, 1]. Default `0.4`. Only `'anchored'`.
+   */
+  tooth: number;
+  /** Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`. */
+  toothSize: number;
+  /**
+   * How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a
+   * grey. In [0, 1]. Default `0.6`. Only `'anchored'`.
+   */
+  softness: number;
+  /** How much of a dry medium is rubbed into plain tone below the strokes. In [0, 1]. Default `0`. Only `'anchored'`. */
+  smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
   /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
@@ -229,6 +249,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     crossAngle: HATCHING_DEFAULTS.crossAngle as number,
     handmade: HATCHING_DEFAULTS.handmade as number,
     creaseAngle: HATCHING_DEFAULTS.creaseAngle as number,
+    tooth: HATCHING_DEFAULTS.tooth as number,
+    toothSize: HATCHING_DEFAULTS.toothSize as number,
+    softness: HATCHING_DEFAULTS.softness as number,
+    smudge: HATCHING_DEFAULTS.smudge as number,
     toneSteps: HATCHING_DEFAULTS.toneSteps as number,
     shininess: HATCHING_DEFAULTS.shininess as number,
     reflectedLight: HATCHING_DEFAULTS.reflectedLight as number,
@@ -365,8 +389,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Pixels in [0, ∞).
-   * Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
+   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
    */
   get edgePixels(): number {
     return this.numbers.edgePixels;
@@ -483,6 +507,60 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set shadowStrokes(value: ShadowStrokes) {
     this.choose('shadowStrokes', value);
+  }
+
+  /**
+   * What strokes are drawn with. The tone is the same with all. Default `'ink'`. Only `'anchored'`. Another value
+   * builds another program.
+   */
+  get medium(): Medium {
+    return this.choice('medium') as Medium;
+  }
+
+  set medium(value: Medium) {
+    this.choose('medium', value);
+  }
+
+  /**
+   * How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1
+   * there is nothing but grain. In [0, 1]. Default `0.4`. Only `'anchored'`.
+   */
+  get tooth(): number {
+    return this.numbers.tooth;
+  }
+
+  set tooth(value: number) {
+    this.numbers.tooth = checkNumber('tooth', value, HATCHING_PROPERTIES.tooth.range);
+  }
+
+  /** Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`. */
+  get toothSize(): number {
+    return this.numbers.toothSize;
+  }
+
+  set toothSize(value: number) {
+    this.numbers.toothSize = checkNumber('toothSize', value, HATCHING_PROPERTIES.toothSize.range);
+  }
+
+  /**
+   * How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a
+   * grey. In [0, 1]. Default `0.6`. Only `'anchored'`.
+   */
+  get softness(): number {
+    return this.numbers.softness;
+  }
+
+  set softness(value: number) {
+    this.numbers.softness = checkNumber('softness', value, HATCHING_PROPERTIES.softness.range);
+  }
+
+  /** How much of a dry medium is rubbed into plain tone below the strokes. In [0, 1]. Default `0`. Only `'anchored'`. */
+  get smudge(): number {
+    return this.numbers.smudge;
+  }
+
+  set smudge(value: number) {
+    this.numbers.smudge = checkNumber('smudge', value, HATCHING_PROPERTIES.smudge.range);
   }
 
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */

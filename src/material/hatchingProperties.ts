@@ -62,6 +62,14 @@ export type StrokeLayers = 'single' | 'lights' | 'tone';
 export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
 
 /**
+ * What strokes are drawn with.
+ * - `ink`: ink or paper, and nothing between.
+ * - `dry`: pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which
+ *   lies on the screen.
+ */
+export type Medium = 'ink' | 'dry';
+
+/**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
  * - `lambert`: N·L.
  * - `halfLambert`: (N·L / 2 + 1/2)², which reaches round to the side turned away.
@@ -118,6 +126,11 @@ export const HATCHING_DEFAULTS = {
   handmade: 0.4,
   creaseAngle: Math.PI / 2,
   shadowStrokes: 'tone',
+  medium: 'ink',
+  tooth: 0.4,
+  toothSize: 2.5,
+  softness: 0.6,
+  smudge: 0,
   toneModel: 'lambert',
   toneSteps: 4,
   shininess: 30,
@@ -206,6 +219,11 @@ export const HATCHING_PROPERTIES = {
   handmade: { kind: 'number', uniform: 'handmade', range: { from: 0, to: 1 }, techniques: ['engraved'] },
   creaseAngle: { kind: 'number', range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
   shadowStrokes: { kind: 'choice', define: 'SHADOW_STROKES', choices: ['tone', 'cross', 'reorient'] },
+  medium: { kind: 'choice', define: 'MEDIUM', choices: ['ink', 'dry'], techniques: ['anchored'] },
+  tooth: { kind: 'number', uniform: 'tooth', range: { from: 0, to: 1 }, techniques: ['anchored'] },
+  toothSize: { kind: 'number', uniform: 'toothSize', range: { above: 0 }, techniques: ['anchored'] },
+  softness: { kind: 'number', uniform: 'softness', range: { from: 0, to: 1 }, techniques: ['anchored'] },
+  smudge: { kind: 'number', uniform: 'smudge', range: { from: 0, to: 1 }, techniques: ['anchored'] },
   toneModel: { kind: 'choice', define: 'TONE_MODEL', choices: ['lambert', 'halfLambert', 'phong', 'toon', 'shadow'] },
   toneSteps: { kind: 'number', uniform: 'toneSteps', range: { from: 2 } },
   shininess: { kind: 'number', uniform: 'shininess', range: { from: 0 } },

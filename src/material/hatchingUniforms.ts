@@ -32,6 +32,9 @@ export function createHatchingUniforms(): Uniforms {
       tonalArtMap: { value: null },
       tonalArtMapLastLayer: { value: 0 },
       tonalArtMapTones: { value: 2 },
+      // of the paper
+      toothMap: { value: null },
+      toothOffset: { value: new Vector2() },
       // of the scene's environment
       environment: { value: null },
       environmentAtlas: { value: new Vector3() },

@@ -23,7 +23,8 @@ export type PresetName =
   | 'woodcut'
   | 'stipple'
   | 'pencil'
-  | 'charcoal';
+  | 'charcoal'
+  | 'chalk';
 
 /** Leaves lights blank and the deepest shade open, as printed line drawings do: much paper, and ink where it counts. */
 const PRINTED: ToneCurve = [
@@ -54,6 +55,15 @@ const RUBBED: ToneCurve = [
   [0.5, 0.4],
   [0.8, 0.8],
   [1, 0.95],
+];
+
+/** Of a light stick on dark paper, which draws the lights and leaves the shade. */
+const CHALKED: ToneCurve = [
+  [0, 0.95],
+  [0.2, 0.8],
+  [0.55, 0.25],
+  [0.85, 0.02],
+  [1, 0],
 ];
 
 const BLACK = '#1c1a17';
@@ -166,35 +176,66 @@ const makePresets = () =>
       material: {
         technique: 'anchored',
         screenConstancy: 1,
-        anchorSpacing: 0.4,
-        strokeWidth: 1.2,
-        edgePixels: 2.5,
+        anchorSpacing: 0.5,
+        strokeWidth: 2,
         strokeRotation: 0.75 * Math.PI,
-        strokeLayers: 'lights',
+        strokeLayers: 'tone',
+        crossFrom: 0.45,
+        crossAngle: Math.PI / 6,
+        medium: 'dry',
+        tooth: 0.4,
+        toothSize: 1.6,
+        softness: 0.9,
+        smudge: 0.2,
         toneCurve: RUBBED,
         reflectedLight: 0.4,
-        ink: '#55545c',
+        ink: '#34343a',
         paper: '#fbfaf6',
       },
-      lines: { lineWidth: 1.3, wobble: 1, ink: '#55545c' },
-      tonalArtMap: { style: 'pencil' },
+      lines: { lineWidth: 1.3, wobble: 1, ink: '#34343a' },
+      tonalArtMap: { style: 'hatching' },
     },
     charcoal: {
       material: {
         technique: 'anchored',
         screenConstancy: 1,
-        anchorSpacing: 0.4,
-        strokeWidth: 3.6,
-        edgePixels: 3,
+        anchorSpacing: 0.5,
+        strokeWidth: 8,
         strokeRotation: Math.PI / 4,
-        strokeLayers: 'lights',
+        strokeLayers: 'single',
+        medium: 'dry',
+        tooth: 0.5,
+        toothSize: 2.6,
+        softness: 0.6,
+        smudge: 0.45,
         toneCurve: RUBBED,
         reflectedLight: 0.3,
-        ink: '#2b2624',
+        ink: '#1d1a19',
         paper: '#e6dccb',
       },
-      lines: { lineWidth: 4, wobble: 1, ink: '#2b2624' },
-      tonalArtMap: { style: 'charcoal' },
+      lines: { lineWidth: 4, wobble: 1, ink: '#1d1a19' },
+      tonalArtMap: { style: 'hatching' },
+    },
+    chalk: {
+      material: {
+        technique: 'anchored',
+        screenConstancy: 1,
+        anchorSpacing: 0.5,
+        strokeWidth: 7,
+        strokeRotation: 0,
+        strokeLayers: 'single',
+        medium: 'dry',
+        tooth: 0.55,
+        toothSize: 2.4,
+        softness: 0.4,
+        smudge: 0.1,
+        toneCurve: CHALKED,
+        reflectedLight: 0,
+        ink: '#f4f1e6',
+        paper: '#2f3a38',
+      },
+      lines: { lineWidth: 2.6, wobble: 1, ink: '#f4f1e6' },
+      tonalArtMap: { style: 'hatching' },
     },
   }) as const satisfies Record<PresetName, HatchingPreset>;
 

@@ -1,7 +1,7 @@
 import type { HatchingPreset } from './presets.js';
 
 /** What is measured in pixels of the drawing buffer. */
-const STROKE_SIZES = ['strokeWidth', 'lineSpacing', 'texelPixels'] as const;
+const STROKE_SIZES = ['strokeWidth', 'lineSpacing', 'texelPixels', 'toothSize'] as const;
 const LINE_SIZES = ['lineWidth', 'wobble', 'overshoot'] as const;
 
 /**

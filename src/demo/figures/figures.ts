@@ -404,7 +404,7 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 'D',
     title: 'Presets',
-    here: 'One hand under one light in the eight presets of the library: material, lines and map in one object each.',
+    here: 'One hand under one light in the nine presets of the library: material, lines and map in one object each.',
     model: 'hand',
     aspect: 0.8,
     fixedTechnique: true,

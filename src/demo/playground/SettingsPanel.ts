@@ -75,7 +75,9 @@ export class SettingsPanel {
     for (const key of ['mapStyle', 'strokeDirection', 'strokeLayers'] as const) this.show(key, hasStrokes);
     const isCrossing = isEngraved || (hasStrokes && settings.strokeLayers === 'tone');
     for (const key of ['crossFrom', 'crossAngle'] as const) this.show(key, isCrossing);
-    this.show('anchorSpacing', isAnchored);
+    for (const key of ['anchorSpacing', 'medium'] as const) this.show(key, isAnchored);
+    const isDry = isAnchored && settings.medium === 'dry';
+    for (const key of ['tooth', 'toothSize', 'softness', 'smudge'] as const) this.show(key, isDry);
     this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
     this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
     this.show('edge', isCrisp);

@@ -31,6 +31,15 @@ function wholeSample(settings: Settings, sceneRadius: number | undefined): strin
   if (technique === 'adjacencyCrisp') material.push('crisp: true');
   if (technique === 'anchored') {
     material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
+    if (settings.medium === 'dry') {
+      material.push(
+        `medium: 'dry'`,
+        `tooth: ${settings.tooth / 100}`,
+        `toothSize: ${settings.toothSize} * renderer.getPixelRatio()`,
+        `softness: ${settings.softness / 100}`,
+        `smudge: ${settings.smudge / 100}`,
+      );
+    }
   }
   const crossing = [`crossFrom: ${settings.crossFrom / 100}`];
   if (settings.crossAngle !== SETTINGS.crossAngle.default) {

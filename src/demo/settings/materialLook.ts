@@ -44,6 +44,10 @@ const TWINS = {
   crossAngle: degrees('crossAngle'),
   handmade: percent('handmade'),
   edge: same('edgePixels'),
+  medium: same('medium'),
+  tooth: percent('tooth'),
+  softness: percent('softness'),
+  smudge: percent('smudge'),
   levelRule: same('levelRule'),
   occlusion: percent('occlusion'),
   shadowStrokes: same('shadowStrokes'),
@@ -62,7 +66,11 @@ const TWINS = {
 } as const satisfies Partial<{ [Key in keyof Settings]: Twin<Key> }>;
 
 /** Those among them that are measured in pixels of the picture. */
-const SIZES = { strokeWidth: same('strokeWidth'), lineSpacing: same('lineSpacing') } as const;
+const SIZES = {
+  strokeWidth: same('strokeWidth'),
+  lineSpacing: same('lineSpacing'),
+  toothSize: same('toothSize'),
+} as const;
 
 const entriesOf = Object.entries as <Of extends object>(of: Of) => [keyof Of & keyof Settings, Twin<never>][];
 
@@ -104,6 +112,7 @@ function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Setti
 export const materialSizes = (settings: Settings, pixelRatio: number) => ({
   strokeWidth: settings.strokeWidth * pixelRatio,
   lineSpacing: settings.lineSpacing * pixelRatio,
+  toothSize: settings.toothSize * pixelRatio,
 });
 
 /** The settings that give a material these parameters. Others stay as they are. */

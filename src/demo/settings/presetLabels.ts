@@ -10,6 +10,7 @@ export const PRESET_LABELS = {
   stipple: 'Stipple',
   pencil: 'Pencil',
   charcoal: 'Charcoal',
+  chalk: 'Chalk',
 } as const satisfies Record<PresetName, string>;
 
 export const PRESET_NAMES = Object.keys(PRESET_LABELS) as PresetName[];

@@ -41,6 +41,7 @@ export const TONE_CURVES = {
   printed: curveOf('engraving'),
   cut: curveOf('woodcut'),
   rubbed: curveOf('charcoal'),
+  chalked: curveOf('chalk'),
 } as const satisfies Record<Settings['toneCurve'], unknown>;
 
 /** Whether a technique draws strokes of a set width in pure ink, instead of blending their greys. */
