@@ -1,5 +1,6 @@
 import { bakeOcclusion, type OcclusionBake } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
+import { meshesOf } from '../drawing/meshesOf.js';
 import type { Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import type { TaskRunner } from './TaskRunner.js';
@@ -24,6 +25,8 @@ export class OcclusionLoader {
     if (model !== this.model) this.letGo();
     if (model === this.model || !model || this.settings.occlusion === 0) return;
     this.model = model;
+    // All instances share their vertices, so there is no place to keep the occlusion of each.
+    if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
     void this.tasks.run('occlusion', async (report, signal) => {
       report(STAGE);
       const bake = await bakeOcclusion(model.root, {

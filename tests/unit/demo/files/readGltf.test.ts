@@ -394,6 +394,14 @@ describe('instances', () => {
     expect((root.children[0] as InstancedMesh).count).toBe(2);
   });
 
+  test('that spread a part too small to be seen have a size', async () => {
+    const model = await read(instanced([0, 0, 0, 1e9, 0, 0, 0, 1e9, 0]));
+    if (model.kind !== 'mesh') throw new Error('not merged');
+    expect(Math.max(...model.mesh.positions)).toBeCloseTo(Math.SQRT1_2, 5);
+    expect(model.mesh.indices!.length).toBe(3 * 12);
+    expect(model.notes).toEqual([]);
+  });
+
   test('of more triangles than can be drawn: a sentence, before they are made', async () => {
     const builder = instanced([]);
     const { json } = builder;
