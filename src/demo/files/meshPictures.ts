@@ -1,9 +1,9 @@
 import type { Wrapping } from 'three';
 import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf } from './fileName.js';
+import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';
 import { imageSize } from './imageSize.js';
 import type { WantedPicture } from './mergeScene.js';
-import { MAX_DRAWN_PIXELS, MAX_DRAWN_SIDE, MAX_PIXELS } from './pictureLimits.js';
 import { readUri } from './readUri.js';
 import type { PictureLink } from './standIns.js';
 
@@ -27,39 +27,79 @@ export interface MeshPictures {
   notes: string[];
 }
 
-/** Finds and decodes the pictures that a mesh asks for, each once, in a size that can be drawn. */
-export async function readMeshPictures(wanted: readonly WantedPicture[], findFile: FindFile): Promise<MeshPictures> {
-  const missing = new Set<string>();
-  const unreadable = new Set<string>();
-  const shared = new Map<string, Promise<ImageBitmap | undefined>>();
-  const pixels = MAX_DRAWN_PIXELS / wanted.length;
-  const pictures: MeshPictures['pictures'] = [];
-  for (const { texture, cutOut } of wanted) {
+/** A file with a picture, and the size it is to be drawn in. */
+interface Source extends PictureSize {
+  name: string;
+  bytes: Uint8Array;
+  /** Whether it is a TGA file, which is known by its name alone. */
+  isTga: boolean;
+  flipY: boolean;
+  bitmap?: ImageBitmap | undefined;
+}
+
+/**
+ * Finds and decodes the pictures that a mesh asks for, each once, in sizes that can be drawn together. Before anything is decoded,
+ * they are judged by their headers.
+ *
+ * @param onPicture called before each is decoded
+ */
+export async function readMeshPictures(
+  wanted: readonly WantedPicture[],
+  findFile: FindFile,
+  onPicture: (number: number, count: number) => void,
+): Promise<MeshPictures> {
+  const lacks = { missing: new Set<string>(), unreadable: new Set<string>(), tooLarge: new Set<string>() };
+  const budget = new PixelBudget();
+  const asked = new Set<string>();
+  const shared = new Map<string, Source>();
+  const sources: (Source | undefined)[] = [];
+  for (const { texture } of wanted) {
     const { url, content } = texture.image as PictureLink;
-    const { flipY, wrapS, wrapT } = texture;
     const isInside = /^(blob|data):/.test(url);
     const name = isInside ? 'a picture in the file' : baseName(url);
-    const key = `${flipY} ${isInside ? url : name.toLowerCase()}`;
-    if (!shared.has(key)) {
+    const key = `${texture.flipY} ${isInside ? url : name.toLowerCase()}`;
+    if (!asked.has(key)) {
+      asked.add(key);
       const bytes = content ? new Uint8Array(await content.arrayBuffer()) : await readUri(url, findFile);
-      if (!bytes) missing.add(name);
-      shared.set(key, bytes ? decode(bytes, url, flipY, pixels) : Promise.resolve(undefined));
-      if (bytes && !(await shared.get(key))) unreadable.add(name);
+      const isTga = extensionOf(url) === 'tga';
+      const size = bytes && (isTga ? tgaSize(bytes) : imageSize(bytes));
+      if (!bytes) lacks.missing.add(name);
+      else if (!size || size[0] * size[1] === 0) lacks.unreadable.add(name);
+      else if (!budget.take(...size)) lacks.tooLarge.add(name);
+      else {
+        const [width, height] = size;
+        shared.set(key, { name, bytes, isTga, flipY: texture.flipY, width, height, isReduced: false });
+      }
     }
-    const bitmap = await shared.get(key);
-    pictures.push(bitmap && { bitmap, wrapS, wrapT, cutOut });
+    sources.push(shared.get(key));
   }
-  return { pictures, missing: [...missing], notes: unreadableNote([...unreadable]) };
+  const distinct = [...shared.values()];
+  const reduced = fitPictures(distinct);
+  // One after the other, because each takes its full size for a moment.
+  for (const [i, source] of distinct.entries()) {
+    onPicture(i + 1, distinct.length);
+    source.bitmap = await decode(source);
+    if (!source.bitmap) lacks.unreadable.add(source.name);
+  }
+  const pictures = sources.map((source, i) => {
+    const { texture, cutOut } = wanted[i];
+    return source?.bitmap && { bitmap: source.bitmap, wrapS: texture.wrapS, wrapT: texture.wrapT, cutOut };
+  });
+  const notes = [
+    ...without([...lacks.unreadable], 'no picture that a browser reads'),
+    ...without([...lacks.tooLarge], 'too large'),
+    ...reduced,
+  ];
+  return { pictures, missing: [...lacks.missing], notes };
 }
 
 /** Says which files a model asks for that nobody dropped. */
 export function missingNote(names: readonly string[]): string[] {
-  if (names.length === 0) return [];
-  return [`without ${list(names)}: drop ${names.length > 1 ? 'them' : 'it'} along`];
+  return without(names, `drop ${names.length > 1 ? 'them' : 'it'} along`);
 }
 
-const unreadableNote = (names: readonly string[]): string[] =>
-  names.length === 0 ? [] : [`without ${list(names)}: too large, or no picture that a browser reads`];
+const without = (names: readonly string[], why: string): string[] =>
+  names.length === 0 ? [] : [`without ${list(names)}: ${why}`];
 
 function list(names: readonly string[]): string {
   const more = names.length > NAMED ? ` and ${names.length - NAMED} more` : '';
@@ -71,21 +111,12 @@ function list(names: readonly string[]): string {
   );
 }
 
-async function decode(
-  bytes: Uint8Array,
-  url: string,
-  flipY: boolean,
-  pixels: number,
-): Promise<ImageBitmap | undefined> {
+async function decode({ bytes, isTga, width, height, flipY }: Source): Promise<ImageBitmap | undefined> {
   try {
-    const source = extensionOf(url) === 'tga' ? await decodeTga(bytes) : undefined;
-    const size = source ? [source.width, source.height] : imageSize(bytes);
-    if (!size || size[0] * size[1] === 0 || size[0] * size[1] > MAX_PIXELS) return undefined;
-    const [width, height] = size;
-    const factor = Math.min(1, MAX_DRAWN_SIDE / Math.max(width, height), Math.sqrt(pixels / (width * height)));
-    return await createImageBitmap(source ?? new Blob([bytes as Uint8Array<ArrayBuffer>]), {
-      resizeWidth: Math.max(1, Math.round(factor * width)),
-      resizeHeight: Math.max(1, Math.round(factor * height)),
+    const content = isTga ? await decodeTga(bytes) : new Blob([bytes as Uint8Array<ArrayBuffer>]);
+    return await createImageBitmap(content, {
+      resizeWidth: width,
+      resizeHeight: height,
       resizeQuality: 'medium',
       // WebGL cannot turn a bitmap while it uploads it.
       imageOrientation: flipY ? 'flipY' : 'none',
@@ -95,6 +126,13 @@ async function decode(
   } catch {
     return undefined;
   }
+}
+
+/** Width and height in the header of a TGA file, which nothing else tells. */
+function tgaSize(bytes: Uint8Array): [width: number, height: number] | undefined {
+  if (bytes.length < 18) return undefined;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  return [view.getUint16(12, true), view.getUint16(14, true)];
 }
 
 /** TGA, which older programs write and browsers do not read. */

@@ -106,8 +106,9 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh, broken } = cleanMesh(distinct);
   fitModel(mesh);
-  if (wanted.length > 0) onStage('decoding pictures');
-  const { pictures, notes, ...lacks } = await readMeshPictures(wanted, findFile);
+  const { pictures, notes, ...lacks } = await readMeshPictures(wanted, findFile, (number, count) =>
+    onStage(`decoding picture ${number} of ${count}`),
+  );
   const missing = [...parsed.missing, ...lacks.missing];
   return {
     kind: 'mesh',

@@ -138,6 +138,31 @@ describe('OBJ with pictures', () => {
     expect(Math.max(...corners.map(([, v]) => v))).toBe(3);
   });
 
+  test('pictures are judged by their headers, all together, before one is decoded', async () => {
+    const widths: number[] = [];
+    vi.stubGlobal('createImageBitmap', async (_: Blob, { resizeWidth }: ImageBitmapOptions) => {
+      widths.push(resizeWidth!);
+      return { close() {} };
+    });
+    const large = picture();
+    large.writeUInt32BE(8192, 16);
+    large.writeUInt32BE(8192, 20);
+    const tga = Buffer.alloc(18);
+    tga[2] = 10;
+    tga.writeUInt16LE(65535, 12);
+    tga.writeUInt16LE(65535, 14);
+    const names = ['a.png', 'b.png', 'c.png', 'd.png', 'e.png', 'f.tga'];
+    const faces = names.map((_, i) => `usemtl m${i}\nf 1/1 2/2 ${3 + (i % 2)}/3`);
+    const { pictures, notes } = await read(
+      ['box.obj', ['mtllib a.mtl', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1', ...faces].join('\n')],
+      ['a.mtl', names.map((name, i) => `newmtl m${i}\nmap_Kd ${name}`).join('\n')],
+      ...names.map((name): [string, Buffer] => [name, name.endsWith('tga') ? tga : large]),
+    );
+    expect(widths).toEqual([2048, 2048, 2048, 2048]);
+    expect(pictures.map(Boolean)).toEqual([true, true, true, true, false, false]);
+    expect(notes.slice(-2)).toEqual(['without e.png, f.tga: too large', 'pictures reduced to 2,048 pixels']);
+  });
+
   test('pictures that are missing or none are named once, and colours stay', async () => {
     vi.stubGlobal('createImageBitmap', async () => {
       throw new Error('not a picture');
@@ -152,9 +177,6 @@ describe('OBJ with pictures', () => {
     );
     expect(box.pictures).toEqual([undefined, undefined]);
     expect(new Set(colorsOf(box))).toEqual(new Set([RED, GREEN, BLUE]));
-    expect(box.notes).toEqual([
-      'without a.png: drop it along',
-      'without b.tif: too large, or no picture that a browser reads',
-    ]);
+    expect(box.notes).toEqual(['without a.png: drop it along', 'without b.tif: no picture that a browser reads']);
   });
 });

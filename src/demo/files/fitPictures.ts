@@ -1,0 +1,40 @@
+import { MAX_DRAWN_PIXELS, MAX_DRAWN_SIDE, MAX_PIXELS, MAX_TOTAL_PIXELS } from './pictureLimits.js';
+
+/** The size that a picture has, and then the one that it is to be drawn in. */
+export interface PictureSize {
+  width: number;
+  height: number;
+  /** Whether it is to be drawn smaller than it is. */
+  isReduced: boolean;
+}
+
+/** Says of one picture after the other whether it can be decoded beside those before it. */
+export class PixelBudget {
+  private total = 0;
+
+  /** Counts a picture. @returns whether there is room for it */
+  take(width: number, height: number): boolean {
+    const pixels = width * height;
+    if (pixels > MAX_PIXELS || this.total + pixels > MAX_TOTAL_PIXELS) return false;
+    this.total += pixels;
+    return true;
+  }
+}
+
+/** Makes the sizes of pictures smaller until they fit together. @returns what the caption is to say, if any was made smaller */
+export function fitPictures(pictures: readonly PictureSize[]): string[] {
+  const given = pictures.map((picture) => ({ picture, ...picture }));
+  for (let side = MAX_DRAWN_SIDE; ; side /= 2) {
+    let total = 0;
+    for (const { picture, width, height } of given) {
+      const factor = Math.min(1, side / Math.max(width, height));
+      picture.width = Math.max(1, Math.round(factor * width));
+      picture.height = Math.max(1, Math.round(factor * height));
+      picture.isReduced = factor < 1;
+      total += picture.width * picture.height;
+    }
+    if (total > MAX_DRAWN_PIXELS && side > 1) continue;
+    const isReduced = given.some(({ picture }) => picture.isReduced);
+    return isReduced ? [`pictures reduced to ${side.toLocaleString('en')} pixels`] : [];
+  }
+}
