@@ -1,8 +1,9 @@
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import type { Browser, ConsoleMessage, Page } from '@playwright/test';
-import { toleratedMessages } from '../tests/browser/toleratedMessages.js';
+import type { Browser, Page } from '@playwright/test';
+import { watchProblems } from '../tests/browser/watchProblems.js';
 import { countObjects, liveObjects } from '../tests/e2e/liveObjects.js';
+import { follow, idle } from '../tests/e2e/playground.js';
 import { Random } from '../tests/Random.js';
 import { ACTIONS } from './actions.js';
 import { judge, type Lap } from './judge.js';
@@ -48,7 +49,7 @@ const COLUMNS = [
 export async function soak(browser: Browser, { address, minutes, seed, say }: SoakOptions): Promise<string[]> {
   const random = new Random(seed);
   const page = await browser.newPage({ viewport: { width: 480, height: 360 } });
-  const problems = problemsOf(page);
+  const problems = watchProblems(page);
   await countObjects(page);
   await page.goto(`${address}#${REST}`);
   await idle(page);
@@ -105,42 +106,6 @@ function shuffled(random: Random): (typeof ACTIONS)[number][] {
     [actions[i], actions[j]] = [actions[j], actions[i]];
   }
   return actions;
-}
-
-/** Whatever the page complains of. What a refused file says is on its status line, not in the console. */
-function problemsOf(page: Page): string[] {
-  const problems: string[] = [];
-  page.on('console', (message: ConsoleMessage) => {
-    if (message.type() !== 'warning' && message.type() !== 'error') return;
-    if (toleratedMessages.some(({ pattern }) => pattern.test(message.text()))) return;
-    problems.push(message.text());
-  });
-  page.on('pageerror', (error) => problems.push(error.stack ?? error.message));
-  page.on('crash', () => problems.push('The page crashed.'));
-  return problems;
-}
-
-/** Follows a link in the open page. */
-async function follow(page: Page, hash: string): Promise<void> {
-  await page.evaluate((link) => {
-    location.hash = link;
-  }, hash);
-  await idle(page);
-}
-
-async function idle(page: Page): Promise<void> {
-  // What follows from an event comes in tasks of its own.
-  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
-  // A clip that plays keeps the page from being idle.
-  await page.waitForFunction(
-    () => {
-      const playing = [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Pause');
-      playing?.click();
-      return window.__playground!.isIdle;
-    },
-    null,
-    { timeout: STUCK_MILLISECONDS, polling: 50 },
-  );
 }
 
 /** What there is, once the page shows what it shows at the end of every lap. */

@@ -1,6 +1,6 @@
-import draco from 'draco3d';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
+import { encodeDraco } from '../unit/demo/files/encodeDraco.js';
 import { packGlb } from './columnModel.js';
 
 /** An octahedron in every format that the page reads, made by code so that the tests need no files. */
@@ -159,45 +159,35 @@ export async function octahedronMeshoptGlb(): Promise<Buffer> {
 
 /** The two octahedra in red, packed with Draco. Colours come first in the packing: positions are found by their id, not by their place. */
 export async function octahedronDracoGlb(): Promise<Buffer> {
-  const encoders = await draco.createEncoderModule({});
-  const mesh = new encoders.Mesh();
-  const builder = new encoders.MeshBuilder();
-  const encoder = new encoders.Encoder();
-  const packed = new encoders.DracoInt8Array();
   const count = VERTICES.length;
   const red = Uint8Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 || i % 4 === 3 ? 255 : 0));
-  builder.AddFacesToMesh(mesh, TRIANGLES.length, Uint32Array.from(TRIANGLES.flat()));
-  const attributes = {
-    COLOR_0: builder.AddUInt8Attribute(mesh, encoders.COLOR, count, 4, red),
-    POSITION: builder.AddFloatAttribute(mesh, encoders.POSITION, count, 3, Float32Array.from(VERTICES.flat())),
+  const { bytes, ids } = await encodeDraco(
+    {
+      COLOR_0: { values: red, size: 4 },
+      POSITION: { values: Float32Array.from(VERTICES.flat()), size: 3 },
+    },
+    TRIANGLES.flat(),
+  );
+  const packing = { bufferView: 0, attributes: ids };
+  const primitive = {
+    attributes: { POSITION: 0, COLOR_0: 2 },
+    indices: 1,
+    extensions: { KHR_draco_mesh_compression: packing },
   };
-  const length = encoder.EncodeMeshToDracoBuffer(mesh, packed);
-  const content = Buffer.from(Int8Array.from({ length }, (_, i) => packed.GetValue(i)).buffer);
-  for (const made of [packed, encoder, builder, mesh]) encoders.destroy(made);
   return packGlb(
     octahedronGltf(undefined, {
       extensionsUsed: ['KHR_draco_mesh_compression'],
       extensionsRequired: ['KHR_draco_mesh_compression'],
-      meshes: [
-        {
-          primitives: [
-            {
-              attributes: { POSITION: 0, COLOR_0: 2 },
-              indices: 1,
-              extensions: { KHR_draco_mesh_compression: { bufferView: 0, attributes } },
-            },
-          ],
-        },
-      ],
+      meshes: [{ primitives: [primitive] }],
       accessors: [
         { componentType: 5126, count, type: 'VEC3', min: [-1, -1, -1], max: [1, 1, 1] },
         { componentType: 5123, count: 3 * TRIANGLES.length, type: 'SCALAR' },
         { componentType: 5121, normalized: true, count, type: 'VEC4' },
       ],
-      bufferViews: [{ buffer: 0, byteLength: length }],
-      buffers: [{ byteLength: length }],
+      bufferViews: [{ buffer: 0, byteLength: bytes.length }],
+      buffers: [{ byteLength: bytes.length }],
     }),
-    Buffer.concat([content, Buffer.alloc((4 - (length % 4)) % 4)]),
+    Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4)]),
   );
 }
 

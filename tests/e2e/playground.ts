@@ -28,6 +28,32 @@ export async function ready(page: Page): Promise<void> {
   );
 }
 
+/** Longer than anything here should take, also on a slow machine. */
+const STUCK_MILLISECONDS = 120_000;
+
+/** As {@link ready}, without the pause: nothing is loading or baking. A clip that plays is stopped, because it would go on for ever. */
+export async function idle(page: Page): Promise<void> {
+  // What follows from an event comes in tasks of its own.
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
+  await page.waitForFunction(
+    () => {
+      const playing = [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Pause');
+      playing?.click();
+      return window.__playground!.isIdle;
+    },
+    null,
+    { timeout: STUCK_MILLISECONDS, polling: 50 },
+  );
+}
+
+/** Follows a link in the open page. */
+export async function follow(page: Page, hash: string): Promise<void> {
+  await page.evaluate((link) => {
+    location.hash = link;
+  }, hash);
+  await idle(page);
+}
+
 /** Drags files over the page and drops them. */
 export async function drop(page: Page, files: readonly TestFile[]): Promise<void> {
   const plain = files.map(({ name, buffer }) => ({ name, base64: buffer.toString('base64') }));

@@ -1,4 +1,4 @@
-import { toModelError } from '../files/ModelError.js';
+import { ModelError, toModelError } from '../files/ModelError.js';
 import { triangleCount } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
@@ -6,8 +6,24 @@ import type { HatchedModel } from './HatchedModel.js';
 import { hatchMesh } from './hatchMesh.js';
 import type { Report } from './Report.js';
 
-/** Makes a hatched model of what was read. `notes` is what the caption is to say of what was left out. */
+/**
+ * Makes a hatched model of what was read. `notes` is what the caption is to say of what was left out.
+ *
+ * @throws ModelError with one sentence for the user, also if there is nothing to be seen of any triangle
+ */
 export async function hatchModel(
+  read: ReadModel | BuiltInScene,
+  report: Report,
+  signal: AbortSignal,
+): Promise<{ model: HatchedModel; notes: string[] }> {
+  const hatched = await hatch(read, report, signal);
+  const { triangles, degenerateTriangles } = hatched.model.statistics;
+  if (degenerateTriangles < triangles) return hatched;
+  hatched.model.dispose();
+  throw new ModelError('There is nothing to draw: none of the triangles has an area.');
+}
+
+async function hatch(
   read: ReadModel | BuiltInScene,
   report: Report,
   signal: AbortSignal,

@@ -7,8 +7,9 @@ import { ModelError } from './ModelError.js';
 /** Draco's ids of the attributes of a part, and the names of the typed arrays for their values. */
 export type DracoAttributes = Record<string, { id: number; arrayType: string }>;
 
-/** The types lack this method. */
-interface AllParameters {
+/** The types lack these methods. */
+interface AllMethods {
+  _loadLibrary(url: string, responseType: string): Promise<string | ArrayBuffer>;
   decodeDracoFile(
     buffer: ArrayBufferLike,
     onLoad: (geometry: BufferGeometry) => void,
@@ -29,9 +30,21 @@ const forbidden = ({ effectiveDirective }: SecurityPolicyViolationEvent): ModelE
     `The model is packed with Draco, which this page may not unpack: its Content-Security-Policy forbids it (${effectiveDirective}).`,
   );
 
+/** Its workers write every damaged part on the console. Who dropped the file gets a sentence instead. */
+class QuietDracoLoader extends (DRACOLoader as unknown as new () => DRACOLoader & AllMethods) {
+  override async _loadLibrary(url: string, responseType: string): Promise<string | ArrayBuffer> {
+    const library = await super._loadLibrary(url, responseType);
+    return typeof library === 'string' ? `console.error = () => {};\n${library}` : library;
+  }
+}
+
 /** Unpacks what is packed with Draco, in workers of its own. */
 export class DracoUnpacker {
-  private readonly loader = new DRACOLoader().setDecoderPath(urls as never);
+  private readonly loader = new QuietDracoLoader();
+
+  constructor() {
+    this.loader.setDecoderPath(urls as never);
+  }
 
   unpack(bytes: Uint8Array, attributes: DracoAttributes): Promise<BufferGeometry> {
     const ids: Record<string, number> = {};
@@ -41,13 +54,12 @@ export class DracoUnpacker {
       types[name] = arrayType;
     }
     const done = new AbortController();
-    const loader = this.loader as DRACOLoader & AllParameters;
     return new Promise<BufferGeometry>((resolve, reject) => {
       // The loader waits for ever for a worker that it may not make.
       globalThis.addEventListener('securitypolicyviolation', (event) => reject(forbidden(event)), {
         signal: done.signal,
       });
-      loader.decodeDracoFile(bytes.slice().buffer, resolve, ids, types, LinearSRGBColorSpace, reject);
+      this.loader.decodeDracoFile(bytes.slice().buffer, resolve, ids, types, LinearSRGBColorSpace, reject);
     }).finally(() => done.abort());
   }
 

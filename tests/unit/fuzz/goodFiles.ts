@@ -2,6 +2,7 @@ import { gzipSync } from 'node:zlib';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
 import type { Random } from '../../Random.js';
+import { encodeDraco } from '../demo/files/encodeDraco.js';
 import { addTrack, GltfBuilder } from '../demo/files/GltfBuilder.js';
 import { type PlyFormat, ply } from '../demo/files/modelWriters.js';
 import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../demo/files/sceneWriters.js';
@@ -149,6 +150,43 @@ function packWithMeshopt(builder: GltfBuilder): void {
   json.extensionsUsed = [...(json.extensionsUsed ?? []), 'EXT_meshopt_compression'];
 }
 
+/** A sphere, packed with Draco. */
+async function dracoFile(random: Random): Promise<GoodDrop> {
+  const { positions, normals, uvs, indices } = sphere(random);
+  const surface = {
+    NORMAL: { values: Float32Array.from(normals), size: 3 },
+    POSITION: { values: Float32Array.from(positions), size: 3 },
+    TEXCOORD_0: { values: Float32Array.from(uvs), size: 2 },
+  };
+  const { bytes: packed, ids } = await encodeDraco(surface, indices);
+  const builder = new GltfBuilder();
+  const { json } = builder;
+  const attributes: Record<string, number> = {};
+  for (const [name, { values, size }] of Object.entries(surface)) {
+    attributes[name] = json.accessors.length;
+    json.accessors.push({ componentType: 5126, type: `VEC${size}`, count: values.length / size });
+  }
+  json.accessors.push({ componentType: 5123, type: 'SCALAR', count: indices.length });
+  const packing = { bufferView: builder.view(packed), attributes: ids };
+  json.meshes[0].primitives[0] = {
+    attributes,
+    indices: json.accessors.length - 1,
+    extensions: { KHR_draco_mesh_compression: packing },
+  };
+  json.extensionsRequired = json.extensionsUsed = ['KHR_draco_mesh_compression'];
+  return [{ name: 'ball.glb', kind: 'gltf', builder, isBinary: true }];
+}
+
+/** Pictures to draw strokes with, the darker the later. */
+const strokes = (random: Random): GoodDrop =>
+  [0.2, 0.5, 0.8].map((share, i) => {
+    const picture = new PNG({ width: 32, height: 32 });
+    for (let p = 0; p < 4 * 32 * 32; p += 4) picture.data.set(random.chance(share) ? [0, 0, 0, 255] : WHITE, p);
+    return { name: `tone-${i}.png`, kind: 'bytes', bytes: new Uint8Array(PNG.sync.write(picture)) };
+  });
+
+const WHITE = [255, 255, 255, 255];
+
 const obj = (random: Random): GoodDrop => {
   const { positions, normals, uvs, indices } = sphere(random);
   const rows = (word: string, values: number[], size: number): string[] =>
@@ -267,10 +305,17 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
   zip: (random) => bytes('box.zip', zip({ 'a/box.dae': dae('wood.png'), 'a/wood.png': png(random) }, 0)),
 };
 
+/** What takes a page to read: workers of others, or a question to answer. */
+const PAGE_WRITERS: Record<string, (random: Random) => GoodDrop | Promise<GoodDrop>> = {
+  draco: dracoFile,
+  strokes,
+};
+
 export const KINDS = Object.keys(WRITERS);
+export const PAGE_KINDS = [...KINDS, ...Object.keys(PAGE_WRITERS)];
 
 /** Writes good files of a kind. */
 export async function goodDrop(kind: string, random: Random): Promise<GoodDrop> {
   await MeshoptEncoder.ready;
-  return WRITERS[kind](random);
+  return (WRITERS[kind] ?? PAGE_WRITERS[kind])(random);
 }

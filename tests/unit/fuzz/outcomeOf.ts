@@ -4,10 +4,7 @@ import { hatchModel } from '../../../src/demo/drawing/hatchModel.js';
 import { meshesOf } from '../../../src/demo/drawing/meshesOf.js';
 import { ModelError } from '../../../src/demo/files/ModelError.js';
 import { type ModelFile, readModel } from '../../../src/demo/files/readModel.js';
-
-/** What JavaScript says where a sentence should be. */
-const INTERNALS =
-  /undefined|\bnull\b|NaN|not a function|not iterable|Cannot |is not defined|TypeError|RangeError|ReferenceError|SyntaxError|\[object|THREE\.|Invalid (array|typed)|out of bounds|offset is outside|JSON at|Unexpected (token|end)/;
+import { checkSentence, checkWords } from './checkWords.js';
 
 export type Outcome = { kind: 'model'; notes: string[] } | { kind: 'refused'; sentence: string };
 
@@ -29,15 +26,9 @@ export async function outcomeOf(files: readonly ModelFile[]): Promise<Outcome> {
     return { kind: 'model', notes };
   } catch (error) {
     if (!(error instanceof ModelError)) throw error;
-    checkWords(error.message);
-    if (!/^\S.{5,400}\.$/s.test(error.message)) throw new Error(`No sentence: ${JSON.stringify(error.message)}`);
+    checkSentence(error.message);
     return { kind: 'refused', sentence: error.message };
   }
-}
-
-function checkWords(sentence: string): void {
-  // What stands in quotes was in the file.
-  if (INTERNALS.test(sentence.replace(/"[^"]*…?"?/g, ''))) throw new Error(`JavaScript speaks: ${sentence}`);
 }
 
 function checkModel(model: HatchedModel): void {

@@ -1,0 +1,127 @@
+import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { follow, idle, ready } from '../tests/e2e/playground.js';
+import { Random } from '../tests/Random.js';
+import { checkSentence, checkWords } from '../tests/unit/fuzz/checkWords.js';
+import { goodDrop } from '../tests/unit/fuzz/goodFiles.js';
+import { mutate } from '../tests/unit/fuzz/mutate.js';
+import { takeWatch } from './watchPage.js';
+
+/** One drop of damaged files. */
+export interface FuzzCase {
+  kind: string;
+  seed: number;
+}
+
+/** How a case ended. */
+export interface FuzzOutcome extends FuzzCase {
+  outcome: 'good' | 'refused';
+  /** Whether nothing is to be seen of a model. It may be that the damage makes it so: of no opacity, say. */
+  isBlank: boolean;
+  /** Milliseconds of the longest task on the main thread. */
+  longest: number;
+  milliseconds: number;
+  /** What went wrong. */
+  failures: string[];
+}
+
+interface FuzzOptions {
+  address: string;
+  settings?: string;
+  watched: readonly string[][];
+  onCase: (outcome: FuzzOutcome) => void;
+}
+
+/** What the page shows between cases. Its map is small, because its size takes time and proves nothing. */
+const REST = 'model=cube&mapSize=64&mapTones=4';
+/** So many cases are tried before a look at whether the page still draws what it drew at first. */
+const CASES_BETWEEN_LOOKS = 10;
+
+/**
+ * Drops damaged files on the playground, as `goodDrop` and `mutate` make them of seeds, and looks at what comes of it.
+ *
+ * @param options.address where the playground lies
+ * @param options.settings more of a link, such as `occlusion=0`
+ * @param options.watched what the page complains of, and what it asks for elsewhere; both are emptied
+ * @param options.onCase told of each case when it has ended
+ */
+export async function fuzzPage(
+  page: Page,
+  cases: readonly FuzzCase[],
+  { address, settings = '', watched, onCase }: FuzzOptions,
+): Promise<void> {
+  const rest = `${REST}&${settings}`;
+  await page.goto(`${address}#${rest}`);
+  await ready(page);
+  // What lies over the drawing is no part of it.
+  await page.evaluate(() => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync('#viewport > :not(canvas) { visibility: hidden !important }');
+    // Its policy lets the page have no style of its own in the document.
+    document.adoptedStyleSheets.push(sheet);
+  });
+  const first = await picture(page);
+  if (isOneColour(first)) throw new Error('fuzzPage: the page draws nothing.');
+  for (const [i, { kind, seed }] of cases.entries()) {
+    await takeWatch(page);
+    const start = performance.now();
+    const failures: string[] = [];
+    const fail = (error: unknown) => void failures.push(error instanceof Error ? error.message : String(error));
+    let outcome: FuzzOutcome['outcome'] = 'refused';
+    let isBlank = false;
+    try {
+      outcome = await dropCase(page, kind, seed);
+      isBlank = outcome === 'good' && isOneColour(await picture(page));
+    } catch (error) {
+      fail(error);
+    }
+    const milliseconds = performance.now() - start;
+    const { longest, complaints } = await takeWatch(page);
+    for (const complaint of [...complaints, ...watched.flatMap((list) => list.splice(0))]) fail(complaint);
+    const isLooked = i === cases.length - 1 || i % CASES_BETWEEN_LOOKS === CASES_BETWEEN_LOOKS - 1;
+    if (isLooked && !(await returns(page, rest, first))) fail('The page does not draw any more as it did.');
+    onCase({ kind, seed, outcome, isBlank, longest, milliseconds, failures });
+  }
+}
+
+/** Drops a case. @throws Error if what users are told of it is not plain */
+async function dropCase(page: Page, kind: string, seed: number): Promise<'good' | 'refused'> {
+  const random = new Random(seed);
+  const files = mutate(await goodDrop(kind, random), random);
+  const payload = await Promise.all(
+    files.map(async ({ name, content }) => ({
+      name,
+      mimeType: 'application/octet-stream',
+      buffer: Buffer.from(await content.arrayBuffer()),
+    })),
+  );
+  await page.locator('#file-input').setInputFiles(payload);
+  if (kind === 'strokes') await page.locator('#ask [value=yes]').click();
+  await idle(page);
+  const { status, isRefused, caption } = await page.evaluate(() => {
+    const line = document.querySelector('#status')!;
+    return {
+      status: line.textContent ?? '',
+      isRefused: line.classList.contains('is-error'),
+      caption: document.querySelector('#model-caption')!.textContent ?? '',
+    };
+  });
+  if (isRefused) checkSentence(status);
+  else checkWords(caption);
+  return isRefused ? 'refused' : 'good';
+}
+
+/** Whether the page draws again what it drew at first. */
+async function returns(page: Page, rest: string, first: PNG): Promise<boolean> {
+  await follow(page, rest.replace('cube', 'sphere'));
+  await follow(page, rest);
+  await ready(page);
+  return (await picture(page)).data.equals(first.data);
+}
+
+const picture = async (page: Page): Promise<PNG> => PNG.sync.read(await page.locator('#viewport').screenshot());
+
+function isOneColour({ data }: PNG): boolean {
+  for (let i = 4; i < data.length; i++) if (data[i] !== data[i % 4]) return false;
+  return true;
+}

@@ -1,0 +1,76 @@
+import type { Page } from '@playwright/test';
+
+declare global {
+  interface Window {
+    /** What a page did since it was asked last, recorded by {@link watchPage}. */
+    __watch?: { longest: number; complaints: string[]; takeTasks(): void };
+  }
+}
+
+/** What a page did since it was asked last. */
+export interface PageWatch {
+  /** Milliseconds of the longest task on the main thread; 0 if none was longer than 50. */
+  longest: number;
+  /** What was not finite of what was given to WebGL, and its errors. */
+  complaints: string[];
+}
+
+/**
+ * Watches what a page asks of the main thread and of WebGL, from its first script on, and what it asks of other hosts. To be called
+ * before the page is opened.
+ *
+ * @returns addresses that it asked for elsewhere
+ */
+export async function watchPage(page: Page, address: string): Promise<string[]> {
+  const elsewhere: string[] = [];
+  page.on('request', (request) => {
+    const url = new URL(request.url());
+    if (!['data:', 'blob:'].includes(url.protocol) && url.origin !== new URL(address).origin) elsewhere.push(url.href);
+  });
+  await page.addInitScript(watch);
+  return elsewhere;
+}
+
+/** What the page did since this was called last. */
+export function takeWatch(page: Page): Promise<PageWatch> {
+  return page.evaluate(() => {
+    const watched = window.__watch!;
+    watched.takeTasks();
+    const { longest, complaints } = watched;
+    watched.longest = 0;
+    const gl = document.querySelector<HTMLCanvasElement>('#drawing')!.getContext('webgl2')!;
+    const error = gl.getError();
+    const errors = error === gl.NO_ERROR ? [] : [`gl.getError: 0x${error.toString(16)}`];
+    return { longest, complaints: [...complaints.splice(0), ...errors] };
+  });
+}
+
+/** Runs in the page before its own scripts. */
+function watch(): void {
+  const observer = new PerformanceObserver((list) => note(list.getEntries()));
+  const watched = {
+    longest: 0,
+    complaints: [] as string[],
+    takeTasks: () => note(observer.takeRecords()),
+  };
+  window.__watch = watched;
+  function note(tasks: PerformanceEntryList): void {
+    for (const { duration } of tasks) watched.longest = Math.max(watched.longest, duration);
+  }
+  observer.observe({ type: 'longtask' });
+
+  const isUsable = (value: unknown): boolean =>
+    value instanceof Float32Array ? value.every(Number.isFinite) : typeof value !== 'number' || Number.isFinite(value);
+  const prototype = WebGL2RenderingContext.prototype as unknown as Record<string, (...args: unknown[]) => unknown>;
+  for (const name of Object.getOwnPropertyNames(prototype)) {
+    if (!/^(buffer(Sub)?Data|uniform.*[1-4]f|uniformMatrix|tex(Sub)?Image|vertexAttrib\df|clearColor)/.test(name))
+      continue;
+    const call = prototype[name];
+    prototype[name] = function (...args) {
+      // One of each kind is enough.
+      if (!args.every(isUsable) && watched.complaints.length < 5)
+        watched.complaints.push(`${name} is given NaN or infinity`);
+      return call.apply(this, args);
+    };
+  }
+}

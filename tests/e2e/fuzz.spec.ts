@@ -1,0 +1,65 @@
+import { type FuzzOutcome, fuzzPage } from '../../fuzz/fuzzPage.js';
+import { takeWatch, watchPage } from '../../fuzz/watchPage.js';
+import { expect, test } from '../browser/test.js';
+
+test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotion: 'reduce' } });
+
+/** Of one kind each; some give models, some are refused. `npm run fuzz -- --browser` drops hundreds. */
+const CASES: [kind: string, seed: number][] = [
+  ['glb', 16],
+  ['gltf', 49],
+  ['meshopt', 18],
+  ['obj', 3],
+  ['ply', 4],
+  ['stl', 5],
+  ['fbx', 7],
+  ['zip', 13],
+  ['usd', 10],
+  ['3mf', 11],
+  ['draco', 30],
+  // Its packed data are damaged.
+  ['draco', 254],
+  ['strokes', 47],
+];
+
+test('damaged files leave the page drawing, silent and on its own', async ({ page, baseURL, pageProblems }) => {
+  const elsewhere = await watchPage(page, baseURL!);
+  const ended: FuzzOutcome[] = [];
+  await fuzzPage(
+    page,
+    CASES.map(([kind, seed]) => ({ kind, seed })),
+    {
+      address: baseURL!,
+      settings: 'occlusion=0&shadows=off&lines=off&ground=none',
+      watched: [pageProblems, elsewhere],
+      onCase: (outcome) => ended.push(outcome),
+    },
+  );
+  expect(ended.flatMap(({ kind, failures }) => failures.map((failure) => `${kind}: ${failure}`))).toEqual([]);
+  expect(ended.filter(({ isBlank }) => isBlank)).toEqual([]);
+  expect(ended.filter(({ outcome }) => outcome === 'good').length).toBeGreaterThan(4);
+  expect(ended.filter(({ outcome }) => outcome === 'refused').length).toBeGreaterThan(2);
+
+  // What watches would see it.
+  await page.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl2')!;
+    gl.bufferData(gl.ARRAY_BUFFER, Float32Array.of(1, Number.NaN), gl.STATIC_DRAW);
+    gl.getError();
+    setTimeout(() => {
+      const end = performance.now() + 60;
+      while (performance.now() < end);
+    });
+  });
+  let longest = 0;
+  const complaints: string[] = [];
+  await expect
+    .poll(async () => {
+      const watched = await takeWatch(page);
+      complaints.push(...watched.complaints);
+      longest = Math.max(longest, watched.longest);
+      return longest;
+    })
+    .toBeGreaterThan(50);
+  expect(complaints).toEqual(['bufferData is given NaN or infinity']);
+  pageProblems.splice(0);
+});
