@@ -39,11 +39,10 @@ async function fuzzInNode() {
 
 async function fuzzInBrowser() {
   const { chromium } = await import('@playwright/test');
-  const { build, createServer, preview } = await import('vite');
+  const { createServer } = await import('vite');
   const { launchOptions } = await import('../tests/browser/launchOptions.mjs');
-  const outDir = `${output}/site`;
-  await build({ root, logLevel: 'error', build: { outDir, emptyOutDir: true } });
-  const site = await preview({ root, logLevel: 'error', build: { outDir }, preview: { host: '127.0.0.1', port: 0 } });
+  const { serveBuilt } = await import('../tests/browser/serveBuilt.mjs');
+  const site = await serveBuilt(root, `${output}/site`);
   const modules = await createServer({ root, mode: 'test', logLevel: 'error', server: { middlewareMode: true } });
   const browser = await chromium.launch(await launchOptions());
   try {

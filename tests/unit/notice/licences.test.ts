@@ -29,7 +29,13 @@ interface Lock {
   packages: Record<string, { license?: string; resolved?: string; integrity?: string }>;
 }
 
-describe.each(['package-lock.json', 'tests/browser/npmChromium/package-lock.json'])('%s', (path) => {
+const LOCKS = [
+  'package-lock.json',
+  'tests/browser/npmChromium/package-lock.json',
+  'tests/firefox/driver/package-lock.json',
+];
+
+describe.each(LOCKS)('%s', (path) => {
   const { packages } = JSON.parse(readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8')) as Lock;
   const installed = Object.entries(packages)
     .filter(([place]) => place !== '')
