@@ -17,9 +17,9 @@ import type { Random } from '../tests/Random.js';
 /** Something that a user does. */
 type Action = (page: Page, random: Random) => Promise<void>;
 
-const MODELS = ['cube', 'sphere', 'teapot', 'bunny', 'dragon4', 'suzanne', 'fish'];
-const TECHNIQUES = ['anchored', 'engraved', 'adjacency', 'adjacencyCrisp', 'triangle'];
-const STYLES = ['hatching', 'crossHatching', 'stippling', 'dashes', 'woodcut', 'pencil', 'ruled', 'contours'];
+export const MODELS = ['cube', 'sphere', 'teapot', 'bunny', 'dragon4', 'suzanne', 'fish'];
+export const TECHNIQUES = ['anchored', 'engraved', 'adjacency', 'adjacencyCrisp', 'triangle'];
+export const STYLES = ['hatching', 'crossHatching', 'stippling', 'dashes', 'woodcut', 'pencil', 'ruled', 'contours'];
 
 const setting =
   (key: string, values: readonly string[]): Action =>
@@ -40,7 +40,7 @@ const setting =
     );
   };
 
-const GOOD: (readonly [name: string, content: () => Buffer | string | Promise<Buffer>])[] = [
+export const GOOD: (readonly [name: string, content: () => Buffer | string | Promise<Buffer>])[] = [
   ['column.glb', columnGlb],
   ['still.glb', () => columnGlb({ still: true })],
   ['octahedron.glb', octahedronGlb],

@@ -23,6 +23,17 @@ const SLACK: Record<string, number> = {
   process: 250,
 };
 
+/**
+ * What there is more of after the same thing was done many times, beyond what ends by itself.
+ *
+ * @returns a line for each kind
+ */
+export function grown(before: Lap, after: Lap): string[] {
+  return Object.keys(before)
+    .filter((kind) => !(after[kind] <= before[kind] + (SLACK[kind] ?? 0)))
+    .map((kind) => `${kind} grows: ${before[kind]} before, ${after[kind]} after.`);
+}
+
 /** The laps that fill caches: of maps, programs and code. */
 const WARM_UP = 2;
 

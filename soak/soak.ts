@@ -1,12 +1,11 @@
-import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
 import type { Browser, Page } from '@playwright/test';
 import { watchProblems } from '../tests/browser/watchProblems.js';
-import { countObjects, liveObjects } from '../tests/e2e/liveObjects.js';
+import { countObjects } from '../tests/e2e/liveObjects.js';
 import { follow, idle } from '../tests/e2e/playground.js';
 import { Random } from '../tests/Random.js';
 import { ACTIONS } from './actions.js';
 import { judge, type Lap } from './judge.js';
+import { countsOf, measure, REST } from './measure.js';
 
 interface SoakOptions {
   /** Where the pages are served. */
@@ -20,8 +19,6 @@ interface SoakOptions {
 /** Longer than anything here should take, also on a slow machine. */
 const STUCK_MILLISECONDS = 120_000;
 const KEPT_ACTIONS = 5;
-/** What the page shows at the end of each lap. */
-const REST = 'mapSize=64&mapTones=4&model=cube';
 const COLUMNS = [
   'minute',
   'lap',
@@ -90,7 +87,7 @@ async function soakFigures(page: Page, address: string, say: (line: string) => v
       await page.locator('#turn').fill(String(((i * 35) % 360) - 180));
       await page.waitForFunction(() => window.__figures!.isIdle, null, { timeout: STUCK_MILLISECONDS });
     }
-    return lowerCase(await liveObjects(page));
+    return countsOf(page);
   };
   await page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: STUCK_MILLISECONDS });
   const laps = [await turn(2)];
@@ -106,51 +103,6 @@ function shuffled(random: Random): (typeof ACTIONS)[number][] {
     [actions[i], actions[j]] = [actions[j], actions[i]];
   }
   return actions;
-}
-
-/** What there is, once the page shows what it shows at the end of every lap. */
-async function measure(page: Page, browser: Browser): Promise<Lap> {
-  for (const model of ['sphere', 'cube']) {
-    await follow(page, REST.replace('cube', model));
-  }
-  const { kilobytes, ...counts } = lowerCase(await liveObjects(page));
-  return { ...counts, arrays: kilobytes / 1000, heap: await heapOf(page), process: await memoryOf(browser) };
-}
-
-const lowerCase = (counts: Record<string, number>): Record<string, number> =>
-  Object.fromEntries(Object.entries(counts).map(([kind, count]) => [kind.toLowerCase(), count]));
-
-/** Megabytes of the JavaScript heap. */
-async function heapOf(page: Page): Promise<number> {
-  const session = await page.context().newCDPSession(page);
-  const { usedSize } = await session.send('Runtime.getHeapUsage');
-  await session.detach();
-  return usedSize / 1e6;
-}
-
-/** Megabytes of memory that the browser's processes for pages and graphics hold; 0 where that is not known. */
-async function memoryOf(browser: Browser): Promise<number> {
-  const session = await browser.newBrowserCDPSession();
-  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
-  await session.detach();
-  const held = processInfo.filter(({ type }) => /renderer|GPU/i.test(type)).map(({ id }) => residentMegabytes(id));
-  return held.reduce((sum, one) => sum + one, 0);
-}
-
-function residentMegabytes(process: number): number {
-  try {
-    return Number(/VmRSS:\s*(\d+)/.exec(readFileSync(`/proc/${process}/status`, 'utf8'))?.[1] ?? 0) / 1000;
-  } catch {
-    return residentByPs(process);
-  }
-}
-
-function residentByPs(process: number): number {
-  try {
-    return Number(execFileSync('ps', ['-o', 'rss=', '-p', String(process)], { encoding: 'utf8' })) / 1000;
-  } catch {
-    return 0;
-  }
 }
 
 const format = (value: number | undefined): string =>

@@ -254,7 +254,7 @@ test.describe('a lost graphics context', () => {
   });
 });
 
-test('after a crash of the graphics process the same drawing comes back, also as a saved picture', async ({
+test('after a crash of the graphics process the same drawing comes back, also as a saved picture; after a second, its last picture stays', async ({
   baseURL,
 }) => {
   // A browser of its own, because others would crash with it.
@@ -265,10 +265,16 @@ test('after a crash of the graphics process the same drawing comes back, also as
     const shown = await readDrawing(page);
     const saved = await savePicture(page);
     const session = await browser.newBrowserCDPSession();
-    await session.send('Browser.crashGpuProcess').catch(() => {});
+    const crash = () => session.send('Browser.crashGpuProcess').catch(() => {});
+    await crash();
     await expect(page.locator('#status')).toHaveText('The drawing is back.', { timeout: 30_000 });
     expect(largestDifference(shown, await readDrawing(page))).toBe(0);
     expect(largestDifference(saved, await savePicture(page))).toBe(0);
+    await page.waitForFunction(() => document.querySelector<HTMLCanvasElement>('.last-picture')!.width > 300);
+
+    await crash();
+    await expect(page.locator('#status')).toHaveText(/again\. This is its last picture/, { timeout: 30_000 });
+    expect(largestDifference(shown, await readLastPicture(page))).toBe(0);
   } finally {
     await browser.close();
   }

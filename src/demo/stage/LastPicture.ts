@@ -8,8 +8,9 @@ const INTERVAL_MILLISECONDS = 1000;
  * Copying takes time, so it begins after the first loss: pages that have lost a context once are those that lose it again.
  */
 export class LastPicture {
-  private readonly copy = document.createElement('canvas');
-  private readonly context = this.copy.getContext('2d', { willReadFrequently: true });
+  private copy = document.createElement('canvas');
+  /** The pixels themselves: when the process of the graphics card ends, browsers blank canvases of every kind. */
+  private pixels: ImageData | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private keptAt = -Infinity;
   private isOn = false;
@@ -25,9 +26,13 @@ export class LastPicture {
     drawing.before(this.copy);
   }
 
+  private get context(): CanvasRenderingContext2D | null {
+    return this.copy.getContext('2d', { willReadFrequently: true });
+  }
+
   /** Whether there is a picture to show. */
   get isKept(): boolean {
-    return this.keptAt > -Infinity;
+    return this.pixels !== undefined;
   }
 
   /** To be called after each frame. The last one of a movement is kept too, a little later. */
@@ -43,6 +48,13 @@ export class LastPicture {
   /** Shows the copy, if there is one. */
   lost(): void {
     this.stop();
+    if (this.pixels) {
+      // A new canvas, because a blanked one stays so.
+      const canvas = this.copy.cloneNode() as HTMLCanvasElement;
+      this.copy.replaceWith(canvas);
+      this.copy = canvas;
+      this.context?.putImageData(this.pixels, 0, 0);
+    }
     this.copy.hidden = !this.isKept;
     this.drawing.classList.toggle('is-lost', this.isKept);
   }
@@ -74,5 +86,6 @@ export class LastPicture {
     }
     context?.clearRect(0, 0, copy.width, copy.height);
     context?.drawImage(drawing, 0, 0);
+    this.pixels = context?.getImageData(0, 0, copy.width, copy.height);
   }
 }

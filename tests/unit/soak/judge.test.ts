@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { judge } from '../../../soak/judge.js';
+import { grown, judge } from '../../../soak/judge.js';
 
 const laps = (...textures: number[]) => textures.map((texture) => ({ texture, heap: 20 }));
 
@@ -14,6 +14,15 @@ describe('the soak', () => {
     expect(judge(laps(3, 9, 12, 12, 12, 12))).toEqual([]);
     expect(judge(laps(9, 9, 9, 9, 9, 9, 9, 40))).toEqual([]);
     expect(judge(laps(9, 9, 9, 12, 12, 12))).toEqual([]);
+  });
+
+  test('compares before and after', () => {
+    expect(grown({ texture: 9, worker: 1 }, { texture: 12, worker: 2 })).toEqual([]);
+    expect(grown({ texture: 9, worker: 1 }, { texture: 14, worker: 3 })).toEqual([
+      'texture grows: 9 before, 14 after.',
+      'worker grows: 1 before, 3 after.',
+    ]);
+    expect(grown({ heap: 9 }, { heap: Number.NaN })).toHaveLength(1);
   });
 
   test('says when it was too short, and when something was not counted', () => {

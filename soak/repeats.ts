@@ -1,0 +1,109 @@
+import type { Browser, Page } from '@playwright/test';
+import { watchProblems } from '../tests/browser/watchProblems.js';
+import { countObjects } from '../tests/e2e/liveObjects.js';
+import { file } from '../tests/e2e/modelFiles.js';
+import { drop, follow, idle } from '../tests/e2e/playground.js';
+import { GOOD, MODELS, STYLES, TECHNIQUES } from './actions.js';
+import { grown, type Lap } from './judge.js';
+import { countsOf, measure, REST } from './measure.js';
+
+interface RepeatOptions {
+  /** Where the pages are served. */
+  address: string;
+  /** How often each thing is done. */
+  times: number;
+  /** Prints a line. */
+  say: (line: string) => void;
+}
+
+/** Does one thing, the `i`th time. Things change with each time, and are the same again after some. */
+type Repeated = (page: Page, i: number) => Promise<void>;
+
+const at = <Item>(items: readonly Item[], i: number): Item => items[i % items.length];
+
+const link =
+  (key: string, values: readonly string[]): Repeated =>
+  (page, i) =>
+    follow(page, `${REST.replace(key === 'model' ? 'model=cube' : '', '')}&${key}=${at(values, i)}`);
+
+const REPEATED: Readonly<Record<string, Repeated>> = {
+  model: link('model', MODELS),
+  technique: link('technique', TECHNIQUES),
+  preset: async (page, i) => {
+    // The card may be closed on a small page.
+    await page.locator('#presets button').evaluateAll((buttons, place) => {
+      (buttons[place % buttons.length] as HTMLElement).click();
+    }, i);
+    await idle(page);
+  },
+  map: link('mapStyle', STYLES),
+  comparison: link('compare', ['triangle', 'none', 'engraved', 'adjacency']),
+  file: async (page, i) => {
+    const [name, content] = at(GOOD, i);
+    await drop(page, [file(name, await content())]);
+    await idle(page);
+  },
+};
+
+/** Columns of the table: what is counted. */
+const COLUMNS = ['buffer', 'texture', 'program', 'framebuffer', 'vertexarray', 'worker', 'url', 'listeners', 'nodes'];
+const MEGABYTES = ['arrays', 'heap', 'process'];
+/** Each different value is shown before the first count: what it is drawn with is kept. */
+const MOST_VALUES = Math.max(MODELS.length, TECHNIQUES.length, STYLES.length, GOOD.length);
+
+/**
+ * Does each of some things many times, and counts what there is before and after.
+ *
+ * @returns what grew, a line each
+ */
+export async function repeat(browser: Browser, { address, times, say }: RepeatOptions): Promise<string[]> {
+  const page = await browser.newPage({ viewport: { width: 480, height: 360 } });
+  const problems = watchProblems(page);
+  await countObjects(page);
+  await page.goto(`${address}#${REST}`);
+  await idle(page);
+  const complaints: string[] = [];
+  const row = (name: string, before: Lap, after: Lap): void => {
+    const pairs = [...COLUMNS, ...MEGABYTES].filter((kind) => kind in before);
+    say(`${name}: ${pairs.map((kind) => `${kind} ${round(before[kind])} → ${round(after[kind])}`).join(', ')}`);
+    complaints.push(...grown(before, after).map((complaint) => `${name}: ${complaint}`));
+  };
+  for (const [name, act] of Object.entries(REPEATED)) {
+    for (let i = 0; i < MOST_VALUES; i++) await act(page, i);
+    const before = await measure(page, browser);
+    for (let i = 0; i < times; i++) await act(page, i);
+    row(`${name}, ${times} times`, before, await measure(page, browser));
+    if (problems.length > 0) return [...complaints, ...problems];
+  }
+  await repeatFigures(page, address, times, row);
+  return [...complaints, ...problems];
+}
+
+/** Turns the light of the figures, and opens their page anew. */
+async function repeatFigures(
+  page: Page,
+  address: string,
+  times: number,
+  row: (name: string, before: Lap, after: Lap) => void,
+): Promise<void> {
+  const settle = () => page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: 120_000 });
+  const turn = async (count: number): Promise<Lap> => {
+    for (let i = 0; i < count; i++) {
+      await page.locator('#turn').fill(String(((i * 35) % 360) - 180));
+      await settle();
+    }
+    return countsOf(page);
+  };
+  await page.goto(`${address}figures/`);
+  await settle();
+  row(`light of the figures, ${times} times`, await turn(2), await turn(times));
+  const before = await countsOf(page);
+  for (let i = 0; i < times; i++) {
+    await page.reload();
+    await page.waitForFunction(() => window.__figures !== undefined);
+  }
+  await settle();
+  row(`page of the figures, ${times} times`, before, await turn(2));
+}
+
+const round = (value: number): string => (Number.isInteger(value) ? String(value) : value.toFixed(1));
