@@ -59,6 +59,7 @@ export default defineConfig(
           'loaders/VRMLLoader.js',
           'loaders/ColladaLoader.js',
           'loaders/3MFLoader.js',
+          'exporters/GLTFExporter.js',
           'libs/meshopt_decoder.module.js',
           'libs/fflate.module.js',
           'utils/BufferGeometryUtils.js',

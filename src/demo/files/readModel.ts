@@ -15,9 +15,10 @@ import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
 import { readArchive } from './readArchive.js';
 import { type ReadGltf, readGltf } from './readGltf.js';
+import { readMoving } from './readMoving.js';
 import { readObj } from './readObj.js';
 import { readPly } from './readPly.js';
-import { readScene } from './readScene.js';
+import { readScene, type SceneFormat } from './readScene.js';
 import { readStl } from './readStl.js';
 import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
 import { toUtf8 } from './toUtf8.js';
@@ -167,8 +168,17 @@ async function parse(format: ModelFormat, bytes: Uint8Array, name: string, findF
     case 'zip':
       throw new ModelError(`${name} is an archive in an archive, which this page does not unpack.`);
     default:
-      return parsedOf(await readScene(format, bytes, name));
+      return parseScene(format, bytes, name, findFile);
   }
+}
+
+async function parseScene(format: SceneFormat, bytes: Uint8Array, name: string, findFile: FindFile): Promise<Parsed> {
+  const scene = await readScene(format, bytes, name);
+  if (scene.root.animations.length === 0) return parsedOf(scene);
+  const moving = await readMoving(scene.root, name, findFile);
+  if (moving) return { upAxis: scene.upAxis ?? 'y', ...moving };
+  // Again, because the first was used up.
+  return parsedOf({ ...(await readScene(format, bytes, name)), notes: ['shown without its motion'] });
 }
 
 /** Of what says nothing of them, y is the up axis, and nothing is missing. */

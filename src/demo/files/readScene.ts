@@ -15,8 +15,9 @@ const HEAD_BYTES = 65536;
 const MIN_FBX = { ascii: 7000, binary: 6400 };
 
 /**
- * Reads a file with the loader that three has for it, which is fetched only now. Such models stand still.
+ * Reads a file with the loader that three has for it, which is fetched only now.
  *
+ * @returns the scene, with its clips
  * @throws Error as the loader has it
  */
 export async function readScene(format: SceneFormat, bytes: Uint8Array, name: string): Promise<LoadedScene> {
@@ -26,7 +27,6 @@ export async function readScene(format: SceneFormat, bytes: Uint8Array, name: st
   return {
     root: withoutBackground(root),
     upAxis: format === '3ds' || format === '3mf' ? 'z' : 'y',
-    notes: root.animations.length > 0 ? ['shown without its motion'] : [],
   };
 }
 

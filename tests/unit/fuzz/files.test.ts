@@ -1,10 +1,13 @@
-import { afterAll, describe, expect, test } from 'vitest';
+import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
+import { FileReaderStandIn } from '../demo/files/FileReaderStandIn.js';
 import { goodDrop, KINDS } from './goodFiles.js';
 import { mutate } from './mutate.js';
 import { outcomeOf } from './outcomeOf.js';
 import { consoleDuring, FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';
 
 const report: FuzzReport = {};
+
+beforeAll(() => void vi.stubGlobal('FileReader', FileReaderStandIn));
 
 describe('damaged files give a model or one sentence', () => {
   for (const [k, kind] of KINDS.entries()) {

@@ -295,7 +295,7 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
       file.kind === 'text' ? Buffer.from(file.text) : file.kind === 'bytes' ? file.bytes : Buffer.alloc(0);
     return [{ name: `${file.name}.gz`, kind: 'bytes', bytes: new Uint8Array(gzipSync(content)) }];
   },
-  fbx: () => text('box.fbx', fbx()),
+  fbx: (random) => text('box.fbx', fbx(7300, random.chance(0.5))),
   dae: (random) => text('box.dae', dae(random.chance(0.5) ? 'wood.png' : undefined, random.chance(0.3))),
   wrl: () => text('box.wrl', wrl()),
   usd: (random) =>

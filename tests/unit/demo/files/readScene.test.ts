@@ -99,10 +99,6 @@ describe('pictures and motion', () => {
     ]);
   });
 
-  test('a model that moves stands still, and the caption says so', async () => {
-    expect((await read(['box.dae', dae(undefined, true)])).notes).toEqual(['shown without its motion']);
-  });
-
   test('no loader of three can fetch', () => {
     vi.stubGlobal('fetch', () => expect.unreachable('nothing is fetched'));
     withStandIns(() => {

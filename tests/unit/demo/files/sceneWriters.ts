@@ -17,8 +17,33 @@ export const zip = (files: Readonly<Record<string, string | Uint8Array>>, level:
     { level },
   );
 
+/** Of FBX; its second has 46,186,158,000 parts. From x = 5 to x = 9. */
+const FBX_MOTION = `	AnimationStack: 20, "AnimStack::go", "" {
+	}
+	AnimationLayer: 21, "AnimLayer::base", "" {
+	}
+	AnimationCurveNode: 22, "AnimCurveNode::T", "" {
+		Properties70:  {
+			P: "d|X", "Number", "", "A",5
+		}
+	}
+	AnimationCurve: 23, "AnimCurve::", "" {
+		KeyTime: *2 {
+			a: 0,46186158000
+		}
+		KeyValueFloat: *2 {
+			a: 5,9
+		}
+	}
+`;
+const FBX_MOTION_CONNECTIONS = `	C: "OO",21,20
+	C: "OO",22,21
+	C: "OP",22,2, "Lcl Translation"
+	C: "OP",23,22, "d|X"
+`;
+
 /** FBX as text, with a camera. */
-export const fbx = (version = 7300): string => `; FBX ${version / 1000} project file
+export const fbx = (version = 7300, moves = false): string => `; FBX ${version / 1000} project file
 FBXHeaderExtension:  {
 	FBXHeaderVersion: 1003
 	FBXVersion: ${version}
@@ -82,7 +107,7 @@ ${COLOURS.map(
 		}
 	}`,
 ).join('\n')}
-}
+${moves ? FBX_MOTION : ''}}
 Connections:  {
 	C: "OO",2,0
 	C: "OO",3,0
@@ -91,7 +116,7 @@ Connections:  {
 	C: "OO",11,2
 	C: "OO",12,2
 	C: "OO",13,2
-}
+${moves ? FBX_MOTION_CONNECTIONS : ''}}
 `;
 
 const MATRICES = [0, 5].map((x) => `1 0 0 ${x} 0 1 0 0 0 0 1 0 0 0 0 1`);

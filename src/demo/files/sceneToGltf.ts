@@ -1,0 +1,127 @@
+import {
+  type AnimationClip,
+  Group,
+  InterpolateDiscrete,
+  InterpolateLinear,
+  type KeyframeTrack,
+  type Material,
+  type Mesh,
+  type MeshPhongMaterial,
+  MeshStandardMaterial,
+  type Object3D,
+  PropertyBinding,
+  Uint16BufferAttribute,
+} from 'three';
+import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
+import { GltfPictureWriter } from './GltfPictureWriter.js';
+
+/** Values of each property per key. */
+const VALUES_PER_KEY: Readonly<Record<string, number>> = {
+  position: 3,
+  quaternion: 4,
+  scale: 3,
+  morphTargetInfluences: 1,
+};
+
+/** A scene as glTF. */
+export interface WrittenScene {
+  glb: Uint8Array;
+  /** The pictures that it asks for, by their URIs in it, as far as they are parts of the model. */
+  pictures: ReadonlyMap<string, Blob>;
+  /** Tracks that cannot be played. */
+  leftOut: number;
+}
+
+/**
+ * Writes a scene of one of three's loaders, with the clips it carries, as glTF: so it is checked and drawn as glTF is. Its materials
+ * become those of glTF; what shows nothing is left out. The scene is changed and of no use afterwards.
+ *
+ * @throws Error as the exporter has it
+ */
+export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
+  const holder = new Group().add(root);
+  const pictures = new GltfPictureWriter();
+  const materials = new Map<Material, MeshStandardMaterial>();
+  const plain = (material: Material): MeshStandardMaterial => {
+    if (!materials.has(material)) materials.set(material, plainMaterial(material as MeshPhongMaterial, pictures));
+    return materials.get(material)!;
+  };
+  holder.traverse((object) => {
+    makePlain(object);
+    const { material } = object as Partial<Mesh>;
+    if (material) (object as Mesh).material = Array.isArray(material) ? material.map(plain) : plain(material);
+  });
+  let leftOut = 0;
+  for (const clip of root.animations) {
+    const playable = clip.tracks.filter((track) => isPlayable(track, holder));
+    leftOut += clip.tracks.length - playable.length;
+    clip.tracks = playable;
+    clip.userData = {};
+  }
+  const animations: AnimationClip[] = root.animations.filter(({ tracks }) => tracks.length > 0);
+  // Loaders hang them on several objects.
+  holder.traverse((object) => {
+    object.animations = [];
+  });
+  const exporter = new GLTFExporter().register((writer) => pictures.plugin(writer as never));
+  const glb = (await exporter.parseAsync(holder, { binary: true, animations })) as ArrayBuffer;
+  return { glb: new Uint8Array(glb), pictures: pictures.written, leftOut };
+}
+
+function plainMaterial(material: MeshPhongMaterial, pictures: GltfPictureWriter): MeshStandardMaterial {
+  const { name, color, opacity, transparent, alphaTest, side, vertexColors, map } = material;
+  const plain = new MeshStandardMaterial({ name, opacity, transparent, alphaTest, side, vertexColors });
+  if (color) plain.color.copy(color);
+  if (map) pictures.use(plain, map);
+  return plain;
+}
+
+/** Leaves of an object what glTF can hold and a drawing shows. The exporter would warn of the rest. */
+function makePlain(object: Object3D): void {
+  object.userData = {};
+  if ('isLight' in object || 'isCamera' in object) object.visible = false;
+  const { geometry } = object as Partial<Mesh>;
+  if (!geometry) return;
+  geometry.userData = {};
+  const { skinIndex, normal } = geometry.attributes;
+  if (skinIndex && !(skinIndex.array instanceof Uint16Array)) {
+    geometry.setAttribute('skinIndex', new Uint16BufferAttribute(skinIndex.array, 4));
+  }
+  if (normal) {
+    for (let i = 0; i < normal.count; i++) {
+      const length = Math.hypot(normal.getX(i), normal.getY(i), normal.getZ(i));
+      // They are computed anew if one is of no use.
+      if (!(length > 0 && length < Infinity)) {
+        geometry.deleteAttribute('normal');
+        break;
+      }
+      normal.setXYZ(i, normal.getX(i) / length, normal.getY(i) / length, normal.getZ(i) / length);
+    }
+  }
+  const { position, normal: normals } = geometry.morphAttributes;
+  geometry.morphAttributes = {
+    ...(position && { position }),
+    ...(normals && geometry.attributes.normal && { normal: normals }),
+  };
+}
+
+/** Whether a track is whole, and moves something that is there. */
+function isPlayable(track: KeyframeTrack, root: Object3D): boolean {
+  const { nodeName, propertyName, propertyIndex } = PropertyBinding.parseTrackName(track.name);
+  const node = PropertyBinding.findNode(root, nodeName);
+  const size = VALUES_PER_KEY[propertyName];
+  if (!node || size === undefined) return false;
+  if (propertyName === 'morphTargetInfluences') {
+    const { morphTargetDictionary } = node as Mesh;
+    if (morphTargetDictionary?.[propertyIndex] === undefined) return false;
+  }
+  // The only two that glTF has of what loaders make.
+  if (track.getInterpolation() !== InterpolateDiscrete) track.setInterpolation(InterpolateLinear);
+  const { times, values } = track;
+  return (
+    times.length > 0 &&
+    values.length === size * times.length &&
+    times.every((time, i) => Number.isFinite(time) && (i === 0 || time >= times[i - 1])) &&
+    values.every(Number.isFinite)
+  );
+}

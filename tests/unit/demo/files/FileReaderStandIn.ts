@@ -1,0 +1,10 @@
+/** Node has no `FileReader`, which three's exporter of glTF reads blobs with. */
+export class FileReaderStandIn {
+  result: ArrayBuffer | null = null;
+  onloadend: (() => void) | null = null;
+
+  async readAsArrayBuffer(blob: Blob): Promise<void> {
+    this.result = await blob.arrayBuffer();
+    this.onloadend?.();
+  }
+}
