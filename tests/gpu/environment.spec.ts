@@ -1,13 +1,9 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { at, centre, difference, SIZE } from './pixels.js';
 import { techniques } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** Light from the scene's environment, against three's own Lambert material in the same scene. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 /** What is compared, in words, for every pixel inside the silhouette. */
 const luminance = ([r, g, b]: number[]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;

@@ -1,7 +1,8 @@
 import type { Page } from '@playwright/test';
 import type { HatchingMaterialOptions, StrokeStyleName } from 'three-hatching';
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { difference } from './pixels.js';
+import { test } from './toolkitPage.js';
 
 /** Strokes keep the width they are drawn with, near and far (paper, sections 3.1 and 3.4). */
 
@@ -16,11 +17,6 @@ const SIDE = 256;
 /** Pixels, as the style draws them on every level of the map. */
 const DRAWN_WIDTH = 1.9;
 const DISTANCES = [1, 2, 4, 8];
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 test.setTimeout(240_000);
 

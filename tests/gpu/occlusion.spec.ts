@@ -1,13 +1,9 @@
-import { expect, test } from '../browser/test.js';
+import { expect } from '../browser/test.js';
 import { at, difference, SIZE } from './pixels.js';
 import { techniques } from './techniques.js';
+import { test } from './toolkitPage.js';
 
 /** Ambient occlusion as the material draws it; what it is has its own unit tests. */
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
 
 for (const technique of techniques) {
   test(`a round pit under light from all around is as bright as the sky it sees: ${technique}`, async ({ page }) => {

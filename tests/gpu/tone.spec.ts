@@ -1,10 +1,6 @@
 import { type StrokeStyleName, strokeStyles } from '../../src/strokes/strokeStyles.js';
-import { expect, test } from '../browser/test.js';
-
-test.beforeEach(async ({ page }) => {
-  await page.goto('tests/gpu/toolkit.html');
-  await page.waitForFunction(() => window.toolkit !== undefined);
-});
+import { expect } from '../browser/test.js';
+import { test } from './toolkitPage.js';
 
 for (const style of Object.keys(strokeStyles) as StrokeStyleName[]) {
   test(`anchored strokes print the tone asked for, at any size: ${style}`, async ({ page }, testInfo) => {
