@@ -1,5 +1,6 @@
 /** What the benchmarks know of the library beyond its public names: the bake and the maps, step by step. */
 
+export { consistentTwins } from '../src/adjacency/consistentTwins.js';
 export { joinBorders } from '../src/adjacency/joinBorders.js';
 export { pairEdges } from '../src/adjacency/pairEdges.js';
 export { bake } from '../src/bake/bake.js';
@@ -26,4 +27,5 @@ export { cutCreases } from '../src/normals/cutCreases.js';
 export { cutSharpEdges } from '../src/normals/cutSharpEdges.js';
 export type { FanNormals } from '../src/normals/FanNormals.js';
 export { fanDirections } from '../src/normals/fanDirections.js';
+export { findPatches } from '../src/normals/findPatches.js';
 export { smoothFanNormals } from '../src/normals/smoothFanNormals.js';

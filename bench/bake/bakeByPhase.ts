@@ -2,12 +2,14 @@ import {
   absorbSmallPatches,
   buildFans,
   computeAreaNormals,
+  consistentTwins,
   cutCreases,
   cutSharpEdges,
   DEFAULT_SMOOTHING_SHARE,
   expandPerCorner,
   type FanNormals,
   fanDirections,
+  findPatches,
   joinBorders,
   measureBounds,
   nearnessOf,
@@ -46,7 +48,8 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
     steps: weldSteps + pairing.steps,
   };
   run('creases', cutCreases(adjacency, Math.PI / 2));
-  const twins = run('creases', cutSharpEdges(adjacency));
+  const twins = run('creases', consistentTwins(adjacency));
+  run('creases', cutSharpEdges(twins, areaNormals));
   const hatchNormals = smoothNormals({ mesh, twins, canonicalCorners, areaNormals }, bounds.radius, run);
   const surface: Surface = { adjacency, bounds, hatchNormals, smoothNormals: null, lines: null };
   return {
@@ -72,11 +75,12 @@ type FanSurface = Pick<Surface['adjacency'], 'twins' | 'canonicalCorners' | 'are
 
 function smoothNormals(faces: FanSurface, boundingRadius: number, run: Run): FanNormals {
   const radius = DEFAULT_SMOOTHING_SHARE * boundingRadius;
-  const fans = run('normals', buildFans(faces));
-  const smoothed = run('normals', smoothFanNormals({ ...faces, fans }, radius));
+  const fans = run('normals', buildFans(faces.twins));
+  const [smoothed] = run('normals', smoothFanNormals({ ...faces, fans }, [radius]));
+  const patches = run('normals', findPatches(faces));
   run(
     'normals',
-    absorbSmallPatches(faces, fans, (area) => !(area >= Math.PI * (radius / 2) ** 2)),
+    absorbSmallPatches(faces, patches, fans, (area) => !(area >= Math.PI * (radius / 2) ** 2)),
   );
   return { fans, normals: run('normals', fanDirections(smoothed, faces.areaNormals, fans)) };
 }

@@ -1,8 +1,6 @@
-import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { IS_EDGE } from '../features/edgeFlags.js';
 import { fanCurvatures, TENSOR_FLOATS } from '../features/fanCurvatures.js';
 import { type FeatureEdges, findFeatureEdges } from '../features/findFeatureEdges.js';
-import { isCoarse } from '../features/isCoarse.js';
 import { turnFlaps } from '../features/turnFlaps.js';
 import { doubleArea } from '../mesh/computeAreaNormals.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
@@ -10,7 +8,7 @@ import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
 import type { FanSurface } from '../normals/assembleHeatEquation.js';
 import type { Fans } from '../normals/buildFans.js';
 import { fanDirections } from '../normals/fanDirections.js';
-import { smoothFanNormals } from '../normals/smoothFanNormals.js';
+import type { Patches } from '../normals/findPatches.js';
 import { asPhase } from '../slices/asPhase.js';
 
 /** What a bake is asked for lines. Plain data. */
@@ -53,32 +51,37 @@ const LARGEST_SPECK = 1.5;
 /** Creases that hang together are drawn from this length on, as a share of the bounding radius. */
 const CREASE_SHARE = 0.2;
 
+/** The scales, in object units, of the normals that contours follow and of those that curvatures are measured on. */
+export const lineSmoothingRadii = (radius: number): [contours: number, curvatures: number] => [
+  CONTOUR_SHARE * radius,
+  CURVATURE_SHARE * radius,
+];
+
 /**
  * Computes what contours, borders and creases are drawn from. On a coarse mesh each triangle keeps its own normal, and contours
  * run along its edges.
  *
- * @param surface whose twins are cut at sharp edges, and its fans before small patches were absorbed
- * @param adjacency with twins that no edge was cut from
- * @param ofCorner the fan of each corner after small patches were absorbed
+ * @param surface whose twins are cut at sharp edges, and its fans after small patches were absorbed
+ * @param joinedTwins that no edge was cut from
+ * @param smoothed the normals of the fans at each of the `lineSmoothingRadii`; null for a coarse mesh
  */
 export function* bakeLines(
   surface: FanSurface,
-  adjacency: TriangleAdjacency,
-  ofCorner: Uint32Array<ArrayBuffer>,
+  patches: Patches,
+  joinedTwins: Int32Array,
+  smoothed: readonly Float32Array[] | null,
   radius: number,
   { creaseAngle, creaseLength, triangleGroups }: LineRequest,
 ): Generator<number, LineSurface, void> {
   const { mesh, areaNormals, twins, canonicalCorners } = surface;
-  const smooth = (yield* asPhase(isCoarse(mesh, twins, areaNormals, radius), 0, 0.03))
-    ? yield* asPhase(facets(areaNormals), 0.03, 0.85)
-    : yield* asPhase(smoothSurface(surface, ofCorner, radius), 0.03, 0.85);
+  const smooth = yield* asPhase(smoothed ? smoothSurface(surface, patches, smoothed) : facets(areaNormals), 0, 0.7);
   const edges = yield* asPhase(
     findFeatureEdges(
       {
         mesh,
         canonicalCorners,
         areaNormals,
-        joinedTwins: adjacency.twins,
+        joinedTwins,
         sharpTwins: twins,
         ofCorner: smooth.fans.ofCorner,
         normals: smooth.normals,
@@ -86,7 +89,7 @@ export function* bakeLines(
       },
       { creaseAngle: creaseAngle ?? null, creaseLength: creaseLength ?? CREASE_SHARE * radius },
     ),
-    0.85,
+    0.7,
     1,
   );
   for (let edge = 0; edge < edges.flags.length; edge++) edges.flags[edge] |= IS_EDGE;
@@ -97,20 +100,16 @@ type SmoothSurface = Pick<LineSurface, 'fans' | 'normals' | 'curvatures'>;
 
 function* smoothSurface(
   surface: FanSurface,
-  ofCorner: Uint32Array<ArrayBuffer>,
-  radius: number,
+  patches: Patches,
+  [ofContours, ofCurvatures]: readonly Float32Array[],
 ): Generator<number, SmoothSurface, void> {
   const { mesh, areaNormals } = surface;
-  const fans = { ofCorner: ofCorner.slice(), count: surface.fans.count };
-  yield* asPhase(absorbSpecks(surface, fans), 0, 0.05);
-  const directions = function* (share: number) {
-    const smoothed = yield* asPhase(smoothFanNormals(surface, share * radius), 0, 0.9);
-    return yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.9, 1);
-  };
-  const normals = yield* asPhase(directions(CONTOUR_SHARE), 0.05, 0.3);
-  yield* asPhase(turnFlaps(normals, fans), 0.3, 0.33);
-  const coarse = yield* asPhase(directions(CURVATURE_SHARE), 0.33, 0.7);
-  const curvatures = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, coarse), 0.7, 1);
+  const fans = { ofCorner: surface.fans.ofCorner.slice(), count: surface.fans.count };
+  yield* asPhase(absorbSpecks(surface, patches, fans), 0, 0.2);
+  const normals = yield* asPhase(fanDirections(ofContours, areaNormals, fans), 0.2, 0.3);
+  yield* asPhase(turnFlaps(normals, fans), 0.3, 0.4);
+  const coarse = yield* asPhase(fanDirections(ofCurvatures, areaNormals, fans), 0.4, 0.5);
+  const curvatures = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, coarse), 0.5, 1);
   return { fans, normals, curvatures };
 }
 
@@ -118,14 +117,14 @@ function* smoothSurface(
  * Moves the corners of specks to the fans around them. Reduced scans have many triangles that lie folded over, and a line around
  * each would be dust.
  */
-function* absorbSpecks(surface: FanSurface, fans: Fans): Generator<number, void, void> {
+function* absorbSpecks(surface: FanSurface, patches: Patches, fans: Fans): Generator<number, void, void> {
   const { areaNormals } = surface;
   const count = areaNormals.length / 3;
   if (count < LEAST_IN_SCAN) return;
   let whole = 0;
   for (let triangle = 0; triangle < count; triangle++) whole += 0.5 * doubleArea(areaNormals, triangle);
   const largest = (LARGEST_SPECK * whole) / count;
-  yield* absorbSmallPatches(surface, fans, (area, triangles) => triangles <= MOST_IN_SPECK && area <= largest);
+  yield* absorbSmallPatches(surface, patches, fans, (area, triangles) => triangles <= MOST_IN_SPECK && area <= largest);
 }
 
 /** Every corner is a fan of its own, with the normal of its triangle. */

@@ -1,6 +1,8 @@
 import { buildTriangleAdjacency, type TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
+import { consistentTwins } from '../adjacency/consistentTwins.js';
 import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
 import type { Nearness } from '../adjacency/joinBorders.js';
+import { isCoarse } from '../features/isCoarse.js';
 import { type Bounds, measureBounds } from '../mesh/measureBounds.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { validateTriangleMesh } from '../mesh/validateTriangleMesh.js';
@@ -12,9 +14,10 @@ import { cutCreases } from '../normals/cutCreases.js';
 import { cutSharpEdges } from '../normals/cutSharpEdges.js';
 import type { FanNormals } from '../normals/FanNormals.js';
 import { fanDirections } from '../normals/fanDirections.js';
+import { findPatches, type Patches } from '../normals/findPatches.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
-import { bakeLines, type LineRequest, type LineSurface } from './bakeLines.js';
+import { bakeLines, type LineRequest, type LineSurface, lineSmoothingRadii } from './bakeLines.js';
 import { type PackedLines, packLines } from './packLines.js';
 
 /** The input of the bake for every layout. Plain data: it is posted to the worker. */
@@ -70,64 +73,70 @@ export function nearnessOf({ radius }: Bounds, share = DEFAULT_WELD_TOLERANCE): 
 /** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones and the lines. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
   const { mesh } = request;
-  const share = request.lines ? 0.6 : 1;
+  const share = request.lines ? 0.75 : 1;
   yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03 * share);
   const bounds = yield* asPhase(measureBounds(mesh), 0.03 * share, 0.06 * share);
   const nearness = nearnessOf(bounds, request.weldTolerance);
   const adjacency = yield* asPhase(buildTriangleAdjacency(mesh, nearness), 0.06 * share, 0.3 * share);
   const joinedTwins = request.lines ? adjacency.twins.slice() : null;
   yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3 * share, 0.33 * share);
+  const twins = yield* asPhase(consistentTwins(adjacency), 0.33 * share, 0.34 * share);
   const smoothNormals = request.wantsNormals
-    ? yield* asPhase(bakeSmoothNormals(adjacency), 0.33 * share, 0.4 * share)
+    ? yield* asPhase(bakeSmoothNormals(twins, adjacency.areaNormals), 0.34 * share, 0.4 * share)
     : null;
+  const surface = yield* asPhase(separateFans(mesh, adjacency, twins), 0.4 * share, 0.5 * share);
+  const judged = joinedTwins && isCoarse(mesh, surface.twins, adjacency.areaNormals, bounds.radius);
+  const isCoarseMesh = judged !== null && (yield* asPhase(judged, 0.5 * share, 0.52 * share));
   const radius = request.smoothingRadius ?? DEFAULT_SMOOTHING_SHARE * bounds.radius;
-  const surface = yield* asPhase(separateFans(mesh, adjacency), 0.4 * share, 0.5 * share);
-  const fansWithPatches = joinedTwins && { ...surface.fans, ofCorner: surface.fans.ofCorner.slice() };
-  const hatchNormals = yield* asPhase(bakeHatchNormals(surface, radius), 0.5 * share, share);
+  const lineRadii = joinedTwins && !isCoarseMesh ? lineSmoothingRadii(bounds.radius) : [];
+  const smoothed = yield* asPhase(smoothFanNormals(surface, [radius, ...lineRadii]), 0.52 * share, 0.93 * share);
+  const patches = yield* asPhase(findPatches(surface), 0.93 * share, 0.95 * share);
+  const hatchNormals = yield* asPhase(directHatchNormals(surface, patches, radius, smoothed[0]), 0.95 * share, share);
   const lines =
     joinedTwins &&
     (yield* asPhase(
-      bakeLines(
-        { ...surface, fans: fansWithPatches! },
-        { ...adjacency, twins: joinedTwins },
-        hatchNormals.fans.ofCorner,
-        bounds.radius,
-        request.lines!,
-      ),
+      bakeLines(surface, patches, joinedTwins, isCoarseMesh ? null : smoothed.slice(1), bounds.radius, request.lines!),
       share,
       1,
     ));
   return { adjacency, bounds, hatchNormals, smoothNormals, lines };
 }
 
-function* bakeSmoothNormals(adjacency: TriangleAdjacency): Generator<number, FanNormals, void> {
-  const fans = yield* asPhase(buildFans(adjacency), 0, 0.5);
-  return { fans, normals: yield* asPhase(computeSmoothNormals(adjacency.areaNormals, fans), 0.5, 1) };
+function* bakeSmoothNormals(twins: Int32Array, areaNormals: Float64Array): Generator<number, FanNormals, void> {
+  const fans = yield* asPhase(buildFans(twins), 0, 0.5);
+  return { fans, normals: yield* asPhase(computeSmoothNormals(areaNormals, fans), 0.5, 1) };
 }
 
-/** Cuts the surface at sharp edges, and finds the fans that are left. */
-function* separateFans(mesh: TriangleMesh, adjacency: TriangleAdjacency): Generator<number, FanSurface, void> {
-  const { canonicalCorners, areaNormals } = adjacency;
-  const twins = yield* asPhase(cutSharpEdges(adjacency), 0, 0.7);
-  const fans = yield* asPhase(buildFans({ twins, canonicalCorners }), 0.7, 1);
+/** Cuts the surface at sharp edges, and finds the fans that are left. `twins` is cut in place. */
+function* separateFans(
+  mesh: TriangleMesh,
+  { canonicalCorners, areaNormals }: TriangleAdjacency,
+  twins: Int32Array<ArrayBuffer>,
+): Generator<number, FanSurface, void> {
+  yield* asPhase(cutSharpEdges(twins, areaNormals), 0, 0.7);
+  const fans = yield* asPhase(buildFans(twins), 0.7, 1);
   return { mesh, twins, canonicalCorners, areaNormals, fans };
 }
 
 /**
- * Normals at the scale of `radius`. Patches smaller than a disc of that diameter take the normals of the surface around them
- * and do not influence it: their corners are moved to its fans, in place.
+ * Unit normals from those that were smoothed at the scale of `radius`. Patches smaller than a disc of that diameter take the
+ * normals of the surface around them and do not influence it: their corners are moved to its fans, in place.
  */
-function* bakeHatchNormals(surface: FanSurface, radius: number): Generator<number, FanNormals, void> {
+function* directHatchNormals(
+  surface: FanSurface,
+  patches: Patches,
+  radius: number,
+  smoothed: Float32Array,
+): Generator<number, FanNormals, void> {
   const { areaNormals, fans } = surface;
-  const smoothed = yield* asPhase(smoothFanNormals(surface, radius), 0, 0.85);
   const smallest = Math.PI * (radius / 2) ** 2;
   // Negated, so that areas that are not numbers are small too.
   yield* asPhase(
-    absorbSmallPatches(surface, fans, (area) => !(area >= smallest)),
-    0.85,
-    0.93,
+    absorbSmallPatches(surface, patches, fans, (area) => !(area >= smallest)),
+    0,
+    0.6,
   );
-  return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.93, 1) };
+  return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.6, 1) };
 }
 
 /** What a bake of any layout found out about the mesh. */

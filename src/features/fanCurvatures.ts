@@ -1,3 +1,4 @@
+import { doubleArea } from '../mesh/computeAreaNormals.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import type { Fans } from '../normals/buildFans.js';
 import { asPhase } from '../slices/asPhase.js';
@@ -20,7 +21,12 @@ interface Curvatures {
   tensors: Float32Array<ArrayBuffer>;
   /** The area that each fan's tensor is the sum over. */
   areas: Float32Array;
+  /** The triangle at hand: its normal, the axes u and v of its frame, and p, q, r of its tensor (p q; q r). */
+  fitted: Float64Array;
 }
+
+/** Of `fitted`. */
+const FITTED_FLOATS = 12;
 
 /**
  * The curvature tensor K of each fan, per object unit: the surface with normal n bends by wᵀKw along the unit tangent w, more
@@ -41,7 +47,8 @@ export function* fanCurvatures(
   const { ofCorner, count } = fans;
   const tensors = new Float32Array(TENSOR_FLOATS * count);
   const areas = new Float32Array(count);
-  const curvatures = { positions, indices, ofCorner, areaNormals, normals, tensors, areas };
+  const fitted = new Float64Array(FITTED_FLOATS);
+  const curvatures = { positions, indices, ofCorner, areaNormals, normals, tensors, areas, fitted };
   yield* asPhase(
     forEachChunk(indices.length / 3, (start, end) => addTriangles(curvatures, start, end)),
     0,
@@ -57,92 +64,103 @@ export function* fanCurvatures(
 
 /** Adds the tensors of some triangles, times their areas, to those of their fans. */
 function addTriangles(curvatures: Curvatures, start: number, end: number): void {
-  const { positions, indices, ofCorner, areaNormals, normals } = curvatures;
-  for (let first = 3 * start; first < 3 * end; first += 3) {
-    let fx = areaNormals[first];
-    let fy = areaNormals[first + 1];
-    let fz = areaNormals[first + 2];
-    const doubleArea = Math.sqrt(fx * fx + fy * fy + fz * fz);
-    if (doubleArea === 0) continue;
-    fx /= doubleArea;
-    fy /= doubleArea;
-    fz /= doubleArea;
-
-    // The frame of the triangle: u along edge 0, v = f × u.
-    const origin = 3 * indices[first];
-    const target = 3 * indices[first + 1];
-    let ux = positions[target] - positions[origin];
-    let uy = positions[target + 1] - positions[origin + 1];
-    let uz = positions[target + 2] - positions[origin + 2];
-    const length = Math.sqrt(ux * ux + uy * uy + uz * uz);
-    ux /= length;
-    uy /= length;
-    uz /= length;
-    const vx = fy * uz - fz * uy;
-    const vy = fz * ux - fx * uz;
-    const vz = fx * uy - fy * ux;
-
-    // Least squares of K·e = Δn over the three edges, with K = (p q; q r) and all vectors in the frame.
-    let a = 0;
-    let b = 0;
-    let c = 0;
-    let right0 = 0;
-    let right1 = 0;
-    let right2 = 0;
-    for (let k = 0; k < 3; k++) {
-      const corner = first + k;
-      const next = first + ((k + 1) % 3);
-      const from = 3 * indices[corner];
-      const to = 3 * indices[next];
-      const ex = positions[to] - positions[from];
-      const ey = positions[to + 1] - positions[from + 1];
-      const ez = positions[to + 2] - positions[from + 2];
-      const fanFrom = 3 * ofCorner[corner];
-      const fanTo = 3 * ofCorner[next];
-      const nx = normals[fanTo] - normals[fanFrom];
-      const ny = normals[fanTo + 1] - normals[fanFrom + 1];
-      const nz = normals[fanTo + 2] - normals[fanFrom + 2];
-      const e0 = ex * ux + ey * uy + ez * uz;
-      const e1 = ex * vx + ey * vy + ez * vz;
-      const n0 = nx * ux + ny * uy + nz * uz;
-      const n1 = nx * vx + ny * vy + nz * vz;
-      a += e0 * e0;
-      b += e0 * e1;
-      c += e1 * e1;
-      right0 += e0 * n0;
-      right1 += e1 * n0 + e0 * n1;
-      right2 += e1 * n1;
-    }
-    // The system (a b 0; b a+c b; 0 b c)(p q r)ᵀ = right, by elimination of p and r.
-    const determinant = a * c * (a + c) - b * b * (a + c);
-    if (!(determinant > LEAST_DETERMINANT * (a + c) ** 3)) continue;
-    const q = (right1 * a * c - b * (right0 * c + right2 * a)) / determinant;
-    const p = (right0 - b * q) / a;
-    const r = (right2 - b * q) / c;
-    for (let corner = first; corner < first + 3; corner++) {
-      addTensor(curvatures, corner, doubleArea, fx, fy, fz, ux, uy, uz, vx, vy, vz, p, q, r);
-    }
+  for (let triangle = start; triangle < end; triangle++) {
+    const area = doubleArea(curvatures.areaNormals, triangle);
+    if (area === 0 || !fitTensor(curvatures, 3 * triangle, area)) continue;
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) addTensor(curvatures, corner, area);
   }
 }
 
-/** Turns a triangle's tensor from its plane, with normal f, into the tangent plane of the corner's fan, and adds it. */
-function addTensor(
-  { ofCorner, normals, tensors, areas }: Curvatures,
-  corner: number,
+/** Fits the tensor of the triangle whose first corner is `first`. Returns false where it is too thin. */
+function fitTensor(
+  { positions, indices, ofCorner, areaNormals, normals, fitted }: Curvatures,
+  first: number,
   area: number,
-  fx: number,
-  fy: number,
-  fz: number,
-  ux: number,
-  uy: number,
-  uz: number,
-  vx: number,
-  vy: number,
-  vz: number,
-  p: number,
-  q: number,
-  r: number,
-): void {
+): boolean {
+  const fx = areaNormals[first] / area;
+  const fy = areaNormals[first + 1] / area;
+  const fz = areaNormals[first + 2] / area;
+
+  // The frame of the triangle: u along edge 0, v = f × u.
+  const origin = 3 * indices[first];
+  const target = 3 * indices[first + 1];
+  let ux = positions[target] - positions[origin];
+  let uy = positions[target + 1] - positions[origin + 1];
+  let uz = positions[target + 2] - positions[origin + 2];
+  const length = Math.sqrt(ux * ux + uy * uy + uz * uz);
+  ux /= length;
+  uy /= length;
+  uz /= length;
+  const vx = fy * uz - fz * uy;
+  const vy = fz * ux - fx * uz;
+  const vz = fx * uy - fy * ux;
+
+  // Least squares of K·e = Δn over the three edges, with K = (p q; q r) and all vectors in the frame.
+  let a = 0;
+  let b = 0;
+  let c = 0;
+  let right0 = 0;
+  let right1 = 0;
+  let right2 = 0;
+  for (let k = 0; k < 3; k++) {
+    const corner = first + k;
+    const next = first + ((k + 1) % 3);
+    const from = 3 * indices[corner];
+    const to = 3 * indices[next];
+    const ex = positions[to] - positions[from];
+    const ey = positions[to + 1] - positions[from + 1];
+    const ez = positions[to + 2] - positions[from + 2];
+    const fanFrom = 3 * ofCorner[corner];
+    const fanTo = 3 * ofCorner[next];
+    const nx = normals[fanTo] - normals[fanFrom];
+    const ny = normals[fanTo + 1] - normals[fanFrom + 1];
+    const nz = normals[fanTo + 2] - normals[fanFrom + 2];
+    const e0 = ex * ux + ey * uy + ez * uz;
+    const e1 = ex * vx + ey * vy + ez * vz;
+    const n0 = nx * ux + ny * uy + nz * uz;
+    const n1 = nx * vx + ny * vy + nz * vz;
+    a += e0 * e0;
+    b += e0 * e1;
+    c += e1 * e1;
+    right0 += e0 * n0;
+    right1 += e1 * n0 + e0 * n1;
+    right2 += e1 * n1;
+  }
+  // The system (a b 0; b a+c b; 0 b c)(p q r)ᵀ = right, by elimination of p and r.
+  const determinant = a * c * (a + c) - b * b * (a + c);
+  if (!(determinant > LEAST_DETERMINANT * (a + c) * (a + c) * (a + c))) return false;
+  const q = (right1 * a * c - b * (right0 * c + right2 * a)) / determinant;
+  const p = (right0 - b * q) / a;
+  const r = (right2 - b * q) / c;
+  fitted[0] = fx;
+  fitted[1] = fy;
+  fitted[2] = fz;
+  fitted[3] = ux;
+  fitted[4] = uy;
+  fitted[5] = uz;
+  fitted[6] = vx;
+  fitted[7] = vy;
+  fitted[8] = vz;
+  fitted[9] = p;
+  fitted[10] = q;
+  fitted[11] = r;
+  return true;
+}
+
+/** Turns the fitted tensor from its plane, with normal f, into the tangent plane of the corner's fan, and adds it. */
+function addTensor({ ofCorner, normals, tensors, areas, fitted }: Curvatures, corner: number, area: number): void {
+  const fx = fitted[0];
+  const fy = fitted[1];
+  const fz = fitted[2];
+  const ux = fitted[3];
+  const uy = fitted[4];
+  const uz = fitted[5];
+  const vx = fitted[6];
+  const vy = fitted[7];
+  const vz = fitted[8];
+  const p = fitted[9];
+  const q = fitted[10];
+  const r = fitted[11];
   const fan = ofCorner[corner];
   const nx = normals[3 * fan];
   const ny = normals[3 * fan + 1];

@@ -14,7 +14,7 @@ export interface FeatureSurface {
   areaNormals: Float64Array;
   /** Twins before any edge was cut. */
   joinedTwins: Int32Array;
-  /** Twins with NO_TWIN at sharp edges too. */
+  /** Twins with NO_TWIN at sharp edges, and where windings contradict each other. */
   sharpTwins: Int32Array;
   /** The fan of each corner. */
   ofCorner: Uint32Array;

@@ -15,12 +15,7 @@ export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, vo
   const { min, max } = bounds;
   const count = mesh.indices.length;
   yield* asPhase(
-    forEachChunk(count, (start, end) => {
-      for (let axis = 0; axis < 3; axis++) {
-        min[axis] = Math.min(min[axis], least(mesh, axis, start, end));
-        max[axis] = Math.max(max[axis], greatest(mesh, axis, start, end));
-      }
-    }),
+    forEachChunk(count, (start, end) => enclose(mesh, bounds, start, end)),
     0,
     0.6,
   );
@@ -35,16 +30,24 @@ export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, vo
   return bounds;
 }
 
-function least({ positions, indices }: TriangleMesh, axis: number, start: number, end: number): number {
-  let value = Infinity;
-  for (let corner = start; corner < end; corner++) value = Math.min(value, positions[3 * indices[corner] + axis]);
-  return value;
-}
-
-function greatest({ positions, indices }: TriangleMesh, axis: number, start: number, end: number): number {
-  let value = -Infinity;
-  for (let corner = start; corner < end; corner++) value = Math.max(value, positions[3 * indices[corner] + axis]);
-  return value;
+/** Widens the box to the vertices of some corners. */
+function enclose({ positions, indices }: TriangleMesh, { min, max }: Bounds, start: number, end: number): void {
+  let [minX, minY, minZ] = min;
+  let [maxX, maxY, maxZ] = max;
+  for (let corner = start; corner < end; corner++) {
+    const i = 3 * indices[corner];
+    const x = positions[i];
+    const y = positions[i + 1];
+    const z = positions[i + 2];
+    minX = Math.min(minX, x);
+    minY = Math.min(minY, y);
+    minZ = Math.min(minZ, z);
+    maxX = Math.max(maxX, x);
+    maxY = Math.max(maxY, y);
+    maxZ = Math.max(maxZ, z);
+  }
+  min.splice(0, 3, minX, minY, minZ);
+  max.splice(0, 3, maxX, maxY, maxZ);
 }
 
 /** The greatest distance from the centre. */

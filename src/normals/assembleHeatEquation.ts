@@ -1,4 +1,3 @@
-import { consistentTwin } from '../adjacency/consistentTwin.js';
 import { doubleArea } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, nextCorner, previousCorner } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
@@ -15,7 +14,7 @@ const LARGEST_COTANGENT = 10;
 /** A mesh of fans to smooth over. */
 export interface FanSurface {
   mesh: TriangleMesh;
-  /** Twins with NO_TWIN wherever two fans meet, except where windings contradict each other. */
+  /** Twins with NO_TWIN wherever two fans meet. */
   twins: Int32Array<ArrayBuffer>;
   canonicalCorners: Uint32Array<ArrayBuffer>;
   areaNormals: Float64Array<ArrayBuffer>;
@@ -26,8 +25,8 @@ export interface FanSurface {
 export interface HeatEquation {
   /** The edges of fan i lie in entries starts[i] … starts[i + 1] − 1. */
   starts: Uint32Array;
-  /** The fan at the other end of each edge. */
-  neighbours: Uint32Array;
+  /** Three times the number of the fan at the other end of each edge: where its vector lies. */
+  neighbours: Int32Array;
   /** Half the sum of the cotangents of the angles opposite to each edge. */
   weights: Float32Array;
   /** For each fan a third of the area around it. */
@@ -66,7 +65,7 @@ export function* assembleHeatEquation(
   }
   const heat: HeatEquation = {
     starts,
-    neighbours: new Uint32Array(edgeCount),
+    neighbours: new Int32Array(edgeCount),
     weights: new Float32Array(edgeCount),
     masses,
     degrees: new Float64Array(fans.count),
@@ -116,11 +115,11 @@ function dotFrom(positions: Float32Array, origin: number, a: number, b: number):
 
 /** Counts the edges of each fan. A half-edge counts for the fan it starts from and, without a twin, for the one it ends in. */
 function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end: number): void {
-  const { twins, canonicalCorners } = surface;
+  const { twins } = surface;
   const { ofCorner } = surface.fans;
   for (let corner = start; corner < end; corner++) {
     sizes[ofCorner[corner]]++;
-    if (consistentTwin(twins, canonicalCorners, corner) === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
+    if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
   }
 }
 
@@ -132,21 +131,21 @@ function scatterRange(
   start: number,
   end: number,
 ): void {
-  const { twins, canonicalCorners } = surface;
+  const { twins } = surface;
   const { ofCorner } = surface.fans;
   for (let corner = start; corner < end; corner++) {
     const from = ofCorner[corner];
     const to = ofCorner[nextCorner(corner)];
-    const twin = consistentTwin(twins, canonicalCorners, corner);
+    const twin = twins[corner];
     const across = twin === NO_TWIN ? 0 : cotangents[previousCorner(twin)];
     const weight = 0.5 * (cotangents[previousCorner(corner)] + across);
     let slot = --starts[from];
-    neighbours[slot] = to;
+    neighbours[slot] = 3 * to;
     weights[slot] = weight;
     degrees[from] += Math.abs(weight);
     if (twin !== NO_TWIN) continue;
     slot = --starts[to];
-    neighbours[slot] = from;
+    neighbours[slot] = 3 * from;
     weights[slot] = weight;
     degrees[to] += Math.abs(weight);
   }

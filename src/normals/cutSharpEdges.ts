@@ -1,12 +1,8 @@
-import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
-import { consistentTwin } from '../adjacency/consistentTwin.js';
 import { doubleArea } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import { writeNormalized } from './writeNormalized.js';
-
-type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 
 /**
  * An edge is sharp if the filtered normals of its triangles differ by more than this. Below 60°, so that the edges of a
@@ -21,15 +17,15 @@ const CREASE_DISTANCE_SQUARED = 2 - 2 * Math.cos((CREASE_DEGREES * Math.PI) / 18
 const PASSES = 4;
 
 /**
- * Returns a copy of the twins with NO_TWIN at every sharp edge. Scan noise tilts small triangles by more than some sharp
+ * Sets the twins of every sharp edge to NO_TWIN, in place. Scan noise tilts small triangles by more than some sharp
  * edges do, so the angle is measured between filtered normals. Each normal is averaged with those of the neighbours,
  * weighted by area and by similarity, with weight zero beyond the crease angle (bilateral filtering of normals: Zheng, Fu,
  * Au and Tai, 2011). This removes noise, and the faces of a cube do not influence each other.
+ *
+ * @param twins without those of edges where the windings contradict each other (`consistentTwins`)
  */
-export function* cutSharpEdges(adjacency: Adjacency): Generator<number, Int32Array<ArrayBuffer>, void> {
-  const { areaNormals } = adjacency;
+export function* cutSharpEdges(twins: Int32Array, areaNormals: Float64Array): Generator<number, void, void> {
   const count = areaNormals.length / 3;
-  const twins = adjacency.twins.slice();
   const areas = new Float64Array(count);
   let normals = new Float32Array(3 * count);
   let filtered = new Float32Array(3 * count);
@@ -41,18 +37,17 @@ export function* cutSharpEdges(adjacency: Adjacency): Generator<number, Int32Arr
   );
   for (let pass = 1; pass <= PASSES; pass++) {
     yield* asPhase(
-      forEachChunk(count, (start, end) => filterRange(adjacency, areas, normals, filtered, start, end)),
+      forEachChunk(count, (start, end) => filterRange(twins, areas, normals, filtered, start, end)),
       pass * share,
       (pass + 1) * share,
     );
     [normals, filtered] = [filtered, normals];
   }
   yield* asPhase(
-    forEachChunk(3 * count, (start, end) => cutRange(adjacency.twins, normals, twins, start, end)),
+    forEachChunk(3 * count, (start, end) => cutRange(normals, twins, start, end)),
     1 - share,
     1,
   );
-  return twins;
 }
 
 /** Splits the area normals of some triangles into double area and unit normal. */
@@ -70,14 +65,13 @@ function splitRange(
 }
 
 function filterRange(
-  adjacency: Adjacency,
+  twins: Int32Array,
   areas: Float64Array,
   normals: Float32Array,
   filtered: Float32Array,
   start: number,
   end: number,
 ): void {
-  const { twins, canonicalCorners } = adjacency;
   for (let first = 3 * start; first < 3 * end; first += 3) {
     const own = areas[triangleOf(first)];
     const x = normals[first];
@@ -87,7 +81,7 @@ function filterRange(
     let sumY = own * y;
     let sumZ = own * z;
     for (let corner = first; corner < first + 3; corner++) {
-      const twin = consistentTwin(twins, canonicalCorners, corner);
+      const twin = twins[corner];
       if (twin === NO_TWIN) continue;
       const neighbour = triangleOf(twin);
       const neighbourX = normals[3 * neighbour];
@@ -111,9 +105,10 @@ function filterRange(
   }
 }
 
-function cutRange(before: Int32Array, normals: Float32Array, twins: Int32Array, start: number, end: number): void {
+/** Each half-edge is cut by itself; both of an edge are equally far from each other. */
+function cutRange(normals: Float32Array, twins: Int32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    const twin = before[corner];
+    const twin = twins[corner];
     if (twin === NO_TWIN) continue;
     const a = 3 * triangleOf(corner);
     const b = 3 * triangleOf(twin);

@@ -13,17 +13,19 @@ const TOLERANCE = 0.02;
 const MOST_PASSES = 200;
 
 /**
- * Smooths normals at the scale of `radius`, in object units. Starts from the mean normal of each fan and lets it diffuse
+ * Smooths normals at the scale of each of `radii`, in object units. Starts from the mean normal of each fan and lets it diffuse
  * over the surface like heat, for the time radius²/4, in which heat spreads over about `radius`. Finer noise is averaged
  * away; nothing flows across edges that separate fans. The result depends on the shape and not on its triangulation, thanks
  * to cotangent weights and a time in object units instead of a number of passes.
  *
- * @returns x, y, z per fan, not of unit length; zero where normals cancel and in fans of degenerate triangles
+ * Several radii cost little more than the largest: they are parts of one flow.
+ *
+ * @returns for each radius x, y, z per fan, not of unit length; zero where normals cancel and in fans of degenerate triangles
  */
 export function* smoothFanNormals(
   surface: FanSurface,
-  radius: number,
-): Generator<number, Float32Array<ArrayBuffer>, void> {
+  radii: readonly number[],
+): Generator<number, Float32Array<ArrayBuffer>[], void> {
   const { fans, areaNormals } = surface;
   const sums = new Float64Array(3 * fans.count);
   const masses = new Float64Array(fans.count);
@@ -40,11 +42,40 @@ export function* smoothFanNormals(
     0.05,
     0.1,
   );
-  if (radius === 0) return normals;
+  const smoothed = radii.map(() => normals);
+  if (radii.every((radius) => radius === 0)) return smoothed;
   const heat = yield* asPhase(assembleHeatEquation(surface, masses), 0.1, 0.25);
-  const time = radius ** 2 / 4;
-  const rate = Math.min(highestRate(heat), longestHeatTime(MOST_PASSES, TOLERANCE) / time);
-  return time * rate > 1e-6 ? yield* asPhase(flow(heat, normals, time * rate, rate), 0.25, 1) : normals;
+  const flows = planFlows(radii, highestRate(heat));
+  for (const [i, { rate, parts }] of flows.entries()) {
+    const series = parts.map(({ steps }) => heatSeries(steps, TOLERANCE));
+    const task = flow(heat, normals.slice(), rate, series);
+    const results = yield* asPhase(task, 0.25 + (0.75 * i) / flows.length, 0.25 + (0.75 * (i + 1)) / flows.length);
+    for (const [k, { radius }] of parts.entries()) smoothed[radius] = results[k];
+  }
+  return smoothed;
+}
+
+/** Parts of a flow that take the same steps, some more of them than others. */
+interface FlowPlan {
+  /** The highest rate at which fans mix. */
+  rate: number;
+  /** By the index of the radius, how many steps. */
+  parts: { radius: number; steps: number }[];
+}
+
+/** Radii that no fan needs to be slowed down for are parts of one flow; each of the others is one by itself. */
+function planFlows(radii: readonly number[], highest: number): FlowPlan[] {
+  const plans: FlowPlan[] = [];
+  for (const [i, radius] of radii.entries()) {
+    const time = radius ** 2 / 4;
+    const rate = Math.min(highest, longestHeatTime(MOST_PASSES, TOLERANCE) / time);
+    if (!(time * rate > 1e-6)) continue;
+    const part = { radius: i, steps: time * rate };
+    const plan = plans.find((other) => other.rate === rate);
+    if (plan) plan.parts.push(part);
+    else plans.push({ rate, parts: [part] });
+  }
+  return plans;
 }
 
 /** Adds up the normals and masses of some triangles. */
@@ -96,32 +127,35 @@ function highestRate({ masses, degrees }: HeatEquation): number {
 }
 
 /**
- * e^(−steps·(1 − P))·normals with P = 1 − L/rate, L the Laplacian, by the recurrence of the Chebyshev polynomials. Overwrites
- * `normals`.
+ * For each series of coefficients cₖ, Σ cₖ·Tₖ(P)·normals with P = 1 − L/rate, L the Laplacian, by the recurrence of the Chebyshev
+ * polynomials: e^(−steps·(1 − P))·normals, if the coefficients are those of `heatSeries`. Overwrites `normals`.
  */
 function* flow(
   heat: HeatEquation,
   normals: Float32Array<ArrayBuffer>,
-  steps: number,
   rate: number,
-): Generator<number, Float32Array<ArrayBuffer>, void> {
-  const coefficients = heatSeries(steps, TOLERANCE);
-  const result = scaled(normals, coefficients[0]);
+  series: readonly (readonly number[])[],
+): Generator<number, Float32Array<ArrayBuffer>[], void> {
+  const fanCount = heat.masses.length;
+  const results = series.map(([first]) => scaled(normals, first));
+  const steps = new Float64Array(fanCount);
+  for (let fan = 0; fan < fanCount; fan++) steps[fan] = 1 / (Math.max(rate * heat.masses[fan], heat.degrees[fan]) || 1);
   let current = normals;
   let previous = new Float32Array(normals.length);
-  const share = 1 / Math.max(1, coefficients.length - 1);
-  for (let k = 1; k < coefficients.length; k++) {
+  const passes = Math.max(...series.map(({ length }) => length)) - 1;
+  for (let k = 1; k <= passes; k++) {
     const scale = k === 1 ? 1 : 2;
+    const terms = series.flatMap((coefficients, i) =>
+      k < coefficients.length ? [{ coefficient: coefficients[k], result: results[i] }] : [],
+    );
     yield* asPhase(
-      forEachChunk(heat.masses.length, (start, end) =>
-        stepRange(heat, rate, scale, coefficients[k], current, previous, result, start, end),
-      ),
-      (k - 1) * share,
-      k * share,
+      forEachChunk(fanCount, (start, end) => stepRange(heat, steps, scale, terms, current, previous, start, end)),
+      (k - 1) / passes,
+      k / passes,
     );
     [current, previous] = [previous, current];
   }
-  return result;
+  return results;
 }
 
 /** A loop: `map` calls a function for each value, which measured ten times as slow. */
@@ -131,46 +165,55 @@ function scaled(values: Float32Array, factor: number): Float32Array<ArrayBuffer>
   return result;
 }
 
+/** A term of a series is added to `result`. */
+interface Term {
+  coefficient: number;
+  result: Float32Array;
+}
+
 /**
- * Turns `previous`, Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ (scale 2; in the first step 1, and T₋₁ = 0) and adds its term of the
- * series to `result`. A fan with so little area that it would mix faster than `rate` is treated as larger, which keeps the
+ * Turns `previous`, Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ (scale 2; in the first step 1, and T₋₁ = 0) and adds its terms of the
+ * series to their results. A fan with so little area that it would mix faster than the rate is treated as larger, which keeps the
  * eigenvalues of P within [−1, 1]. Differences are summed, not values, so equal neighbours stay equal to the last bit.
  */
 function stepRange(
-  { starts, neighbours, weights, masses, degrees }: HeatEquation,
-  rate: number,
+  { starts, neighbours, weights }: HeatEquation,
+  steps: Float64Array,
   scale: number,
-  coefficient: number,
+  terms: readonly Term[],
   current: Float32Array,
   previous: Float32Array,
-  result: Float32Array,
   start: number,
   end: number,
 ): void {
+  let edge = starts[start];
   for (let fan = start; fan < end; fan++) {
-    const x = current[3 * fan];
-    const y = current[3 * fan + 1];
-    const z = current[3 * fan + 2];
+    const i = 3 * fan;
+    const x = current[i];
+    const y = current[i + 1];
+    const z = current[i + 2];
     let dx = 0;
     let dy = 0;
     let dz = 0;
-    const last = starts[fan + 1];
-    for (let edge = starts[fan]; edge < last; edge++) {
-      const neighbour = 3 * neighbours[edge];
+    for (const last = starts[fan + 1]; edge < last; edge++) {
+      const neighbour = neighbours[edge];
       const weight = weights[edge];
       dx += weight * (current[neighbour] - x);
       dy += weight * (current[neighbour + 1] - y);
       dz += weight * (current[neighbour + 2] - z);
     }
-    const step = 1 / (Math.max(rate * masses[fan], degrees[fan]) || 1);
-    const nextX = scale * (x + step * dx) - previous[3 * fan];
-    const nextY = scale * (y + step * dy) - previous[3 * fan + 1];
-    const nextZ = scale * (z + step * dz) - previous[3 * fan + 2];
-    previous[3 * fan] = nextX;
-    previous[3 * fan + 1] = nextY;
-    previous[3 * fan + 2] = nextZ;
-    result[3 * fan] += coefficient * nextX;
-    result[3 * fan + 1] += coefficient * nextY;
-    result[3 * fan + 2] += coefficient * nextZ;
+    const step = steps[fan];
+    const nextX = scale * (x + step * dx) - previous[i];
+    const nextY = scale * (y + step * dy) - previous[i + 1];
+    const nextZ = scale * (z + step * dz) - previous[i + 2];
+    previous[i] = nextX;
+    previous[i + 1] = nextY;
+    previous[i + 2] = nextZ;
+    for (let term = 0; term < terms.length; term++) {
+      const { coefficient, result } = terms[term];
+      result[i] += coefficient * nextX;
+      result[i + 1] += coefficient * nextY;
+      result[i + 2] += coefficient * nextZ;
+    }
   }
 }

@@ -1,5 +1,6 @@
 import type { BufferGeometry } from 'three';
 import { buildTriangleAdjacency } from '../../../src/adjacency/buildTriangleAdjacency.js';
+import { consistentTwins } from '../../../src/adjacency/consistentTwins.js';
 import { bakeSurface, type SurfaceRequest } from '../../../src/bake/bakeSurface.js';
 import type { FeatureSurface } from '../../../src/features/findFeatureEdges.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
@@ -22,8 +23,9 @@ export function meshFrom({ attributes, index }: BufferGeometry): TriangleMesh {
 /** A mesh with its adjacency, cut at sharp edges, and its fans: what `bakeLines` starts from. */
 export function surfaceOf(mesh: TriangleMesh) {
   const adjacency = finish(buildTriangleAdjacency(mesh));
-  const sharpTwins = finish(cutSharpEdges(adjacency));
-  const fans = finish(buildFans({ twins: sharpTwins, canonicalCorners: adjacency.canonicalCorners }));
+  const sharpTwins = finish(consistentTwins(adjacency));
+  finish(cutSharpEdges(sharpTwins, adjacency.areaNormals));
+  const fans = finish(buildFans(sharpTwins));
   return { mesh, ...adjacency, sharpTwins, fans };
 }
 
