@@ -2,6 +2,7 @@ import { expect, test } from '../browser/test.js';
 import { dae, fbx, usda, zip } from '../unit/demo/files/sceneWriters.js';
 import {
   file,
+  largeTorus,
   octahedronAsciiStl,
   octahedronBin,
   octahedronBinaryStl,
@@ -152,11 +153,28 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
 test('joining the triangles of a large model can be cancelled', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
-  await page.evaluate(() => {
-    location.hash = 'model=dragon1';
-  });
-  await expect(page.locator('#status')).toHaveText(/^Joining 871,414 triangles/, { timeout: 60_000 });
-  await page.getByRole('button', { name: 'Cancel' }).click();
+  // In the page, because the bake does not wait; and after the stand-in was drawn, which has to go again.
+  const shown = await page.evaluate(
+    () =>
+      new Promise<string>((resolve) => {
+        location.hash = 'model=dragon1';
+        let framesBefore = Infinity;
+        const look = (): void => {
+          const name = document.querySelector('#model-name')!.textContent!;
+          const { framesDrawn } = window.__playground!;
+          if (framesBefore === Infinity && name !== 'Cube') framesBefore = framesDrawn;
+          const isJoining = /^Joining 871,414 triangles/.test(document.querySelector('#status')!.textContent!);
+          if (!isJoining || framesDrawn <= framesBefore) {
+            requestAnimationFrame(look);
+            return;
+          }
+          document.querySelector<HTMLButtonElement>('#cancel')!.click();
+          resolve(name);
+        };
+        look();
+      }),
+  );
+  expect(shown).toMatch(/dragon/i);
   await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
   await ready(page);
   await expect(page.locator('#model-name')).toHaveText('Cube');
@@ -165,4 +183,31 @@ test('joining the triangles of a large model can be cancelled', async ({ page })
   await expect(page.getByRole('combobox', { name: 'Model', exact: true })).toHaveValue('Cube');
   await page.getByRole('button', { name: 'Settings' }).click();
   expect(changedShare(before, await readDrawing(page))).toBe(0);
+});
+
+test('a large model is drawn at once, before it is baked, and stays where it was when it is ready', async ({
+  page,
+}) => {
+  await openPlayground(page, 'model=cube');
+  // Whether a frame has shown the model while there was work left, and how the model was framed then.
+  await page.evaluate(() => {
+    const seen = window as unknown as { __early?: Promise<number> };
+    const before = window.__playground!.framesDrawn;
+    let framesAtTitle = Infinity;
+    seen.__early = new Promise((resolve) => {
+      const look = (): void => {
+        const { framesDrawn, isIdle } = window.__playground!;
+        if (framesAtTitle === Infinity && document.title.includes('torus')) framesAtTitle = framesDrawn;
+        if (document.documentElement.dataset.state === 'ready' && isIdle && framesDrawn > before) resolve(0);
+        else if (framesDrawn > framesAtTitle && document.documentElement.dataset.state === 'loading') resolve(1);
+        else requestAnimationFrame(look);
+      };
+      look();
+    });
+  });
+  await drop(page, [largeTorus()]);
+  expect(await page.evaluate(() => (window as unknown as { __early: Promise<number> }).__early)).toBe(1);
+  await ready(page);
+  await expect(page.locator('#model-statistics')).toHaveText(/^\d+,\d+ triangles$/);
+  await expect(page.locator('.earlier-picture')).toBeHidden();
 });

@@ -1,6 +1,8 @@
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
 import { encodeDraco } from '../unit/demo/files/encodeDraco.js';
+import { Mesh, TorusGeometry } from 'three';
+import { PLYExporter } from 'three/addons/exporters/PLYExporter.js';
 import { packGlb } from './columnModel.js';
 
 /** An octahedron in every format that the page reads, made by code so that the tests need no files. */
@@ -192,3 +194,11 @@ export async function octahedronDracoGlb(): Promise<Buffer> {
 }
 
 export const octahedronGlb = (): Buffer => packGlb(octahedronGltf(), octahedronBin());
+
+/** A torus of 110,000 triangles without normals. */
+export function largeTorus(): TestFile {
+  const torus = new TorusGeometry(1, 0.4, 200, 275);
+  const options = { binary: true, excludeAttributes: ['normal', 'uv'] };
+  const content = new PLYExporter().parse(new Mesh(torus), undefined as never, options as never);
+  return file('torus.ply', Buffer.from(content as unknown as ArrayBuffer));
+}

@@ -15,7 +15,9 @@ const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void 
 function transferables(model: ReadModel): Transferable[] {
   if (model.kind === 'mesh') {
     const bitmaps = model.pictures.flatMap((picture) => (picture ? [picture.bitmap] : []));
-    return [...meshBuffers(model.mesh), ...new Set(bitmaps)];
+    // The normals of a stand-in may be those of the mesh.
+    const buffers = new Set([...meshBuffers(model.mesh), ...(model.plainNormals ? [model.plainNormals.buffer] : [])]);
+    return [...buffers, ...new Set(bitmaps)] as Transferable[];
   }
   const { arrays, bitmaps } = model.parts;
   return [...arrays, ...bitmaps.filter((bitmap) => bitmap !== undefined)];

@@ -13,6 +13,7 @@ import { mergeScene, type WantedPicture } from './mergeScene.js';
 import { type MeshPicture, missingNote, readMeshPictures } from './meshPictures.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
+import { plainNormals } from './plainNormals.js';
 import { readArchive } from './readArchive.js';
 import { type ReadGltf, readGltf } from './readGltf.js';
 import { readMoving } from './readMoving.js';
@@ -50,6 +51,8 @@ export interface ReadMesh extends Read {
   mesh: PlainMesh;
   /** The pictures of its ranges; undefined for those that are not there. */
   pictures: (MeshPicture | undefined)[];
+  /** Those of a stand-in until the mesh is baked; null if it needs none. */
+  plainNormals: Float32Array | null;
 }
 
 export interface ReadParts extends Read {
@@ -117,6 +120,7 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     upAxis,
     mesh,
     pictures,
+    plainNormals: plainNormals(mesh),
     missing,
     notes: [
       ...brokenNote(parsed.broken + broken),

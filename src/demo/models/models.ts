@@ -113,5 +113,5 @@ function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNo
 
 function builtInMesh(name: string, mesh: PlainMesh): ReadModel {
   fitModel(mesh);
-  return { kind: 'mesh', mesh, pictures: [], name, notes: [], missing: [], upAxis: 'y' };
+  return { kind: 'mesh', mesh, pictures: [], plainNormals: null, name, notes: [], missing: [], upAxis: 'y' };
 }

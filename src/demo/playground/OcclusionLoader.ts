@@ -21,7 +21,8 @@ export class OcclusionLoader {
 
   /** To be called when the model or the settings have changed. */
   update(): void {
-    const { model } = this.scene;
+    // A stand-in is gone before its occlusion were there.
+    const model = this.scene.isStandIn ? undefined : this.scene.model;
     if (model !== this.model) this.letGo();
     if (model === this.model || !model || this.settings.occlusion === 0) return;
     this.model = model;

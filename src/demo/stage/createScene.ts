@@ -4,6 +4,7 @@ import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import type { Settings } from '../settings/settings.js';
 import { AdaptiveResolution } from './AdaptiveResolution.js';
+import { CrossFade } from './CrossFade.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
 import { FrameScheduler } from './FrameScheduler.js';
 import { FrameTimer } from './FrameTimer.js';
@@ -37,7 +38,15 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   scene.add(upright);
   let model: HatchedModel | undefined;
   /** Kept until the new model has been drawn, so that programs used by both are not compiled again. */
-  let previousModel: HatchedModel | undefined;
+  let previousModels: HatchedModel[] = [];
+  /** The model that a stand-in has taken the place of: it comes back if the one that is waited for does not come. */
+  let replacedModel: HatchedModel | undefined;
+  /** The directions from which the model, and the replaced one, are seen when they are framed. */
+  let firstView: readonly [number, number, number] = DEFAULT_VIEW;
+  let replacedView = firstView;
+  let isStandIn = false;
+  /** The stand-in that the next frame fades from. */
+  let fadesFrom: HatchedModel | undefined;
   let map: TonalArtMap | undefined;
   let settings: Settings | undefined;
 
@@ -51,6 +60,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   });
   const timeListeners: (() => void)[] = [];
   const view = new View(canvas, camera, () => scheduler.invalidate());
+  const crossFade = new CrossFade(canvas);
   const lastPicture = new LastPicture(canvas, () => {
     const { clientWidth: width, clientHeight: height } = viewport;
     if (context.isContextLost() || width === 0 || height === 0) return false;
@@ -71,12 +81,46 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (isLightMoved || areShadowsChanged || model?.motion) renderer.shadowMap.needsUpdate = true;
     const pixelRatio = resolution.pixelRatio(width, height);
     if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
-    timer.measure(() => drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio));
-    previousModel?.dispose();
-    previousModel = undefined;
+    const tile = { viewWidth: width, x: 0, width, height };
+    if (fadesFrom) {
+      showInstead(fadesFrom, () => drawTile(tile, pixelRatio));
+      crossFade.start();
+      fadesFrom = undefined;
+    }
+    timer.measure(() => drawTile(tile, pixelRatio));
+    disposePrevious();
     lastPicture.frameDrawn();
     for (const listener of frameListeners) listener();
     if (model?.motion?.isPlaying) scheduler.invalidate();
+  }
+
+  /** Puts another model in the place of the present one while `draw` draws. */
+  function showInstead(other: HatchedModel, draw: () => void): void {
+    const shown = model;
+    shown?.root.removeFromParent();
+    upright.add(other.root);
+    model = other;
+    draw();
+    model = shown;
+    other.root.removeFromParent();
+    if (shown) upright.add(shown.root);
+  }
+
+  function disposePrevious(): void {
+    for (const previous of previousModels) previous.dispose();
+    previousModels = [];
+    fadesFrom = undefined;
+  }
+
+  /** Puts `next` in the place of the present model, which is returned. */
+  function exchange(next: HatchedModel): HatchedModel | undefined {
+    const before = model;
+    before?.root.removeFromParent();
+    model = next;
+    upright.add(next.root);
+    timer.reset();
+    if (map) next.tonalArtMap = map;
+    return before;
   }
 
   /** Advances the model's animation by the time since the last frame. */
@@ -134,9 +178,12 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
   const onLost = (): void => {
     timer.reset();
-    previousModel?.dispose();
-    previousModel = undefined;
+    disposePrevious();
     releaseGraphics(scene);
+    if (replacedModel) {
+      releaseGraphics(replacedModel.root);
+      replacedModel.releaseMaterials();
+    }
     model?.releaseMaterials();
     lastPicture.lost();
   };
@@ -216,16 +263,54 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
      * Replaces the model and disposes the previous one. `first` is the direction to the eye when the model is framed.
      */
     setModel(next: HatchedModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
-      previousModel?.dispose();
-      previousModel = model;
-      previousModel?.root.removeFromParent();
-      model = next;
-      upright.add(next.root);
-      timer.reset();
-      if (map) next.tonalArtMap = map;
+      disposePrevious();
+      const before = exchange(next);
+      previousModels = [before, replacedModel].filter((one) => one !== undefined);
+      fadesFrom = isStandIn ? before : undefined;
+      isStandIn = false;
+      replacedModel = undefined;
+      firstView = first;
       if (settings) this.apply(settings);
       measureBounds(first);
       scheduler.invalidate();
+    },
+
+    /** Shows a model until {@link setModel} sets the one that is waited for, or {@link removeStandIn} brings back the one before. */
+    setStandIn(next: HatchedModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
+      disposePrevious();
+      const before = exchange(next);
+      if (isStandIn) {
+        if (before) previousModels.push(before);
+      } else {
+        replacedModel = before;
+        replacedView = firstView;
+      }
+      isStandIn = true;
+      firstView = first;
+      if (settings) this.apply(settings);
+      measureBounds(first);
+      scheduler.invalidate();
+    },
+
+    /** Takes away the stand-in, if one is shown. */
+    removeStandIn(): void {
+      if (!isStandIn) return;
+      disposePrevious();
+      if (model) previousModels.push(model);
+      model?.root.removeFromParent();
+      model = undefined;
+      if (replacedModel) exchange(replacedModel);
+      replacedModel = undefined;
+      isStandIn = false;
+      firstView = replacedView;
+      if (settings) this.apply(settings);
+      measureBounds(firstView);
+      scheduler.invalidate();
+    },
+
+    /** Whether the model only stands in for one that is still being baked. */
+    get isStandIn(): boolean {
+      return isStandIn;
     },
 
     get model(): HatchedModel | undefined {
@@ -281,7 +366,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       view.dispose();
       scheduler.dispose();
       timer.reset();
-      previousModel?.dispose();
+      disposePrevious();
+      replacedModel?.dispose();
+      crossFade.dispose();
       model?.dispose();
       ground.dispose();
       renderer.dispose();

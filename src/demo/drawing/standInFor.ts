@@ -1,0 +1,40 @@
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh } from 'three';
+import { HatchingMaterial } from 'three-hatching';
+import { triangleCount } from '../files/PlainMesh.js';
+import type { ReadModel } from '../files/readModel.js';
+import type { BuiltInScene } from '../models/BuiltInScene.js';
+import type { Settings } from '../settings/settings.js';
+import { HatchedModel } from './HatchedModel.js';
+
+/** What draws a mesh with its own normals, before it is baked. */
+const WITHOUT_BAKE: ReadonlySet<string> = new Set(['anchored', 'engraved', 'none']);
+
+/**
+ * A model that is drawn while `read` is baked: with plain normals, without lines and from both sides. Undefined where the bake
+ * is short, or where what the settings ask for cannot be drawn without.
+ */
+export function standInFor(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
+  if (read.kind !== 'mesh' || !read.plainNormals) return undefined;
+  if (!WITHOUT_BAKE.has(settings.technique) || !WITHOUT_BAKE.has(settings.compare)) return undefined;
+  const { mesh, plainNormals } = read;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(plainNormals, 3));
+  if (mesh.colors) geometry.setAttribute('color', new BufferAttribute(mesh.colors, 3));
+  if (mesh.indices) geometry.setIndex(new BufferAttribute(mesh.indices, 1));
+  geometry.computeBoundingBox();
+  const material = new HatchingMaterial({ strokeScale: 1, vertexColors: mesh.colors !== null, side: DoubleSide });
+  const drawn = new Mesh(geometry, material);
+  // The only object there is: nothing is to be gained from measuring whether it is in view.
+  drawn.frustumCulled = false;
+  const statistics = {
+    triangles: triangleCount(mesh),
+    borderEdges: 0,
+    nonManifoldEdges: 0,
+    degenerateTriangles: 0,
+  };
+  return new HatchedModel(new Group().add(drawn), geometry.boundingBox!, statistics, undefined, [material], [], () => {
+    geometry.dispose();
+    material.dispose();
+  });
+}

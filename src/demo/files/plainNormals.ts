@@ -1,0 +1,58 @@
+import type { PlainMesh } from './PlainMesh.js';
+
+/** Fewer triangles than this are joined so fast that a stand-in would only flicker. */
+const LEAST_TRIANGLES = 100_000;
+
+/**
+ * Normals to draw a mesh with until it is baked: its own, or the means of its triangles weighted by area where it has none. Null
+ * for a mesh that needs no stand-in: a small one, or one with pictures, which are decoded once.
+ */
+export function plainNormals(mesh: PlainMesh): Float32Array | null {
+  const { positions, normals, indices, uvs } = mesh;
+  const cornerCount = indices?.length ?? positions.length / 3;
+  if (cornerCount < 3 * LEAST_TRIANGLES || uvs) return null;
+  if (normals && areAllSet(normals)) return normals;
+  const sums = new Float32Array(positions.length);
+  for (let corner = 0; corner + 2 < cornerCount; corner += 3) {
+    const a = 3 * (indices ? indices[corner] : corner);
+    const b = 3 * (indices ? indices[corner + 1] : corner + 1);
+    const c = 3 * (indices ? indices[corner + 2] : corner + 2);
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    sums[a] += x;
+    sums[a + 1] += y;
+    sums[a + 2] += z;
+    sums[b] += x;
+    sums[b + 1] += y;
+    sums[b + 2] += z;
+    sums[c] += x;
+    sums[c + 1] += y;
+    sums[c + 2] += z;
+  }
+  for (let i = 0; i < sums.length; i += 3) {
+    const length = Math.sqrt(sums[i] * sums[i] + sums[i + 1] * sums[i + 1] + sums[i + 2] * sums[i + 2]);
+    if (length === 0) sums[i + 2] = 1;
+    const scale = 1 / (length || 1);
+    sums[i] *= scale;
+    sums[i + 1] *= scale;
+    sums[i + 2] *= scale;
+  }
+  // What the file says of other vertices counts, as it does in the bake.
+  if (normals) for (let i = 0; i < sums.length; i += 3) if (isSet(normals, i)) sums.set(normals.subarray(i, i + 3), i);
+  return sums;
+}
+
+const isSet = (normals: Float32Array, i: number): boolean =>
+  Math.abs(normals[i]) + Math.abs(normals[i + 1]) + Math.abs(normals[i + 2]) > 0;
+
+function areAllSet(normals: Float32Array): boolean {
+  for (let i = 0; i < normals.length; i += 3) if (!isSet(normals, i)) return false;
+  return true;
+}
