@@ -25,7 +25,8 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and corners read all six from it: 32 bytes per
    *   triangle and 16 per vertex. Draws the same pixels. For every technique, and for meshes that deform.
    * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. Only for `anchored` and `engraved`, which draw without adjacency.
-   * - `'auto'` (default): `'pull'` for a geometry with a skin or with morph targets of position or normal, else `'corner'`.
+   * - `'auto'` (default): `'pull'` for a geometry with a skin, with morph targets of position or normal or with more than 200,000
+   *   triangles, where uploading the corners would block the page for some hundred milliseconds; else `'corner'`.
    */
   layout?: 'auto' | 'corner' | 'pull' | 'indexed' | undefined;
   /**
@@ -91,6 +92,9 @@ export const checkPrepareOptions = (
 
 const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
+/** Triangles above which `'auto'` avoids the layout `'corner'`. */
+const MANY_TRIANGLES = 200_000;
+
 /**
  * Makes the geometry that `HatchingMaterial` draws. Runs in a worker. Every layout has the attribute `hatchNormal`, the
  * normal at the scale of a stroke (four normalised 16-bit integers; the last is 0, and `bakeOcclusion` writes there).
@@ -142,7 +146,7 @@ export async function prepareHatchingGeometry(
     lines: lineRequest(options.lines, range),
   };
 
-  const layout = chooseLayout(geometry, options);
+  const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
   const repairs = { computedNormals, zeroedValues: 0 };
   const copied = kept.map((entry) => {
     const copy = extractWords(entry.attribute, position.count);
@@ -178,10 +182,12 @@ function lineRequest(lines: PrepareHatchingGeometryOptions['lines'], range: Corn
 
 function chooseLayout(
   { attributes, morphAttributes }: BufferGeometry,
+  triangleCount: number,
   { layout = 'auto' }: PrepareHatchingGeometryOptions,
 ): HatchingStatistics['layout'] {
   if (layout !== 'auto') return layout;
-  return attributes.skinIndex || morphAttributes.position || morphAttributes.normal ? 'pull' : 'corner';
+  const deforms = attributes.skinIndex || morphAttributes.position || morphAttributes.normal;
+  return deforms || triangleCount > MANY_TRIANGLES ? 'pull' : 'corner';
 }
 
 function checkValues(

@@ -1,9 +1,6 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
-import { type PlainMesh, triangleCount } from '../files/PlainMesh.js';
-
-/** Larger meshes take the layout of half the memory, 205 bytes per triangle with lines instead of 357. It draws the same. */
-const MANY_TRIANGLES = 1_000_000;
+import type { PlainMesh } from '../files/PlainMesh.js';
 
 /** A mesh baked for hatching. */
 export interface BakedMesh {
@@ -31,8 +28,7 @@ export async function bakeMesh(
   mesh.ranges?.forEach(({ start, count }, i) => {
     source.addGroup(start, count, i);
   });
-  const layout = triangleCount(mesh) > MANY_TRIANGLES ? 'pull' : 'auto';
-  const geometry = await prepareHatchingGeometry(source, { ...options, layout });
+  const geometry = await prepareHatchingGeometry(source, options);
   const statistics = geometry.userData.hatching as HatchingStatistics;
   return {
     geometry,

@@ -62,6 +62,13 @@ function snapshot(geometry: BufferGeometry) {
   });
 }
 
+/** The index of so many triangles, all but the first of them degenerate, which a bake is soon done with. */
+function indexOf(triangles: number): Uint32Array {
+  const index = new Uint32Array(3 * triangles);
+  index.set([0, 1, 2]);
+  return index;
+}
+
 describe('the prepared geometry', () => {
   test('is a new, non-indexed one with positions, one interleaved buffer, normals, bounds and statistics', async () => {
     const geometry = quad();
@@ -507,6 +514,8 @@ describe('options', () => {
     ['a skin', (g) => g.setAttribute('skinIndex', new BufferAttribute(new Uint8Array(16), 4)), 'pull'],
     ['morphed positions', (g) => Reflect.set(g.morphAttributes, 'position', [g.attributes.position]), 'pull'],
     ['morphed normals', (g) => Reflect.set(g.morphAttributes, 'normal', [g.attributes.position]), 'pull'],
+    ['200,000 triangles', (g) => g.setIndex(new BufferAttribute(indexOf(200_000), 1)), 'corner'],
+    ['more triangles than that', (g) => g.setIndex(new BufferAttribute(indexOf(200_001), 1)), 'pull'],
     ['morphed colours', (g) => Reflect.set(g.morphAttributes, 'color', [g.attributes.position]), 'corner'],
   ])('the layout auto, with %s', async (_, change, layout) => {
     const geometry = quad();
