@@ -45,6 +45,8 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   lines?: boolean | (LineOptions & HatchingLineParameters) | undefined;
   /** Which meshes to hatch. Default: all. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
+  /** Called whenever a geometry is done, with how many are, and how many there are. Several are baked at a time. */
+  onGeometry?: ((done: number, total: number) => void) | undefined;
 }
 
 /** The names of the options that `prepareHatchingGeometry` has not. */
@@ -53,6 +55,7 @@ const OWN_OPTIONS = {
   material: true,
   strokeScale: true,
   filter: true,
+  onGeometry: true,
 } satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
 
 /** A mesh to hatch: its present geometry and material, and the material it will get. */
@@ -122,7 +125,15 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     const { tonalArtMap: given = {} } = options;
     const drawing = withoutMap.length > 0 && isMapDrawing(given) ? given : undefined;
     const mapShare = drawing ? MAP_SHARE : 0;
-    const { tonalArtMap: _map, material: _material, strokeScale, filter: _filter, lines, ...baking } = options;
+    const {
+      tonalArtMap: _map,
+      material: _material,
+      strokeScale,
+      filter: _filter,
+      lines,
+      onGeometry,
+      ...baking
+    } = options;
     const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;
     const { onProgress, signal, createWorker } = baking;
     const baked = await bakeGeometries(
@@ -132,7 +143,7 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
         lines: lineMaker?.creases ?? false,
         onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)),
       },
-      (geometry) => disposables.push(geometry),
+      { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
     );
     const { looks, skipped } = collectLooks(planned, baked);
     if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
@@ -173,9 +184,12 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
 
 /** The options of its own and of its tasks; those of the geometry are checked where they are used. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {
-  const { filter, lines = false, material = {}, strokeScale = 1, tonalArtMap = null } = options;
+  const { filter, lines = false, onGeometry, material = {}, strokeScale = 1, tonalArtMap = null } = options;
   if (filter !== undefined && typeof filter !== 'function') {
     throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
+  }
+  if (onGeometry !== undefined && typeof onGeometry !== 'function') {
+    throw new TypeError('applyHatching: onGeometry must be a function of two numbers, or left out.');
   }
   if (typeof lines !== 'boolean' && (typeof lines !== 'object' || lines === null)) {
     throw new TypeError('applyHatching: lines must be true, false or an object of creases and parameters of lines.');

@@ -1,49 +1,101 @@
 import type { BufferGeometry } from 'three';
 import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from '../geometry/prepareHatchingGeometry.js';
+import { mostWorkers } from '../worker/WorkerPool.js';
 
 type Layout = PrepareHatchingGeometryOptions['layout'];
 
+/** A bake takes some hundred bytes per corner: no more than this are baked at the same time, unless one geometry has more. */
+const MOST_CORNERS = 6_000_000;
+
+/** What is told while geometries are baked. */
+export interface BakeListeners {
+  /** With every geometry as soon as it is ready, so that it can be freed if a later one is aborted. */
+  onBaked(geometry: BufferGeometry): void;
+  /** With how many geometries are done, faulty ones included, and how many there are. */
+  onCount?: ((done: number, total: number) => void) | undefined;
+}
+
 /**
- * Bakes geometries one after the other. An error in one does not stop the others.
+ * Bakes geometries, as many at a time as there are workers. An error in one does not stop the others.
  *
  * @param layouts the layout for each geometry
- * @param onBaked called with every geometry as soon as it is ready, so that it can be freed if a later one is aborted
  * @returns for each geometry the prepared one, or the TypeError or RangeError that says what is wrong with it
  */
 export async function bakeGeometries(
   layouts: ReadonlyMap<BufferGeometry, Layout>,
   options: PrepareHatchingGeometryOptions,
-  onBaked: (geometry: BufferGeometry) => void,
+  { onBaked, onCount }: BakeListeners,
 ): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
   const total = [...layouts.keys()].reduce((sum, geometry) => sum + cornerCount(geometry), 0);
   const results = new Map<BufferGeometry, BufferGeometry | Error>();
-  let done = 0;
-  let listenerFailed = false;
-  const report = (corners: number): void => {
+  // What fails stops all others, and nothing is baked on behind the back of the caller.
+  const stop = new AbortController();
+  const { signal = stop.signal } = options;
+  const abort = (): void => stop.abort(signal.reason);
+  signal.addEventListener('abort', abort);
+  if (signal.aborted) abort();
+  let failure: { error: unknown } | undefined;
+  const fail = (error: unknown): void => {
+    failure ??= { error };
+    stop.abort(error);
+  };
+  const tell = (listener: () => void): void => {
+    if (stop.signal.aborted) return;
     try {
-      options.onProgress?.(total > 0 ? corners / total : 1);
+      listener();
     } catch (error) {
-      listenerFailed = true;
-      throw error;
+      fail(error);
     }
   };
-  for (const [geometry, layout] of layouts) {
-    const corners = cornerCount(geometry);
-    const onProgress = (progress: number): void => report(done + progress * corners);
+
+  let corners = 0;
+  const report = (): void => options.onProgress?.(total > 0 ? corners / total : 1);
+  async function bakeOne(geometry: BufferGeometry, layout: Layout): Promise<void> {
+    const count = cornerCount(geometry);
+    let share = 0;
+    const onProgress = (progress: number): void => {
+      corners += (progress - share) * count;
+      share = progress;
+      tell(report);
+    };
     try {
-      const prepared = await prepareHatchingGeometry(geometry, { ...options, layout, onProgress });
+      const prepared = await prepareHatchingGeometry(geometry, { ...options, layout, onProgress, signal: stop.signal });
       onBaked(prepared);
       results.set(geometry, prepared);
     } catch (error) {
-      const isFaulty = error instanceof TypeError || error instanceof RangeError;
-      if (!isFaulty || listenerFailed || options.signal?.aborted) throw error;
+      if (!(error instanceof TypeError || error instanceof RangeError) || stop.signal.aborted) {
+        fail(error);
+        return;
+      }
       results.set(geometry, error);
     }
-    done += corners;
-    options.signal?.throwIfAborted();
+    corners += (1 - share) * count;
+    tell(() => onCount?.(results.size, layouts.size));
   }
-  report(total);
-  return results;
+
+  const running = new Set<Promise<void>>();
+  let cornersRunning = 0;
+  for (const [geometry, layout] of layouts) {
+    const count = cornerCount(geometry);
+    while (running.size > 0 && (running.size >= mostWorkers() || cornersRunning + count > MOST_CORNERS)) {
+      await Promise.race(running);
+    }
+    if (stop.signal.aborted) break;
+    cornersRunning += count;
+    const task = bakeOne(geometry, layout).then(() => {
+      cornersRunning -= count;
+      running.delete(task);
+    });
+    running.add(task);
+  }
+  await Promise.all(running);
+  signal.removeEventListener('abort', abort);
+  options.signal?.throwIfAborted();
+  if (failure) throw failure.error;
+  corners = total;
+  report();
+  // In the order of what was given, whatever was done first.
+  return new Map([...layouts.keys()].map((geometry) => [geometry, results.get(geometry)!]));
 }
 
 const cornerCount = ({ index, attributes }: BufferGeometry): number => (index ?? attributes.position)?.count ?? 0;

@@ -59,6 +59,16 @@ export class TaskClient {
     private readonly onIdle: () => void = () => {},
   ) {}
 
+  /** How many requests are pending. */
+  get pendingCount(): number {
+    return this.pending.size;
+  }
+
+  /** Whether there is no worker, and tasks run on the main thread. */
+  get isUnavailable(): boolean {
+    return this.state === 'unavailable';
+  }
+
   /**
    * Runs a task. The buffers of `request` are transferred: pass copies of what you want to keep. Rejects with the signal's
    * reason when aborted, with the task's error, with an Error when the worker dies or is disposed of, or with a TypeError when

@@ -11,7 +11,8 @@ export interface TaskOptions {
    *     import BakeWorker from 'three-hatching/bake.worker?worker';
    *     const createWorker = () => new BakeWorker();
    *
-   * Anything but a Worker is refused with a TypeError. Requests with the same function share one worker, so keep the function.
+   * Anything but a Worker is refused with a TypeError. Requests with the same function share workers: one
+   * per core while there is work for them, four at most. So keep the function.
    * Where no worker can be made, tasks run on the main thread in slices of a few milliseconds.
    */
   createWorker?: (() => Worker) | undefined;

@@ -1,6 +1,6 @@
-import { TaskClient } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
+import { WorkerPool } from './WorkerPool.js';
 
 type CreateWorker = () => Worker | null;
 
@@ -20,20 +20,20 @@ function loadInlineWorker(): Promise<CreateWorker> {
   return inlineWorker;
 }
 
-/** One client per `createWorker` function, for as long as it has a worker. */
-const clients = /* @__PURE__ */ new Map<CreateWorker, TaskClient>();
+/** One pool per `createWorker` function, for as long as it has a worker. */
+const pools = /* @__PURE__ */ new Map<CreateWorker, WorkerPool>();
 
-function clientFor(createWorker: CreateWorker): TaskClient {
-  let client = clients.get(createWorker);
-  if (!client) {
-    client = new TaskClient(createWorker, () => clients.delete(createWorker));
-    clients.set(createWorker, client);
+function poolFor(createWorker: CreateWorker): WorkerPool {
+  let pool = pools.get(createWorker);
+  if (!pool) {
+    pool = new WorkerPool(createWorker, () => pools.delete(createWorker));
+    pools.set(createWorker, pool);
   }
-  return client;
+  return pool;
 }
 
 /**
- * Runs a task in the shared worker of the page, or in that of `options.createWorker`; without workers, in slices on the main
+ * Runs a task in a worker of the page, or in one of `options.createWorker`; without workers, in slices on the main
  * thread. The buffers of `request` are transferred: pass copies of what you want to keep.
  */
 export function runTask<Name extends TaskName>(
@@ -42,7 +42,7 @@ export function runTask<Name extends TaskName>(
   options: TaskOptions = {},
 ): Promise<TaskResult<Name>> {
   const run = (createWorker: CreateWorker): Promise<TaskResult<Name>> =>
-    clientFor(createWorker).run(name, request, options);
+    poolFor(createWorker).run(name, request, options);
   if (options.createWorker) return run(options.createWorker);
   return typeof Worker === 'undefined' ? run(createNoWorker) : loadInlineWorker().then(run);
 }
@@ -52,6 +52,6 @@ export function runTask<Name extends TaskName>(
  * themselves. The next request starts a new one.
  */
 export function disposeHatchingWorkers(): void {
-  for (const client of clients.values()) client.dispose();
-  clients.clear();
+  for (const pool of pools.values()) pool.dispose();
+  pools.clear();
 }

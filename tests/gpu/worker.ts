@@ -1,6 +1,19 @@
 import bunny from 'bunny';
-import { BoxGeometry, BufferGeometry, CapsuleGeometry, Float32BufferAttribute, TorusGeometry } from 'three';
-import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
+import {
+  BoxGeometry,
+  BufferGeometry,
+  CapsuleGeometry,
+  CylinderGeometry,
+  DirectionalLight,
+  Float32BufferAttribute,
+  Mesh,
+  MeshStandardMaterial,
+  PerspectiveCamera,
+  Scene,
+  TorusGeometry,
+  WebGLRenderer,
+} from 'three';
+import { applyHatching, type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
 import BakeWorker from '../../src/worker/bake.worker.js?worker';
 import { disposeHatchingWorkers, runTask } from '../../src/worker/runTask.js';
 import ClosingWorker from './workerClosing.js?worker';
@@ -56,7 +69,73 @@ async function prepareAndDigest(options?: PrepareHatchingGeometryOptions, geomet
 
 const largeTorus = () => new TorusGeometry(1, 0.4, 300, 300);
 
+/** Lets the page believe that it runs on so many cores. */
+const pretendCores = (count: number) =>
+  Object.defineProperty(navigator, 'hardwareConcurrency', { value: count, configurable: true });
+
+/** 300 houses and towers of 12 colours, each a geometry of its own. */
+function city(): Scene {
+  const scene = new Scene();
+  const materials = Array.from({ length: 12 }, (_, i) => new MeshStandardMaterial({ color: 0x202020 + 0x0a0b0c * i }));
+  for (let i = 0; i < 300; i++) {
+    const height = 1 + (i % 7) / 3;
+    const house =
+      i % 3 === 0
+        ? new CylinderGeometry(0.4, 0.4, height, 8 + (i % 5))
+        : new BoxGeometry(0.8, height, 0.8, 2, 2 + (i % 4), 2);
+    const mesh = new Mesh(house, materials[i % materials.length]);
+    mesh.position.set((i % 20) - 10, height / 2, Math.floor(i / 20) - 7);
+    scene.add(mesh);
+  }
+  return scene.add(new DirectionalLight());
+}
+
+const digestsOf = (scene: Scene) =>
+  Promise.all(scene.children.flatMap((child) => (child instanceof Mesh ? [digest(child.geometry)] : [])));
+
 const workerTests = {
+  async city() {
+    pretendCores(3);
+    const [whole, cancelled, alone] = [city(), city(), city()];
+    const counts: string[] = [];
+    await applyHatching(whole, { tonalArtMap: null, onGeometry: (done, total) => counts.push(`${done} of ${total}`) });
+    const workersOfCity = workersMade;
+    const renderer = new WebGLRenderer();
+    renderer.setSize(64, 64, false);
+    const camera = new PerspectiveCamera(60, 1, 0.1, 100);
+    camera.position.set(0, 14, 30);
+    camera.lookAt(0, 0, 0);
+    renderer.render(whole, camera);
+    const { programs, render } = renderer.info;
+    const drawn = { programs: programs!.length, calls: render.calls };
+    renderer.dispose();
+
+    const controller = new AbortController();
+    const error = await applyHatching(cancelled, {
+      tonalArtMap: null,
+      signal: controller.signal,
+      onGeometry: (done) => done === 20 && controller.abort(),
+    }).then(
+      () => 'resolved',
+      (reason: Error) => reason.name,
+    );
+    const isUntouched = cancelled.children.every(
+      (child) => !(child instanceof Mesh) || child.geometry.userData.hatching === undefined,
+    );
+    pretendCores(1);
+    disposeHatchingWorkers();
+    await applyHatching(alone, { tonalArtMap: null });
+    const [inSeveral, inOne] = [await digestsOf(whole), await digestsOf(alone)];
+    return {
+      counts: [counts.length, counts[0], counts.at(-1)],
+      workersOfCity,
+      drawn,
+      error,
+      isUntouched,
+      areEqual: JSON.stringify(inSeveral) === JSON.stringify(inOne),
+    };
+  },
+
   async bunny() {
     const inWorker = await prepareAndDigest();
     const workersForWorker = workersMade;
@@ -128,6 +207,7 @@ const workerTests = {
   },
 
   async turns() {
+    pretendCores(1);
     const order: string[] = [];
     const torus = prepareHatchingGeometry(largeTorus()).then(() => order.push('torus'));
     const box = prepareHatchingGeometry(new BoxGeometry()).then(() => order.push('box'));

@@ -63,6 +63,19 @@ test('requests take turns in one worker: a small one does not wait for a large o
   expect(await page.evaluate(() => window.workerTests.turns())).toEqual({ order: ['box', 'torus'], workersMade: 1 });
 });
 
+test('the 300 meshes of a city are baked in several workers to the same bytes, share programs, and can be cancelled', async ({
+  page,
+}) => {
+  expect(await page.evaluate(() => window.workerTests.city())).toEqual({
+    counts: [300, '1 of 300', '300 of 300'],
+    workersOfCity: 3,
+    drawn: { programs: 1, calls: 300 },
+    error: 'AbortError',
+    isUntouched: true,
+    areEqual: true,
+  });
+});
+
 test('an abort stops the request, not the worker', async ({ page }) => {
   const result = await page.evaluate(() => window.workerTests.abort());
   expect(result).toEqual({ error: 'AbortError', progress: [expect.any(Number)], triangles: 12, workersMade: 1 });

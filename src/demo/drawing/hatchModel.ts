@@ -44,8 +44,12 @@ async function hatch(
     const scene =
       read.kind === 'scene' ? read.scene : await (await import('../files/parseGltf.js')).parseGltf(read.parts);
     signal.throwIfAborted();
-    const onProgress = (progress: number): void => report('joining triangles', progress);
-    const { model, notes } = await hatchScene(scene, { signal, onProgress });
+    let stage = 'joining triangles';
+    const onProgress = (progress: number): void => report(stage, progress);
+    const onGeometry = (done: number, total: number): void => {
+      if (total > 1) stage = `joining triangles, ${done} of ${total} meshes are done`;
+    };
+    const { model, notes } = await hatchScene(scene, { signal, onProgress, onGeometry });
     return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
   } catch (error) {
     signal.throwIfAborted();

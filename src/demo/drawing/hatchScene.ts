@@ -27,7 +27,11 @@ const MAX_POINTS = 20_000;
  */
 export async function hatchScene(
   { root, animations }: ModelScene,
-  options: { signal: AbortSignal; onProgress: (progress: number) => void },
+  options: {
+    signal: AbortSignal;
+    onProgress: (progress: number) => void;
+    onGeometry: (done: number, total: number) => void;
+  },
 ): Promise<{ model: HatchedModel; notes: string[] }> {
   const usable = animations.filter(isUsable);
   hideAllButMeshes(root);

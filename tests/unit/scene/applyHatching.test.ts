@@ -498,7 +498,7 @@ describe('when something is wrong', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, layout, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, onGeometry, layout, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],

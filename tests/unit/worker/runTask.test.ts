@@ -10,7 +10,10 @@ const request = () => ({
   attributes: [],
 });
 
-afterEach(() => disposeHatchingWorkers());
+afterEach(() => {
+  disposeHatchingWorkers();
+  vi.unstubAllGlobals();
+});
 
 test('where there is no Worker the main thread computes every task', async () => {
   expect(typeof Worker).toBe('undefined');
@@ -19,11 +22,13 @@ test('where there is no Worker the main thread computes every task', async () =>
   expect([size, images.length]).toEqual([64, 4]);
 });
 
-test('requests with the same createWorker share a worker; others have their own', () => {
+test('requests with the same createWorker share a worker for each core; others have their own', () => {
+  vi.stubGlobal('navigator', { hardwareConcurrency: 2 });
   const create = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
   const other = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
-  for (const createWorker of [create, create, other]) runTask('bake', request(), { createWorker }).catch(() => {});
-  expect(create).toHaveBeenCalledOnce();
+  for (const createWorker of [create, create, create, other])
+    runTask('bake', request(), { createWorker }).catch(() => {});
+  expect(create).toHaveBeenCalledTimes(2);
   expect(other).toHaveBeenCalledOnce();
 });
 

@@ -86,7 +86,7 @@ describe('the lines of a model', () => {
   });
 
   test('belong to every mesh of a scene but cut-outs, and share a material unless a mesh deforms', async () => {
-    const { model } = await hatchScene({ root: someScene(), animations: [] }, OPTIONS);
+    const { model } = await hatchScene({ root: someScene(), animations: [] }, { ...OPTIONS, onGeometry: () => {} });
     const lines = linesIn(model.root);
     expect(lines).toHaveLength(3);
     expect(lines.map(({ mesh }) => mesh?.name)).not.toContain('card');

@@ -1,0 +1,102 @@
+import { BoxGeometry, type BufferGeometry, PlaneGeometry } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { bakeGeometries } from '../../../src/scene/bakeGeometries.js';
+
+const boxes = (count: number) =>
+  new Map(Array.from({ length: count }, () => [new BoxGeometry() as BufferGeometry, 'indexed' as const]));
+const nothing = { onBaked: () => {} };
+
+afterEach(() => vi.unstubAllGlobals());
+
+describe.each([1, 3])('with %s cores', (hardwareConcurrency) => {
+  const start = () => vi.stubGlobal('navigator', { hardwareConcurrency });
+
+  test('progress rises to 1, and the geometries that are done are counted', async () => {
+    start();
+    const progress: number[] = [];
+    const counts: [number, number][] = [];
+    const layouts = boxes(7);
+    const results = await bakeGeometries(
+      layouts,
+      { onProgress: (value) => progress.push(value) },
+      { onBaked: () => {}, onCount: (...count) => counts.push(count) },
+    );
+    expect([...results.keys()]).toEqual([...layouts.keys()]);
+    expect(progress.at(-1)).toBe(1);
+    expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+    expect(counts).toEqual([1, 2, 3, 4, 5, 6, 7].map((done) => [done, 7]));
+  });
+
+  test('a faulty geometry stops no other', async () => {
+    start();
+    const layouts = boxes(4);
+    const [, faulty] = layouts.keys();
+    faulty.attributes.position.setX(0, Number.NaN);
+    const results = [...(await bakeGeometries(layouts, {}, nothing)).values()];
+    expect(results.map((result) => result instanceof RangeError)).toEqual([false, true, false, false]);
+  });
+
+  test('an abort stops all, and whatever was baked is known', async () => {
+    start();
+    const controller = new AbortController();
+    const baked: BufferGeometry[] = [];
+    const task = bakeGeometries(
+      boxes(9),
+      { signal: controller.signal },
+      { onBaked: (geometry) => baked.push(geometry), onCount: () => controller.abort(new Error('enough')) },
+    );
+    await expect(task).rejects.toThrow('enough');
+    const known = baked.length;
+    expect(known).toBeGreaterThan(0);
+    expect(known).toBeLessThanOrEqual(hardwareConcurrency);
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    expect(baked).toHaveLength(known);
+  });
+
+  test('a listener that throws stops all', async () => {
+    start();
+    const fail = () => {
+      throw new TypeError('in the listener');
+    };
+    await expect(bakeGeometries(boxes(5), { onProgress: fail }, nothing)).rejects.toThrow('in the listener');
+    await expect(bakeGeometries(boxes(5), {}, { ...nothing, onCount: fail })).rejects.toThrow('in the listener');
+  });
+});
+
+test('as many are baked at a time as there are cores, and fewer large ones', async () => {
+  vi.stubGlobal('navigator', { hardwareConcurrency: 4 });
+  /** The largest number of geometries that have been begun and are not done. */
+  const mostAtOnce = async (make: () => BufferGeometry) => {
+    let begun = 0;
+    let done = 0;
+    let most = 0;
+    const layouts = new Map(
+      Array.from({ length: 6 }, () => {
+        const geometry = make();
+        const { attributes } = geometry;
+        let isKnown = false;
+        // The first look at the attributes of a geometry begins its bake.
+        Object.defineProperty(geometry, 'isBufferGeometry', {
+          get: () => {
+            if (!isKnown) most = Math.max(most, ++begun - done);
+            isKnown = true;
+            return attributes !== undefined;
+          },
+        });
+        return [geometry, 'indexed' as const];
+      }),
+    );
+    await bakeGeometries(layouts, {}, { onBaked: () => done++ });
+    return most;
+  };
+  expect(await mostAtOnce(() => new BoxGeometry())).toBe(4);
+  const large = (): BufferGeometry => {
+    const plane = new PlaneGeometry();
+    const index = new Uint32Array(2_500_000);
+    index.set(plane.index!.array);
+    plane.index!.array = index;
+    Object.assign(plane.index!, { count: 2_499_999 });
+    return plane;
+  };
+  expect(await mostAtOnce(large)).toBe(2);
+});
