@@ -12,7 +12,8 @@ const isolation = {
 /**
  * A browser and a server of the benchmark page.
  *
- * `measure` runs a measurement in a page of its own, where nothing is compiled or cached yet, and closes it.
+ * `measure` runs a measurement in a page of its own, where nothing is compiled or cached yet, and closes it; `openMeasuring` leaves
+ * the page open for several that belong together.
  *
  * @param {'swiftshader' | 'llvmpipe' | 'gpu'} [rasteriser]
  */
@@ -32,16 +33,29 @@ export async function openBrowser(rasteriser) {
     await page.goto(address);
     return page;
   };
+  const openMeasuring = async () => {
+    const page = await openPage(`${server.resolvedUrls.local[0]}bench/bench.html${clock}`);
+    await page.waitForFunction(() => typeof window.measure === 'function');
+    const measure = (name, ...args) => page.evaluate(([name, args]) => window.measure(name, ...args), [name, args]);
+    return { page, measure };
+  };
   return {
     openPage,
+    openMeasuring,
     async measure(name, ...args) {
-      const page = await openPage(`${server.resolvedUrls.local[0]}bench/bench.html${clock}`);
-      await page.waitForFunction(() => typeof window.measure === 'function');
+      const { page, measure } = await openMeasuring();
       try {
-        return await page.evaluate(([name, args]) => window.measure(name, ...args), [name, args]);
+        return await measure(name, ...args);
       } finally {
         await page.close();
       }
+    },
+    /** The process ids of the pages. */
+    async rendererPids() {
+      const session = await browser.newBrowserCDPSession();
+      const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+      await session.detach();
+      return processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => id);
     },
     async close() {
       await browser.close();

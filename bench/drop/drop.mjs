@@ -5,9 +5,14 @@ import { medianInterval } from '../statistics.mjs';
 import { figure, table } from '../table.mjs';
 import { servePlayground } from './servePlayground.mjs';
 import { timeDrop, untilIdle } from './timeDrop.mjs';
-import { writeModelFile } from './writeModelFile.mjs';
+import { dragon, torus, writeModelFile } from './writeModelFile.mjs';
 
-const FILES = { 'torus12k.ply': [60, 100], 'torus200k.ply': [250, 400], 'torus200k.stl': [250, 400] };
+const FILES = {
+  'torus12k.ply': torus(60, 100),
+  'torus200k.ply': torus(250, 400),
+  'torus200k.stl': torus(250, 400),
+  'dragon871k.glb': dragon,
+};
 const PLAN = { files: Object.keys(FILES), pages: 6, drops: 3 };
 const QUICK = { files: ['torus12k.ply'], pages: 1, drops: 2 };
 
@@ -24,7 +29,8 @@ export const drop = {
     try {
       for (const file of files) {
         const path = join(folder, file);
-        writeModelFile(path, ...FILES[file]);
+        const geometry = FILES[file]();
+        writeModelFile(path, geometry);
         const [cold, warm] = [[], []];
         for (let i = 0; i < pages; i++) {
           const page = await openPage(playground.address);
@@ -36,9 +42,9 @@ export const drop = {
           await page.close();
         }
         rows[file] = {
-          triangles: 2 * FILES[file][0] * FILES[file][1],
-          cold: medianInterval(cold),
-          warm: medianInterval(warm),
+          triangles: geometry.index.count / 3,
+          cold: summarise(cold),
+          warm: summarise(warm),
         };
       }
     } finally {
@@ -49,17 +55,27 @@ export const drop = {
   },
 
   describe({ pages, drops, rows }) {
-    const time = ([median, low, high]) => `${figure(median)} [${figure(low)}, ${figure(high)}]`;
+    const time = (interval) => {
+      if (!interval) return '';
+      const [median, low, high] = interval.map(figure);
+      return `${median} [${low}, ${high}]`;
+    };
     return `ms; ${pages} pages, ${drops} files each.
 
 ${table([
-  ['', 'triangles', 'cold', 'warm'],
+  ['', 'triangles', 'cold, first', 'cold, baked', 'warm, first', 'warm, baked', 'longest task, warm'],
   ...Object.entries(rows).map(([file, { triangles, cold, warm }]) => [
     file,
     triangles.toLocaleString('en'),
-    time(cold),
-    time(warm),
+    time(cold.first),
+    time(cold.ready),
+    time(warm.first),
+    time(warm.ready),
+    time(warm.longestTask),
   ]),
 ])}`;
   },
 };
+
+const summarise = (drops) =>
+  Object.fromEntries(Object.keys(drops[0]).map((key) => [key, medianInterval(drops.map((times) => times[key]))]));

@@ -1,29 +1,59 @@
 import { basename } from 'node:path';
 
-/** Hands a file to the playground: milliseconds until the first frame that shows it can be read. */
+/**
+ * Hands a file to the playground. Milliseconds until the first frame that shows it can be read, until the one that shows it
+ * baked and with its lines can, and how long the longest task of the main thread took meanwhile; 0 if none took 50 ms.
+ */
 export async function timeDrop(page, path) {
+  const name = basename(path).replace(/\.\w+$/, '');
   const drawn = page.evaluate(
-    () =>
+    (name) =>
       new Promise((resolve) => {
         const root = document.documentElement;
         const gl = document.querySelector('#drawing').getContext('webgl2');
+        const drawing = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
         const picked = () => {
           const start = performance.now();
-          new MutationObserver((_, observer) => {
+          let longestTask = 0;
+          const tasks = new PerformanceObserver((list) => {
+            for (const { duration } of list.getEntries()) longestTask = Math.max(longestTask, duration);
+          });
+          tasks.observe({ entryTypes: ['longtask'] });
+          const shown = new Promise((resolve) => {
+            let framesBefore;
+            const look = () => {
+              const { framesDrawn } = window.__playground;
+              if (document.title.startsWith(name)) framesBefore ??= framesDrawn;
+              if (framesBefore === undefined || framesDrawn === framesBefore) {
+                requestAnimationFrame(look);
+                return;
+              }
+              drawing();
+              resolve(performance.now() - start);
+            };
+            look();
+          });
+          new MutationObserver(async (_, observer) => {
             if (root.dataset.state !== 'ready') return;
             observer.disconnect();
-            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-            resolve(performance.now() - start);
+            drawing();
+            const ready = performance.now() - start;
+            const first = Math.min(await shown, ready);
+            // Tasks are told of a little later.
+            await new Promise((resolve) => setTimeout(resolve, 200));
+            tasks.disconnect();
+            resolve({ first, ready, longestTask });
           }).observe(root, { attributeFilter: ['data-state'] });
         };
         document.querySelector('#file-input').addEventListener('change', picked, { capture: true, once: true });
       }),
+    name,
   );
   await page.setInputFiles('#file-input', path);
-  const time = await drawn;
-  const [title, name] = [await page.title(), basename(path).replace(/\.\w+$/, '')];
+  const times = await drawn;
+  const title = await page.title();
   if (!title.includes(name)) throw new Error(`timeDrop: ${name} was not drawn, the page shows ${title}.`);
-  return time;
+  return times;
 }
 
 /** Waits until the playground has nothing left to do. */

@@ -1,0 +1,88 @@
+import { BufferAttribute, BufferGeometry, Mesh } from 'three';
+import {
+  HatchingLines,
+  HatchingMaterial,
+  type HatchingTechnique,
+  type PrepareHatchingGeometryOptions,
+  prepareHatchingGeometry,
+} from 'three-hatching';
+import { Stage } from '../Stage.js';
+
+const SIZE = 256;
+
+/** Frames that are drawn before any is looked at: engines compile, and caches fill. */
+const WARM_UP = 20;
+
+export interface MemoryPlan {
+  triangles: number;
+  technique: HatchingTechnique;
+  layout: PrepareHatchingGeometryOptions['layout'];
+  lines?: boolean;
+}
+
+let stage: Stage | undefined;
+let mesh: Mesh | undefined;
+
+/** Bakes and draws a torus once. `bytes` of what was baked and of its source; the longest task of the main thread in ms. */
+export async function measureMemory({ triangles, technique, layout, lines = false }: MemoryPlan) {
+  let longestTask = 0;
+  const tasks = new PerformanceObserver((list) => {
+    for (const { duration } of list.getEntries()) longestTask = Math.max(longestTask, duration);
+  });
+  const source = torus(Math.sqrt(triangles / 2));
+  // Making the torus is no work of ours.
+  await pause();
+  tasks.observe({ entryTypes: ['longtask'] });
+  const start = performance.now();
+  const geometry = await prepareHatchingGeometry(source, { layout, lines });
+  const seconds = (performance.now() - start) / 1000;
+  await pause();
+  tasks.disconnect();
+  stage = new Stage(SIZE);
+  mesh = new Mesh(geometry, new HatchingMaterial({ technique }));
+  if (lines) mesh.add(new HatchingLines(mesh));
+  await stage.timeFrame(mesh);
+  const sourceBytes = source.attributes.position!.array.byteLength + source.index!.array.byteLength;
+  return {
+    triangles: source.index!.count / 3,
+    seconds,
+    longestTask,
+    bytes: geometry.userData.hatching.bytes as number,
+    sourceBytes,
+  };
+}
+
+/** Draws frames while the camera turns, of what `measureMemory` has prepared. */
+export async function drawFrames(count = WARM_UP): Promise<void> {
+  for (let frame = 0; frame < count; frame++) {
+    stage!.turnCamera(1);
+    await stage!.timeFrame(mesh!);
+  }
+}
+
+/** Long tasks are told of a little later. */
+const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 200));
+
+/** A torus of 2·segments² triangles without normals, in typed arrays: three's own passes through lists of numbers. */
+function torus(segments: number): BufferGeometry {
+  const side = Math.round(segments);
+  const positions = new Float32Array(3 * side * side);
+  const indices = new Uint32Array(6 * side * side);
+  for (let j = 0; j < side; j++) {
+    const v = (2 * Math.PI * j) / side;
+    for (let i = 0; i < side; i++) {
+      const u = (2 * Math.PI * i) / side;
+      const vertex = j * side + i;
+      positions[3 * vertex] = (0.7 + 0.3 * Math.cos(v)) * Math.cos(u);
+      positions[3 * vertex + 1] = (0.7 + 0.3 * Math.cos(v)) * Math.sin(u);
+      positions[3 * vertex + 2] = 0.3 * Math.sin(v);
+      const right = j * side + ((i + 1) % side);
+      const up = ((j + 1) % side) * side + i;
+      const across = ((j + 1) % side) * side + ((i + 1) % side);
+      indices.set([vertex, right, across, vertex, across, up], 6 * vertex);
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  return geometry.setIndex(new BufferAttribute(indices, 1));
+}

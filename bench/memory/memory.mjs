@@ -1,0 +1,127 @@
+import { readFileSync } from 'node:fs';
+import { figure, table } from '../table.mjs';
+
+const SCALE = [
+  { triangles: 1e6, technique: 'anchored', layout: 'indexed' },
+  { triangles: 1e7, technique: 'anchored', layout: 'indexed' },
+  { triangles: 1e6, technique: 'adjacency', layout: 'pull' },
+  { triangles: 1e7, technique: 'adjacency', layout: 'pull' },
+];
+const STEADY = ['adjacency', 'anchored', 'engraved'].map((technique) => ({
+  triangles: 20_000,
+  technique,
+  layout: 'auto',
+  lines: true,
+}));
+const PLAN = { scale: SCALE, steady: STEADY, frames: 100 };
+const QUICK = {
+  scale: [{ triangles: 20_000, technique: 'anchored', layout: 'indexed' }],
+  steady: STEADY.slice(1, 2),
+  frames: 20,
+};
+
+/** Bytes between two allocations that are looked at: every one of them, as good as. */
+const SAMPLING_INTERVAL = 16;
+
+/** What a bake takes at its peak, how long it blocks the page, and what frames leave behind. */
+export const memory = {
+  name: 'memory',
+  perRasteriser: false,
+
+  async run(browser, isQuick) {
+    const { scale, steady, frames } = isQuick ? QUICK : PLAN;
+    const baked = [];
+    for (const plan of scale) baked.push({ ...plan, ...(await measureBake(browser, plan)) });
+    const drawn = [];
+    for (const plan of steady) drawn.push({ ...plan, ...(await measureGarbage(browser, plan, frames)) });
+    return { frames, baked, drawn };
+  },
+
+  describe({ frames, baked, drawn }) {
+    return `${table([
+      [
+        'layout',
+        'triangles',
+        'seconds',
+        'million triangles/s',
+        'peak of the tab, MB',
+        'longest task, ms',
+        'bytes a triangle',
+        'of the source',
+      ],
+      ...baked.map(({ layout, triangles, seconds, peak, longestTask, bytes, sourceBytes }) => [
+        layout,
+        triangles.toLocaleString('en'),
+        figure(seconds),
+        figure(triangles / seconds / 1e6),
+        figure(peak / 2 ** 20),
+        figure(longestTask),
+        figure(bytes / triangles),
+        figure(sourceBytes / triangles),
+      ]),
+    ])}
+
+Bytes that a frame leaves to the garbage collector, with lines, while the camera turns; mean of ${frames} frames.
+
+${table([
+  ['technique', 'by this library', 'by three.js', 'by what, of ours'],
+  ...drawn.map(({ technique, ours, others, places }) => [technique, figure(ours), figure(others), places.join(', ')]),
+])}`;
+  },
+};
+
+async function measureBake({ openMeasuring, rendererPids }, plan) {
+  const before = new Set(await rendererPids());
+  const { page, measure } = await openMeasuring();
+  const own = (await rendererPids()).filter((pid) => !before.has(pid));
+  try {
+    const result = await measure('memory', plan);
+    return { ...result, peak: Math.max(...own.map(peakOf)) };
+  } finally {
+    await page.close();
+  }
+}
+
+/** The most memory that a process has had at once, in bytes; Linux knows. */
+function peakOf(pid) {
+  const kilobytes = /VmHWM:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, 'utf8'))?.[1];
+  return 1024 * Number(kilobytes);
+}
+
+async function measureGarbage({ openMeasuring }, plan, frames) {
+  const { page, measure } = await openMeasuring();
+  try {
+    await measure('memory', plan);
+    await measure('memoryFrames');
+    const session = await page.context().newCDPSession(page);
+    await session.send('HeapProfiler.startSampling', {
+      samplingInterval: SAMPLING_INTERVAL,
+      includeObjectsCollectedByMajorGC: true,
+      includeObjectsCollectedByMinorGC: true,
+    });
+    await measure('memoryFrames', frames);
+    const { profile } = await session.send('HeapProfiler.stopSampling');
+    return summarise(profile.head, frames);
+  } finally {
+    await page.close();
+  }
+}
+
+/** Adds up what was allocated by our files and by others, by frame. */
+function summarise(head, frames) {
+  let [ours, others] = [0, 0];
+  const byPlace = {};
+  const visit = ({ callFrame: { functionName, url }, selfSize, children }) => {
+    if (url.includes('/src/')) {
+      ours += selfSize;
+      if (selfSize > 0) byPlace[functionName] = (byPlace[functionName] ?? 0) + selfSize;
+    } else if (/three/.test(url)) others += selfSize;
+    for (const child of children) visit(child);
+  };
+  visit(head);
+  const places = Object.entries(byPlace)
+    .sort((a, b) => b[1] - a[1])
+    .slice(0, 4)
+    .map(([name, size]) => `${name} ${figure(size / frames)}`);
+  return { ours: ours / frames, others: others / frames, places };
+}
