@@ -8,10 +8,10 @@ import {
 } from 'three-hatching';
 import { Stage } from '../Stage.js';
 
-const SIZE = 256;
+const SIZE = 128;
 
-/** Frames that are drawn before any is looked at: engines compile, and caches fill. */
-const WARM_UP = 20;
+/** Frames that are drawn before any is looked at. They compile, and fill caches. */
+const WARM_UP = 100;
 
 export interface MemoryPlan {
   triangles: number;

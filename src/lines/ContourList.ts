@@ -18,14 +18,14 @@ export class ContourList {
   count = 0;
   /** What was searched, and the eye that the list was made for. */
   private data: LineData | null = null;
-  private eye: [number, number, number, number] = [0, 0, 0, 0];
+  private readonly eye: [number, number, number, number] = [0, 0, 0, 0];
   /** How far the eye may move; less than 0 without a list. */
   private reach = -1;
   private isSearching = false;
   private isDisposed = false;
 
   /**
-   * Brings the list up to date. Allocates nothing unless the camera has moved.
+   * Brings the list up to date. Allocates nothing but a larger texture now and then, and what goes to the worker.
    *
    * @param eye in object space, w is 0 for an orthographic camera, and xyz then a unit direction
    * @param distance from the eye to the bounding sphere, in object units; 0 or less inside
@@ -58,13 +58,22 @@ export class ContourList {
     this.reach = -1;
   }
 
-  private distanceTo({ x, y, z, w }: Vector4): number {
-    const [eyeX, eyeY, eyeZ, eyeW] = this.eye;
-    return w === eyeW ? Math.sqrt((x - eyeX) ** 2 + (y - eyeY) ** 2 + (z - eyeZ) ** 2) : Infinity;
+  /** By index, here and below: taking an array apart, and making one, leaves garbage in every frame. */
+  private distanceTo(other: Vector4): number {
+    const { eye } = this;
+    if (other.w !== eye[3]) return Infinity;
+    const x = other.x - eye[0];
+    const y = other.y - eye[1];
+    const z = other.z - eye[2];
+    return Math.sqrt(x * x + y * y + z * z);
   }
 
-  private remember({ x, y, z, w }: Vector4, reach: number): void {
-    this.eye = [x, y, z, w];
+  private remember(other: Vector4, reach: number): void {
+    const { eye } = this;
+    eye[0] = other.x;
+    eye[1] = other.y;
+    eye[2] = other.z;
+    eye[3] = other.w;
     this.reach = reach;
   }
 

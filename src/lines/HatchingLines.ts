@@ -244,7 +244,8 @@ export class HatchingLines extends Object3D {
     const list = this.lists.get(camera) ?? this.addList(camera);
     const eye = this.material.uniforms.eye.value as Vector4;
     const { center, radius } = boundingSphere;
-    const distance = Math.hypot(eye.x - center.x, eye.y - center.y, eye.z - center.z) - radius;
+    // Not Math.hypot, which leaves garbage in every frame.
+    const distance = place.set(eye.x, eye.y, eye.z).distanceTo(center) - radius;
     return list.update(data, eye, distance) ? list : null;
   }
 
