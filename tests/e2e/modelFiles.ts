@@ -1,8 +1,8 @@
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
-import { encodeDraco } from '../unit/demo/files/encodeDraco.js';
 import { Mesh, TorusGeometry } from 'three';
 import { PLYExporter } from 'three/addons/exporters/PLYExporter.js';
+import { encodeDraco } from '../unit/demo/files/encodeDraco.js';
 import { packGlb } from './columnModel.js';
 
 /** An octahedron in every format that the page reads, made by code so that the tests need no files. */
