@@ -56,9 +56,11 @@ test('models of every format are drawn when dropped', async ({ page }) => {
 });
 
 test('a mirrored part of a model is not turned inside out', async ({ page }) => {
-  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=0&lightElevation=60');
+  await openPlayground(page, 'model=cube&lightAzimuth=0&lightElevation=60');
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
   await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
+  // From the three-quarter view to the front.
+  for (let i = 0; i < 6; i++) await page.locator('#drawing').press('ArrowLeft');
   const picture = await readDrawing(page);
   // Lit from above. Turned inside out, the octahedron would be lighter below.
   const top = { ...WHOLE, bottom: 0.5 };
@@ -211,3 +213,35 @@ test('a large model is drawn at once, before it is baked, and stays where it was
   await expect(page.locator('#model-statistics')).toHaveText(/^\d+,\d+ triangles$/);
   await expect(page.locator('.earlier-picture')).toBeHidden();
 });
+test('a model that lies on its side is turned upright when asked to, and lies down again with Undo', async ({
+  page,
+}) => {
+  await openPlayground(page, 'model=cube&lines=off');
+  await drop(page, [file('cone.obj', lyingConeObj())]);
+  await expect(page.locator('#model-name')).toHaveText('cone.obj');
+  const hint = page.getByText('It seems to lie on its side.');
+  await expect(hint).toBeVisible();
+  await ready(page);
+  await page.getByRole('button', { name: 'Turn upright' }).click();
+  await expect(hint).toBeHidden();
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('upAxis=z');
+  const standing = await readDrawing(page);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(hint).toBeVisible();
+  expect(changedShare(standing, await readDrawing(page))).toBeGreaterThan(0.05);
+  await page.getByRole('button', { name: 'Leave it' }).click();
+  await expect(hint).toBeHidden();
+});
+
+/** A cone on the plane z = 0, in a format whose models stand on y = 0. */
+function lyingConeObj(): string {
+  const sides = 24;
+  const rim = Array.from({ length: sides }, (_, i) => (2 * Math.PI * i) / sides);
+  return [
+    'v 0 0 2',
+    'v 0 0 0',
+    ...rim.map((angle) => `v ${Math.cos(angle)} ${Math.sin(angle)} 0`),
+    ...rim.map((_, i) => `f 1 ${i + 3} ${((i + 1) % sides) + 3}`),
+    ...rim.map((_, i) => `f 2 ${((i + 1) % sides) + 3} ${i + 3}`),
+  ].join('\n');
+}

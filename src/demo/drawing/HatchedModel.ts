@@ -9,6 +9,7 @@ import {
   type Texture,
 } from 'three';
 import type { HatchingLineMaterial, HatchingLines, HatchingMaterial, TonalArtMap } from 'three-hatching';
+import type { UpAxis } from '../files/findUpAxis.js';
 import { lineLook } from '../settings/lineLook.js';
 import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
@@ -59,6 +60,8 @@ export class HatchedModel {
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
    *   of the source, and strokes of one tile per world unit.
    * @param bounds of the root, in all poses
+   * @param outline xyz of points of the root, enough of them to tell where it ends, in all poses
+   * @param stands which of its axes points up, where its flat side tells
    * @param motion its clips and morph targets, if it has any
    * @param lines of its meshes; several may share a material
    * @param free called when the model is disposed
@@ -66,6 +69,8 @@ export class HatchedModel {
   constructor(
     readonly root: Object3D,
     readonly bounds: Box3,
+    readonly outline: Float32Array,
+    readonly stands: UpAxis | undefined,
     readonly statistics: ModelStatistics,
     readonly motion: Motion | undefined,
     materials: readonly HatchingMaterial[],

@@ -1,5 +1,6 @@
 import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
 import { HatchingLines, HatchingMaterial } from 'three-hatching';
+import { findUpAxis } from '../files/findUpAxis.js';
 import type { MeshPicture } from '../files/meshPictures.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import { bakeMesh } from './bakeMesh.js';
@@ -28,12 +29,34 @@ export async function hatchMesh(
   const drawn = new Mesh(geometry, mesh.ranges ? materials : materials[0]);
   const lines = new HatchingLines(drawn);
   const root = new Group().add(drawn.add(lines));
-  return new HatchedModel(root, geometry.boundingBox!, statistics, undefined, materials, [lines], () => {
-    lines.dispose();
-    geometry.dispose();
-    for (const material of materials) material.dispose();
-    for (const picture of pictures) picture?.bitmap.close();
-  });
+  return new HatchedModel(
+    root,
+    geometry.boundingBox!,
+    outlineOf(mesh.positions),
+    findUpAxis(mesh.positions, mesh.indices),
+    statistics,
+    undefined,
+    materials,
+    [lines],
+    () => {
+      lines.dispose();
+      geometry.dispose();
+      for (const material of materials) material.dispose();
+      for (const picture of pictures) picture?.bitmap.close();
+    },
+  );
+}
+
+/** So many points tell well enough where a model ends. */
+const OUTLINE_POINTS = 20_000;
+
+/** Some of the points of a mesh, evenly chosen. */
+function outlineOf(positions: Float32Array): Float32Array {
+  const count = positions.length / 3;
+  const step = Math.ceil(count / OUTLINE_POINTS);
+  const outline = new Float32Array(3 * Math.ceil(count / step));
+  for (let i = 0; i < count; i += step) outline.set(positions.subarray(3 * i, 3 * i + 3), 3 * (i / step));
+  return outline;
 }
 
 function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {

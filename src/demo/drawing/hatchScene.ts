@@ -2,6 +2,7 @@ import { type AnimationClip, Box3, Group, type InstancedMesh, MathUtils, type Ob
 import { applyHatching, type HatchingStatistics } from 'three-hatching';
 import { checkTriangleCount } from '../files/checkTriangleCount.js';
 import { counted } from '../files/counted.js';
+import { findUpAxis, type UpAxis } from '../files/findUpAxis.js';
 import { measureExtent } from '../files/fitModel.js';
 import type { ModelScene } from '../files/parseGltf.js';
 import { placements } from '../files/placements.js';
@@ -38,7 +39,8 @@ export async function hatchScene(
   repairScene(root);
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
-  const bounds = fitScene(holder, motion);
+  const outline = fitScene(holder, motion);
+  const stands = standsOf(root);
 
   // One tile per world unit. The settings scale it.
   const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
@@ -49,7 +51,9 @@ export async function hatchScene(
   }
   const model = new HatchedModel(
     holder,
-    bounds,
+    new Box3().setFromArray(outline),
+    outline,
+    stands,
     statisticsOf(root),
     motion.canMove ? motion : undefined,
     hatched.materials,
@@ -82,9 +86,9 @@ function hideAllButMeshes(root: Object3D): void {
  * Moves and scales `holder` so that its content is centred and its farthest vertex lies at distance 1, in all sampled
  * poses of the clip.
  *
- * @returns the bounds of these poses
+ * @returns points of its outline in these poses, as xyz
  */
-function fitScene(holder: Group, motion: Motion): Box3 {
+function fitScene(holder: Group, motion: Motion): Float32Array {
   const vertices = countVertices(holder);
   const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MAX_POINTS / vertices), 1, MAX_POSES) : 1;
   const step = Math.ceil((vertices * poses) / MAX_POINTS);
@@ -99,7 +103,37 @@ function fitScene(holder: Group, motion: Motion): Box3 {
   holder.scale.setScalar(1 / radius);
   holder.position.set(...centre).divideScalar(-radius);
   holder.updateMatrixWorld(true);
-  return new Box3().setFromArray(points).applyMatrix4(holder.matrixWorld);
+  const outline = new Float32Array(points.length);
+  const point = new Vector3();
+  for (let i = 0; i < points.length; i += 3)
+    point.fromArray(points, i).applyMatrix4(holder.matrixWorld).toArray(outline, i);
+  return outline;
+}
+
+/** Which axis of a scene points up, told from some of its triangles. */
+function standsOf(root: Object3D): UpAxis | undefined {
+  const parts = meshesOf(root).map((mesh) => {
+    const { index, attributes } = mesh.geometry;
+    return { mesh, index, corners: index?.count ?? attributes.position?.count ?? 0, matrices: placements(mesh) };
+  });
+  const all = parts.reduce((sum, { corners, matrices }) => sum + corners * matrices.length, 0);
+  const step = 3 * Math.ceil(all / MAX_POINTS);
+  const points: number[] = [];
+  const point = new Vector3();
+  for (const { mesh, index, corners, matrices } of parts) {
+    for (const matrix of matrices) {
+      for (let corner = 0; corner + 2 < corners; corner += step) {
+        const triangle = [corner, corner + 1, corner + 2].flatMap((i) =>
+          mesh
+            .getVertexPosition(index ? index.getX(i) : i, point)
+            .applyMatrix4(matrix)
+            .toArray(),
+        );
+        if (triangle.every(Number.isFinite)) points.push(...triangle);
+      }
+    }
+  }
+  return findUpAxis(points, null);
 }
 
 /** Adds the world position of every `step`th vertex of all meshes, in the current pose. */

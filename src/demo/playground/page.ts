@@ -6,6 +6,11 @@ export const page = {
   viewport: findElement('viewport'),
   canvas: findElement('drawing') as HTMLCanvasElement,
   divider: findElement('divider'),
+  turnHint: {
+    hint: findElement('turn-hint'),
+    turn: findElement('turn-upright'),
+    leave: findElement('leave-turned'),
+  },
   lamp: findElement('lamp'),
   secondLamp: findElement('second-lamp'),
   modelCaption: findElement('model-caption'),

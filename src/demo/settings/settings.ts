@@ -528,10 +528,10 @@ export const SETTINGS = {
 
   upAxis: {
     kind: 'choice',
-    label: 'Upright axis',
+    label: 'Upright',
     group: 'View',
     default: 'y',
-    choices: { y: 'Y', z: 'Z' },
+    choices: { y: 'Y up', z: 'Z up', x: 'X up', '-y': 'Y down', '-z': 'Z down', '-x': 'X down' },
   },
   debugView: {
     kind: 'choice',

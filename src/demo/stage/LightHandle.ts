@@ -9,7 +9,7 @@ const STEP = 5;
 const FINE_STEP = 1;
 /** The lamp stays at least this far from the edges of the viewport, in pixels, so that it can always be grabbed. */
 const MARGIN = 26;
-/** Nearer to an edge than this, the hint below the lamp would be cut off. It is moved then. In pixels. */
+/** Nearer to an edge than this, the hint above the lamp would be cut off. It is moved then. In pixels. */
 const HINT_MARGIN = 76;
 /**
  * Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their
@@ -79,14 +79,14 @@ export class LightHandle {
   update(): void {
     const { camera } = this.host;
     const { azimuth, elevation, distance } = this.host.place();
-    const { width, height } = this.projection.size;
+    const { width } = this.projection.size;
     this.shown.copy(this.host.lightPosition);
     if (distance === undefined) this.shown.setLength(this.sunRadius());
     const { x: left, y: top } = this.placeOnSheet();
     this.element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
     this.element.classList.toggle('is-at-left', left < HINT_MARGIN);
     this.element.classList.toggle('is-at-right', left > width - HINT_MARGIN);
-    this.element.classList.toggle('is-at-bottom', top > height - HINT_MARGIN);
+    this.element.classList.toggle('is-at-top', top < HINT_MARGIN);
     if (!this.pointer) this.behind = isBehind(this.shown, camera.position);
     this.element.classList.toggle('is-behind', isHidden(this.shown, camera.position));
     this.element.setAttribute('aria-valuenow', azimuth.toFixed(0));

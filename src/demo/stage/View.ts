@@ -1,12 +1,16 @@
-import { Box3, type PerspectiveCamera, Vector3 } from 'three';
+import { type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { DEFAULT_VIEW } from './createCamera.js';
-import { framingDistance } from './framing.js';
+import { fitCamera } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 
 /** From what it turns around, in radii of the model: near enough to look into a room. */
 const MIN_DISTANCE = 0.15;
+/** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
+const FILL = 0.76;
+/** Before there is a model. */
+const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
 
 /** Controls the camera: orbited by the user, or placed so that the whole model is in the picture. */
 export class View {
@@ -16,7 +20,7 @@ export class View {
   private framed = true;
   private isFraming = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
-  private readonly bounds = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+  private outline: ArrayLike<number> = NO_OUTLINE;
 
   /** @param onChange called when a frame must be drawn */
   constructor(
@@ -43,8 +47,7 @@ export class View {
   /** Places the camera so that the whole model is in the picture. */
   readonly frame = (): void => {
     this.isFraming = true;
-    this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(this.first).setLength(framingDistance(this.bounds, this.first, this.camera));
+    this.controls.target.copy(fitCamera(this.camera, this.outline, this.first, 1, FILL));
     this.controls.update();
     this.isFraming = false;
     this.framed = true;
@@ -52,12 +55,13 @@ export class View {
   };
 
   /**
-   * Sets the bounds of a new model, or of one that was turned.
+   * Sets the outline of a new model, or of one that was turned.
    *
+   * @param outline xyz of points of it, enough to tell where it ends
    * @param first direction to the eye when the model is framed; undefined keeps the current one
    */
-  setBounds(bounds: Box3, first?: readonly [number, number, number]): void {
-    this.bounds.copy(bounds);
+  setOutline(outline: ArrayLike<number>, first?: readonly [number, number, number]): void {
+    this.outline = outline;
     if (first) this.first.set(...first);
     if (this.framed) this.frame();
   }

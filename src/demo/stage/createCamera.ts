@@ -5,10 +5,8 @@ const FIELD_OF_VIEW = 26;
 const NEAR = 0.05;
 const FAR = 100;
 
-/**
- * Direction from the model to the eye unless a model or a figure sets another: a little from the side and from above.
- */
-export const DEFAULT_VIEW = [0.22, 0.18, 1] as const;
+/** Direction from the model to the eye unless a model sets another: a three-quarter view, a little from above. */
+export const DEFAULT_VIEW = [0.62, 0.36, 1] as const;
 
 /** The camera of both pages, for models with a radius of 1. Its aspect has still to be set. */
 export function createCamera(): PerspectiveCamera {

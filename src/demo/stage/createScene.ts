@@ -1,4 +1,4 @@
-import { Group, MathUtils, Scene, WebGLRenderer } from 'three';
+import { Group, MathUtils, type Matrix4, Scene, Vector3, WebGLRenderer } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
@@ -15,6 +15,16 @@ import { View } from './View.js';
 
 /** Renderer, camera, lights and one model, drawn with one technique or with two side by side. */
 export type HatchingScene = ReturnType<typeof createScene>;
+
+/** Rotations about x, y and z that turn an axis of the model to the top. */
+const UPRIGHT: Readonly<Record<Settings['upAxis'], [number, number, number]>> = {
+  y: [0, 0, 0],
+  z: [-Math.PI / 2, 0, 0],
+  x: [0, 0, Math.PI / 2],
+  '-y': [0, 0, Math.PI],
+  '-z': [Math.PI / 2, 0, 0],
+  '-x': [0, 0, -Math.PI / 2],
+};
 
 /** The part of a picture that is drawn into the canvas at once, in the renderer's pixels. */
 interface Tile {
@@ -49,6 +59,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   let fadesFrom: HatchedModel | undefined;
   let map: TonalArtMap | undefined;
   let settings: Settings | undefined;
+  let upAxis: Settings['upAxis'] = 'y';
 
   const frameListeners: (() => void)[] = [];
   const scheduler = new FrameScheduler(() => draw());
@@ -173,7 +184,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (!model) return;
     const bounds = model.bounds.clone().applyMatrix4(upright.matrix);
     ground.height = bounds.min.y;
-    view.setBounds(bounds, first);
+    view.setOutline(turned(model.outline, upright.matrix), first);
   }
 
   const onLost = (): void => {
@@ -341,9 +352,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     apply(next: Settings): void {
       settings = next;
       lights.apply(settings);
-      const tilt = settings.upAxis === 'z' ? -Math.PI / 2 : 0;
-      if (upright.rotation.x !== tilt) {
-        upright.rotation.x = tilt;
+      if (upAxis !== settings.upAxis) {
+        upAxis = settings.upAxis;
+        upright.rotation.set(...UPRIGHT[upAxis]);
         measureBounds();
       }
       renderer.setClearColor(settings.paper, 1);
@@ -375,4 +386,12 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       renderer.forceContextLoss();
     },
   };
+}
+
+/** Points, given as xyz, after a rotation. */
+function turned(points: Float32Array, rotation: Matrix4): Float32Array {
+  const point = new Vector3();
+  const result = points.slice();
+  for (let i = 0; i < points.length; i += 3) point.fromArray(points, i).applyMatrix4(rotation).toArray(result, i);
+  return result;
 }

@@ -1,8 +1,7 @@
-import { type Box3, MathUtils, type PerspectiveCamera, Vector3 } from 'three';
+import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
 
-/** Shares of the picture that {@link fitCamera} and {@link framingDistance} fill. */
+/** The share of the picture that {@link fitCamera} fills, of its width or its height. */
 const POINTS_FILL = 0.94;
-const BOX_FILLS = 0.9;
 
 /**
  * Places a camera so that points just fill its picture, seen from a given direction.
@@ -10,9 +9,17 @@ const BOX_FILLS = 0.9;
  * @param positions xyz of each point
  * @param view direction from the points to the eye, of any length
  * @param zoom how many times larger the picture is than one that the points just fill
+ * @param fill the share of the picture that they fill, of its width or its height
+ * @returns what the camera looks at: of its line of sight, the point nearest to the origin
  */
-export function fitCamera(camera: PerspectiveCamera, positions: ArrayLike<number>, view: Vector3, zoom = 1): void {
-  const { toEye, right, up, slopeX, slopeY } = frustumAxes(camera, view, POINTS_FILL);
+export function fitCamera(
+  camera: PerspectiveCamera,
+  positions: ArrayLike<number>,
+  view: Vector3,
+  zoom = 1,
+  fill = POINTS_FILL,
+): Vector3 {
+  const { toEye, right, up, slopeX, slopeY } = frustumAxes(camera, view, fill);
   // A point is in the picture if |x − x₀| ≤ slope · (distance − depth). For each side, only the point
   // that is farthest out counts.
   const sides = { left: -Infinity, right: -Infinity, below: -Infinity, above: -Infinity };
@@ -33,16 +40,7 @@ export function fitCamera(camera: PerspectiveCamera, positions: ArrayLike<number
     .addScaledVector(up, (sides.above - sides.below) / 2);
   camera.position.copy(middle).addScaledVector(toEye, distance / zoom);
   camera.lookAt(middle);
-}
-
-/** The distance from the origin, in direction `view`, at which every corner of a box is in the picture of a camera. */
-export function framingDistance(box: Box3, view: Vector3, camera: PerspectiveCamera): number {
-  const { toEye, right, up, slopeX, slopeY } = frustumAxes(camera, view, BOX_FILLS);
-  return Math.max(
-    ...boxCorners(box).map(
-      (corner) => corner.dot(toEye) + Math.max(Math.abs(corner.dot(right)) / slopeX, Math.abs(corner.dot(up)) / slopeY),
-    ),
-  );
+  return middle;
 }
 
 /**
@@ -56,10 +54,4 @@ function frustumAxes(camera: PerspectiveCamera, view: Vector3, fill: number) {
   const up = toEye.clone().cross(right);
   const slopeY = Math.tan(MathUtils.degToRad(camera.fov) / 2) * fill;
   return { toEye, right, up, slopeX: slopeY * camera.aspect, slopeY };
-}
-
-function boxCorners({ min, max }: Box3): Vector3[] {
-  return [0, 1, 2, 3, 4, 5, 6, 7].map(
-    (i) => new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z),
-  );
 }
