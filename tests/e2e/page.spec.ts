@@ -159,7 +159,7 @@ test('fits a screen 360 pixels wide, with everything large enough for a thumb', 
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
   expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBe(740);
   const settings = page.getByRole('button', { name: 'Settings' });
-  await expect(page.getByLabel('Stroke scale')).toBeHidden();
+  await expect(page.getByLabel('Technique')).toBeHidden();
   for (const target of [page.locator('#lamp'), settings, page.getByRole('button', { name: 'Open a model' })]) {
     const box = (await target.boundingBox())!;
     expect(box.width).toBeGreaterThanOrEqual(44);
@@ -168,20 +168,21 @@ test('fits a screen 360 pixels wide, with everything large enough for a thumb', 
     expect(box.x + box.width).toBeLessThanOrEqual(360);
   }
   await settings.click();
-  await expect(page.getByLabel('Stroke scale')).toBeVisible();
+  await expect(page.getByLabel('Technique')).toBeVisible();
   const viewport = (await page.locator('#viewport').boundingBox())!;
   const card = (await page.locator('#card').boundingBox())!;
   expect(viewport.height).toBeGreaterThan(180);
   expect(viewport.y + viewport.height).toBeLessThanOrEqual(card.y);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
   await page.keyboard.press('Escape');
-  await expect(page.getByLabel('Stroke scale')).toBeHidden();
+  await expect(page.getByLabel('Technique')).toBeHidden();
 });
 
 test('settings have labels and units, apply at once and are reset by double-click', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube&technique=adjacency');
   const before = await readDrawing(page);
+  await page.getByRole('button', { name: 'More' }).click();
   const scale = page.getByLabel('Stroke scale');
   await scale.fill('6');
   await scale.press('Enter');
@@ -197,7 +198,7 @@ test('settings have labels and units, apply at once and are reset by double-clic
 test('only settings of the techniques in use are offered', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube');
-  await page.getByRole('button', { name: 'Strokes' }).click();
+  await page.getByRole('button', { name: 'More' }).click();
   const [anchors, shift] = [page.getByLabel('Anchors'), page.getByLabel('Shift along')];
   await expect(anchors).toBeVisible();
   await expect(shift).toBeHidden();

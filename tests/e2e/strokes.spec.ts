@@ -69,6 +69,7 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
     seen.push(picture);
   }
   await expect.poll(() => page.url()).toContain('mapStyle=pencil');
+  await page.getByRole('button', { name: 'More' }).click();
   const width = page.getByLabel('Stroke width');
   await width.fill('5');
   await width.press('Enter');

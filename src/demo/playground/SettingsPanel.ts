@@ -1,4 +1,5 @@
 import { type Controller, GUI } from 'lil-gui';
+import { drawnSettings } from '../settings/drawnSettings.js';
 import { SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 
@@ -93,7 +94,7 @@ export class SettingsPanel {
         ),
       );
     for (const [key, element] of Object.entries(this.printNotes)) {
-      const printedPixels = settings[key as keyof typeof this.printNotes] * Number(settings.pictureSize);
+      const printedPixels = drawnSettings(settings)[key as keyof typeof this.printNotes] * Number(settings.pictureSize);
       element.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
     }
     for (const key of LINE_KEYS) this.show(key, settings.lines === 'on');

@@ -1,4 +1,5 @@
 import { HATCHING_LINE_DEFAULTS } from 'three-hatching';
+import { drawnSettings } from '../settings/drawnSettings.js';
 import { lineLook } from '../settings/lineLook.js';
 import { presetOf } from '../settings/presets.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
@@ -15,7 +16,7 @@ import { round } from './round.js';
  */
 export function codeSample(settings: Settings, sceneRadius: number | undefined): string {
   const preset = presetOf(settings);
-  return preset ? presetSample(preset, settings, sceneRadius) : wholeSample(settings, sceneRadius);
+  return preset ? presetSample(preset, settings, sceneRadius) : wholeSample(drawnSettings(settings), sceneRadius);
 }
 
 /** Code that spells out every setting that counts. */
@@ -49,12 +50,12 @@ function wholeSample(settings: Settings, sceneRadius: number | undefined): strin
     material.push(
       `screenConstancy: ${settings.screenConstancy / 100}`,
       `lineField: '${settings.lineField}'`,
-      `lineSpacing: ${settings.lineSpacing} * renderer.getPixelRatio()`,
+      `lineSpacing: ${round(settings.lineSpacing)} * renderer.getPixelRatio()`,
       ...crossing,
       `handmade: ${settings.handmade / 100}`,
     );
   } else if (isCrisp(technique) || settings.levelRule === 'depth') {
-    material.push(`strokeWidth: ${settings.strokeWidth} * renderer.getPixelRatio()`);
+    material.push(`strokeWidth: ${round(settings.strokeWidth)} * renderer.getPixelRatio()`);
   }
   if (isCrisp(technique)) material.push(`edgePixels: ${settings.edge}`);
   if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);

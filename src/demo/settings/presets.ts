@@ -11,6 +11,8 @@ const LOOK_KEYS = [
   'mapSize',
   'mapTones',
   'mapSeed',
+  'boldness',
+  'density',
   'screenConstancy',
   'strokeWidth',
   'strokeScale',

@@ -2,6 +2,7 @@ import { Group, MathUtils, type Matrix4, Scene, Vector3, WebGLRenderer } from 't
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
+import { drawnSettings } from '../settings/drawnSettings.js';
 import type { Settings } from '../settings/settings.js';
 import { AdaptiveResolution } from './AdaptiveResolution.js';
 import { CrossFade } from './CrossFade.js';
@@ -25,6 +26,14 @@ const UPRIGHT: Readonly<Record<Settings['upAxis'], [number, number, number]>> = 
   '-z': [Math.PI / 2, 0, 0],
   '-x': [0, 0, -Math.PI / 2],
 };
+
+/** On a smaller sheet than this, in CSS pixels, strokes shrink with the drawing, down to a share of their width. */
+const FULL_SHEET = { width: 640, height: 520 };
+const LEAST_STROKE_SHARE = 0.55;
+
+/** How wide strokes are on a sheet of a size, as a share of what the settings say. */
+const strokeShare = (width: number, height: number): number =>
+  MathUtils.clamp(Math.min(width / FULL_SHEET.width, height / FULL_SHEET.height), LEAST_STROKE_SHARE, 1);
 
 /** The part of a picture that is drawn into the canvas at once, in the renderer's pixels. */
 interface Tile {
@@ -145,13 +154,14 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
    * Draws one tile of a picture that is `viewWidth` wide. The tile begins `x` pixels from the left and fills the
    * canvas. The tile of an ordinary frame is the whole picture.
    *
-   * @param pixelRatio pixels of the picture per CSS pixel; the widths of strokes and lines are scaled by it
+   * @param pixelRatio pixels of the picture per CSS pixel; the widths of strokes and lines go with it
    */
   function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
     const share = divider?.();
     if (settings) {
-      model?.setWidths(settings, pixelRatio);
-      ground.setWidths(settings, pixelRatio);
+      const strokeRatio = pixelRatio * strokeShare(viewport.clientWidth, viewport.clientHeight);
+      model?.setWidths(settings, strokeRatio);
+      ground.setWidths(settings, strokeRatio);
     }
     model?.useMaterials('drawn');
     if (share === undefined) {
@@ -185,6 +195,22 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     const bounds = model.bounds.clone().applyMatrix4(upright.matrix);
     ground.height = bounds.min.y;
     view.setOutline(turned(model.outline, upright.matrix), first);
+  }
+
+  /** Applies the settings to the lights, the model and what it stands on. */
+  function applyDrawn(): void {
+    if (!settings) return;
+    lights.apply(settings);
+    if (upAxis !== settings.upAxis) {
+      upAxis = settings.upAxis;
+      upright.rotation.set(...UPRIGHT[upAxis]);
+      measureBounds();
+    }
+    renderer.setClearColor(settings.paper, 1);
+    model?.apply(settings);
+    ground.apply(settings);
+    renderer.shadowMap.needsUpdate = true;
+    scheduler.invalidate();
   }
 
   const onLost = (): void => {
@@ -281,7 +307,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       isStandIn = false;
       replacedModel = undefined;
       firstView = first;
-      if (settings) this.apply(settings);
+      applyDrawn();
       measureBounds(first);
       scheduler.invalidate();
     },
@@ -298,7 +324,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       }
       isStandIn = true;
       firstView = first;
-      if (settings) this.apply(settings);
+      applyDrawn();
       measureBounds(first);
       scheduler.invalidate();
     },
@@ -314,7 +340,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       replacedModel = undefined;
       isStandIn = false;
       firstView = replacedView;
-      if (settings) this.apply(settings);
+      applyDrawn();
       measureBounds(firstView);
       scheduler.invalidate();
     },
@@ -350,18 +376,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     /** Applies the settings. Cheap: at most a program is compiled, where a setting needs another one. */
     apply(next: Settings): void {
-      settings = next;
-      lights.apply(settings);
-      if (upAxis !== settings.upAxis) {
-        upAxis = settings.upAxis;
-        upright.rotation.set(...UPRIGHT[upAxis]);
-        measureBounds();
-      }
-      renderer.setClearColor(settings.paper, 1);
-      model?.apply(settings);
-      ground.apply(settings);
-      renderer.shadowMap.needsUpdate = true;
-      scheduler.invalidate();
+      settings = drawnSettings(next);
+      applyDrawn();
     },
 
     /** Whether there is both a model and a map. */
