@@ -42,6 +42,7 @@ export default defineConfig(
         'three',
         'lil-gui',
         'bunny',
+        'snowden/lo.js',
         '@pmndrs/assets/models/suzi.glb.js',
         ...[
           'controls/OrbitControls.js',

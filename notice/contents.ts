@@ -99,8 +99,17 @@ export const PARTS: readonly Part[] = [
     from: '@pmndrs/assets',
   },
   {
+    name: 'Bust of Edward Snowden',
+    use: 'a model',
+    by: 'the stackgl contributors',
+    address: 'https://github.com/stackgl/snowden',
+    licence: 'MIT',
+    licenceFile: 'node_modules/snowden/LICENSE.md',
+    from: 'snowden',
+  },
+  {
     name: 'Hand',
-    use: 'a model, on the page of the figures',
+    use: 'a model',
     by: 'Amazon',
     address: 'https://github.com/immersive-web/webxr-input-profiles',
     licence: 'MIT',

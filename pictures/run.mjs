@@ -1,5 +1,5 @@
 /**
- * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names. `npm run pictures -- hero` draws one of them.
+ * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names, and of the playground's gallery. `npm run pictures -- hero` draws one of them.
  * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -10,6 +10,7 @@ import { PNG } from 'pngjs';
 import { createServer } from 'vite';
 import { writePalettePng } from '../figures/writePalettePng.mjs';
 import { launchOptions } from '../tests/browser/launchOptions.mjs';
+import { drawGallery } from './gallery.mjs';
 import { PLANS, SUBJECT_FILES } from './plans.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
@@ -18,8 +19,8 @@ const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES
 
 const wanted = process.argv.slice(2);
 for (const name of wanted) {
-  if (!(name in PLANS))
-    throw new Error(`pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}.`);
+  if (!(name in PLANS) && name !== 'gallery')
+    throw new Error(`pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}, gallery.`);
 }
 
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
@@ -51,6 +52,7 @@ try {
     writeFileSync(join(root, `docs/${name}.png`), file);
     console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
   }
+  if (wanted.length === 0 || wanted.includes('gallery')) await drawGallery(server, browser, root);
 } finally {
   await browser.close();
   await server.close();

@@ -1,4 +1,5 @@
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
+import { cleanMesh } from '../files/cleanMesh.js';
 import { errorMessage } from '../files/errorMessage.js';
 import { fitModel } from '../files/fitModel.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
@@ -30,13 +31,7 @@ const builtIn = {
     title: 'Stanford bunny',
     view: [0.1, 0.3, 1],
     async load() {
-      const { positions, cells } = await import('bunny');
-      return builtInMesh('Stanford bunny', {
-        positions: new Float32Array(positions.flat()),
-        normals: null,
-        colors: null,
-        indices: new Uint32Array(cells.flat()),
-      });
+      return builtInMesh('Stanford bunny', meshOfPackage(await import('bunny')));
     },
   },
   suzanne: {
@@ -60,6 +55,27 @@ const builtIn = {
       return { kind: 'scene', name: 'Fish', upAxis: 'y', scene: makeFish() };
     },
   },
+  hand: {
+    title: 'Hand',
+    view: [0.1, 0.12, 1],
+    // In the file it has the grey of a glove.
+    load: async () => readMesh('Hand', { ...(await (await import('./loadHand.js')).loadHand()), colors: null }),
+  },
+  bust: {
+    title: 'Bust of Edward Snowden',
+    view: [0.5, 0.12, 1],
+    async load() {
+      const { positions, cells } = await import('snowden/lo.js');
+      const whole = meshOfPackage({ positions, cells: cells.filter((cell) => !isStray(positions, cell)) });
+      return builtInMesh('Bust', cleanMesh(whole).mesh);
+    },
+  },
+  shell: { ...form('Shell', 'shell'), view: [0.5, 0.35, 1] },
+  vase: form('Vase', 'vase'),
+  column: { ...form('Column', 'column'), view: [0.6, 0.2, 1] },
+  gears: form('Gears', 'gears'),
+  landscape: { ...form('Landscape', 'landscape'), view: [0.6, 0.62, 1] },
+  knot: form('Knot', 'knot'),
   cube: { ...threeShape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
   sphere: threeShape('Sphere', async () => new IcosahedronGeometry(1, 12)),
 } satisfies Record<string, BuiltIn>;
@@ -113,7 +129,28 @@ function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNo
   };
 }
 
+/** The lowest point of the bust, in its file. Two stray triangles hang far below it. */
+const BUST_FOOT = -4.7;
+const isStray = (positions: number[][], cell: number[]): boolean => cell.some((i) => positions[i][1] < BUST_FOOT);
+
+/** One of {@link forms}. */
+function form(title: string, name: keyof typeof import('./forms.js')): BuiltIn {
+  return threeShape(title, async () => (await import('./forms.js'))[name]());
+}
+
+/** A mesh in the form in which packages carry scans. */
+const meshOfPackage = ({ positions, cells }: { positions: number[][]; cells: number[][] }): PlainMesh => ({
+  positions: new Float32Array(positions.flat()),
+  normals: null,
+  colors: null,
+  indices: new Uint32Array(cells.flat()),
+});
+
 function builtInMesh(name: string, mesh: PlainMesh): ReadModel {
   fitModel(mesh);
+  return readMesh(name, mesh);
+}
+
+function readMesh(name: string, mesh: PlainMesh): ReadModel {
   return { kind: 'mesh', mesh, pictures: [], plainNormals: null, name, notes: [], missing: [], upAxis: 'y' };
 }

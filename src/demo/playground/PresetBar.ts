@@ -13,8 +13,9 @@ export class PresetBar {
     onChoose: (name: PresetName) => void,
   ) {
     this.buttons = PRESET_NAMES.map((name) => {
-      const textContent = PRESET_LABELS[name];
-      const button = Object.assign(document.createElement('button'), { type: 'button', textContent });
+      const button = Object.assign(document.createElement('button'), { type: 'button' });
+      const picture = Object.assign(document.createElement('img'), { alt: '', src: `gallery/preset-${name}.webp` });
+      button.append(picture, PRESET_LABELS[name]);
       button.addEventListener('click', () => onChoose(name));
       return [name, button] as const;
     });

@@ -6,12 +6,14 @@ import { presetLook } from '../settings/presets.js';
 import { SettingsHistory } from '../settings/SettingsHistory.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
+import { surprise } from '../settings/surprise.js';
 import { createScene } from '../stage/createScene.js';
 import { askForStrokes } from './askForStrokes.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
+import { Gallery } from './Gallery.js';
 import { LightHandles } from './LightHandles.js';
 import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
@@ -171,11 +173,24 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   scene.view.controls.addEventListener('change', updateAddress);
-  addEventListener('hashchange', () => {
-    const link = readLink(location.hash);
-    replaceSettings(link.settings, link.camera === undefined);
-    if (link.camera) scene.view.place = link.camera;
+  addEventListener('hashchange', () => showDrawing(readLink(location.hash)));
+
+  /** Shows another drawing; Undo goes back to this one. */
+  function showDrawing({ settings: next, camera: place }: ReturnType<typeof readLink>): void {
+    replaceSettings(next, place === undefined);
+    if (place) scene.view.place = place;
     else scene.view.frame();
+    recordChange();
+  }
+
+  const gallery = new Gallery(page.gallery, ({ link }) => showDrawing(readLink(link)));
+  page.openGallery.addEventListener('click', () => {
+    openCard(false);
+    gallery.open();
+  });
+  let seed = Date.now();
+  page.surprise.addEventListener('click', () => {
+    replaceSettings(surprise(settings, seed++));
     recordChange();
   });
 

@@ -23,6 +23,13 @@ export const page = {
   openFiles: findElement('open-files'),
   savePng: findElement('save-png'),
   undo: findElement('undo') as HTMLButtonElement,
+  gallery: {
+    sheet: findElement('gallery'),
+    drawings: findElement('gallery-drawings'),
+    close: findElement('close-gallery'),
+  },
+  openGallery: findElement('open-gallery'),
+  surprise: findElement('surprise'),
   contactSheet: {
     sheet: findElement('contact-sheet'),
     scroller: findElement('contact-sheet-scroller'),

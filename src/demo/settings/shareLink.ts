@@ -1,6 +1,7 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
-import { firstView } from './presets.js';
+import { PRESET_NAMES } from './presetLabels.js';
+import { firstView, presetLook } from './presets.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
 const DECIMALS = 1000;
@@ -25,10 +26,11 @@ export function writeLink(settings: Settings, camera: CameraView | undefined): s
   return parameters.toString();
 }
 
-/** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. Nothing at all is the first view. */
+/** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. Nothing at all is the first view; `preset` is what the others differ from. */
 export function readLink(hash: string): { settings: Settings; camera: CameraView | undefined } {
   const parameters = new URLSearchParams(hash.replace(/^#/, ''));
-  const settings = parameters.size === 0 ? firstView() : defaultSettings();
+  const preset = PRESET_NAMES.find((name) => name === parameters.get('preset'));
+  const settings = parameters.size === 0 ? firstView() : { ...defaultSettings(), ...(preset && presetLook(preset)) };
   for (const key of SETTING_KEYS) {
     const text = parameters.get(key);
     const value = text === null ? undefined : acceptSetting(key, FORMER_VALUES[key]?.[text] ?? text);

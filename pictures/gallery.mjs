@@ -1,0 +1,71 @@
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { PRESET_NAMES } from './plans.mjs';
+
+/** Sides of the sheet that is drawn, in CSS pixels, and of the picture, in its own. */
+const DRAWING = { sheet: 320, side: 256 };
+/** A sphere shows all tones of a preset. */
+const PRESET = { sheet: 72, side: 96 };
+const QUALITY = 0.8;
+
+/**
+ * Draws the small pictures of the gallery and of the presets, as the playground itself draws them, into public/gallery.
+ *
+ * @param {import('vite').ViteDevServer} server
+ * @param {import('@playwright/test').Browser} browser
+ * @param {string} root of the project
+ */
+export async function drawGallery(server, browser, root) {
+  const { GALLERY } = await server.ssrLoadModule('/src/demo/settings/gallery.ts');
+  const pictures = [
+    ...GALLERY.map(({ name, link }) => ({ ...DRAWING, name, link })),
+    ...PRESET_NAMES.map((name) => ({ ...PRESET, name: `preset-${name}`, link: `preset=${name}&model=sphere` })),
+  ];
+  const folder = join(root, 'public/gallery');
+  mkdirSync(folder, { recursive: true });
+  let bytes = 0;
+  for (const { name, link, sheet, side } of pictures) {
+    const page = await browser.newPage({
+      viewport: { width: sheet, height: sheet },
+      deviceScaleFactor: 2,
+      reducedMotion: 'reduce',
+    });
+    await page.goto(`${server.resolvedUrls.local[0]}#${link}`);
+    // The sheet alone, without lamps.
+    await page.evaluate(() => {
+      Object.assign(document.getElementById('viewport').style, { position: 'fixed', inset: '0', zIndex: '9' });
+      for (const lamp of document.querySelectorAll('.lamp')) lamp.style.display = 'none';
+    });
+    await page.waitForFunction(isSettled, null, { polling: 100, timeout: 120_000 });
+    const picture = await page.screenshot();
+    const file = await page.evaluate(toWebp, [picture.toString('base64'), side, QUALITY]);
+    await page.close();
+    const content = Buffer.from(file, 'base64');
+    bytes += content.length;
+    writeFileSync(join(folder, `${name}.webp`), content);
+  }
+  console.log(`gallery: ${pictures.length} pictures, ${Math.round(bytes / 1000)} kB`);
+}
+
+/** Runs in the page: whether nothing has been loading or drawn for a while. */
+function isSettled() {
+  const { framesDrawn, isIdle } = window.__playground ?? { framesDrawn: 0, isIdle: false };
+  const isReady = isIdle && document.documentElement.dataset.state === 'ready';
+  if (!isReady || window.__seen?.framesDrawn !== framesDrawn) window.__seen = { framesDrawn, since: performance.now() };
+  return performance.now() - window.__seen.since > 600;
+}
+
+/** Runs in the page: a PNG as a smaller WebP, both in base64. */
+async function toWebp([png, side, quality]) {
+  const bytes = Uint8Array.from(atob(png), (character) => character.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes]), {
+    resizeWidth: side,
+    resizeHeight: side,
+    resizeQuality: 'high',
+  });
+  const canvas = new OffscreenCanvas(side, side);
+  canvas.getContext('2d').drawImage(bitmap, 0, 0);
+  const blob = await canvas.convertToBlob({ type: 'image/webp', quality });
+  const content = new Uint8Array(await blob.arrayBuffer());
+  return btoa(Array.from(content, (byte) => String.fromCharCode(byte)).join(''));
+}
