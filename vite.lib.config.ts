@@ -1,21 +1,9 @@
-import { readFile } from 'node:fs/promises';
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
+import { shortShaders } from './shaders/shortShaders.js';
 
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   command: { command: 'src/command/main.ts' },
-};
-
-/** Shaders without comments and indentation: three.js shows a program's text where it fails, and ships it everywhere else. */
-const shortShaders: Plugin = {
-  name: 'short-shaders',
-  enforce: 'pre',
-  async load(id) {
-    const [path, query] = id.split('?');
-    if (query !== 'raw' || !/\.(glsl|vert|frag)$/.test(path)) return null;
-    const text = (await readFile(path, 'utf8')).replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '').replace(/^\s+|[ \t]+$/gm, '');
-    return `export default ${JSON.stringify(text)};`;
-  },
 };
 
 /** Vite makes the Blob of an inlined worker when the module is loaded, so no bundler may leave it out. */

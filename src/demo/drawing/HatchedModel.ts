@@ -104,8 +104,12 @@ export class HatchedModel {
       }
     }
     // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
-    const isLined = settings.lines === 'on' && settings.debugView === 'none';
-    for (const lines of this.lines) lines.visible = isLined;
+    this.showLines(settings.lines === 'on' && settings.debugView === 'none');
+  }
+
+  /** Shows or hides the lines, until the settings are applied again. */
+  showLines(shown: boolean): void {
+    for (const lines of this.lines) lines.visible = shown;
   }
 
   set tonalArtMap(map: TonalArtMap) {

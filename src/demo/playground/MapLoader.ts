@@ -2,6 +2,7 @@ import type { TonalArtMap } from 'three-hatching';
 import { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
 import type { ModelFile } from '../files/readModel.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
+import { needsMap } from '../settings/settingValues.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import type { ContactSheet } from './ContactSheet.js';
 import { loadMapFiles } from './mapFiles.js';
@@ -20,8 +21,9 @@ export class MapLoader {
     private readonly onOwnMap: () => void,
   ) {}
 
-  /** Draws with the map that the settings ask for. */
-  async showChosen(): Promise<void> {
+  /** Draws with the map that the settings ask for. @param isWanted also if nothing is drawn with it: it is to be looked at */
+  async showChosen(isWanted = needsMap(this.settings)): Promise<void> {
+    if (!isWanted) return;
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
       const map = await this.cache.get(this.settings, { signal, onProgress }, this.scene.tonalArtMap);

@@ -19,12 +19,18 @@ export class OcclusionLoader {
     private readonly tasks: TaskRunner,
   ) {}
 
-  /** To be called when the model or the settings have changed. */
+  /** Whether it will be baked when the model has been drawn without. */
+  get isAwaited(): boolean {
+    const { model, isLost } = this.scene;
+    return model !== undefined && model !== this.model && this.settings.occlusion > 0 && !isLost;
+  }
+
+  /** To be called when the model or the settings have changed, or the time of a frame is known: it does not delay the first. */
   update(): void {
     // A stand-in is gone before its occlusion were there.
     const model = this.scene.isStandIn ? undefined : this.scene.model;
     if (model !== this.model) this.letGo();
-    if (model === this.model || !model || this.settings.occlusion === 0) return;
+    if (!model || !this.isAwaited || this.scene.frameMilliseconds === undefined) return;
     this.model = model;
     // All instances share their vertices, so there is no place to keep the occlusion of each.
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;

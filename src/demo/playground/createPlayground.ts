@@ -21,7 +21,7 @@ import { MotionPanel } from './MotionPanel.js';
 import { OcclusionLoader } from './OcclusionLoader.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
-import { SettingsPanel } from './SettingsPanel.js';
+import type { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
 import { sortDrop } from './sortDrop.js';
 import { TaskRunner } from './TaskRunner.js';
@@ -37,7 +37,8 @@ declare global {
   }
 }
 
-const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed'];
+/** Of some of them, whether there is a map at all depends. */
+const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed', 'technique', 'compare'];
 const LINK_DELAY_MILLISECONDS = 400;
 
 /**
@@ -74,29 +75,36 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     recordChange();
     void mapLoader.showChosen();
   });
-  const panel = new SettingsPanel(
-    page.panel,
-    settings,
-    [
-      { label: 'Show the map', group: 'Drawing', run: () => contactSheet.open() },
-      ...Object.entries(LIGHT_LOOKS).map(([label, look]) => ({
-        label,
-        group: 'Light' as const,
-        run: () => {
-          Object.assign(settings, look);
-          recordChange();
+  // Not before the drawing: it would delay it.
+  let panel: SettingsPanel | undefined;
+  void import('./SettingsPanel.js').then(
+    ({ SettingsPanel }) => {
+      panel = new SettingsPanel(
+        page.panel,
+        settings,
+        [
+          { label: 'Show the map', group: 'Drawing', run: showMap },
+          ...Object.entries(LIGHT_LOOKS).map(([label, look]) => ({
+            label,
+            group: 'Light' as const,
+            run: () => {
+              Object.assign(settings, look);
+              recordChange();
+            },
+          })),
+          { label: 'Show the whole model', group: 'View', run: scene.view.frame },
+          { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
+          { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
+          { label: 'Copy the code for this look', group: 'Picture', run: exportActions.copyCode },
+        ],
+        (key) => {
+          if (key === 'model') modelLoader.changeModel();
+          if (MAP_SETTINGS.includes(key)) void mapLoader.showChosen();
+          recordChange(key);
         },
-      })),
-      { label: 'Show the whole model', group: 'View', run: scene.view.frame },
-      { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
-      { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
-      { label: 'Copy the code for this look', group: 'Picture', run: exportActions.copyCode },
-    ],
-    (key) => {
-      if (key === 'model') modelLoader.changeModel();
-      if (MAP_SETTINGS.includes(key)) void mapLoader.showChosen();
-      recordChange(key);
+      );
     },
+    (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
   );
 
   Object.defineProperty(window, '__playground', {
@@ -105,10 +113,15 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         return scene.framesDrawn;
       },
       get isIdle() {
-        return tasks.isIdle && !scene.isWaiting;
+        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited;
       },
     },
   });
+
+  function showMap(): void {
+    contactSheet.open();
+    void mapLoader.showChosen(true);
+  }
 
   // ── Settings ──
 
@@ -155,7 +168,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     );
     page.sheet.style.setProperty('--paper', settings.paper);
     page.sheet.style.setProperty('--ink', settings.ink);
-    panel.refresh();
+    panel?.refresh();
     presets.refresh();
     turnHint.refresh();
     page.undo.disabled = history.isEmpty;
@@ -203,6 +216,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     if (tasks.isIdle && scene.isComplete) setPageState('ready');
   });
   scene.onFrameTime(() => {
+    occlusion.update();
     const time = `${scene.frameMilliseconds?.toFixed(0)} ms`;
     page.frameTime.textContent = scene.isCoarse ? `${time}, coarse` : `${time} a frame`;
     page.frameTime.title = scene.isCoarse

@@ -1,4 +1,3 @@
-import { zipSync } from 'three/addons/libs/fflate.module.js';
 import { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../files/readModel.js';
 
@@ -25,6 +24,7 @@ export async function loadMapFiles(
 
 /** All files of a map in one archive. PNG images are compressed already, so they are stored as they are. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
+  const { zipSync } = await import('three/addons/libs/fflate.module.js');
   const entries = await Promise.all(
     (await map.save()).map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const),
   );

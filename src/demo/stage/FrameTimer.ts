@@ -56,7 +56,8 @@ export class FrameTimer {
         return;
       }
       this.stop();
-      if (!isDone) return;
+      if (this.gl.isContextLost()) return;
+      // That of a frame which takes longer counts as what was waited.
       this.durations.push(elapsed);
       if (this.durations.length > KEPT_DURATIONS) this.durations.shift();
       this.onMeasured();

@@ -49,6 +49,11 @@ export class Ground {
     this.freePrograms();
   }
 
+  /** Hides it, until the settings are applied again. */
+  hide(): void {
+    this.holder.visible = false;
+  }
+
   /** three.js keeps a program of each look until the material is disposed of, and models come and go over the same ground. */
   private freePrograms(): void {
     if (this.material.version - this.freedVersion < MANY_VERSIONS) return;

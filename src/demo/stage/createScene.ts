@@ -4,6 +4,7 @@ import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import type { Settings } from '../settings/settings.js';
+import { needsMap } from '../settings/settingValues.js';
 import { AdaptiveResolution } from './AdaptiveResolution.js';
 import { CrossFade } from './CrossFade.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
@@ -34,6 +35,12 @@ const LEAST_STROKE_SHARE = 0.55;
 /** How wide strokes are on a sheet of a size, as a share of what the settings say. */
 const strokeShare = (width: number, height: number): number =>
   MathUtils.clamp(Math.min(width / FULL_SHEET.width, height / FULL_SHEET.height), LEAST_STROKE_SHARE, 1);
+
+/**
+ * The first frame of a model is a sketch, so that there is something to see early on a slow machine: in a lower resolution, by this
+ * factor per side, without lines and ground, whose programs are built later.
+ */
+const SKETCH_SHARE = 0.5;
 
 /** The part of a picture that is drawn into the canvas at once, in the renderer's pixels. */
 interface Tile {
@@ -66,6 +73,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   let isStandIn = false;
   /** The stand-in that the next frame fades from. */
   let fadesFrom: HatchedModel | undefined;
+  /** Whether the first frame of a model is being drawn: see {@link SKETCH_SHARE}. */
+  let isSketch = false;
   let map: TonalArtMap | undefined;
   let settings: Settings | undefined;
   let upAxis: Settings['upAxis'] = 'y';
@@ -75,6 +84,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   const ground = new Ground(scene, () => scheduler.invalidate());
   const resolution = new AdaptiveResolution(() => scheduler.invalidate());
   const timer = new FrameTimer(context, () => {
+    if (isSketch) {
+      finishSketch();
+      return;
+    }
     resolution.measured(timer.milliseconds!);
     for (const listener of timeListeners) listener();
   });
@@ -99,7 +112,11 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     const isLightMoved = settings !== undefined && lights.place(camera);
     const areShadowsChanged = lights.lowerShadows(resolution.isCoarse);
     if (isLightMoved || areShadowsChanged || model?.motion) renderer.shadowMap.needsUpdate = true;
-    const pixelRatio = resolution.pixelRatio(width, height);
+    if (isSketch) {
+      model?.showLines(false);
+      ground.hide();
+    }
+    const pixelRatio = resolution.pixelRatio(width, height) * (isSketch ? SKETCH_SHARE : 1);
     if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
     const tile = { viewWidth: width, x: 0, width, height };
     if (fadesFrom) {
@@ -108,7 +125,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       fadesFrom = undefined;
     }
     timer.measure(() => drawTile(tile, pixelRatio));
-    disposePrevious();
+    if (!isSketch) disposePrevious();
     lastPicture.frameDrawn();
     for (const listener of frameListeners) listener();
     if (model?.motion?.isPlaying) scheduler.invalidate();
@@ -141,6 +158,14 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     timer.reset();
     if (map) next.tonalArtMap = map;
     return before;
+  }
+
+  /** The first frame of a model is on the page: the rest is added in the next one. */
+  function finishSketch(): void {
+    isSketch = false;
+    timer.reset();
+    applyDrawn();
+    scheduler.invalidate();
   }
 
   /** Advances the model's animation by the time since the last frame. */
@@ -214,6 +239,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   }
 
   const onLost = (): void => {
+    if (isSketch) finishSketch();
     timer.reset();
     disposePrevious();
     releaseGraphics(scene);
@@ -286,9 +312,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       return scheduler.frames;
     },
 
-    /** Whether a frame was requested and is not drawn yet. */
+    /** Whether a frame was requested and is not drawn yet, or a model was drawn as a sketch only. */
     get isWaiting(): boolean {
-      return scheduler.isWaiting;
+      return scheduler.isWaiting || (isSketch && !context.isContextLost());
     },
 
     /** Requests one frame. */
@@ -304,6 +330,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       const before = exchange(next);
       previousModels = [before, replacedModel].filter((one) => one !== undefined);
       fadesFrom = isStandIn ? before : undefined;
+      // After a stand-in all programs are there.
+      isSketch = !isStandIn && !context.isContextLost();
       isStandIn = false;
       replacedModel = undefined;
       firstView = first;
@@ -323,6 +351,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
         replacedView = firstView;
       }
       isStandIn = true;
+      isSketch = !context.isContextLost();
       firstView = first;
       applyDrawn();
       measureBounds(first);
@@ -380,9 +409,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       applyDrawn();
     },
 
-    /** Whether there is both a model and a map. */
+    /** Whether there is a model, and a map if one is drawn with. */
     get isComplete(): boolean {
-      return model !== undefined && map !== undefined;
+      return model !== undefined && (map !== undefined || (settings !== undefined && !needsMap(settings)));
     },
 
     dispose(): void {

@@ -1,0 +1,15 @@
+import { readFile } from 'node:fs/promises';
+import type { Plugin } from 'vite';
+
+/** Shaders without comments and indentation: three.js shows a program's text where it fails, and ships it everywhere else. */
+export const shortShaders: Plugin = {
+  name: 'short-shaders',
+  enforce: 'pre',
+  apply: 'build',
+  async load(id) {
+    const [path, query] = id.split('?');
+    if (query !== 'raw' || !/\.(glsl|vert|frag)$/.test(path)) return null;
+    const text = (await readFile(path, 'utf8')).replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '').replace(/^\s+|[ \t]+$/gm, '');
+    return `export default ${JSON.stringify(text)};`;
+  },
+};
