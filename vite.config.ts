@@ -1,6 +1,7 @@
 import type { ServerResponse } from 'node:http';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
+import { firstPartCheck } from './notice/firstPart.js';
 import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
 import { shortShaders } from './shaders/shortShaders.js';
 
@@ -27,7 +28,7 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
-    plugins: [shortShaders, figuresFolder, noticeFile, noticeCheck()],
+    plugins: [shortShaders, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
     resolve: {
       alias: {
         // Named in both cases: left alone, the name would be resolved by the paths in tsconfig.json, to the source again.

@@ -1,6 +1,6 @@
 import { type Controller, GUI } from 'lil-gui';
 import { drawnSettings } from '../settings/drawnSettings.js';
-import { SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
+import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 
 /** At 300 dots per inch. */
@@ -62,7 +62,11 @@ export class SettingsPanel {
 
   /** Updates the controls after the settings were changed elsewhere. Hides those that have no effect. */
   refresh(): void {
-    for (const controller of this.controllers.values()) controller.updateDisplay();
+    for (const [key, controller] of this.controllers) {
+      controller.updateDisplay();
+      const setting: Setting = SETTINGS[key];
+      if (setting.kind === 'number') sayValue(controller, setting, Number(this.settings[key]));
+    }
     const { settings } = this;
     const isLocal = settings.lightKind !== 'directional';
     const techniques = [settings.technique, settings.compare];
@@ -149,6 +153,19 @@ export class SettingsPanel {
     });
     return controller;
   }
+}
+
+/** Value, range and unit of a number, for who hears them: lil-gui has a plain field of text. */
+function sayValue(controller: Controller, { min, max, unit }: NumberSetting, value: number): void {
+  const said = {
+    role: 'spinbutton',
+    'aria-valuenow': value,
+    'aria-valuemin': min,
+    'aria-valuemax': max,
+    'aria-valuetext': `${value} ${unit}`.trim(),
+  };
+  const input = controller.$widget.querySelector('input');
+  for (const [name, text] of Object.entries(said)) input?.setAttribute(name, String(text));
 }
 
 /** A line of small text below a control. Several texts are spread over its width. */

@@ -1,0 +1,67 @@
+import AxeBuilder from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+import { expect, test } from '../browser/test.js';
+import { openPlayground } from './playground.js';
+
+const SIZES = [
+  [360, 640],
+  [740, 360],
+  [1000, 700],
+  [1920, 1080],
+] as const;
+
+/** What axe finds, in a line each. */
+async function violations(page: Page): Promise<string[]> {
+  // A page that breaks off its context to be looked at would say so on the console.
+  const { violations: found } = await new AxeBuilder({ page }).setLegacyMode().analyze();
+  return found.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`));
+}
+
+test('axe finds nothing on the playground, at four sizes, with settings and gallery open', async ({ page }) => {
+  await openPlayground(page, 'model=cube&lines=off');
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);
+    const settings = page.getByRole('button', { name: 'Settings' });
+    if (await settings.isVisible()) {
+      await settings.click();
+      expect.soft(await violations(page), `${width} × ${height}, with settings`).toEqual([]);
+      await settings.click();
+    }
+    await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1);
+  }
+  await page.getByRole('button', { name: 'More' }).click();
+  await page.getByRole('button', { name: 'Gallery' }).click();
+  expect.soft(await violations(page), 'with the gallery').toEqual([]);
+  await page.keyboard.press('Escape');
+  const width = page.getByRole('spinbutton', { name: 'Stroke width' });
+  await expect(width).toHaveAttribute('aria-valuetext', '1.5 px');
+  await expect(width).toHaveAttribute('aria-valuemin', '0.5');
+  await expect(width).toHaveAttribute('aria-valuemax', '8');
+
+  // In colours that the reader has chosen, what shows a state keeps one.
+  await page.emulateMedia({ forcedColors: 'active' });
+  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  const colours = await page.evaluate(() => {
+    const of = (selector: string, pseudo?: string) =>
+      getComputedStyle(document.querySelector(selector)!, pseudo).backgroundColor;
+    return {
+      card: of('.card'),
+      track: of('.lil-slider', '::before'),
+      thumb: of('.lil-fill', '::after'),
+      divider: of('.divider', '::before'),
+      pressed: of('.presets [aria-pressed=true]'),
+    };
+  });
+  for (const [name, colour] of Object.entries(colours)) {
+    if (name !== 'card') expect(colour, name).not.toBe(colours.card);
+  }
+});
+
+test('axe finds nothing on the page of the figures, at four sizes', async ({ page }) => {
+  await page.goto('./figures/');
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);
+  }
+});
