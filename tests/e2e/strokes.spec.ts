@@ -117,7 +117,8 @@ test('shadows of its own fall on a model, under every kind of light', async ({ p
 });
 
 test('a model stands on its shadow or on a floor; a picture without paper keeps the shadow alone', async ({ page }) => {
-  const view = 'model=sphere&lightAzimuth=-60&lightElevation=50&lines=off&technique=engraved&screenConstancy=100';
+  const view =
+    'model=sphere&camera=1.1,0.9,4.9,0,0,0&lightAzimuth=-60&lightElevation=50&lines=off&technique=engraved&screenConstancy=100';
   const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };
   const ink: Record<string, number> = {};
   for (const look of ['none', 'shadow', 'floor']) {
