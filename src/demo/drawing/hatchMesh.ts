@@ -5,6 +5,7 @@ import type { MeshPicture } from '../files/meshPictures.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
+import { outlineOf } from './outlineOf.js';
 
 /** The alpha below which a cut-out surface is not drawn. */
 const CUT_OUT = 0.5;
@@ -45,18 +46,6 @@ export async function hatchMesh(
       for (const picture of pictures) picture?.bitmap.close();
     },
   );
-}
-
-/** So many points tell well enough where a model ends. */
-const OUTLINE_POINTS = 20_000;
-
-/** Some of the points of a mesh, evenly chosen. */
-function outlineOf(positions: Float32Array): Float32Array {
-  const count = positions.length / 3;
-  const step = Math.ceil(count / OUTLINE_POINTS);
-  const outline = new Float32Array(3 * Math.ceil(count / step));
-  for (let i = 0; i < count; i += step) outline.set(positions.subarray(3 * i, 3 * i + 3), 3 * (i / step));
-  return outline;
 }
 
 function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {

@@ -5,6 +5,7 @@ import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import type { Settings } from '../settings/settings.js';
 import { HatchedModel } from './HatchedModel.js';
+import { outlineOf } from './outlineOf.js';
 
 /** What draws a mesh with its own normals, before it is baked. */
 const WITHOUT_BAKE: ReadonlySet<string> = new Set(['anchored', 'engraved', 'none']);
@@ -33,8 +34,18 @@ export function standInFor(read: ReadModel | BuiltInScene, settings: Settings): 
     nonManifoldEdges: 0,
     degenerateTriangles: 0,
   };
-  return new HatchedModel(new Group().add(drawn), geometry.boundingBox!, statistics, undefined, [material], [], () => {
-    geometry.dispose();
-    material.dispose();
-  });
+  return new HatchedModel(
+    new Group().add(drawn),
+    geometry.boundingBox!,
+    outlineOf(mesh.positions),
+    undefined,
+    statistics,
+    undefined,
+    [material],
+    [],
+    () => {
+      geometry.dispose();
+      material.dispose();
+    },
+  );
 }

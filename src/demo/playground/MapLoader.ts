@@ -8,9 +8,15 @@ import type { ContactSheet } from './ContactSheet.js';
 import { loadMapFiles } from './mapFiles.js';
 import type { TaskRunner } from './TaskRunner.js';
 
+type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed'>;
+
 /** Loads tonal art maps and draws with them: generated from the settings, or read from the user's files. */
 export class MapLoader {
+  /** What the user's own map was read from. */
+  ownFiles: readonly ModelFile[] | undefined;
   private readonly cache = new TonalArtMapCache();
+  /** The settings of the map that is drawn with. */
+  private shown: MapSettings | undefined;
 
   constructor(
     private readonly scene: HatchingScene,
@@ -18,29 +24,39 @@ export class MapLoader {
     private readonly tasks: TaskRunner,
     private readonly contactSheet: ContactSheet,
     /** Called when the user's own map has become the style in the settings. */
-    private readonly onOwnMap: () => void,
+    private readonly onOwnMap: (isRestored: boolean) => void,
+    /** Called when the settings of the map in use were put back. */
+    private readonly onPutBack: () => void,
   ) {}
 
-  /** Draws with the map that the settings ask for. @param isWanted also if nothing is drawn with it: it is to be looked at */
+  /**
+   * Draws with the map that the settings ask for. If that fails or is cancelled, they are put back to those of the map in use.
+   *
+   * @param isWanted also if nothing is drawn with it: it is to be looked at
+   */
   async showChosen(isWanted = needsMap(this.settings)): Promise<void> {
     if (!isWanted) return;
-    await this.tasks.run('map', async (report, signal) => {
+    const end = await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
       const map = await this.cache.get(this.settings, { signal, onProgress }, this.scene.tonalArtMap);
       if (!signal.aborted) this.use(map);
     });
+    if (end !== 'failed' || !this.shown) return;
+    Object.assign(this.settings, this.shown);
+    this.onPutBack();
   }
 
-  /** Draws with a map read from files. */
-  async showFiles(files: readonly ModelFile[]): Promise<void> {
+  /** Draws with a map read from files. @param isRestored whether it was drawn with before */
+  async showFiles(files: readonly ModelFile[], isRestored = false): Promise<void> {
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
       const map = await loadMapFiles(files, { signal, onProgress });
       signal.throwIfAborted();
       this.settings.mapStyle = 'file';
+      this.ownFiles = files;
       this.use(map);
       this.cache.keep(map);
-      this.onOwnMap();
+      this.onOwnMap(isRestored);
     });
   }
 
@@ -50,6 +66,8 @@ export class MapLoader {
   }
 
   private use(map: TonalArtMap): void {
+    const { mapStyle, mapSize, mapTones, mapSeed } = this.settings;
+    this.shown = { mapStyle, mapSize, mapTones, mapSeed };
     this.scene.setTonalArtMap(map);
     this.contactSheet.show(map, SETTINGS.mapStyle.choices[this.settings.mapStyle]);
   }

@@ -3,9 +3,6 @@ import { drawnSettings } from '../settings/drawnSettings.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 
-/** At 300 dots per inch. */
-const MILLIMETRES_PER_PIXEL = 25.4 / 300;
-
 /** The settings of lines, which have no effect without lines. */
 const LINE_KEYS = SETTING_KEYS.filter((key) => SETTINGS[key].group === 'Lines' && key !== 'lines');
 
@@ -27,6 +24,8 @@ export class SettingsPanel {
     private readonly settings: Settings,
     actions: readonly PanelAction[],
     onChange: (key: SettingKey) => void,
+    /** How many millimetres a CSS pixel of the page becomes in print. */
+    private readonly millimetresPerPixel: () => number,
   ) {
     // Styled by our own style sheet, because the Content Security Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
@@ -97,9 +96,14 @@ export class SettingsPanel {
           settings.screenConstancy === 100
         ),
       );
+    const isSheet = Number.isNaN(Number(settings.pictureSize));
+    for (const key of ['pictureWidth', 'pictureHeight'] as const) this.show(key, settings.pictureSize === 'own');
+    this.show('pictureDpi', isSheet);
+    this.show('pictureGround', settings.pictureLayers === 'one');
     for (const [key, element] of Object.entries(this.printNotes)) {
-      const printedPixels = drawnSettings(settings)[key as keyof typeof this.printNotes] * Number(settings.pictureSize);
-      element.textContent = `${(printedPixels * MILLIMETRES_PER_PIXEL).toFixed(2)} mm in print, 300 dpi`;
+      const width = drawnSettings(settings)[key as keyof typeof this.printNotes] * this.millimetresPerPixel();
+      const where = isSheet ? 'on the sheet' : 'in print, 300 dpi';
+      element.textContent = `${width.toFixed(2)} mm ${where}`;
     }
     for (const key of LINE_KEYS) this.show(key, settings.lines === 'on');
     this.show('strokeAngle', hasStrokes && settings.strokeDirection === 'angle');

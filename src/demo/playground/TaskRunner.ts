@@ -2,11 +2,11 @@ import type { Report } from '../drawing/Report.js';
 import type { Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 
-type Slot = 'model' | 'map' | 'occlusion';
+type Slot = 'model' | 'map' | 'occlusion' | 'picture';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
 /**
- * Runs the page's long tasks, at most one for the model, one for the map and one for occlusion. The status line shows them and can cancel
+ * Runs the page's long tasks, at most one for the model, one for the map, one for occlusion and one for a saved picture. The status line shows them and can cancel
  * them.
  */
 export class TaskRunner {
@@ -27,6 +27,10 @@ export class TaskRunner {
 
   get isIdle(): boolean {
     return this.running.size === 0;
+  }
+
+  isRunning(slot: Slot): boolean {
+    return this.running.has(slot);
   }
 
   /**
@@ -79,7 +83,7 @@ export class TaskRunner {
   }
 
   private show(): void {
-    const entry = this.running.get('model') ?? this.running.get('map') ?? this.running.get('occlusion');
+    const entry = SLOTS.map((slot) => this.running.get(slot)).find((one) => one !== undefined);
     if (!entry) this.status.idle();
     else this.status.working(entry.stage, entry.progress, () => this.cancel());
   }
@@ -89,4 +93,4 @@ export class TaskRunner {
   }
 }
 
-const SLOTS: readonly Slot[] = ['model', 'map', 'occlusion'];
+const SLOTS: readonly Slot[] = ['model', 'map', 'occlusion', 'picture'];

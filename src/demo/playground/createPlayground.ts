@@ -1,19 +1,24 @@
 import { errorMessage } from '../files/errorMessage.js';
 import type { ModelFile } from '../files/readModel.js';
 import { setPageState } from '../page/setPageState.js';
+import { millimetresPerPixel } from '../print/printPlan.js';
+import type { CameraView } from '../settings/CameraView.js';
+import { EditHistory } from '../settings/EditHistory.js';
 import { LIGHT_LOOKS } from '../settings/lightLooks.js';
 import { presetLook } from '../settings/presets.js';
-import { SettingsHistory } from '../settings/SettingsHistory.js';
-import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { surprise } from '../settings/surprise.js';
 import { createScene } from '../stage/createScene.js';
-import { askForStrokes } from './askForStrokes.js';
+import { askForStrokes, askToFetch } from './ask.js';
+import { CodeDialog } from './CodeDialog.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
 import { Gallery } from './Gallery.js';
+import { Keeper } from './Keeper.js';
+import { Kiosk } from './Kiosk.js';
 import { LightHandles } from './LightHandles.js';
 import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
@@ -21,6 +26,8 @@ import { MotionPanel } from './MotionPanel.js';
 import { OcclusionLoader } from './OcclusionLoader.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
+import { pageForm } from './pageForm.js';
+import { RecentDialog } from './RecentDialog.js';
 import type { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
 import { sortDrop } from './sortDrop.js';
@@ -37,6 +44,20 @@ declare global {
   }
 }
 
+/** What Undo goes back to. */
+interface DrawingState {
+  settings: Settings;
+  /** Undefined if the model was framed. */
+  camera: CameraView | undefined;
+  /** Of the user's own model. */
+  files: readonly ModelFile[] | undefined;
+}
+
+const isSameState = (a: DrawingState, b: DrawingState): boolean =>
+  SETTING_KEYS.every((key) => a.settings[key] === b.settings[key]) &&
+  a.files === b.files &&
+  JSON.stringify(a.camera) === JSON.stringify(b.camera);
+
 /** Of some of them, whether there is a map at all depends. */
 const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed', 'technique', 'compare'];
 const LINK_DELAY_MILLISECONDS = 400;
@@ -45,9 +66,8 @@ const LINK_DELAY_MILLISECONDS = 400;
  * Creates the parts of the page and connects them: controls to settings, settings to the drawing, files to the loaders.
  */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
-  const { settings, camera } = readLink(location.hash);
+  const { settings, camera, address } = readLink(location.hash);
   const scene = createScene(page.canvas, context, page.viewport);
-  const history = new SettingsHistory(settings);
   const tasks = new TaskRunner(status, {
     hasDrawing: () => scene.isComplete,
     onIdle: () => {
@@ -56,18 +76,46 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     },
   });
   const contactSheet = new ContactSheet(page.contactSheet);
-  const mapLoader = new MapLoader(scene, settings, tasks, contactSheet, () => recordChange());
-  const modelLoader = new ModelLoader(scene, settings, history, tasks, (isNewModel) => {
-    if (isNewModel) {
+  const mapLoader = new MapLoader(
+    scene,
+    settings,
+    tasks,
+    contactSheet,
+    (isRestored) => (isRestored ? applySettings() : recordChange()),
+    () => {
+      history.adopt();
+      applySettings();
+    },
+  );
+  const modelLoader = new ModelLoader(scene, settings, tasks, (end) => {
+    if (end !== 'failed') {
       motion.show(scene.model?.motion);
       turnHint.about(settings.model === 'file' ? scene.model?.stands : undefined);
     }
-    applySettings();
+    if (end === 'opened') recordChange();
+    else {
+      history.adopt();
+      applySettings();
+    }
   });
+  const history = new EditHistory(readState, isSameState);
+  const keeper = new Keeper(status, () => void showRecent());
+  const recent = new RecentDialog(keeper, (id) => void openKept(id));
   const occlusion = new OcclusionLoader(scene, settings, tasks);
   const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
   const turnHint = new TurnHint(page.turnHint, settings, recordChange);
-  const exportActions = new ExportActions(scene, settings, modelLoader, status, currentLink);
+  const exportActions = new ExportActions(scene, settings, modelLoader, status, tasks, currentLink);
+  const codeDialog = new CodeDialog({
+    drawing: () => ({
+      model: modelLoader.codeModel,
+      settings: { ...settings },
+      camera: scene.view.place,
+      groundHeight: scene.groundHeight,
+      aspect: scene.camera.aspect,
+    }),
+    embedAddress: () => new URL(`?embed#${currentLink()}`, location.href).href,
+    isModelInLink: () => settings.model !== 'file' || modelLoader.address !== undefined,
+  });
   const lights = new LightHandles(scene, settings, recordChange);
   const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
@@ -92,15 +140,22 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
               recordChange();
             },
           })),
-          { label: 'Show the whole model', group: 'View', run: scene.view.frame },
+          { label: 'Show the whole model', group: 'View', run: scene.view.frameForUser },
           { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
+          ...('share' in navigator
+            ? [{ label: 'Share this drawing', group: 'Picture' as const, run: exportActions.share }]
+            : []),
           { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
-          { label: 'Copy the code for this look', group: 'Picture', run: exportActions.copyCode },
+          { label: 'Code and embedding', group: 'Picture', run: () => void codeDialog.open() },
         ],
         (key) => {
           if (key === 'model') modelLoader.changeModel();
           if (MAP_SETTINGS.includes(key)) void mapLoader.showChosen();
           recordChange(key);
+        },
+        () => {
+          const { clientWidth: width, clientHeight: height } = page.viewport;
+          return millimetresPerPixel(settings, { width, height });
         },
       );
     },
@@ -113,7 +168,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         return scene.framesDrawn;
       },
       get isIdle() {
-        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited;
+        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && !isAwaiting;
       },
     },
   });
@@ -126,33 +181,41 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // ── Settings ──
 
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
+  /** Whether a kept drawing is being read, or the user was asked about a model. */
+  let isAwaiting = false;
 
   /**
    * Applies settings that the user has changed, and keeps the earlier ones for Undo.
    *
-   * @param source see {@link SettingsHistory.changed}
+   * @param source see {@link EditHistory.changed}
    */
   function recordChange(source?: string): void {
     history.changed(source);
     applySettings();
   }
 
-  function undo(): void {
-    const before = history.undo();
-    if (before) replaceSettings(before);
+  /** Undo and Redo: shows an earlier state, or the one that came after. */
+  function step(state: DrawingState | undefined): void {
+    if (state) showState(state);
     applySettings();
   }
 
-  /**
-   * Replaces all settings and loads the model and the map they ask for.
-   *
-   * @param isFramed whether the camera goes to where it sees another model whole
-   */
-  function replaceSettings(next: Settings, isFramed = true): void {
-    const { model } = settings;
-    Object.assign(settings, next);
-    if (settings.model !== model) modelLoader.changeModel(isFramed);
+  function readState(): DrawingState {
+    return {
+      settings: { ...settings },
+      camera: scene.view.isFramed ? undefined : scene.view.place,
+      files: settings.model === 'file' ? modelLoader.ownFiles : undefined,
+    };
+  }
+
+  /** Takes over settings and camera, and loads the model and the map that they ask for. */
+  function showState({ settings: next, camera: place, files }: DrawingState): void {
+    // Files that are gone cannot be shown again.
+    Object.assign(settings, next, next.model === 'file' && !files && { model: settings.model });
+    modelLoader.restore({ model: settings.model, files }, place === undefined);
     void mapLoader.showChosen();
+    if (place) scene.view.place = place;
+    else scene.view.frame();
   }
 
   function applySettings(): void {
@@ -171,41 +234,122 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     panel?.refresh();
     presets.refresh();
     turnHint.refresh();
-    page.undo.disabled = history.isEmpty;
+    showSteps();
     updateAddress();
   }
 
-  /** Keeps the page's address up to date, so that a reload or a bookmark restores the drawing. */
+  function showSteps(): void {
+    page.undo.disabled = !history.canUndo;
+    page.redo.disabled = !history.canRedo;
+  }
+
+  /** Keeps the page's address up to date, so that a reload or a bookmark restores the drawing; and what is kept of one's own. */
   function updateAddress(): void {
+    // What a visitor does there is nobody's work, and the address is that of somebody else's drawing.
+    if (pageForm !== 'playground') return;
     clearTimeout(linkTimer);
-    linkTimer = setTimeout(() => window.history.replaceState(null, '', `#${currentLink()}`), LINK_DELAY_MILLISECONDS);
+    linkTimer = setTimeout(writeAddress, LINK_DELAY_MILLISECONDS);
+  }
+
+  function writeAddress(): void {
+    clearTimeout(linkTimer);
+    linkTimer = undefined;
+    // Written when the model is there: until then, what is shown and what is asked for are two drawings.
+    if (isAwaiting || modelLoader.isLoading) return;
+    const files = {
+      model: settings.model === 'file' ? modelLoader.ownFiles : undefined,
+      map: settings.mapStyle === 'file' ? mapLoader.ownFiles : undefined,
+    };
+    keeper.shown(files, modelLoader.title, currentLink(), readState().camera);
   }
 
   function currentLink(): string {
-    return writeLink(settings, scene.view.isFramed ? undefined : scene.view.place);
+    return writeLink(settings, scene.view.isFramed ? undefined : scene.view.place, modelLoader.address);
   }
 
-  scene.view.controls.addEventListener('change', updateAddress);
-  addEventListener('hashchange', () => showDrawing(readLink(location.hash)));
-
-  /** Shows another drawing; Undo goes back to this one. */
-  function showDrawing({ settings: next, camera: place }: ReturnType<typeof readLink>): void {
-    replaceSettings(next, place === undefined);
-    if (place) scene.view.place = place;
-    else scene.view.frame();
+  const gallery = new Gallery(page.gallery, ({ link }) => {
+    showState({ ...readLink(link), files: undefined });
     recordChange();
-  }
-
-  const gallery = new Gallery(page.gallery, ({ link }) => showDrawing(readLink(link)));
+  });
   page.openGallery.addEventListener('click', () => {
     openCard(false);
     gallery.open();
   });
   let seed = Date.now();
   page.surprise.addEventListener('click', () => {
-    replaceSettings(surprise(settings, seed++));
+    Object.assign(settings, surprise(settings, seed++));
+    void mapLoader.showChosen();
     recordChange();
   });
+  scene.view.onMoved = () => {
+    history.changed('camera');
+    showSteps();
+    updateAddress();
+  };
+  // What was changed in the last moment, too.
+  addEventListener('pagehide', () => {
+    if (linkTimer !== undefined) writeAddress();
+  });
+  addEventListener('hashchange', followLink);
+  if (pageForm === 'kiosk') new Kiosk(followLink);
+  // The wheel scrolls the page around it, until somebody has turned to the drawing.
+  if (pageForm === 'embed') scene.view.zoomsWhenFocused(page.canvas);
+
+  page.home.addEventListener('click', () => {
+    page.home.href = `${location.pathname}#${currentLink()}`;
+  });
+
+  /** Shows what the page's address asks for. */
+  function followLink(): void {
+    if (keeper.asked !== undefined) void openKept(keeper.asked);
+    else {
+      const { address: asked, ...next } = readLink(location.hash);
+      // While a model from the web is asked about and fetched, the one that is shown stays.
+      if (asked !== undefined) next.settings.model = settings.model;
+      showState({ ...next, files: settings.model === 'file' ? modelLoader.ownFiles : undefined });
+      recordChange();
+      if (asked !== undefined) void showAddress(asked, next.camera === undefined);
+    }
+  }
+
+  /** Shows a model from another site, if the user agrees. */
+  async function showAddress(asked: string, isFramed: boolean): Promise<void> {
+    isAwaiting = true;
+    const isAgreed = await askToFetch(asked);
+    isAwaiting = false;
+    if (isAgreed) modelLoader.showAddress(asked, isFramed);
+    else if (!scene.model) modelLoader.showChosen();
+    else updateAddress();
+  }
+
+  /** Shows a kept drawing. */
+  async function openKept(id: string): Promise<void> {
+    isAwaiting = true;
+    const kept = await keeper.open(id);
+    if (kept) {
+      const { settings: next, address: origin } = readLink(kept.drawing.link);
+      const { camera: place } = kept.drawing;
+      const { model: files, map } = kept.files;
+      if (files) next.model = 'file';
+      if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
+      showState({ settings: next, camera: place, files });
+      if (map) await mapLoader.showFiles(map, true);
+    } else {
+      status.say('That drawing is no longer kept.');
+      if (!scene.model) {
+        modelLoader.showChosen();
+        void mapLoader.showChosen();
+      }
+    }
+    isAwaiting = false;
+    recordChange();
+    if (tasks.isIdle) showPageState();
+  }
+
+  /** Shows the way to kept drawings where there are any. */
+  async function showRecent(): Promise<void> {
+    page.recent.hidden = (await keeper.list()).length === 0;
+  }
 
   // ── Frames ──
 
@@ -243,19 +387,22 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   /** Shows that there is nothing to draw, and nothing that could still come. */
   function showPageState(): void {
-    if (tasks.isIdle && !scene.isComplete && !context.isContextLost()) setPageState('failed');
+    if (tasks.isIdle && !isAwaiting && !scene.isComplete && !context.isContextLost()) setPageState('failed');
   }
 
   // ── Files and buttons ──
 
-  dropFiles(
-    { overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
-    (files) => void showFiles(files),
-    (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
-  );
+  if (pageForm === 'playground')
+    dropFiles(
+      { overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
+      (files) => void showFiles(files),
+      (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
+    );
   page.savePng.addEventListener('click', exportActions.savePng);
   page.saveMap.addEventListener('click', exportActions.saveMap);
-  page.undo.addEventListener('click', undo);
+  page.undo.addEventListener('click', () => step(history.undo()));
+  page.redo.addEventListener('click', () => step(history.redo()));
+  page.recent.addEventListener('click', () => void recent.open());
 
   /** Shows a model, or draws with a map. */
   async function showFiles(dropped: readonly ModelFile[]): Promise<void> {
@@ -274,14 +421,23 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   addEventListener('keydown', (event) => {
     if (event.key === 'Escape') openCard(false);
     const isTyping = event.target instanceof HTMLInputElement && event.target.type !== 'range';
-    if ((event.ctrlKey || event.metaKey) && !event.shiftKey && event.key === 'z' && !isTyping) {
-      event.preventDefault();
-      undo();
-    }
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping) return;
+    const key = event.key.toLowerCase();
+    const isRedo = (key === 'z' && event.shiftKey) || (key === 'y' && event.ctrlKey && !event.shiftKey);
+    if (!isRedo && (key !== 'z' || event.shiftKey)) return;
+    event.preventDefault();
+    step(isRedo ? history.redo() : history.undo());
   });
 
   if (camera) scene.view.place = camera;
+  history.adopt();
   applySettings();
-  modelLoader.showChosen();
-  void mapLoader.showChosen();
+  if (pageForm === 'playground') void showRecent();
+  if (pageForm === 'playground' && keeper.asked !== undefined) {
+    void openKept(keeper.asked).then(() => history.clear());
+  } else {
+    if (address === undefined) modelLoader.showChosen();
+    else void showAddress(address, camera === undefined);
+    void mapLoader.showChosen();
+  }
 }

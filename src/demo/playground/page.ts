@@ -15,6 +15,8 @@ export const page = {
   secondLamp: findElement('second-lamp'),
   modelCaption: findElement('model-caption'),
   frameTime: findElement('frame-time'),
+  bar: findElement('bar'),
+  home: findElement('home') as HTMLAnchorElement,
   card: findElement('card'),
   presets: findElement('presets'),
   panel: findElement('panel'),
@@ -30,6 +32,8 @@ export const page = {
   },
   openGallery: findElement('open-gallery'),
   surprise: findElement('surprise'),
+  redo: findElement('redo') as HTMLButtonElement,
+  recent: findElement('open-recent'),
   contactSheet: {
     sheet: findElement('contact-sheet'),
     scroller: findElement('contact-sheet-scroller'),
@@ -42,6 +46,8 @@ export const page = {
   ask: {
     dialog: findElement('ask') as HTMLDialogElement,
     question: findElement('ask-question'),
+    yes: findElement('ask-yes'),
+    no: findElement('ask-no'),
   },
   fileInput: findElement('file-input') as HTMLInputElement,
   status: {

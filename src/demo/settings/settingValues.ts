@@ -52,3 +52,13 @@ export const needsMap = ({ technique, compare }: Settings): boolean =>
 export function isCrisp(technique: Settings['technique']): boolean {
   return technique === 'anchored' || technique === 'adjacencyCrisp';
 }
+
+/** Rotations about x, y and z that turn an axis of the model to the top. */
+export const UPRIGHT: Readonly<Record<Settings['upAxis'], [number, number, number]>> = {
+  y: [0, 0, 0],
+  z: [-Math.PI / 2, 0, 0],
+  x: [0, 0, Math.PI / 2],
+  '-y': [0, 0, Math.PI],
+  '-z': [Math.PI / 2, 0, 0],
+  '-x': [0, 0, -Math.PI / 2],
+};

@@ -4,6 +4,15 @@ import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
+/** What a link brings back. */
+export interface LinkedDrawing {
+  settings: Settings;
+  /** Undefined if the model is to be framed. */
+  camera: CameraView | undefined;
+  /** Of a model on the web, which stands in the place of that of the settings. */
+  address: string | undefined;
+}
+
 const DECIMALS = 1000;
 
 /** What older links call values, and what those are called now. */
@@ -11,13 +20,19 @@ const FORMER_VALUES: Partial<Record<SettingKey, Record<string, string>>> = {
   strokeLayers: { 1: 'single', 2: 'lights' },
 };
 
-/** Settings and camera as the hash of a URL. Defaults are left out, but for the technique: no hash at all stands for the first view. */
-export function writeLink(settings: Settings, camera: CameraView | undefined): string {
+/**
+ * Settings and camera as the hash of a URL. Defaults are left out, but for the technique: no hash at all stands for the first view.
+ *
+ * @param address of the user's own model, if it is on the web; a link cannot refer to a dropped file
+ */
+export function writeLink(settings: Settings, camera: CameraView | undefined, address?: string): string {
   const parameters = new URLSearchParams();
+  if (settings.model === 'file' && address) parameters.set('model', address);
   for (const key of SETTING_KEYS) {
-    // A link cannot refer to a dropped file.
-    if (settings[key] === 'file' || (settings[key] === SETTINGS[key].default && key !== 'technique')) continue;
-    parameters.set(key, String(settings[key]));
+    // As fields have them: a third is 0.333, and not a number of seventeen digits.
+    const value = acceptSetting(key, settings[key]) ?? settings[key];
+    if (value === 'file' || (value === SETTINGS[key].default && key !== 'technique')) continue;
+    parameters.set(key, String(value));
   }
   if (camera) {
     const numbers = [...camera.position, ...camera.target].map((value) => Math.round(value * DECIMALS) / DECIMALS);
@@ -27,7 +42,7 @@ export function writeLink(settings: Settings, camera: CameraView | undefined): s
 }
 
 /** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. Nothing at all is the first view; `preset` is what the others differ from. */
-export function readLink(hash: string): { settings: Settings; camera: CameraView | undefined } {
+export function readLink(hash: string): LinkedDrawing {
   const parameters = new URLSearchParams(hash.replace(/^#/, ''));
   const preset = PRESET_NAMES.find((name) => name === parameters.get('preset'));
   const settings = parameters.size === 0 ? firstView() : { ...defaultSettings(), ...(preset && presetLook(preset)) };
@@ -39,5 +54,16 @@ export function readLink(hash: string): { settings: Settings; camera: CameraView
   const numbers = parameters.get('camera')?.split(',').map(Number) ?? [];
   const isCamera = numbers.length === 6 && numbers.every((value) => Number.isFinite(value) && Math.abs(value) <= 100);
   const [x, y, z, tx, ty, tz] = numbers as [number, number, number, number, number, number];
-  return { settings, camera: isCamera ? { position: [x, y, z], target: [tx, ty, tz] } : undefined };
+  return {
+    settings,
+    camera: isCamera ? { position: [x, y, z], target: [tx, ty, tz] } : undefined,
+    address: addressOf(parameters.get('model') ?? ''),
+  };
+}
+
+/** An address that the page may ask for, whole; undefined for anything else. */
+function addressOf(text: string): string | undefined {
+  if (!URL.canParse(text)) return undefined;
+  const { protocol, href } = new URL(text);
+  return protocol === 'https:' ? href : undefined;
 }

@@ -1,13 +1,16 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type TonalArtMap } from 'three-hatching';
 import { applyToMaterial } from '../drawing/applyToMaterial.js';
+import { BLANK } from '../drawing/HatchedModel.js';
 import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
+import type { Layer } from './layers.js';
 
-/** In radii of the model: far enough for the longest shadow, and for a horizon. */
-const SIZE = 40;
-/** So that strokes of techniques that have a frame per triangle follow perspective and lamps. */
-const PARTS = 40;
+/**
+ * The size of the ground in radii of the model: far enough for the longest shadow, and for a horizon. Its parts along each side are
+ * so many that strokes of techniques that have a frame per triangle follow perspective and lamps.
+ */
+export const GROUND = { size: 40, parts: 40 } as const;
 /** Changes of the material, some to a look, after which programs of earlier looks are freed. */
 const MANY_VERSIONS = 24;
 
@@ -31,6 +34,10 @@ export class Ground {
   /** How high it lies. */
   set height(y: number) {
     this.holder.position.y = y;
+  }
+
+  get height(): number {
+    return this.holder.position.y;
   }
 
   set tonalArtMap(map: TonalArtMap) {
@@ -76,9 +83,21 @@ export class Ground {
     material.depthWrite = !isClear;
   }
 
+  /** Shows what the ground gives to a layer: strokes of shadows to one, the paper of a floor to another; or all of it again. */
+  showLayer(layer: Layer | undefined, settings: Settings): void {
+    if (layer === undefined) {
+      this.apply(settings);
+      return;
+    }
+    const isFloor = this.kind === 'floor';
+    this.holder.visible &&= layer === 'shadow' || (layer === 'colour' && isFloor);
+    this.showPaper(layer === 'colour');
+    if (layer === 'colour') this.material.toneCurve = BLANK;
+  }
+
   private async make(): Promise<void> {
     this.isMade = true;
-    const plane = new PlaneGeometry(SIZE, SIZE, PARTS, PARTS).rotateX(-Math.PI / 2);
+    const plane = new PlaneGeometry(GROUND.size, GROUND.size, GROUND.parts, GROUND.parts).rotateX(-Math.PI / 2);
     const prepared = await prepareHatchingGeometry(plane).catch((error) => {
       // Tried again with the next change.
       this.isMade = false;

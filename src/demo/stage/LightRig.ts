@@ -3,19 +3,16 @@ import type { Settings } from '../settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
 
 /** Distance of a directional light, in radii of the model: outside of what casts shadows. */
-const SUN_DISTANCE = 1.45;
+export const SUN_DISTANCE = 1.45;
 
-/** The shadows of a model of radius 1 around the origin, from a light that lies outside. */
-const REACH = 1.05;
-const SHADOW_NEAR = 0.05;
-const SHADOW_FAR = 7;
-const SHADOW_MAP_SIZE = 2048;
-/** While something moves on a slow machine. */
-const COARSE_SHADOW_MAP_SIZE = 1024;
-/** In units of the model. */
-const SHADOW_NORMAL_BIAS = 0.02;
-/** In texels. */
-const SHADOW_SOFTNESS = 1;
+/** The shadows of a model of radius 1 around the origin, from a light that lies outside. Their softness is in texels. */
+export const SHADOWS = { reach: 1.05, near: 0.05, far: 7, mapSize: 2048, normalBias: 0.02, softness: 1 } as const;
+/**
+ * How finely shadows are drawn, by the pixels of their maps: coarse while something moves on a slow machine, fine for pictures
+ * that are larger than a screen.
+ */
+const SHADOW_MAP_SIZES = { coarse: 1024, usual: SHADOWS.mapSize, fine: 4096 } as const;
+export type ShadowQuality = keyof typeof SHADOW_MAP_SIZES;
 
 type CastingLight = DirectionalLight | PointLight | SpotLight;
 
@@ -36,7 +33,7 @@ export class LightRig {
   private readonly settled = new Vector3();
   private readonly secondSettled = new Vector3(0, SUN_DISTANCE, 0);
   private isWithViewer = false;
-  private isCoarse = false;
+  private shadowQuality: ShadowQuality = 'usual';
 
   constructor(scene: Scene) {
     this.secondPosition = this.second.position;
@@ -48,13 +45,14 @@ export class LightRig {
     this.main = { directional: sun, point, spot: this.spot };
     this.all = [sun, point, this.spot, this.second];
     for (const { shadow } of [sun, this.second]) {
-      Object.assign(shadow.camera, { left: -REACH, right: REACH, bottom: -REACH, top: REACH });
+      const { reach } = SHADOWS;
+      Object.assign(shadow.camera, { left: -reach, right: reach, bottom: -reach, top: reach });
     }
     for (const { shadow } of this.all) {
-      Object.assign(shadow.camera, { near: SHADOW_NEAR, far: SHADOW_FAR });
-      shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
-      shadow.normalBias = SHADOW_NORMAL_BIAS;
-      shadow.radius = SHADOW_SOFTNESS;
+      Object.assign(shadow.camera, { near: SHADOWS.near, far: SHADOWS.far });
+      shadow.mapSize.setScalar(SHADOWS.mapSize);
+      shadow.normalBias = SHADOWS.normalBias;
+      shadow.radius = SHADOWS.softness;
     }
     scene.add(...this.all);
   }
@@ -78,19 +76,17 @@ export class LightRig {
   }
 
   /**
-   * Lowers the quality of shadows while something moves on a slow machine: coarser maps, and one sample in the place of nine.
-   * Builds no program.
+   * Sets how finely shadows are drawn. Coarse ones have one sample in the place of nine. Builds no program.
    *
    * @returns whether the maps must be drawn anew
    */
-  lowerShadows(isCoarse: boolean): boolean {
-    if (isCoarse === this.isCoarse) return false;
-    this.isCoarse = isCoarse;
+  setShadowQuality(quality: ShadowQuality): boolean {
+    if (quality === this.shadowQuality) return false;
+    this.shadowQuality = quality;
     for (const { shadow } of this.all) {
-      shadow.radius = isCoarse ? 0 : SHADOW_SOFTNESS;
+      shadow.radius = quality === 'coarse' ? 0 : SHADOWS.softness;
       // three does not resize the cube of a point light.
-      if (shadow !== this.main.point.shadow)
-        shadow.mapSize.setScalar(isCoarse ? COARSE_SHADOW_MAP_SIZE : SHADOW_MAP_SIZE);
+      if (shadow !== this.main.point.shadow) shadow.mapSize.setScalar(SHADOW_MAP_SIZES[quality]);
     }
     return this.second.castShadow;
   }

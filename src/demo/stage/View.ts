@@ -15,10 +15,12 @@ const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
 /** Controls the camera: orbited by the user, or placed so that the whole model is in the picture. */
 export class View {
   readonly controls: OrbitControls;
+  /** Called when the user has moved the camera. */
+  onMoved: () => void = () => {};
   private readonly keys: OrbitKeys;
   /** Whether the camera is where {@link frame} put it. If so, it is placed again when the viewport changes its size. */
   private framed = true;
-  private isFraming = false;
+  private isPlacing = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
   private outline: ArrayLike<number> = NO_OUTLINE;
 
@@ -33,11 +35,31 @@ export class View {
     this.controls.zoomToCursor = true;
     this.controls.maxDistance = 30;
     this.controls.addEventListener('change', () => {
-      if (!this.isFraming) this.framed = false;
+      if (!this.isPlacing) {
+        this.framed = false;
+        this.onMoved();
+      }
       onChange();
     });
-    this.keys = new OrbitKeys(canvas, camera, this.controls, this.frame);
-    canvas.addEventListener('dblclick', this.frame);
+    this.keys = new OrbitKeys(canvas, camera, this.controls, this.frameForUser);
+    canvas.addEventListener('dblclick', this.frameForUser);
+  }
+
+  /** As {@link frame}, because the user has asked for it. */
+  readonly frameForUser = (): void => {
+    this.frame();
+    this.onMoved();
+  };
+
+  /** Zooms with the wheel only while an element has the focus, so that a page around it can be scrolled. */
+  zoomsWhenFocused(element: HTMLElement): void {
+    this.controls.enableZoom = false;
+    element.addEventListener('focus', () => {
+      this.controls.enableZoom = true;
+    });
+    element.addEventListener('blur', () => {
+      this.controls.enableZoom = false;
+    });
   }
 
   get isFramed(): boolean {
@@ -46,10 +68,10 @@ export class View {
 
   /** Places the camera so that the whole model is in the picture. */
   readonly frame = (): void => {
-    this.isFraming = true;
+    this.isPlacing = true;
     this.controls.target.copy(fitCamera(this.camera, this.outline, this.first, 1, FILL));
     this.controls.update();
-    this.isFraming = false;
+    this.isPlacing = false;
     this.framed = true;
     this.onChange();
   };
@@ -80,7 +102,10 @@ export class View {
   set place({ position, target }: CameraView) {
     this.camera.position.fromArray(position);
     this.controls.target.fromArray(target);
+    this.isPlacing = true;
     this.controls.update();
+    this.isPlacing = false;
+    this.framed = false;
     this.onChange();
   }
 

@@ -4,7 +4,7 @@ import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import type { Settings } from '../settings/settings.js';
-import { needsMap } from '../settings/settingValues.js';
+import { needsMap, UPRIGHT } from '../settings/settingValues.js';
 import { AdaptiveResolution } from './AdaptiveResolution.js';
 import { CrossFade } from './CrossFade.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
@@ -13,20 +13,14 @@ import { FrameTimer } from './FrameTimer.js';
 import { Ground } from './Ground.js';
 import { LastPicture } from './LastPicture.js';
 import { LightRig } from './LightRig.js';
+import type { Layer } from './layers.js';
 import { View } from './View.js';
+
+/** Pixels of the longer side of a picture that is larger than a screen. */
+const LARGE = 2048;
 
 /** Renderer, camera, lights and one model, drawn with one technique or with two side by side. */
 export type HatchingScene = ReturnType<typeof createScene>;
-
-/** Rotations about x, y and z that turn an axis of the model to the top. */
-const UPRIGHT: Readonly<Record<Settings['upAxis'], [number, number, number]>> = {
-  y: [0, 0, 0],
-  z: [-Math.PI / 2, 0, 0],
-  x: [0, 0, Math.PI / 2],
-  '-y': [0, 0, Math.PI],
-  '-z': [Math.PI / 2, 0, 0],
-  '-x': [0, 0, -Math.PI / 2],
-};
 
 /** On a smaller sheet than this, in CSS pixels, strokes shrink with the drawing, down to a share of their width. */
 const FULL_SHEET = { width: 640, height: 520 };
@@ -48,6 +42,23 @@ interface Tile {
   x: number;
   width: number;
   height: number;
+}
+
+/** A picture that is drawn in tiles: where it lies on the whole view of the page, in pixels of the picture. */
+interface TiledPicture {
+  viewWidth: number;
+  viewHeight: number;
+  left: number;
+  top: number;
+  /** Pixels of the picture per CSS pixel of the page. */
+  scale: number;
+}
+
+/** How a picture is drawn: on which ground, and what of it. */
+export interface PictureLook {
+  ground: Settings['pictureGround'];
+  /** One layer alone, on a transparent ground. */
+  layer?: Layer;
 }
 
 /** Sets up the scene on a canvas. A frame is drawn after `invalidate`, and when the viewport changes its size. */
@@ -92,7 +103,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     for (const listener of timeListeners) listener();
   });
   const timeListeners: (() => void)[] = [];
-  const view = new View(canvas, camera, () => scheduler.invalidate());
+  const view = new View(canvas, camera, () => {
+    isOutdated = true;
+    scheduler.invalidate();
+  });
   const crossFade = new CrossFade(canvas);
   const lastPicture = new LastPicture(canvas, () => {
     const { clientWidth: width, clientHeight: height } = viewport;
@@ -104,13 +118,19 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   /** Share of the width that shows the compared technique; undefined if nothing is compared. */
   let divider: (() => number) | undefined;
 
+  /** Whether a picture is being drawn in tiles: nothing may move, and the canvas holds the latest tile. */
+  let isHeld = false;
+  /** Whether what the tiles show was changed meanwhile. */
+  let isOutdated = false;
+
   function draw(): void {
+    if (isHeld) return;
     const { clientWidth: width, clientHeight: height } = viewport;
     if (context.isContextLost() || width === 0 || height === 0) return;
     resolution.beforeFrame();
     advanceMotion();
     const isLightMoved = settings !== undefined && lights.place(camera);
-    const areShadowsChanged = lights.lowerShadows(resolution.isCoarse);
+    const areShadowsChanged = lights.setShadowQuality(resolution.isCoarse ? 'coarse' : 'usual');
     if (isLightMoved || areShadowsChanged || model?.motion) renderer.shadowMap.needsUpdate = true;
     if (isSketch) {
       model?.showLines(false);
@@ -206,12 +226,27 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   function resize(): void {
     const { clientWidth: width, clientHeight: height } = viewport;
     if (width === 0 || height === 0) return;
+    isOutdated = true;
+    if (isHeld) return;
     renderer.setPixelRatio(resolution.pixelRatio(width, height));
     renderer.setSize(width, height, false);
     view.resized(width / height);
     timer.reset();
     // At once and not in the next frame, because resizing clears the canvas.
     draw();
+  }
+
+  /** Shows or hides the paper. Without it, only strokes are drawn. */
+  function showPaper(shown: boolean): void {
+    model?.showPaper(shown);
+    ground.showPaper(shown);
+  }
+
+  /** Draws one layer alone, on a transparent ground; or all of them again. */
+  function showLayer(layer: Layer | undefined): void {
+    if (!settings) return;
+    model?.showLayer(layer, settings);
+    ground.showLayer(layer, settings);
   }
 
   function measureBounds(first?: readonly [number, number, number]): void {
@@ -270,12 +305,64 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     lightPosition: lights.position,
     secondLightPosition: lights.secondPosition,
     draw,
-    drawTile,
 
-    /** Shows or hides the paper. Without it, only strokes are drawn. */
-    showPaper(shown: boolean): void {
-      model?.showPaper(shown);
-      ground.showPaper(shown);
+    /**
+     * Stops frames and animation, so that a picture can be drawn in tiles, until {@link release}.
+     *
+     * @param size pixels of the longer side of the picture
+     */
+    hold(size: number): void {
+      isHeld = true;
+      isOutdated = false;
+      if (lights.setShadowQuality(size > LARGE ? 'fine' : 'usual')) renderer.shadowMap.needsUpdate = true;
+    },
+
+    /** Goes on with frames: draws one at once, so that the page never shows a tile. */
+    release(): void {
+      isHeld = false;
+      resize();
+    },
+
+    /** Whether the view, the model or the settings have changed since {@link hold}. */
+    get isOutdated(): boolean {
+      return isOutdated;
+    },
+
+    /** Shows, while the scene is held, what a picture is to show; until {@link endPicture}. */
+    beginPicture({ ground: onto, layer }: PictureLook): void {
+      renderer.setPixelRatio(1);
+      if (onto !== 'paper' || layer) renderer.setClearAlpha(0);
+      if (layer) showLayer(layer);
+      else if (onto === 'strokes') showPaper(false);
+    },
+
+    endPicture(): void {
+      showLayer(undefined);
+      renderer.setClearAlpha(1);
+    },
+
+    /**
+     * Draws one tile of a picture that was begun, and reads its pixels: RGBA multiplied with alpha, the lowest row first.
+     *
+     * @param tile its place in the picture, in pixels
+     * @param pixels to be filled
+     * @throws Error with a sentence for the user
+     */
+    readTile(
+      { viewWidth, viewHeight, left, top, scale }: TiledPicture,
+      { x, y, width, height }: { x: number; y: number; width: number; height: number },
+      pixels: Uint8Array,
+    ): void {
+      if (isOutdated) throw new Error('The drawing was changed while it was being saved; save it again.');
+      // Even the same size would give the canvas new memory.
+      if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
+      camera.setViewOffset(viewWidth, viewHeight, left + x, top + y, width, height);
+      drawTile({ viewWidth, x: left + x, width, height }, scale);
+      camera.clearViewOffset();
+      // In one task, because the canvas does not keep its content for longer.
+      context.readPixels(0, 0, width, height, context.RGBA, context.UNSIGNED_BYTE, pixels);
+      if (context.isContextLost())
+        throw new Error('The graphics card gave up at a picture of this size; choose a smaller one.');
     },
 
     /** Calls back after each frame. */
@@ -326,6 +413,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
      * Replaces the model and disposes the previous one. `first` is the direction to the eye when the model is framed.
      */
     setModel(next: HatchedModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
+      isOutdated = true;
       disposePrevious();
       const before = exchange(next);
       previousModels = [before, replacedModel].filter((one) => one !== undefined);
@@ -385,6 +473,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     setTonalArtMap(next: TonalArtMap): void {
       map = next;
+      isOutdated = true;
       if (model) model.tonalArtMap = map;
       ground.tonalArtMap = map;
       scheduler.invalidate();
@@ -406,7 +495,13 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     /** Applies the settings. Cheap: at most a program is compiled, where a setting needs another one. */
     apply(next: Settings): void {
       settings = drawnSettings(next);
+      isOutdated = true;
       applyDrawn();
+    },
+
+    /** How high the ground under the model lies. */
+    get groundHeight(): number {
+      return ground.height;
     },
 
     /** Whether there is a model, and a map if one is drawn with. */

@@ -1,11 +1,35 @@
 import { describe, expect, test } from 'vitest';
-import { defaultSettings } from '../../../../src/demo/settings/settings.js';
+import { defaultSettings, SETTING_KEYS, SETTINGS } from '../../../../src/demo/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
 
 describe('a link', () => {
   test('keeps layers and how they cross', () => {
     const settings = { ...defaultSettings(), strokeLayers: 'tone', crossFrom: 30, crossAngle: 90 } as const;
     expect(readLink(`#${writeLink(settings, undefined)}`).settings).toEqual(settings);
+  });
+
+  test('has numbers as short as the steps of their fields, whatever the settings were computed from', () => {
+    const settings = defaultSettings();
+    for (const key of SETTING_KEYS) {
+      const { kind, ...setting } = SETTINGS[key];
+      if (kind === 'number') Object.assign(settings, { [key]: (setting.default as number) + 1 / 3 });
+    }
+    const camera = { position: [1 / 3, 2 / 3, Math.PI], target: [1e-9, 0, -1 / 7] } as const;
+    const link = new URLSearchParams(writeLink(settings, structuredClone(camera) as never));
+    for (const text of [...link.values()].flatMap((value) => value.split(','))) {
+      if (!Number.isNaN(Number(text))) expect(text).toMatch(/^-?\d{1,3}(\.\d{1,3})?$/);
+    }
+    expect(writeLink(readLink(link.toString()).settings, undefined)).toBe(writeLink(settings, undefined));
+  });
+
+  test('carries a model by its address, over HTTPS alone', () => {
+    const address = 'https://models.test/a%20b/bust.glb?v=1&x=2';
+    const link = writeLink({ ...defaultSettings(), model: 'file', inkBlend: 'multiply' }, undefined, address);
+    expect(readLink(link)).toMatchObject({ address, settings: { inkBlend: 'multiply', model: 'dragon3' } });
+    expect(writeLink(defaultSettings(), undefined, address)).not.toContain('https');
+    for (const other of ['http://models.test/bust.glb', 'javascript:alert(1)', 'data:,x', '//models.test/x', 'cube']) {
+      expect(readLink(`model=${encodeURIComponent(other)}`).address).toBeUndefined();
+    }
   });
 
   test.each([

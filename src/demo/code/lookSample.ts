@@ -1,31 +1,24 @@
 import { HATCHING_LINE_DEFAULTS } from 'three-hatching';
-import { drawnSettings } from '../settings/drawnSettings.js';
 import { lineLook } from '../settings/lineLook.js';
-import { presetOf } from '../settings/presets.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import { isCrisp, TONE_CURVES } from '../settings/settingValues.js';
-import { lightSample } from './lightSample.js';
-import { presetSample } from './presetSample.js';
 import { round } from './round.js';
 
-/**
- * Code that gives the look of the page to a model in the user's own project.
- *
- * @param sceneRadius the radius of the scene, if the code is for a loaded scene, which keeps its own colours; undefined
- *   if it is for one geometry
- */
-export function codeSample(settings: Settings, sceneRadius: number | undefined): string {
-  const preset = presetOf(settings);
-  return preset ? presetSample(preset, settings, sceneRadius) : wholeSample(drawnSettings(settings), sceneRadius);
-}
-
-/** Code that spells out every setting that counts. */
-function wholeSample(settings: Settings, sceneRadius: number | undefined): string {
-  const isScene = sceneRadius !== undefined;
+/** What `TonalArtMap.generate` takes to draw the map of the page, as entries of an object. */
+export function mapParameters(settings: Settings): string[] {
   const map = [`style: '${settings.mapStyle}'`];
   if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
   if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
   map.push(`seed: ${settings.mapSeed}`);
+  return map;
+}
+
+/**
+ * The parameters of the material that count, as entries of an object; its map is the variable `tonalArtMap`.
+ *
+ * @param isScene whether it is for the materials of a loaded scene, which keep their colours and get their scale elsewhere
+ */
+export function materialParameters(settings: Settings, isScene: boolean): string[] {
   const rotation = { along: '0', towards: 'Math.PI / 2', angle: `(${settings.strokeAngle} / 180) * Math.PI` };
   const { technique } = settings;
   const material = ['tonalArtMap', `technique: '${technique === 'adjacencyCrisp' ? 'adjacency' : technique}'`];
@@ -85,52 +78,11 @@ function wholeSample(settings: Settings, sceneRadius: number | undefined): strin
   material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);
   if (!isScene) material.push(`color: '${settings.color}'`);
   else if (settings.surfaceColors === 'paper') material.push(`color: 'white'`, 'map: null', 'vertexColors: false');
-  const lights = lightSample(settings, sceneRadius);
-  const classes = new Set(lights.classes);
-  if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
-  if (!isScene) classes.add('Mesh');
-  const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
-  const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;
-  const [imports, use] = isScene
-    ? [
-        'applyHatching, TonalArtMap',
-        `const { scene: model } = await new GLTFLoader().loadAsync('model.glb');
-scene.add(model);
-await applyHatching(model, {
-  strokeScale: ${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world
-  material: {
-${parameters.map((line) => `    ${line}`).join('\n')}
-  },${lines ? `\n  lines: {\n${lines.map((line) => `    ${line},`).join('\n')}\n  },` : ''}
-});`,
-      ]
-    : [
-        `${lines ? 'HatchingLines, ' : ''}HatchingMaterial, prepareHatchingGeometry, TonalArtMap`,
-        `const material = new HatchingMaterial({
-${parameters.map((line) => `  ${line}`).join('\n')}
-});
-${
-  lines
-    ? `const mesh = new Mesh(await prepareHatchingGeometry(geometry, { lines: true }), material);
-mesh.add(
-  new HatchingLines(mesh, {
-${lines.map((line) => `    ${line},`).join('\n')}
-  }),
-);
-scene.add(mesh);`
-    : 'scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));'
-}`,
-      ];
-  return `import { ${[...classes].sort().join(', ')} } from 'three';
-${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${imports} } from 'three-hatching';
-
-const tonalArtMap = await ${settings.mapStyle === 'file' ? "TonalArtMap.load('map.json')" : `TonalArtMap.generate({ ${map.join(', ')} })`};
-${use}
-
-${lights.code}`;
+  return material;
 }
 
 /** The parameters of lines that are not at their defaults, and those in pixels. */
-function lineParameters(settings: Settings): string[] {
+export function lineParameters(settings: Settings): string[] {
   const { lineWidth, wobble, overshoot, ink, shadeWeights, ...weights } = lineLook(settings, 1);
   const inPixels = { lineWidth, wobble, overshoot };
   return [

@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, test } from 'vitest';
+import { codeSample } from '../../../../src/demo/code/codeSample.js';
 import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js';
-import { codeSample } from '../../../../src/demo/playground/codeSample.js';
 import { lineLook } from '../../../../src/demo/settings/lineLook.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { presetLook, presetOf } from '../../../../src/demo/settings/presets.js';

@@ -1,18 +1,25 @@
 import type { PresetName } from 'three-hatching';
 import type { Settings } from '../settings/settings.js';
 import { lightSample } from './lightSample.js';
+import { inQuotes } from './modelSource.js';
 
 /**
  * Code that names a preset instead of spelling it out.
  *
  * @param sceneRadius the radius of a loaded scene, which keeps its own colours; undefined if it is for one geometry
+ * @param name of the file that the scene is loaded from
  */
-export function presetSample(preset: PresetName, settings: Settings, sceneRadius: number | undefined): string {
+export function presetSample(
+  preset: PresetName,
+  settings: Settings,
+  sceneRadius: number | undefined,
+  name: string,
+): string {
   const isScene = sceneRadius !== undefined;
   const { code: lights, classes } = lightSample(settings, sceneRadius);
   const [load, model, strokeScale] = isScene
     ? [
-        `const { scene: model } = await new GLTFLoader().loadAsync('model.glb');
+        `const { scene: model } = await new GLTFLoader().loadAsync(${inQuotes(name)});
 scene.add(model);`,
         'model',
         `${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world`,

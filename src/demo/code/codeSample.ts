@@ -1,0 +1,71 @@
+import { drawnSettings } from '../settings/drawnSettings.js';
+import { presetOf } from '../settings/presets.js';
+import type { Settings } from '../settings/settings.js';
+import { lightSample } from './lightSample.js';
+import { lineParameters, mapParameters, materialParameters } from './lookSample.js';
+import { inQuotes } from './modelSource.js';
+import { presetSample } from './presetSample.js';
+
+/**
+ * Code that gives the look of the page to a model in the user's own project.
+ *
+ * @param sceneRadius the radius of the scene, if the code is for a loaded scene, which keeps its own colours; undefined
+ *   if it is for one geometry
+ * @param name of the file that the scene is loaded from
+ */
+export function codeSample(settings: Settings, sceneRadius: number | undefined, name = 'model.glb'): string {
+  const preset = presetOf(settings);
+  return preset
+    ? presetSample(preset, settings, sceneRadius, name)
+    : wholeSample(drawnSettings(settings), sceneRadius, name);
+}
+
+/** Code that spells out every setting that counts. */
+function wholeSample(settings: Settings, sceneRadius: number | undefined, name: string): string {
+  const isScene = sceneRadius !== undefined;
+  const map = mapParameters(settings);
+  const material = materialParameters(settings, isScene);
+  const { offsetU, offsetV } = settings;
+  const lights = lightSample(settings, sceneRadius);
+  const classes = new Set(lights.classes);
+  if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
+  if (!isScene) classes.add('Mesh');
+  const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
+  const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;
+  const [imports, use] = isScene
+    ? [
+        'applyHatching, TonalArtMap',
+        `const { scene: model } = await new GLTFLoader().loadAsync(${inQuotes(name)});
+scene.add(model);
+await applyHatching(model, {
+  strokeScale: ${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world
+  material: {
+${parameters.map((line) => `    ${line}`).join('\n')}
+  },${lines ? `\n  lines: {\n${lines.map((line) => `    ${line},`).join('\n')}\n  },` : ''}
+});`,
+      ]
+    : [
+        `${lines ? 'HatchingLines, ' : ''}HatchingMaterial, prepareHatchingGeometry, TonalArtMap`,
+        `const material = new HatchingMaterial({
+${parameters.map((line) => `  ${line}`).join('\n')}
+});
+${
+  lines
+    ? `const mesh = new Mesh(await prepareHatchingGeometry(geometry, { lines: true }), material);
+mesh.add(
+  new HatchingLines(mesh, {
+${lines.map((line) => `    ${line},`).join('\n')}
+  }),
+);
+scene.add(mesh);`
+    : 'scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));'
+}`,
+      ];
+  return `import { ${[...classes].sort().join(', ')} } from 'three';
+${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${imports} } from 'three-hatching';
+
+const tonalArtMap = await ${settings.mapStyle === 'file' ? "TonalArtMap.load('map.json')" : `TonalArtMap.generate({ ${map.join(', ')} })`};
+${use}
+
+${lights.code}`;
+}

@@ -1,0 +1,292 @@
+import { drawnSettings } from '../settings/drawnSettings.js';
+import { presetOf } from '../settings/presets.js';
+import type { Settings } from '../settings/settings.js';
+import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from '../settings/settingValues.js';
+import { LENS } from '../stage/createCamera.js';
+import { GROUND } from '../stage/Ground.js';
+import { SHADOWS, SUN_DISTANCE } from '../stage/LightRig.js';
+import type { CodeDrawing } from './CodeModel.js';
+import { lineParameters, mapParameters, materialParameters } from './lookSample.js';
+import { modelSource } from './modelSource.js';
+import { round } from './round.js';
+
+/** An ES module that draws what the page shows, whole: model, paper, camera, lights, shadows, ground and lines. */
+export interface DrawingSample {
+  /** Import declarations. */
+  imports: string;
+  /** The declaration of `drawHatching(canvas)`. */
+  code: string;
+  /** What somebody has to know who puts the module to use. */
+  note: string | undefined;
+}
+
+/** Statements, and the names that they need. */
+interface Part {
+  code: string;
+  three?: string[];
+  hatching?: string[];
+}
+
+/** The code of a drawing. */
+export function drawingSample(shown: CodeDrawing): DrawingSample {
+  const drawing = { ...shown, settings: drawnSettings(shown.settings) };
+  const source = modelSource(drawing.model);
+  const parts: Part[] = [
+    stagePart(drawing),
+    {
+      code: `// The model, its centre in the middle of the scene, with a radius of 1.\n${source.code}`,
+      three: source.classes,
+    },
+    fittingPart(drawing),
+    clipPart(drawing, source.hasClips),
+    lookPart(drawing),
+    groundPart(drawing),
+    lightsPart(drawing.settings),
+    framesPart(drawing, source.hasClips),
+  ];
+  const body = parts.flatMap(({ code }) => (code ? [indented(code)] : [])).join('\n\n');
+  const names = (kind: 'three' | 'hatching') =>
+    [...new Set(parts.flatMap((part) => part[kind] ?? []))].sort().join(', ');
+  return {
+    note: source.note,
+    imports: [
+      `import { ${names('three')} } from 'three';`,
+      "import { OrbitControls } from 'three/addons/controls/OrbitControls.js';",
+      ...source.imports,
+      `import { ${names('hatching')} } from 'three-hatching';`,
+    ].join('\n'),
+    code: `/** Draws into a canvas, which keeps its size by itself. Rejects with an Error if the model cannot be loaded. */
+export async function drawHatching(canvas) {
+${body}
+}`,
+  };
+}
+
+const indented = (code: string): string => code.replace(/^(?=.)/gm, '  ');
+
+const listed = (numbers: readonly number[]): string => numbers.map(round).join(', ');
+
+function stagePart({ settings, camera }: CodeDrawing): Part {
+  const shadows = settings.shadows === 'on' ? '\nrenderer.shadowMap.enabled = true;' : '';
+  return {
+    three: ['WebGLRenderer', 'Scene', 'PerspectiveCamera'],
+    code: `const renderer = new WebGLRenderer({ canvas, antialias: true });
+renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+renderer.setClearColor('${settings.paper}');${shadows}
+const scene = new Scene();
+const camera = new PerspectiveCamera(${LENS.fieldOfView}, 1, ${LENS.near}, ${LENS.far});
+camera.position.set(${listed(camera.position)});
+const controls = new OrbitControls(camera, canvas);
+controls.target.set(${listed(camera.target)});
+controls.update();`,
+  };
+}
+
+function fittingPart({ model: { place }, settings: { upAxis } }: CodeDrawing): Part {
+  const turned = (group: string): string =>
+    upAxis === 'y' ? '' : `\n${group}.rotation.set(${listed(UPRIGHT[upAxis])}); // its ${upAxis} axis points up`;
+  if (place) {
+    return {
+      three: ['Group'],
+      code: `const holder = new Group().add(model);
+holder.scale.setScalar(${exact(place.scale)});
+holder.position.set(${place.position.map(exact).join(', ')});
+const upright = new Group().add(holder);${turned('upright')}
+scene.add(upright);`,
+    };
+  }
+  return {
+    three: ['Box3', 'Group', 'Vector3'],
+    code: `const points = [];
+model.updateMatrixWorld(true);
+model.traverse((object) => {
+  const count = object.isMesh ? object.geometry.attributes.position.count : 0;
+  for (let i = 0; i < count; i++) {
+    points.push(object.getVertexPosition(i, new Vector3()).applyMatrix4(object.matrixWorld));
+  }
+});
+const centre = new Box3().setFromPoints(points).getCenter(new Vector3());
+const radius = points.reduce((most, point) => Math.max(most, point.distanceTo(centre)), 0);
+model.position.sub(centre);
+const holder = new Group().add(model);
+holder.scale.setScalar(1 / radius);${turned('holder')}
+scene.add(holder);`,
+  };
+}
+
+/** Numbers of any size, as short as they can be without moving anything by a pixel. */
+const exact = (value: number): number => Number(value.toPrecision(5));
+
+function clipPart({ model: { clip } }: CodeDrawing, hasClips = false): Part {
+  if (!clip || !hasClips) return { code: '' };
+  return {
+    three: ['AnimationMixer'],
+    code: `const mixer = new AnimationMixer(model);
+mixer.clipAction(animations[${clip.index}]).play();
+mixer.setTime(${round(clip.time)});`,
+  };
+}
+
+function lookPart({ model, settings }: CodeDrawing): Part {
+  const preset = presetOf(settings);
+  const three: string[] = [];
+  const hatching = ['applyHatching'];
+  // What presets leave to the page.
+  const own: string[] = [];
+  if (settings.shadows === 'on' && settings.shadowStrokes !== 'tone')
+    own.push(`shadowStrokes: '${settings.shadowStrokes}'`);
+  if (settings.occlusion > 0) own.push(`occlusion: ${settings.occlusion / 100}`);
+  if (model.isOpen) {
+    own.push('side: DoubleSide');
+    three.push('DoubleSide');
+  }
+  let look: string[];
+  let rest: string;
+  let before = '';
+  if (preset) {
+    hatching.push('presets', 'scalePreset');
+    before = `const preset = scalePreset(presets.${preset}, renderer.getPixelRatio());\n`;
+    look = ['...preset.material'];
+    if (settings.surfaceColors === 'paper') own.push(`color: 'white'`, 'map: null', 'vertexColors: false');
+    rest = '  ...preset,\n';
+  } else {
+    hatching.push('TonalArtMap');
+    const map = mapParameters(settings);
+    const isOwn = settings.mapStyle === 'file';
+    before = isOwn
+      ? "// The playground saves your map as a ZIP: unpack it beside this file.\nconst tonalArtMap = await TonalArtMap.load('map.json');\n"
+      : `const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });\n`;
+    look = materialParameters(settings, true);
+    if (settings.offsetU !== 0 || settings.offsetV !== 0) three.push('Vector2');
+    const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;
+    rest = lines ? `  lines: {\n${lines.map((line) => `    ${line},\n`).join('')}  },\n` : '';
+  }
+  const entries = [...look, ...own].map((entry) => `  ${entry},\n`).join('');
+  let after = '';
+  if (settings.color !== '#ffffff') {
+    three.push('Color');
+    after += `\nfor (const { color } of hatching.materials) color.multiply(new Color('${settings.color}'));`;
+  }
+  if (settings.occlusion > 0) {
+    hatching.push('bakeOcclusion');
+    after += '\nawait bakeOcclusion(holder);';
+  }
+  return {
+    three,
+    hatching,
+    code: `${before}const look = {
+${entries}};
+const strokeScale = ${round(settings.strokeScale)}; // tiles per unit of the scene
+const hatching = await applyHatching(holder, {
+${rest}  material: look,
+  strokeScale,
+});${after}`,
+  };
+}
+
+function groundPart({ settings, groundHeight }: CodeDrawing): Part {
+  if (settings.ground === 'none') return { code: '' };
+  const { size, parts } = GROUND;
+  const kind =
+    settings.ground === 'shadow'
+      ? `\n  toneModel: 'shadow', // nothing but shadows\n  transparent: true,\n  paperOpacity: 0,\n  depthWrite: false,`
+      : '';
+  return {
+    three: ['Mesh', 'PlaneGeometry'],
+    hatching: ['HatchingMaterial', 'prepareHatchingGeometry'],
+    code: `const plane = new PlaneGeometry(${size}, ${size}, ${parts}, ${parts}).rotateX(-Math.PI / 2);
+const groundMaterial = new HatchingMaterial({
+  ...look,
+  tonalArtMap: hatching.materials[0].tonalArtMap,
+  strokeScale,
+  color: '${settings.color}',${kind}
+});
+const ground = new Mesh(await prepareHatchingGeometry(plane), groundMaterial);
+ground.position.y = ${round(groundHeight)};
+ground.receiveShadow = true;
+scene.add(ground);`,
+  };
+}
+
+function lightsPart(settings: Settings): Part {
+  const strength = (percent: number): number => round((Math.PI * percent) / 100);
+  const intensity = strength(settings.lightStrength);
+  const main = {
+    directional: `new DirectionalLight('white', ${intensity})`,
+    point: `new PointLight('white', ${intensity}, 0, 0)`,
+    spot: `new SpotLight('white', ${intensity}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
+  }[settings.lightKind];
+  const three = [/new (\w+)/.exec(main)![1]];
+  const second = placeOfSecondLight(settings);
+  const lines = [`const light = ${main};`, `light.position.${positionOf(placeOfLight(settings))};`];
+  if (second) {
+    three.push('DirectionalLight');
+    lines.push(
+      `const second = new DirectionalLight('white', ${strength(settings.secondStrength)});`,
+      `second.position.${positionOf(second)};`,
+    );
+  }
+  const names = second ? 'light, second' : 'light';
+  lines.push(`const lights = [${names}];`, 'scene.add(...lights);');
+  if (settings.shadows === 'on') {
+    const { reach, near, far, mapSize, normalBias, softness } = SHADOWS;
+    lines.push(
+      `for (const one of lights) {
+  one.castShadow = true;
+  const { shadow } = one;
+  Object.assign(shadow.camera, { near: ${near}, far: ${far} });
+  if (one.isDirectionalLight) Object.assign(shadow.camera, { left: -${reach}, right: ${reach}, bottom: -${reach}, top: ${reach} });
+  shadow.mapSize.set(${mapSize}, ${mapSize});
+  shadow.normalBias = ${normalBias};
+  shadow.radius = ${softness};
+}
+holder.traverse((object) => {
+  if (object.isMesh) object.castShadow = object.receiveShadow = true;
+});`,
+    );
+  }
+  if (settings.lightFollows === 'viewer') lines.push('const places = lights.map(({ position }) => position.clone());');
+  return { code: lines.join('\n'), three };
+}
+
+const positionOf = ({ azimuth, elevation, distance = SUN_DISTANCE }: LightPlace): string =>
+  `setFromSphericalCoords(${listed([distance, ((90 - elevation) * Math.PI) / 180, (azimuth * Math.PI) / 180])})`;
+
+function framesPart({ model, settings, aspect }: CodeDrawing, hasClips = false): Part {
+  const following =
+    settings.lightFollows === 'viewer'
+      ? `
+  // They stay with the viewer.
+  for (const [i, { position }] of lights.entries()) position.copy(places[i]).applyQuaternion(camera.quaternion);`
+      : '';
+  const isPlaying = hasClips && model.clip?.isPlaying;
+  const playing = isPlaying
+    ? `
+let before = performance.now();
+renderer.setAnimationLoop((now) => {
+  mixer.update((now - before) / 1000);
+  before = now;
+  draw();
+});`
+    : '';
+  return {
+    three: ['MathUtils'],
+    code: `// A frame is drawn when something has changed.
+const draw = () => {${following}
+  renderer.render(scene, camera);
+};
+controls.addEventListener('change', draw);
+new ResizeObserver(() => {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  if (width === 0 || height === 0) return;
+  renderer.setSize(width, height, false);
+  camera.aspect = width / height;
+  // A narrow picture shows as much of the width as a wide one.
+  const widening = Math.max(1, ${round(aspect)} / camera.aspect);
+  const slope = Math.tan(MathUtils.degToRad(${LENS.fieldOfView / 2}));
+  camera.fov = MathUtils.radToDeg(2 * Math.atan(widening * slope));
+  camera.updateProjectionMatrix();
+  draw();
+}).observe(canvas);${playing}`,
+  };
+}

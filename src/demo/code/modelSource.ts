@@ -1,0 +1,168 @@
+import { extensionOf, withoutGz } from '../files/fileName.js';
+import type { CodeModel } from './CodeModel.js';
+import { CDN } from './versions.js';
+
+/** How copied code gets its model. */
+export interface ModelSource {
+  /** Import declarations, but for those from `three`. */
+  imports: string[];
+  /** The classes of three.js that it needs. */
+  classes: string[];
+  /** Statements, of which the last ones declare `model`, an Object3D; and `animations`, if `hasClips`. */
+  code: string;
+  hasClips?: boolean;
+  /** What somebody has to know who puts the code to use. */
+  note?: string;
+}
+
+interface Loader {
+  name: string;
+  path?: string;
+  gives: 'object' | 'scene' | 'geometry';
+}
+
+const GLTF: Loader = { name: 'GLTFLoader', gives: 'scene' };
+const USD: Loader = { name: 'USDLoader', gives: 'object' };
+
+/** The loaders of three.js by the extension of a file. */
+const LOADERS: Readonly<Record<string, Loader>> = {
+  glb: GLTF,
+  gltf: GLTF,
+  obj: { name: 'OBJLoader', gives: 'object' },
+  fbx: { name: 'FBXLoader', gives: 'object' },
+  dae: { name: 'ColladaLoader', gives: 'scene' },
+  usdz: USD,
+  usdc: USD,
+  usda: USD,
+  usd: USD,
+  '3mf': { name: 'ThreeMFLoader', path: '3MFLoader', gives: 'object' },
+  '3ds': { name: 'TDSLoader', gives: 'object' },
+  wrl: { name: 'VRMLLoader', gives: 'object' },
+  ply: { name: 'PLYLoader', gives: 'geometry' },
+  stl: { name: 'STLLoader', gives: 'geometry' },
+};
+
+const DRAGONS: Readonly<Record<string, string>> = {
+  dragon4: 'dragon_vrip_res4',
+  dragon3: 'dragon_vrip_res3',
+  dragon2: 'dragon_vrip_res2',
+  dragon1: 'dragon_vrip',
+};
+
+/** The code that loads or makes the model that the page shows. */
+export function modelSource({ model, title }: CodeModel): ModelSource {
+  if (model === 'file') return fileSource(title);
+  if (model in DRAGONS) return gzippedSource(`${CDN.dragon}/models/${DRAGONS[model]}.ply.gz`, 'ply');
+  switch (model) {
+    case 'bunny':
+      return {
+        imports: ["import * as bunny from 'bunny';"],
+        classes: ['BufferGeometry', 'Float32BufferAttribute', ...MESH],
+        code: `const { positions, cells } = bunny.default ?? bunny;
+const geometry = new BufferGeometry().setIndex(cells.flat());
+geometry.setAttribute('position', new Float32BufferAttribute(positions.flat(), 3));
+${MAKE_MESH}`,
+      };
+    case 'suzanne': {
+      const source = loaderSource('suzanne', GLTF);
+      return { ...source, imports: ["import suzanne from '@pmndrs/assets/models/suzi.glb.js';", ...source.imports] };
+    }
+    case 'teapot':
+      return shapeSource('new TeapotGeometry(1, 12)', [
+        "import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';",
+      ]);
+    case 'cube':
+      return {
+        imports: [],
+        classes: ['BoxGeometry', ...MESH],
+        code: `const geometry = new BoxGeometry(1, 1, 1);\n${MAKE_MESH}`,
+      };
+    case 'sphere':
+      return shapeSource('new IcosahedronGeometry(1, 12)', [], ['IcosahedronGeometry']);
+    default:
+      return {
+        imports: [],
+        classes: ['TorusKnotGeometry', ...MESH],
+        code: `const geometry = new TorusKnotGeometry(1, 0.34, 320, 48);\n${MAKE_MESH}`,
+        note: `The playground makes its model "${title}" by itself. This knot stands in for it.`,
+      };
+  }
+}
+
+const MESH = ['Mesh', 'MeshStandardMaterial'];
+const MAKE_MESH = 'const model = new Mesh(geometry, new MeshStandardMaterial());';
+
+/** A shape of three.js with the vertices merged that are doubled for texture coordinates, as the page draws it. */
+function shapeSource(made: string, imports: string[], classes: string[] = []): ModelSource {
+  return {
+    imports: [...imports, "import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';"],
+    classes: [...classes, ...MESH],
+    code: `const shape = ${made};
+shape.deleteAttribute('uv').deleteAttribute('normal');
+const geometry = mergeVertices(shape, 1e-4);
+${MAKE_MESH}`,
+  };
+}
+
+function fileSource(title: string): ModelSource {
+  const name = title.replace(/^.*[\\/]/, '');
+  const isPacked = withoutGz(name) !== name;
+  const extension = extensionOf(withoutGz(name)) ?? '';
+  const note = `Put ${oneLine(name)} beside this file. A web server must serve both: browsers load no models from file:// addresses.`;
+  const loader = LOADERS[extension];
+  if (!loader) {
+    const unpacked = `The model came in ${oneLine(name)}: unpack it, and write the name of the model below.`;
+    return { ...loaderSource("'model.glb'", GLTF), note: unpacked };
+  }
+  if (isPacked) return { ...gzippedSource(name, extension), note };
+  return { ...loaderSource(inQuotes(name), loader), note };
+}
+
+const oneLine = (text: string): string => text.replace(/\s+/g, ' ').replaceAll('*/', '* /');
+
+/** A string as source code that may also stand in an HTML page. */
+export function inQuotes(text: string): string {
+  const escaped = JSON.stringify(text).slice(1, -1).replaceAll('\\"', '"').replaceAll("'", "\\'");
+  return `'${escaped.replaceAll('<', '\\x3c')}'`;
+}
+
+const importOf = ({ name, path = name }: Loader): string =>
+  `import { ${name} } from 'three/addons/loaders/${path}.js';`;
+
+/** @param address as source code */
+function loaderSource(address: string, loader: Loader): ModelSource {
+  if (loader === GLTF) {
+    return {
+      imports: [
+        "import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';",
+        "import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';",
+        importOf(loader),
+      ],
+      classes: [],
+      code: `const loader = new GLTFLoader().setDRACOLoader(new DRACOLoader()).setMeshoptDecoder(MeshoptDecoder);
+const { scene: model, animations } = await loader.loadAsync(${address});`,
+      hasClips: true,
+    };
+  }
+  return taken(loader, `await new ${loader.name}().loadAsync(${address})`);
+}
+
+/** A file that is unpacked before it is read. */
+function gzippedSource(address: string, extension: string): ModelSource {
+  const loader = LOADERS[extension];
+  const { code, ...source } = taken(loader, `new ${loader.name}().parse(await new Response(unpacked).arrayBuffer())`);
+  return {
+    ...source,
+    code: `const packed = await fetch(${inQuotes(address)});
+const unpacked = packed.body.pipeThrough(new DecompressionStream('gzip'));
+${code}`,
+  };
+}
+
+/** Takes the model out of what a loader gives. */
+function taken(loader: Loader, given: string): ModelSource {
+  const imports = [importOf(loader)];
+  if (loader.gives === 'object') return { imports, classes: [], code: `const model = ${given};` };
+  if (loader.gives === 'scene') return { imports, classes: [], code: `const { scene: model } = ${given};` };
+  return { imports, classes: [...MESH], code: `const geometry = ${given};\n${MAKE_MESH}` };
+}

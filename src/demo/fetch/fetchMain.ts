@@ -1,0 +1,45 @@
+import type { FetchMessage } from './FetchMessage.js';
+
+/**
+ * Fetches one file for the playground, in a frame of it. This page alone may reach other sites, by its Content-Security-Policy; the
+ * playground may not.
+ */
+
+/** As much as the playground takes of a model. */
+const MAX_BYTES = 512 * 2 ** 20;
+
+addEventListener('message', ({ origin, source, data }: MessageEvent<{ address: string }>) => {
+  if (origin === location.origin && source === parent) void answer(data.address);
+});
+say({ kind: 'ready' });
+
+function say(message: FetchMessage): void {
+  parent.postMessage(message, location.origin);
+}
+
+async function answer(address: string): Promise<void> {
+  try {
+    const response = await fetch(address, { credentials: 'omit', referrerPolicy: 'no-referrer' });
+    if (!response.ok || !response.body) say({ kind: 'refused', status: response.status });
+    else await read(response.body, Number(response.headers.get('Content-Length')) || undefined);
+  } catch {
+    say({ kind: 'failed' });
+  }
+}
+
+async function read(body: ReadableStream<Uint8Array<ArrayBuffer>>, total: number | undefined): Promise<void> {
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let bytes = 0;
+  const reader = body.getReader();
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    parts.push(part.value);
+    bytes += part.value.length;
+    if (bytes > MAX_BYTES) {
+      await reader.cancel();
+      say({ kind: 'too large' });
+      return;
+    }
+    say({ kind: 'progress', bytes, total });
+  }
+  say({ kind: 'done', content: new Blob(parts) });
+}

@@ -1,0 +1,100 @@
+import type { ModelFile } from '../files/readModel.js';
+import { type KeptDrawing, KeptDrawings, type KeptFiles } from '../kept/KeptDrawings.js';
+import type { CameraView } from '../settings/CameraView.js';
+import type { Status } from './Status.js';
+
+/** What the page's entry in the browser's history remembers. */
+interface EntryState {
+  /** The kept drawing that it shows. */
+  drawing?: string;
+}
+
+const sizeOf = (files: readonly ModelFile[] = []): number => files.reduce((sum, { content }) => sum + content.size, 0);
+
+/**
+ * Keeps drawings that need files of the user's own, so that they survive a reload, Back and a crash. Which of them the page shows
+ * is noted in its entry of the browser's history.
+ */
+export class Keeper {
+  private readonly drawings = new KeptDrawings();
+  /** The files of the drawing that is shown. */
+  private files: KeptFiles = {};
+  private id: string | undefined;
+  /** Writing one after the other, so that what comes later stays. */
+  private queue: Promise<void> = Promise.resolve();
+  private hasSaidWhy = false;
+
+  constructor(
+    private readonly status: Status,
+    private readonly onChange: () => void,
+  ) {}
+
+  /** The kept drawing that the page's entry in the browser's history asks for. */
+  get asked(): string | undefined {
+    return (history.state as EntryState | null)?.drawing;
+  }
+
+  /**
+   * To be called when the drawing has changed. A drawing without own files is left to the page's address.
+   *
+   * @param link of its settings and its view
+   */
+  shown(files: KeptFiles, title: string, link: string, camera: CameraView | undefined): void {
+    if (!files.model && !files.map) {
+      this.id = undefined;
+      this.files = {};
+      history.replaceState(null, '', `#${link}`);
+      return;
+    }
+    const isOther = files.model !== this.files.model || files.map !== this.files.map;
+    if (this.id === undefined || files.model !== this.files.model) this.id = newId();
+    this.files = files;
+    history.replaceState({ drawing: this.id } satisfies EntryState, '', `#${link}`);
+    const drawing = {
+      id: this.id,
+      title,
+      at: Date.now(),
+      bytes: sizeOf(files.model) + sizeOf(files.map),
+      link,
+      camera,
+    };
+    this.write(title, () => (isOther ? this.drawings.keep(drawing, files) : this.drawings.update(drawing)));
+  }
+
+  /** Reads a kept drawing, which is going to be shown. Undefined if it is gone. */
+  async open(id: string): Promise<{ drawing: KeptDrawing; files: KeptFiles } | undefined> {
+    const found = await this.drawings.read(id).catch(() => undefined);
+    if (!found) return undefined;
+    this.id = id;
+    this.files = found.files;
+    return found;
+  }
+
+  /** The kept drawings, the latest first. None where the browser keeps nothing. */
+  list(): Promise<KeptDrawing[]> {
+    return this.queue.then(() => this.drawings.list()).catch(() => []);
+  }
+
+  async forget(ids: readonly string[]): Promise<void> {
+    await this.queue;
+    await this.drawings.forget(...ids).catch(() => {});
+    if (this.id !== undefined && ids.includes(this.id)) history.replaceState(null, '', location.hash || '#');
+    this.onChange();
+  }
+
+  private write(title: string, task: () => Promise<void>): void {
+    this.queue = this.queue.then(task).then(this.onChange, (error: unknown) => {
+      if (this.hasSaidWhy) return;
+      this.hasSaidWhy = true;
+      const isFull = (error as Error | null)?.name === 'QuotaExceededError';
+      this.status.say(
+        isFull
+          ? `${title} is larger than what this browser keeps for a page: after a reload, open it again.`
+          : `This browser keeps nothing here, as in a private window: after a reload, open ${title} again.`,
+      );
+    });
+  }
+}
+
+/** Pages that do not come over HTTPS have no `randomUUID`. */
+const newId = (): string => [...crypto.getRandomValues(new Uint32Array(4))].map((part) => part.toString(36)).join('-');

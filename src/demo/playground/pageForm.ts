@@ -1,0 +1,17 @@
+/**
+ * What the page is used as, by its query: `?embed`, in a frame of another page; `?kiosk`, on a screen of an exhibition. Both show
+ * the drawing and its lamp alone.
+ */
+export type PageForm = 'playground' | 'embed' | 'kiosk';
+
+export const pageForm: PageForm = formOf(location.search);
+
+function formOf(query: string): PageForm {
+  const parameters = new URLSearchParams(query);
+  if (parameters.has('kiosk')) return 'kiosk';
+  return parameters.has('embed') ? 'embed' : 'playground';
+}
+
+// Read by the style sheet.
+document.documentElement.dataset.form = pageForm;
+document.documentElement.classList.toggle('is-bare', pageForm !== 'playground');

@@ -1,0 +1,133 @@
+import { crc32 } from './crc32.js';
+
+const SIGNATURE = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
+const INCHES_PER_METRE = 1 / 0.0254;
+/** Filter of a row: the difference to the row above. Flat paper becomes zeros. */
+const UP = 2;
+/** Compressed bytes per chunk. */
+const CHUNK_BYTES = 1 << 18;
+
+export interface PngHeader {
+  width: number;
+  height: number;
+  /** Three: red, green, blue; four: with alpha, which they are not multiplied with. */
+  channels: 3 | 4;
+  /** Dots per inch, by which programs know the size in print. */
+  dpi: number;
+}
+
+/**
+ * Writes a PNG row by row, so that a picture of any size takes little memory: `rows` resolves when there is room for more. Colours
+ * are sRGB.
+ */
+export class PngWriter {
+  private readonly compression = new CompressionStream('deflate');
+  private readonly input = this.compression.writable.getWriter();
+  private readonly output: Promise<void>;
+  private readonly before: Uint8Array;
+
+  /** @param write is handed the file in parts, in order */
+  constructor(
+    { width, height, channels, dpi }: PngHeader,
+    private readonly write: (part: Uint8Array<ArrayBuffer>) => void,
+  ) {
+    this.before = new Uint8Array(width * channels);
+    write(SIGNATURE);
+    this.chunk(
+      'IHDR',
+      bytes(13, (view) => {
+        view.setUint32(0, width);
+        view.setUint32(4, height);
+        view.setUint8(8, 8);
+        view.setUint8(9, channels === 4 ? 6 : 2);
+      }),
+    );
+    this.chunk('sRGB', Uint8Array.of(0));
+    this.chunk(
+      'pHYs',
+      bytes(9, (view) => {
+        const dotsPerMetre = Math.round(dpi * INCHES_PER_METRE);
+        view.setUint32(0, dotsPerMetre);
+        view.setUint32(4, dotsPerMetre);
+        view.setUint8(8, 1);
+      }),
+    );
+    this.output = this.writeCompressed();
+    // Whoever writes rows is told; until then it is no uncaught error.
+    this.output.catch(() => {});
+  }
+
+  /** Takes the next rows, from the top, one after the other. They may be changed afterwards. */
+  async rows(pixels: Uint8Array): Promise<void> {
+    const { before } = this;
+    const length = before.length;
+    const count = pixels.length / length;
+    const filtered = new Uint8Array(count * (length + 1));
+    for (let row = 0; row < count; row++) {
+      const from = row * length;
+      const to = row * (length + 1);
+      filtered[to] = UP;
+      for (let i = 0; i < length; i++) {
+        const value = pixels[from + i];
+        filtered[to + 1 + i] = value - before[i];
+        before[i] = value;
+      }
+    }
+    await this.input.write(filtered);
+    await this.input.ready;
+  }
+
+  /** Resolves when the whole file is written. */
+  async end(): Promise<void> {
+    await this.input.close();
+    await this.output;
+    this.chunk('IEND', new Uint8Array());
+  }
+
+  /** Stops, and frees what it holds. The file stays cut off. */
+  async abort(): Promise<void> {
+    await this.input.abort().catch(() => {});
+    await this.output.catch(() => {});
+  }
+
+  private async writeCompressed(): Promise<void> {
+    const reader = this.compression.readable.getReader();
+    let parts: Uint8Array[] = [];
+    let length = 0;
+    const flush = (): void => {
+      if (length > 0) this.chunk('IDAT', joined(parts, length));
+      parts = [];
+      length = 0;
+    };
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      parts.push(part.value);
+      length += part.value.length;
+      if (length >= CHUNK_BYTES) flush();
+    }
+    flush();
+  }
+
+  private chunk(type: string, content: Uint8Array<ArrayBuffer>): void {
+    const name = Uint8Array.from(type, (character) => character.charCodeAt(0));
+    this.write(bytes(4, (view) => view.setUint32(0, content.length)));
+    this.write(name);
+    if (content.length > 0) this.write(content);
+    this.write(bytes(4, (view) => view.setUint32(0, crc32(name, content))));
+  }
+}
+
+function bytes(length: number, fill: (view: DataView) => void): Uint8Array<ArrayBuffer> {
+  const made = new Uint8Array(length);
+  fill(new DataView(made.buffer));
+  return made;
+}
+
+function joined(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
+  const all = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
+}

@@ -1,0 +1,12 @@
+import { type PrintPlan, toMillimetres } from './printPlan.js';
+
+/** What drawing a picture takes, loaded when one is saved. */
+export { cutToDrawing, drawPicture } from './drawPicture.js';
+export { planPrint } from './printPlan.js';
+export { zipBlobs } from './zipBlobs.js';
+
+/** The size of a picture in words. */
+export function describePrint({ width, height, dpi }: PrintPlan): string {
+  const [wide, high] = [width, height].map((pixels) => Math.round(toMillimetres(pixels, dpi)));
+  return `${width.toLocaleString('en')} × ${height.toLocaleString('en')} px, ${wide} × ${high} mm, ${dpi.toLocaleString('en')} dpi`;
+}

@@ -1,0 +1,116 @@
+import type { Settings } from '../settings/settings.js';
+
+const MILLIMETRES_PER_INCH = 25.4;
+
+/** Of pictures in the size of the page: what the panel measures strokes in print by. */
+const PAGE_DPI = 300;
+
+/** Sheets of paper (ISO 216), upright, in millimetres. */
+export const PAPER_FORMATS = {
+  a6: [105, 148],
+  a5: [148, 210],
+  a4: [210, 297],
+  a3: [297, 420],
+  a2: [420, 594],
+} as const satisfies Partial<Record<Settings['pictureSize'], readonly [number, number]>>;
+
+/** Where a picture lies on the view of the page, in pixels of the picture. */
+export interface PrintPlan {
+  /** The picture in pixels. */
+  width: number;
+  height: number;
+  /** The whole view of the page, and where the picture begins in it; outside if the sheet is larger. */
+  viewWidth: number;
+  viewHeight: number;
+  left: number;
+  top: number;
+  /** Pixels of the picture per CSS pixel of the page. */
+  scale: number;
+  dpi: number;
+}
+
+/** A size in CSS pixels. */
+interface Size {
+  width: number;
+  height: number;
+}
+
+/** A rectangle in CSS pixels of the page's view. */
+export interface Bounds {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+const toPixels = (millimetres: number, dpi: number): number => Math.round((millimetres / MILLIMETRES_PER_INCH) * dpi);
+
+export const toMillimetres = (pixels: number, dpi: number): number => (pixels / dpi) * MILLIMETRES_PER_INCH;
+
+/** The sheet that the settings ask for, in millimetres, turned as the view is; undefined for the size of the page. */
+function sheetOf(settings: Settings, view: Size): readonly [number, number] | undefined {
+  const { pictureSize } = settings;
+  if (pictureSize === 'own') return [settings.pictureWidth, settings.pictureHeight];
+  if (!(pictureSize in PAPER_FORMATS)) return undefined;
+  const [short, long] = PAPER_FORMATS[pictureSize as keyof typeof PAPER_FORMATS];
+  return view.width > view.height ? [long, short] : [short, long];
+}
+
+/**
+ * The picture that the settings ask for: in the size of the page or a multiple of it, or a sheet of paper that holds the whole view,
+ * which goes on to the edges of the sheet.
+ */
+export function planPrint(settings: Settings, view: Size): PrintPlan {
+  const sheet = sheetOf(settings, view);
+  if (!sheet) {
+    const scale = Number(settings.pictureSize);
+    const [width, height] = [Math.round(view.width * scale), Math.round(view.height * scale)];
+    return { width, height, viewWidth: width, viewHeight: height, left: 0, top: 0, scale, dpi: PAGE_DPI };
+  }
+  const dpi = Number(settings.pictureDpi);
+  const [width, height] = [toPixels(sheet[0], dpi), toPixels(sheet[1], dpi)];
+  const scale = Math.min(width / view.width, height / view.height);
+  const [viewWidth, viewHeight] = [view.width * scale, view.height * scale];
+  return {
+    ...{ width, height, viewWidth, viewHeight, scale, dpi },
+    left: -Math.round((width - viewWidth) / 2),
+    top: -Math.round((height - viewHeight) / 2),
+  };
+}
+
+/** The same picture in coarse, for finding out where the drawing is. @param most pixels per side */
+export function coarsePlan(plan: PrintPlan, most: number): PrintPlan {
+  const factor = Math.min(1, most / Math.max(plan.width, plan.height));
+  const { viewWidth, viewHeight, left, top, scale, dpi } = plan;
+  return {
+    width: Math.ceil(plan.width * factor),
+    height: Math.ceil(plan.height * factor),
+    viewWidth: viewWidth * factor,
+    viewHeight: viewHeight * factor,
+    left: left * factor,
+    top: top * factor,
+    scale: scale * factor,
+    dpi: dpi * factor,
+  };
+}
+
+/**
+ * What is left of a picture when it is cut to the bounds of the drawing, which are in shares of its width and height. Two by two
+ * pixels that graphics cards draw together, counted from the lower left, stay together: otherwise strokes would be chosen anew.
+ */
+export function cutPlan(plan: PrintPlan, bounds: Bounds): PrintPlan {
+  const left = toEven(Math.max(0, Math.floor(bounds.left * plan.width)));
+  const top = Math.max(0, Math.floor(bounds.top * plan.height));
+  const right = Math.min(plan.width, Math.ceil(bounds.right * plan.width));
+  const below = toEven(Math.max(0, Math.floor((1 - bounds.bottom) * plan.height)));
+  const [width, height] = [right - left, plan.height - below - top];
+  return { ...plan, width, height, left: plan.left + left, top: plan.top + top };
+}
+
+const toEven = (pixels: number): number => pixels - (pixels % 2);
+
+/** How many millimetres a CSS pixel of the page becomes in print. */
+export function millimetresPerPixel(settings: Settings, view: Size): number {
+  const { scale, dpi } = planPrint(settings, view);
+  return toMillimetres(scale, dpi);
+}

@@ -1,0 +1,153 @@
+import { readFile } from 'node:fs/promises';
+import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { unzipSync } from 'three/addons/libs/fflate.module.js';
+import { expect, test } from '../browser/test.js';
+import { changedShare, largestDifference } from './pictures.js';
+import { openPlayground, readDrawing, ready } from './playground.js';
+
+test.use({ viewport: { width: 640, height: 480 }, contextOptions: { reducedMotion: 'reduce' } });
+
+/** All there is: a ground with a shadow, strokes, lines, a coloured model. */
+const LOOK = 'technique=anchored&model=cube&mapSize=64&mapTones=4&color=%23e0b070&shadows=on&ground=shadow';
+
+async function saved(page: Page): Promise<Buffer> {
+  const download = page.waitForEvent('download');
+  await page.locator('#save-png').click();
+  return readFile(await (await download).path());
+}
+
+/** Its size as programs read it from the file, in millimetres. */
+function millimetresOf(file: Buffer): [number, number] {
+  const at = file.indexOf('pHYs', 0, 'latin1') + 4;
+  expect(file[at + 8], 'counted per metre').toBe(1);
+  const { width, height } = PNG.sync.read(file);
+  return [(1000 * width) / file.readUInt32BE(at), (1000 * height) / file.readUInt32BE(at + 4)];
+}
+
+/** The part of a picture that is not the colour of its corner. */
+function inkedBox({ data, width, height }: PNG): { left: number; top: number; right: number; bottom: number } {
+  const box = { left: width, top: height, right: 0, bottom: 0 };
+  const paper = data.readUInt32LE(0);
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      if (data.readUInt32LE(4 * (y * width + x)) === paper) continue;
+      box.left = Math.min(box.left, x);
+      box.right = Math.max(box.right, x + 1);
+      box.top = Math.min(box.top, y);
+      box.bottom = Math.max(box.bottom, y + 1);
+    }
+  }
+  return box;
+}
+
+/** The part of a picture that is most like a smaller one: which is at most two pixels from where its ink begins. */
+function partLike(small: PNG, whole: PNG): PNG {
+  const { width, height } = small;
+  const [inWhole, inSmall] = [inkedBox(whole), inkedBox(small)];
+  const parts: PNG[] = [];
+  for (let dy = -2; dy <= 2; dy++) {
+    for (let dx = -2; dx <= 2; dx++) {
+      const [left, top] = [inWhole.left - inSmall.left + dx, inWhole.top - inSmall.top + dy];
+      if (left < 0 || top < 0 || left + width > whole.width || top + height > whole.height) continue;
+      const part = new PNG({ width, height });
+      PNG.bitblt(whole, part, left, top, width, height, 0, 0);
+      parts.push(part);
+    }
+  }
+  const differences = parts.map((part) => changedShare(small, part));
+  return parts[differences.indexOf(Math.min(...differences))];
+}
+
+/** Layers over paper, the first one lowest. */
+function stacked(layers: readonly PNG[], paper: readonly number[]): PNG {
+  const sum = new PNG({ width: layers[0].width, height: layers[0].height });
+  for (let i = 0; i < sum.data.length; i += 4) {
+    sum.data.set([...paper, 255], i);
+    for (const { data } of layers) {
+      const alpha = data[i + 3] / 255;
+      for (let k = 0; k < 3; k++) sum.data[i + k] = Math.round(sum.data[i + k] * (1 - alpha) + data[i + k] * alpha);
+    }
+  }
+  return sum;
+}
+
+test('an A6 sheet measures what it should; cut to the drawing it is the same, smaller; its layers make it up', async ({
+  page,
+}) => {
+  await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=150`);
+  const shown = await readDrawing(page);
+  const sheet = await saved(page);
+  await expect(page.locator('#status')).toHaveText('Saved: 874 × 620 px, 148 × 105 mm, 150 dpi.');
+  const whole = PNG.sync.read(sheet);
+  expect([whole.width, whole.height]).toEqual([874, 620]);
+  const pixel = 25.4 / 150;
+  const [wide, high] = millimetresOf(sheet);
+  expect(Math.abs(wide - 148)).toBeLessThan(pixel / 2 + 0.01);
+  expect(Math.abs(high - 105)).toBeLessThan(pixel / 2 + 0.01);
+  expect(changedShare(shown, await readDrawing(page))).toBe(0);
+
+  await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=150&pictureCrop=drawing`);
+  const cut = PNG.sync.read(await saved(page));
+  const inCut = inkedBox(cut);
+  expect(cut.width).toBeLessThan(0.8 * whole.width);
+  expect(Math.max(inCut.left, cut.width - inCut.right, inCut.top, cut.height - inCut.bottom)).toBeLessThan(12);
+  expect(largestDifference(cut, partLike(cut, whole))).toBeLessThanOrEqual(2);
+
+  await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=150&pictureLayers=apart`);
+  const files = Object.entries(unzipSync(await saved(page)));
+  expect(files.map(([name]) => name)).toEqual([
+    'cube-1-colour.png',
+    'cube-2-shadow.png',
+    'cube-3-strokes.png',
+    'cube-4-outline.png',
+  ]);
+  const layers = files.map(([, content]) => PNG.sync.read(Buffer.from(content)));
+  for (const [i, layer] of layers.entries()) {
+    const opaque = layer.data.filter((_, at) => at % 4 === 3 && layer.data[at] > 127).length / (874 * 620);
+    test.info().annotations.push({ type: files[i][0], description: opaque.toFixed(4) });
+    expect(opaque, files[i][0]).toBeGreaterThan(0.003);
+    expect(layer.data[3]).toBe(0);
+    await test.info().attach(files[i][0], { body: Buffer.from(files[i][1]), contentType: 'image/png' });
+  }
+  await test.info().attach('whole', { body: sheet, contentType: 'image/png' });
+  const sum = stacked(layers, [0xf7, 0xf3, 0xe8]);
+  await test.info().attach('stacked', { body: PNG.sync.write(sum), contentType: 'image/png' });
+  const far = sum.data.filter((value, i) => Math.abs(value - whole.data[i]) > 48).length / (3 * 874 * 620);
+  test.info().annotations.push({ type: 'far from the whole', description: far.toFixed(5) });
+  expect(far).toBeLessThan(0.004);
+});
+
+test('tiles meet without a seam, and a large picture can be given up', async ({ page }) => {
+  test.slow();
+  // 3,496 pixels wide: with edges of tiles at 2,048, and elsewhere when it is cut.
+  await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=600`);
+  const whole = PNG.sync.read(await saved(page));
+  expect([whole.width, whole.height]).toEqual([3496, 2480]);
+  await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=600&pictureCrop=drawing`);
+  const cut = PNG.sync.read(await saved(page));
+  expect(cut.width).toBeGreaterThan(2200);
+  expect(cut.width).toBeLessThan(3200);
+  const same = partLike(cut, whole);
+  test.info().annotations.push({
+    type: 'seams',
+    description: `${changedShare(cut, same)} of the pixels differ, by ${largestDifference(cut, same)} at most`,
+  });
+  // What is left is rounding, at edges of strokes here and there: seen by nobody.
+  expect(changedShare(cut, same)).toBeLessThan(0.001);
+  expect(largestDifference(cut, same)).toBeLessThan(64);
+
+  await openPlayground(page, `${LOOK}&pictureSize=a2&pictureDpi=1200`);
+  const shown = await readDrawing(page);
+  const downloads: unknown[] = [];
+  page.on('download', (one) => downloads.push(one));
+  await page.locator('#save-png').click();
+  await expect(page.locator('#status')).toHaveText('Drawing the picture…');
+  await expect(page.locator('.curtain')).toBeVisible();
+  await page.locator('#cancel').click();
+  await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
+  await expect(page.locator('.curtain')).toHaveCount(0);
+  await ready(page);
+  expect(changedShare(shown, await readDrawing(page))).toBe(0);
+  expect(downloads).toEqual([]);
+});

@@ -1,0 +1,97 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import type { CodeDrawing } from '../../../../src/demo/code/CodeModel.js';
+import { codeForms } from '../../../../src/demo/code/codeForms.js';
+import { IMPORT_MAP, moduleSample, pageSample } from '../../../../src/demo/code/pageSample.js';
+import { BUILT_IN_MODELS } from '../../../../src/demo/models/models.js';
+import { presetLook } from '../../../../src/demo/settings/presets.js';
+import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
+
+const drawing = (model: Partial<CodeDrawing['model']>, settings: Partial<Settings> = {}): CodeDrawing => ({
+  model: { model: 'file', title: 'bust.glb', sceneRadius: undefined, isOpen: false, ...model },
+  settings: { ...defaultSettings(), ...settings },
+  camera: { position: [0.123456, 1, 4], target: [0, 0, 0] },
+  groundHeight: -0.7,
+  aspect: 1.5,
+});
+
+/** Throws a SyntaxError if a module's text is no JavaScript. Nothing is run. */
+function parse(text: string): void {
+  new Function(`return async () => { ${text.replace(/^import .*$/gm, '').replace('export async', 'async')} }`);
+}
+
+const versionOf = (name: string): string =>
+  JSON.parse(readFileSync(`node_modules/${name}/package.json`, 'utf8')).version as string;
+
+describe('copied code', () => {
+  test('is JavaScript for every model, every kind of file and every part', () => {
+    const all: Partial<Settings> = {
+      shadows: 'on',
+      shadowStrokes: 'reorient',
+      ground: 'shadow',
+      occlusion: 50,
+      secondLight: 'left',
+      lightKind: 'spot',
+      lightFollows: 'viewer',
+      upAxis: 'z',
+      color: '#aabbcc',
+    };
+    for (const model of Object.keys(BUILT_IN_MODELS)) {
+      parse(moduleSample(drawing({ model: model as Settings['model'], title: model }, all)));
+    }
+    const place = { scale: 0.5, position: [0, 1, 2] as [number, number, number] };
+    const clip = { index: 1, time: 0.5, isPlaying: true };
+    for (const title of [
+      'a.gltf',
+      'a.obj',
+      'a.fbx',
+      'a.dae',
+      'a.usdz',
+      'a.3mf',
+      'a.3ds',
+      'a.wrl',
+      'a.ply.gz',
+      'a.STL',
+    ]) {
+      const text = moduleSample(drawing({ title, place, clip }, presetLook('woodcut')));
+      expect(text).toContain(`'${title}'`);
+      parse(text);
+    }
+    parse(moduleSample(drawing({ title: 'all.zip' }, { mapStyle: 'file', lines: 'off' })));
+  });
+
+  test('names the versions that are installed, and maps every name that it imports', () => {
+    expect(IMPORT_MAP.three).toContain(`/three@${versionOf('three')}/`);
+    for (const name of ['bunny', '@pmndrs/assets'] as const) {
+      expect(Object.values(IMPORT_MAP).join()).toContain(`/${name}@${versionOf(name)}/`);
+    }
+    for (const model of ['bunny', 'suzanne', 'teapot', 'dragon3', 'sphere', 'file'] as const) {
+      const html = pageSample(drawing({ model, title: 'bust.glb' }));
+      const map = JSON.parse(/<script type="importmap">(.*?)<\/script>/s.exec(html)![1]) as {
+        imports: Record<string, string>;
+      };
+      for (const [, name] of html.matchAll(/^import .* from '(.*)';$/gm)) {
+        const found = Object.keys(map.imports).some(
+          (key) => name === key || (key.endsWith('/') && name.startsWith(key)),
+        );
+        expect(found, name).toBe(true);
+      }
+    }
+  });
+
+  test('keeps names of files to themselves', () => {
+    const title = `</script><img src=x onerror="alert(1)">'\n\\.glb`;
+    const html = pageSample(drawing({ title }));
+    expect(html.match(/<\/script>/g)).toHaveLength(2);
+    expect(html).not.toContain('<img');
+    parse(/<script type="module">(.*?)<\/script>/s.exec(html)![1]);
+    parse(moduleSample(drawing({ title })));
+    const embed = codeForms.embed(drawing({ title }), {
+      address: 'https://a.test/?embed#x="1"&y',
+      isModelInLink: false,
+    });
+    expect(embed.code).not.toContain('<img');
+    expect(embed.code).toContain('src="https://a.test/?embed#x=&#34;1&#34;&#38;y"');
+    expect(embed.about).toContain('cannot carry');
+  });
+});

@@ -1,0 +1,68 @@
+import { PNG } from 'pngjs';
+import { describe, expect, test } from 'vitest';
+import { BlobWriter } from '../../../../src/demo/print/BlobWriter.js';
+import { crc32 } from '../../../../src/demo/print/crc32.js';
+import { PngWriter } from '../../../../src/demo/print/PngWriter.js';
+
+/** Every chunk of a PNG, its checksum checked. */
+function chunksOf(file: Buffer): Map<string, Buffer> {
+  const chunks = new Map<string, Buffer>();
+  for (let at = 8; at < file.length; ) {
+    const length = file.readUInt32BE(at);
+    const type = file.toString('latin1', at + 4, at + 8);
+    const content = file.subarray(at + 8, at + 8 + length);
+    expect(file.readUInt32BE(at + 8 + length)).toBe(crc32(file.subarray(at + 4, at + 8), content));
+    chunks.set(type, content);
+    at += length + 12;
+  }
+  return chunks;
+}
+
+describe('PngWriter', () => {
+  test('has the checksum of the standard', () => {
+    expect(crc32(Buffer.from('1234'), Buffer.from('56789'))).toBe(0xcbf43926);
+  });
+
+  test.each([3, 4] as const)('writes what it was given, with %i channels, and its size in print', async (channels) => {
+    const [width, height] = [37, 23];
+    const pixels = Uint8Array.from({ length: width * height * channels }, (_, i) => (i * 7919) >> 3);
+    const blob = new BlobWriter();
+    const png = new PngWriter({ width, height, channels, dpi: 600 }, blob.write);
+    const row = width * channels;
+    for (const [from, to] of [
+      [0, 1],
+      [1, 9],
+      [9, 23],
+    ]) {
+      const rows = pixels.slice(from * row, to * row);
+      await png.rows(rows);
+      rows.fill(0);
+    }
+    await png.end();
+    const file = Buffer.from(await blob.end('image/png').arrayBuffer());
+    const read = PNG.sync.read(file);
+    expect([read.width, read.height]).toEqual([width, height]);
+    for (let i = 0; i < width * height; i++) {
+      const given = [...pixels.subarray(i * channels, (i + 1) * channels), 255].slice(0, 4);
+      expect([...read.data.subarray(4 * i, 4 * i + 4)]).toEqual(given);
+    }
+    const physical = chunksOf(file).get('pHYs')!;
+    expect([physical.readUInt32BE(0), physical.readUInt32BE(4), physical[8]]).toEqual([23622, 23622, 1]);
+    expect([...chunksOf(file).keys()]).toEqual(['IHDR', 'sRGB', 'pHYs', 'IDAT', 'IEND']);
+  });
+
+  test('an A2 sheet of flat paper takes little, and can be stopped', async () => {
+    const width = 9921;
+    let bytes = 0;
+    const png = new PngWriter({ width, height: 2000, channels: 3, dpi: 600 }, (part) => {
+      bytes += part.length;
+    });
+    const band = new Uint8Array(width * 3 * 100).fill(247);
+    for (let i = 0; i < 5; i++) await png.rows(band);
+    await png.abort();
+    const before = bytes;
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    expect(bytes).toBe(before);
+    expect(bytes).toBeLessThan(100_000);
+  });
+});

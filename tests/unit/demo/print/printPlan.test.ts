@@ -1,0 +1,63 @@
+import { describe, expect, test } from 'vitest';
+import {
+  coarsePlan,
+  cutPlan,
+  millimetresPerPixel,
+  PAPER_FORMATS,
+  planPrint,
+  toMillimetres,
+} from '../../../../src/demo/print/printPlan.js';
+import { defaultSettings, SETTINGS, type Settings } from '../../../../src/demo/settings/settings.js';
+
+const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
+const wide = { width: 900, height: 500 };
+const upright = { width: 380, height: 700 };
+
+describe('planPrint', () => {
+  test.each(Object.entries(PAPER_FORMATS))('measures %s to a pixel, turned as the view is', (format, [short, long]) => {
+    for (const pictureDpi of Object.keys(SETTINGS.pictureDpi.choices) as Settings['pictureDpi'][]) {
+      for (const view of [wide, upright]) {
+        const plan = planPrint(settings({ pictureSize: format as 'a4', pictureDpi }), view);
+        const [width, height] = view === wide ? [long, short] : [short, long];
+        const pixel = 25.4 / Number(pictureDpi);
+        expect(Math.abs(toMillimetres(plan.width, plan.dpi) - width)).toBeLessThanOrEqual(pixel / 2);
+        expect(Math.abs(toMillimetres(plan.height, plan.dpi) - height)).toBeLessThanOrEqual(pixel / 2);
+        // The whole view is on the sheet, in its middle, and as large as can be.
+        expect(plan.viewWidth / plan.viewHeight).toBeCloseTo(view.width / view.height, 6);
+        expect(Math.max(plan.viewWidth / plan.width, plan.viewHeight / plan.height)).toBeCloseTo(1, 6);
+        expect(Math.abs(2 * -plan.left - (plan.width - plan.viewWidth))).toBeLessThanOrEqual(1);
+        expect(Math.abs(2 * -plan.top - (plan.height - plan.viewHeight))).toBeLessThanOrEqual(1);
+        expect(plan.scale).toBeCloseTo(plan.viewWidth / view.width, 6);
+      }
+    }
+  });
+
+  test('takes a size of one’s own as it is, and that of the page by pixels', () => {
+    const own = planPrint(
+      settings({ pictureSize: 'own', pictureWidth: 120, pictureHeight: 80, pictureDpi: '300' }),
+      upright,
+    );
+    expect([own.width, own.height]).toEqual([1417, 945]);
+    const twice = planPrint(settings({ pictureSize: '2' }), wide);
+    expect(twice).toMatchObject({ width: 1800, height: 1000, viewWidth: 1800, left: 0, top: 0, scale: 2, dpi: 300 });
+    expect(millimetresPerPixel(settings({ pictureSize: '2' }), wide)).toBeCloseTo((2 * 25.4) / 300, 6);
+    expect(millimetresPerPixel(settings({ pictureSize: 'a4', pictureDpi: '1200' }), wide)).toBeCloseTo(297 / 900, 3);
+  });
+
+  test('is cut to the drawing, and looked at in coarse, without moving it', () => {
+    const plan = planPrint(settings({ pictureSize: 'a6', pictureDpi: '150' }), wide);
+    const cut = cutPlan(plan, { left: 0.25, top: 0.5, right: 0.5, bottom: 2 });
+    expect([cut.width, cut.height]).toEqual([219, 310]);
+    expect([cut.left - plan.left, cut.top - plan.top]).toEqual([218, 310]);
+    // Pixels that are drawn together are those of the whole.
+    for (const odd of [0.2511, 0.3527, 0.4517]) {
+      const other = cutPlan(plan, { left: odd, top: odd, right: 0.9, bottom: 0.5 + odd });
+      expect((other.left - plan.left) % 2).toBe(0);
+      expect((plan.height - (other.top - plan.top) - other.height) % 2).toBe(0);
+    }
+    expect([cut.viewWidth, cut.scale]).toEqual([plan.viewWidth, plan.scale]);
+    const coarse = coarsePlan(plan, 437);
+    expect(coarse.width).toBe(437);
+    for (const key of ['viewWidth', 'left', 'top', 'scale'] as const) expect(coarse[key]).toBeCloseTo(plan[key] / 2, 9);
+  });
+});
