@@ -5,7 +5,7 @@ import { OcclusionLoader } from '../../../../src/demo/playground/OcclusionLoader
 /** How many bakes are begun for a model of these meshes, however often the settings change. */
 function bakesOf(...meshes: Mesh[]): number {
   const run = vi.fn();
-  const scene = { model: { root: new Group().add(...meshes) } };
+  const scene = { model: { root: new Group().add(...meshes) }, frameMilliseconds: 10 };
   const loader = new OcclusionLoader(scene as never, { occlusion: 50 } as never, { run, stop: vi.fn() } as never);
   loader.update();
   loader.update();
