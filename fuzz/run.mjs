@@ -47,7 +47,7 @@ async function fuzzInBrowser() {
   const browser = await chromium.launch(await launchOptions());
   try {
     const { fuzzBrowser } = await modules.ssrLoadModule('/fuzz/fuzzBrowser.ts');
-    const address = site.resolvedUrls.local[0];
+    const { address } = site;
     const { report, failures } = await fuzzBrowser(browser, {
       address,
       count,
