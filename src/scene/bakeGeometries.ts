@@ -7,6 +7,9 @@ type Layout = PrepareHatchingGeometryOptions['layout'];
 /** A bake takes some hundred bytes per corner: no more than this are baked at the same time, unless one geometry has more. */
 const MOST_CORNERS = 6_000_000;
 
+/** A worker costs as much to start, and to compile its code, as a bake of some ten thousand triangles: less is not worth another. */
+const LEAST_CORNERS = 600_000;
+
 /** What is told while geometries are baked. */
 export interface BakeListeners {
   /** With every geometry as soon as it is ready, so that it can be freed if a later one is aborted. */
@@ -16,7 +19,7 @@ export interface BakeListeners {
 }
 
 /**
- * Bakes geometries, as many at a time as there are workers. An error in one does not stop the others.
+ * Bakes geometries, several at a time if there is work for several workers. An error in one does not stop the others.
  *
  * @param layouts the layout for each geometry
  * @returns for each geometry the prepared one, or the TypeError or RangeError that says what is wrong with it
@@ -73,11 +76,12 @@ export async function bakeGeometries(
     tell(() => onCount?.(results.size, layouts.size));
   }
 
+  const lanes = Math.min(mostWorkers(), Math.ceil(total / LEAST_CORNERS));
   const running = new Set<Promise<void>>();
   let cornersRunning = 0;
   for (const [geometry, layout] of layouts) {
     const count = cornerCount(geometry);
-    while (running.size > 0 && (running.size >= mostWorkers() || cornersRunning + count > MOST_CORNERS)) {
+    while (running.size > 0 && (running.size >= lanes || cornersRunning + count > MOST_CORNERS)) {
       await Promise.race(running);
     }
     if (stop.signal.aborted) break;

@@ -1,4 +1,4 @@
-import { BoxGeometry, type BufferGeometry, PlaneGeometry } from 'three';
+import { BoxGeometry, BufferAttribute, type BufferGeometry, PlaneGeometry } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { bakeGeometries } from '../../../src/scene/bakeGeometries.js';
 
@@ -63,7 +63,7 @@ describe.each([1, 3])('with %s cores', (hardwareConcurrency) => {
   });
 });
 
-test('as many are baked at a time as there are cores, and fewer large ones', async () => {
+test('as many are baked at a time as there are cores, but fewer large ones, and one of small ones', async () => {
   vi.stubGlobal('navigator', { hardwareConcurrency: 4 });
   /** The largest number of geometries that have been begun and are not done. */
   const mostAtOnce = async (make: () => BufferGeometry) => {
@@ -89,14 +89,14 @@ test('as many are baked at a time as there are cores, and fewer large ones', asy
     await bakeGeometries(layouts, {}, { onBaked: () => done++ });
     return most;
   };
-  expect(await mostAtOnce(() => new BoxGeometry())).toBe(4);
-  const large = (): BufferGeometry => {
-    const plane = new PlaneGeometry();
-    const index = new Uint32Array(2_500_000);
-    index.set(plane.index!.array);
-    plane.index!.array = index;
-    Object.assign(plane.index!, { count: 2_499_999 });
-    return plane;
+  /** All triangles but two are degenerate, which a bake is soon done with. */
+  const plane = (corners: number) => () => {
+    const index = new Uint32Array(corners);
+    index.set([0, 2, 1, 2, 3, 1]);
+    return new PlaneGeometry().setIndex(new BufferAttribute(index, 1));
   };
-  expect(await mostAtOnce(large)).toBe(2);
+  expect(await mostAtOnce(plane(6))).toBe(1);
+  expect(await mostAtOnce(plane(150_000))).toBe(2);
+  expect(await mostAtOnce(plane(900_000))).toBe(4);
+  expect(await mostAtOnce(plane(2_499_999))).toBe(2);
 });
