@@ -1,6 +1,6 @@
 import { PRESET_NAMES } from './presetLabels.js';
 import { presetLook, presetOf } from './presets.js';
-import type { Settings } from './settings.js';
+import { SETTINGS, type Settings } from './settings.js';
 
 /** Inks on papers that go together. */
 const COLOURS = [
@@ -22,11 +22,13 @@ export function surprise(settings: Settings, seed: number): Settings {
   const one = <Item>(items: readonly Item[]): Item => items[Math.floor(next() * items.length)];
   const within = (low: number, high: number): number => Math.round(low + (high - low) * next());
   const preset = one(PRESET_NAMES.filter((name) => name !== presetOf({ ...settings, boldness: 100, density: 100 })));
-  const [ink, paper] = one(COLOURS);
+  const look = presetLook(preset);
+  // White chalk stays on its board, and pencil on its paper.
+  const [ink, paper] = look.paper === SETTINGS.paper.default ? one(COLOURS) : [look.ink, look.paper];
   const side = next() < 0.7 ? -1 : 1;
   return {
     ...settings,
-    ...presetLook(preset),
+    ...look,
     ink,
     paper,
     boldness: within(80, 130),
