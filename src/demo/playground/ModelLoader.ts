@@ -11,7 +11,6 @@ import { setPageState } from '../page/setPageState.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
-import { describeAddress, fetchModel } from './fetchModel.js';
 import { modelCaption } from './modelCaption.js';
 import { page } from './page.js';
 import type { ShownFiles } from './sortDrop.js';
@@ -123,6 +122,7 @@ export class ModelLoader {
   showAddress(address: string, isFramed: boolean): void {
     const wanted: WantedModel = { model: 'file' };
     void this.show(wanted, { isFramed, isRestored: true }, async (report, signal) => {
+      const { describeAddress, fetchModel } = await import('./fetchModel.js');
       const stage = `fetching ${describeAddress(address).name}`;
       report(stage);
       const files = [await fetchModel(address, { signal, onProgress: (progress) => report(stage, progress) })];

@@ -1,4 +1,5 @@
 import { type Controller, GUI } from 'lil-gui';
+import { millimetresPerPixel } from '../print/printPlan.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
@@ -24,8 +25,8 @@ export class SettingsPanel {
     private readonly settings: Settings,
     actions: readonly PanelAction[],
     onChange: (key: SettingKey) => void,
-    /** How many millimetres a CSS pixel of the page becomes in print. */
-    private readonly millimetresPerPixel: () => number,
+    /** The size of the view, in CSS pixels. */
+    private readonly viewSize: () => { width: number; height: number },
   ) {
     // Styled by our own style sheet, because the Content Security Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
@@ -101,7 +102,8 @@ export class SettingsPanel {
     this.show('pictureDpi', isSheet);
     this.show('pictureGround', settings.pictureLayers === 'one');
     for (const [key, element] of Object.entries(this.printNotes)) {
-      const width = drawnSettings(settings)[key as keyof typeof this.printNotes] * this.millimetresPerPixel();
+      const width =
+        drawnSettings(settings)[key as keyof typeof this.printNotes] * millimetresPerPixel(settings, this.viewSize());
       const where = isSheet ? 'on the sheet' : 'in print, 300 dpi';
       element.textContent = `${width.toFixed(2)} mm ${where}`;
     }

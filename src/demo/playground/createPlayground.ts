@@ -1,24 +1,20 @@
 import { errorMessage } from '../files/errorMessage.js';
 import type { ModelFile } from '../files/readModel.js';
 import { setPageState } from '../page/setPageState.js';
-import { millimetresPerPixel } from '../print/printPlan.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { EditHistory } from '../settings/EditHistory.js';
 import { LIGHT_LOOKS } from '../settings/lightLooks.js';
 import { presetLook } from '../settings/presets.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
-import { surprise } from '../settings/surprise.js';
 import { createScene } from '../stage/createScene.js';
-import { askForStrokes, askToFetch } from './ask.js';
-import { CodeDialog } from './CodeDialog.js';
+import type { CodeDialog } from './CodeDialog.js';
 import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
-import { Gallery } from './Gallery.js';
+import type { Gallery } from './Gallery.js';
 import { Keeper } from './Keeper.js';
-import { Kiosk } from './Kiosk.js';
 import { LightHandles } from './LightHandles.js';
 import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
@@ -27,7 +23,7 @@ import { OcclusionLoader } from './OcclusionLoader.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
 import { pageForm } from './pageForm.js';
-import { RecentDialog } from './RecentDialog.js';
+import type { RecentDialog } from './RecentDialog.js';
 import type { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
 import { sortDrop } from './sortDrop.js';
@@ -100,22 +96,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   });
   const history = new EditHistory(readState, isSameState);
   const keeper = new Keeper(status, () => void showRecent());
-  const recent = new RecentDialog(keeper, (id) => void openKept(id));
   const occlusion = new OcclusionLoader(scene, settings, tasks);
   const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
   const turnHint = new TurnHint(page.turnHint, settings, recordChange);
   const exportActions = new ExportActions(scene, settings, modelLoader, status, tasks, currentLink);
-  const codeDialog = new CodeDialog({
-    drawing: () => ({
-      model: modelLoader.codeModel,
-      settings: { ...settings },
-      camera: scene.view.place,
-      groundHeight: scene.groundHeight,
-      aspect: scene.camera.aspect,
-    }),
-    embedAddress: () => new URL(`?embed#${currentLink()}`, location.href).href,
-    isModelInLink: () => settings.model !== 'file' || modelLoader.address !== undefined,
-  });
   const lights = new LightHandles(scene, settings, recordChange);
   const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
   const presets = new PresetBar(page.presets, settings, (name) => {
@@ -146,7 +130,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
             ? [{ label: 'Share this drawing', group: 'Picture' as const, run: exportActions.share }]
             : []),
           { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
-          { label: 'Code and embedding', group: 'Picture', run: () => void codeDialog.open() },
+          { label: 'Code and embedding', group: 'Picture', run: openCode },
         ],
         (key) => {
           if (key === 'model') modelLoader.changeModel();
@@ -155,7 +139,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         },
         () => {
           const { clientWidth: width, clientHeight: height } = page.viewport;
-          return millimetresPerPixel(settings, { width, height });
+          return { width, height };
         },
       );
     },
@@ -172,6 +156,32 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       },
     },
   });
+
+  // Dialogs and the like are fetched when they are first opened: all that is here delays the first drawing.
+  let codeDialog: CodeDialog | undefined;
+  let recent: RecentDialog | undefined;
+
+  /** Opens what has to be fetched first. */
+  function whenFetched<Part>(part: Promise<Part>, open: (part: Part) => unknown): void {
+    part.then(open).catch((error) => status.fail(`A part of the page could not be fetched: ${errorMessage(error)}.`));
+  }
+
+  function openCode(): void {
+    whenFetched(import('./CodeDialog.js'), ({ CodeDialog }) => {
+      codeDialog ??= new CodeDialog({
+        drawing: () => ({
+          model: modelLoader.codeModel,
+          settings: { ...settings },
+          camera: scene.view.place,
+          groundHeight: scene.groundHeight,
+          aspect: scene.camera.aspect,
+        }),
+        embedAddress: () => new URL(`?embed#${currentLink()}`, location.href).href,
+        isModelInLink: () => settings.model !== 'file' || modelLoader.address !== undefined,
+      });
+      return codeDialog.open();
+    });
+  }
 
   function showMap(): void {
     contactSheet.open();
@@ -267,19 +277,24 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     return writeLink(settings, scene.view.isFramed ? undefined : scene.view.place, modelLoader.address);
   }
 
-  const gallery = new Gallery(page.gallery, ({ link }) => {
-    showState({ ...readLink(link), files: undefined });
-    recordChange();
-  });
+  let gallery: Gallery | undefined;
   page.openGallery.addEventListener('click', () => {
     openCard(false);
-    gallery.open();
+    whenFetched(import('./Gallery.js'), ({ Gallery }) => {
+      gallery ??= new Gallery(page.gallery, ({ link }) => {
+        showState({ ...readLink(link), files: undefined });
+        recordChange();
+      });
+      gallery.open();
+    });
   });
   let seed = Date.now();
   page.surprise.addEventListener('click', () => {
-    Object.assign(settings, surprise(settings, seed++));
-    void mapLoader.showChosen();
-    recordChange();
+    whenFetched(import('../settings/surprise.js'), ({ surprise }) => {
+      Object.assign(settings, surprise(settings, seed++));
+      void mapLoader.showChosen();
+      recordChange();
+    });
   });
   scene.view.onMoved = () => {
     history.changed('camera');
@@ -291,7 +306,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     if (linkTimer !== undefined) writeAddress();
   });
   addEventListener('hashchange', followLink);
-  if (pageForm === 'kiosk') new Kiosk(followLink);
+  if (pageForm === 'kiosk') whenFetched(import('./Kiosk.js'), ({ Kiosk }) => new Kiosk(followLink));
   // The wheel scrolls the page around it, until somebody has turned to the drawing.
   if (pageForm === 'embed') scene.view.zoomsWhenFocused(page.canvas);
 
@@ -315,6 +330,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   /** Shows a model from another site, if the user agrees. */
   async function showAddress(asked: string, isFramed: boolean): Promise<void> {
     isAwaiting = true;
+    const { askToFetch } = await import('./ask.js');
     const isAgreed = await askToFetch(asked);
     isAwaiting = false;
     if (isAgreed) modelLoader.showAddress(asked, isFramed);
@@ -402,13 +418,21 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   page.saveMap.addEventListener('click', exportActions.saveMap);
   page.undo.addEventListener('click', () => step(history.undo()));
   page.redo.addEventListener('click', () => step(history.redo()));
-  page.recent.addEventListener('click', () => void recent.open());
+  page.recent.addEventListener('click', () => {
+    whenFetched(import('./RecentDialog.js'), ({ RecentDialog }) => {
+      recent ??= new RecentDialog(keeper, (id) => void openKept(id));
+      return recent.open();
+    });
+  });
 
   /** Shows a model, or draws with a map. */
   async function showFiles(dropped: readonly ModelFile[]): Promise<void> {
     const { kind, files } = sortDrop(dropped, modelLoader.shownFiles, !page.contactSheet.sheet.hidden);
     if (kind === 'model') await modelLoader.showFiles(files);
-    else if (kind === 'map' || (await askForStrokes(files.map(({ name }) => name)))) await mapLoader.showFiles(files);
+    else {
+      const { askForStrokes } = await import('./ask.js');
+      if (kind === 'map' || (await askForStrokes(files.map(({ name }) => name)))) await mapLoader.showFiles(files);
+    }
   }
 
   /** Opens or closes the card of settings, which narrow screens show on request only. */
