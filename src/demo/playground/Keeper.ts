@@ -1,5 +1,5 @@
 import type { ModelFile } from '../files/readModel.js';
-import { type KeptDrawing, KeptDrawings, type KeptFiles } from '../kept/KeptDrawings.js';
+import type { KeptDrawing, KeptDrawings, KeptFiles } from '../kept/KeptDrawings.js';
 import type { CameraView } from '../settings/CameraView.js';
 import type { Status } from './Status.js';
 
@@ -16,7 +16,7 @@ const sizeOf = (files: readonly ModelFile[] = []): number => files.reduce((sum, 
  * is noted in its entry of the browser's history.
  */
 export class Keeper {
-  private readonly drawings = new KeptDrawings();
+  private fetched: Promise<KeptDrawings> | undefined;
   /** The files of the drawing that is shown. */
   private files: KeptFiles = {};
   private id: string | undefined;
@@ -28,6 +28,12 @@ export class Keeper {
     private readonly status: Status,
     private readonly onChange: () => void,
   ) {}
+
+  /** Fetched when it is first asked for: it is not needed for a first drawing. */
+  private get drawings(): Promise<KeptDrawings> {
+    this.fetched ??= import('../kept/KeptDrawings.js').then(({ KeptDrawings }) => new KeptDrawings());
+    return this.fetched;
+  }
 
   /** The kept drawing that the page's entry in the browser's history asks for. */
   get asked(): string | undefined {
@@ -58,12 +64,15 @@ export class Keeper {
       link,
       camera,
     };
-    this.write(title, () => (isOther ? this.drawings.keep(drawing, files) : this.drawings.update(drawing)));
+    this.write(title, async () => {
+      const drawings = await this.drawings;
+      await (isOther ? drawings.keep(drawing, files) : drawings.update(drawing));
+    });
   }
 
   /** Reads a kept drawing, which is going to be shown. Undefined if it is gone. */
   async open(id: string): Promise<{ drawing: KeptDrawing; files: KeptFiles } | undefined> {
-    const found = await this.drawings.read(id).catch(() => undefined);
+    const found = await this.drawings.then((drawings) => drawings.read(id)).catch(() => undefined);
     if (!found) return undefined;
     this.id = id;
     this.files = found.files;
@@ -72,12 +81,15 @@ export class Keeper {
 
   /** The kept drawings, the latest first. None where the browser keeps nothing. */
   list(): Promise<KeptDrawing[]> {
-    return this.queue.then(() => this.drawings.list()).catch(() => []);
+    return this.queue
+      .then(() => this.drawings)
+      .then((drawings) => drawings.list())
+      .catch(() => []);
   }
 
   async forget(ids: readonly string[]): Promise<void> {
     await this.queue;
-    await this.drawings.forget(...ids).catch(() => {});
+    await this.drawings.then((drawings) => drawings.forget(...ids)).catch(() => {});
     if (this.id !== undefined && ids.includes(this.id)) history.replaceState(null, '', location.hash || '#');
     this.onChange();
   }
