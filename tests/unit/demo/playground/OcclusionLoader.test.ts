@@ -5,8 +5,11 @@ import { OcclusionLoader } from '../../../../src/demo/playground/OcclusionLoader
 /** How many bakes are begun for a model of these meshes, however often the settings change. */
 function bakesOf(...meshes: Mesh[]): number {
   const run = vi.fn();
-  const scene = { model: { root: new Group().add(...meshes) }, frameMilliseconds: 10 };
+  const scene = { model: { root: new Group().add(...meshes) }, frameMilliseconds: undefined as number | undefined };
   const loader = new OcclusionLoader(scene as never, { occlusion: 50 } as never, { run, stop: vi.fn() } as never);
+  loader.update();
+  expect(run, 'before the model was drawn').not.toHaveBeenCalled();
+  scene.frameMilliseconds = 20;
   loader.update();
   loader.update();
   return run.mock.calls.length;
