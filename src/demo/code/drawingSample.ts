@@ -5,6 +5,7 @@ import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from '../s
 import { LENS } from '../stage/createCamera.js';
 import { GROUND } from '../stage/Ground.js';
 import { SHADOWS, SUN_DISTANCE } from '../stage/LightRig.js';
+import { FULL_SHEET, LEAST_STROKE_SHARE } from '../stage/strokeShare.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { lineParameters, mapParameters, materialParameters } from './lookSample.js';
 import { modelSource } from './modelSource.js';
@@ -73,6 +74,9 @@ function stagePart({ settings, camera }: CodeDrawing): Part {
     code: `const renderer = new WebGLRenderer({ canvas, antialias: true });
 renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
 renderer.setClearColor('${settings.paper}');${shadows}
+// Strokes shrink on small sheets.
+const sheet = Math.min(canvas.clientWidth / ${FULL_SHEET.width}, canvas.clientHeight / ${FULL_SHEET.height});
+const pixelRatio = renderer.getPixelRatio() * MathUtils.clamp(sheet, ${LEAST_STROKE_SHARE}, 1);
 const scene = new Scene();
 const camera = new PerspectiveCamera(${LENS.fieldOfView}, 1, ${LENS.near}, ${LENS.far});
 camera.position.set(${listed(camera.position)});
@@ -127,6 +131,8 @@ mixer.setTime(${round(clip.time)});`,
   };
 }
 
+const onSheet = (entry: string): string => entry.replace('renderer.getPixelRatio()', 'pixelRatio');
+
 function lookPart({ model, settings }: CodeDrawing): Part {
   const preset = presetOf(settings);
   const three: string[] = [];
@@ -145,7 +151,7 @@ function lookPart({ model, settings }: CodeDrawing): Part {
   let before = '';
   if (preset) {
     hatching.push('presets', 'scalePreset');
-    before = `const preset = scalePreset(presets.${preset}, renderer.getPixelRatio());\n`;
+    before = `const preset = scalePreset(presets.${preset}, pixelRatio);\n`;
     look = ['...preset.material'];
     if (settings.surfaceColors === 'paper') own.push(`color: 'white'`, 'map: null', 'vertexColors: false');
     rest = '  ...preset,\n';
@@ -156,9 +162,9 @@ function lookPart({ model, settings }: CodeDrawing): Part {
     before = isOwn
       ? "// The playground saves your map as a ZIP: unpack it beside this file.\nconst tonalArtMap = await TonalArtMap.load('map.json');\n"
       : `const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });\n`;
-    look = materialParameters(settings, true);
+    look = materialParameters(settings, true).map(onSheet);
     if (settings.offsetU !== 0 || settings.offsetV !== 0) three.push('Vector2');
-    const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;
+    const lines = settings.lines === 'on' ? lineParameters(settings).map(onSheet) : undefined;
     rest = lines ? `  lines: {\n${lines.map((line) => `    ${line},\n`).join('')}  },\n` : '';
   }
   const entries = [...look, ...own].map((entry) => `  ${entry},\n`).join('');

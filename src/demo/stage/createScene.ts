@@ -14,6 +14,7 @@ import { Ground } from './Ground.js';
 import { LastPicture } from './LastPicture.js';
 import { LightRig } from './LightRig.js';
 import type { Layer } from './layers.js';
+import { strokeShare } from './strokeShare.js';
 import { View } from './View.js';
 
 /** Pixels of the longer side of a picture that is larger than a screen. */
@@ -21,14 +22,6 @@ const LARGE = 2048;
 
 /** Renderer, camera, lights and one model, drawn with one technique or with two side by side. */
 export type HatchingScene = ReturnType<typeof createScene>;
-
-/** On a smaller sheet than this, in CSS pixels, strokes shrink with the drawing, down to a share of their width. */
-const FULL_SHEET = { width: 640, height: 520 };
-const LEAST_STROKE_SHARE = 0.55;
-
-/** How wide strokes are on a sheet of a size, as a share of what the settings say. */
-const strokeShare = (width: number, height: number): number =>
-  MathUtils.clamp(Math.min(width / FULL_SHEET.width, height / FULL_SHEET.height), LEAST_STROKE_SHARE, 1);
 
 /**
  * The first frame of a model is a sketch, so that there is something to see early on a slow machine: in a lower resolution, by this
@@ -171,6 +164,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
   /** Puts `next` in the place of the present model, which is returned. */
   function exchange(next: HatchedModel): HatchedModel | undefined {
+    isOutdated = true;
     const before = model;
     before?.root.removeFromParent();
     model = next;
@@ -312,6 +306,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
      * @param size pixels of the longer side of the picture
      */
     hold(size: number): void {
+      if (isSketch) finishSketch();
       isHeld = true;
       isOutdated = false;
       if (lights.setShadowQuality(size > LARGE ? 'fine' : 'usual')) renderer.shadowMap.needsUpdate = true;
@@ -413,7 +408,6 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
      * Replaces the model and disposes the previous one. `first` is the direction to the eye when the model is framed.
      */
     setModel(next: HatchedModel, first: readonly [number, number, number] = DEFAULT_VIEW): void {
-      isOutdated = true;
       disposePrevious();
       const before = exchange(next);
       previousModels = [before, replacedModel].filter((one) => one !== undefined);
