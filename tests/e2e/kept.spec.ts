@@ -44,8 +44,7 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await page.locator('#lamp').press('ArrowLeft');
   await page.locator('#drawing').press('ArrowLeft');
   await page.locator('#drawing').press('+');
-  await page.getByLabel('Stroke scale').fill('5');
-  await page.getByLabel('Stroke scale').press('Enter');
+  await page.getByRole('button', { name: 'Stipple' }).click();
   await kept(page);
   const before = await readDrawing(page);
 
