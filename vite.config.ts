@@ -1,9 +1,9 @@
 import type { ServerResponse } from 'node:http';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
-import { firstPartCheck } from './notice/firstPart.js';
+import { firstPartCheck } from './building/firstPart.js';
+import { shortShaders } from './building/shortShaders.js';
 import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
-import { shortShaders } from './shaders/shortShaders.js';
 
 const page = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
