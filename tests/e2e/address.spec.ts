@@ -103,7 +103,7 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
 
   // A style whose drawing is cancelled is not the style of the page.
   const style = page.getByRole('combobox', { name: 'Style' });
-  await page.getByRole('button', { name: 'Strokes', exact: true }).click();
+  await page.getByRole('button', { name: 'More', exact: true }).click();
   await page.getByRole('combobox', { name: 'Tile size' }).selectOption('512 px');
   await page.locator('#cancel').click();
   await expect(status).toHaveText('Cancelled; the drawing is as it was.');

@@ -195,6 +195,22 @@ test('settings have labels and units, apply at once and are reset by double-clic
   await expect.poll(async () => changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
 });
 
+test('the drawing fills the screen by button and key, and a letter in a field does not make it', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page, 'model=cube&technique=adjacency');
+  const filling = () => page.evaluate(() => document.fullscreenElement?.id);
+  await page.getByRole('button', { name: 'View', exact: true }).click();
+  await page.getByRole('button', { name: 'Full screen (F)' }).click();
+  await expect.poll(filling).toBe('sheet');
+  await ready(page);
+  expect(meanInk(await readDrawing(page))).toBeGreaterThan(0.005);
+  await page.locator('#drawing').press('f');
+  await expect.poll(filling).toBe(undefined);
+  await page.getByLabel('Technique').press('f');
+  await page.locator('#drawing').press('Shift+F');
+  await expect.poll(filling).toBe('sheet');
+});
+
 test('only settings of the techniques in use are offered', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube');

@@ -13,6 +13,7 @@ import { CompareDivider } from './CompareDivider.js';
 import { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
+import { isFullScreenKey, toggleFullScreen } from './fullScreen.js';
 import type { Gallery } from './Gallery.js';
 import { Keeper } from './Keeper.js';
 import { LightHandles } from './LightHandles.js';
@@ -125,6 +126,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
             },
           })),
           { label: 'Show the whole model', group: 'View', run: scene.view.frameForUser },
+          ...(document.fullscreenEnabled
+            ? [{ label: 'Full screen (F)', group: 'View' as const, run: fillScreen }]
+            : []),
           { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
           ...('share' in navigator
             ? [{ label: 'Share this drawing', group: 'Picture' as const, run: exportActions.share }]
@@ -181,6 +185,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       });
       return codeDialog.open();
     });
+  }
+
+  function fillScreen(): void {
+    toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   }
 
   function showMap(): void {
@@ -445,6 +453,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   addEventListener('keydown', (event) => {
     if (event.key === 'Escape') openCard(false);
     const isTyping = event.target instanceof HTMLInputElement && event.target.type !== 'range';
+    if (isFullScreenKey(event)) fillScreen();
     if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping) return;
     const key = event.key.toLowerCase();
     const isRedo = (key === 'z' && event.shiftKey) || (key === 'y' && event.ctrlKey && !event.shiftKey);
