@@ -2,6 +2,7 @@
 #include "perTriangle/levelRules"
 #ifdef CRISP
   #include "thresholdMap"
+  #include "ink"
   #include "perTriangle/crispLevel"
   #include "technique/crisp"
 #else

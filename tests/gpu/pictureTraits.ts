@@ -59,15 +59,15 @@ export function traitDistances(a: PictureTraits, b: PictureTraits): Record<keyof
   };
 }
 
-/** Per pixel, 0 for the paper and 1 for the darkest ink of the picture. */
+/** Per pixel, 0 for the paper and 1 for the strongest ink of the picture, which may be lighter than its paper. */
 function darkness(data: Uint8Array): Float64Array {
-  const luminance = new Float64Array(data.length / 4);
-  for (let i = 0; i < luminance.length; i++) {
-    luminance[i] = 0.2126 * data[4 * i] + 0.7152 * data[4 * i + 1] + 0.0722 * data[4 * i + 2];
-  }
-  // The corner is blank; a few darkest pixels may be where strokes overlap.
-  const [paper, ink] = [luminance[0], luminance.toSorted()[Math.floor(luminance.length / 200)]];
-  return luminance.map((value) => Math.min(1, Math.max(0, (paper - value) / (paper - ink))));
+  const strength = new Float64Array(data.length / 4);
+  const luminance = (i: number): number => 0.2126 * data[4 * i] + 0.7152 * data[4 * i + 1] + 0.0722 * data[4 * i + 2];
+  // The corner is blank; a few strongest pixels may be where strokes overlap.
+  const paper = luminance(0);
+  for (let i = 0; i < strength.length; i++) strength[i] = Math.abs(luminance(i) - paper);
+  const ink = strength.toSorted()[Math.floor(0.995 * strength.length)];
+  return strength.map((value) => Math.min(1, value / ink));
 }
 
 /** The mean over a square around each pixel of some rows and columns. */

@@ -21,25 +21,24 @@ test('the presets tell apart at 200 pixels, by more than colour', async ({ page 
   await page.waitForFunction(() => typeof window.drawPicture === 'function');
   const { pictures } = PLANS.presets;
   expect(pictures).toHaveLength(9);
-  const seen: [string, PictureTraits][] = [];
-  const least = { ink: 0, grey: 0, fineness: 0, coherence: 0, directions: 0 };
-  const traits = Object.keys(least) as (keyof typeof least)[];
+  const traits = ['ink', 'grey', 'fineness', 'coherence', 'directions'] as const;
+  const seen: { name: string; own: PictureTraits; moved: Record<(typeof traits)[number], number> }[] = [];
   for (const picture of pictures) {
-    const traitsOfOne = await thumbnail(page, picture);
+    const own = await thumbnail(page, picture);
     const [x, y, z] = picture.light;
-    const moved = traitDistances(traitsOfOne, await thumbnail(page, picture, { light: [x, y + 0.02, z + 0.07] }));
-    for (const trait of traits) least[trait] = Math.max(least[trait], CLEARLY * moved[trait]);
-    seen.push([picture.preset, traitsOfOne]);
+    const moved = traitDistances(own, await thumbnail(page, picture, { light: [x, y + 0.02, z + 0.07] }));
+    seen.push({ name: picture.preset, own, moved });
   }
-  const tellApart = (a: PictureTraits, b: PictureTraits): boolean => {
-    const distances = traitDistances(a, b);
-    return traits.some((trait) => distances[trait] > least[trait]);
+  type Seen = (typeof seen)[number];
+  const tellApart = (a: Seen, b: Seen): boolean => {
+    const distances = traitDistances(a.own, b.own);
+    return traits.some((trait) => distances[trait] > CLEARLY * Math.max(a.moved[trait], b.moved[trait]));
   };
-  for (const [i, [one, a]] of seen.entries()) {
-    for (const [other, b] of seen.slice(i + 1)) expect(tellApart(a, b), `${one} and ${other}`).toBe(true);
+  for (const [i, one] of seen.entries()) {
+    for (const other of seen.slice(i + 1)) expect(tellApart(one, other), `${one.name} and ${other.name}`).toBe(true);
   }
   // Control: other colours alone are no other preset.
   const colours = { ink: '#203080', paper: '#ffe0c0' };
   const tinted = await thumbnail(page, pictures[0], { material: colours, lines: { ink: colours.ink } });
-  expect(tellApart(seen[0][1], tinted)).toBe(false);
+  expect(tellApart(seen[0], { ...seen[0], own: tinted })).toBe(false);
 });

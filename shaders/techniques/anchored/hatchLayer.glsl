@@ -3,6 +3,7 @@
 // the fields are blended, and ink is decided once. Independent of the mesh, and continuous wherever its normals are.
 #include "levelByDepth"
 #include "thresholdMap"
+#include "ink"
 #include "technique/simplexLattice"
 
 uniform float anchorSpacing; // tiles between anchors
