@@ -41,6 +41,11 @@ function findFaults(): string[] {
       }
     });
   }
+  for (const card of shown('.card')) {
+    if (card.scrollHeight > card.clientHeight + 1 && getComputedStyle(card).overflowY === 'visible')
+      faults.push(`${nameOf(card)} holds more than it shows`);
+  }
+  for (const element of shown('[hidden]')) faults.push(`${nameOf(element)} shows, though it is hidden`);
   const { scrollWidth } = document.documentElement;
   if (scrollWidth > innerWidth) faults.push(`the page is ${scrollWidth} pixels wide`);
   return faults;
