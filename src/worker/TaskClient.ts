@@ -53,10 +53,12 @@ export class TaskClient {
   /**
    * @param createWorker makes the worker, or returns null if there is none; may throw.
    * @param onIdle called after an idle worker has been ended.
+   * @param warn says that no worker could be started.
    */
   constructor(
     private readonly createWorker: () => Worker | null,
     private readonly onIdle: () => void = () => {},
+    private readonly warn: (sentence: string) => void = (sentence) => console.warn(sentence),
   ) {}
 
   /** How many requests are pending. */
@@ -205,7 +207,7 @@ export class TaskClient {
   /** The worker did not start: run this and all later tasks on the main thread. */
   private fallBack(reason: unknown): void {
     const text = reason instanceof Error ? reason.message : String(reason);
-    console.warn(
+    this.warn(
       `three-hatching: the worker could not be started (${text}). The main thread computes instead, in slices; under a Content-Security-Policy pass createWorker.`,
     );
     this.end('unavailable');

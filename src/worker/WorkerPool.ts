@@ -17,6 +17,7 @@ export function mostWorkers(): number {
  */
 export class WorkerPool {
   private readonly clients: TaskClient[] = [];
+  private hasWarned = false;
 
   /**
    * @param createWorker makes a worker, or returns null if there is none; may throw.
@@ -47,10 +48,16 @@ export class WorkerPool {
     for (const client of clients) if (!least || client.pendingCount < least.pendingCount) least = client;
     const mayGrow = clients.length < mostWorkers() && clients.every(({ isUnavailable }) => !isUnavailable);
     if (least && (least.pendingCount === 0 || !mayGrow)) return least;
-    const client = new TaskClient(this.createWorker, () => this.remove(client));
+    const client = new TaskClient(this.createWorker, () => this.remove(client), this.warnOnce);
     clients.push(client);
     return client;
   }
+
+  /** Several may have been started before the first was refused. */
+  private readonly warnOnce = (sentence: string): void => {
+    if (!this.hasWarned) console.warn(sentence);
+    this.hasWarned = true;
+  };
 
   private remove(client: TaskClient): void {
     this.clients.splice(this.clients.indexOf(client), 1);

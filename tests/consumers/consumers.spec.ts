@@ -46,7 +46,7 @@ test.beforeAll(() => {
 });
 
 /** The smallest bundles that a page with a build of its own can have, in bytes after gzip: what it loads at once. */
-const MOST_BYTES = { HatchingMaterial: 30_000, 'HatchingMaterial, prepareHatchingGeometry, TonalArtMap': 48_000 };
+const MOST_BYTES = { HatchingMaterial: 31_000, 'HatchingMaterial, prepareHatchingGeometry, TonalArtMap': 48_000 };
 
 test.describe('the tarball', () => {
   test('holds the library and its declarations, and nothing else', () => {
@@ -199,9 +199,10 @@ test.describe('a hatched cube', () => {
     const server = await serveFolders({ '/': await viteBuild('plain') }, { 'Content-Security-Policy': STRICT_CSP });
     await page.goto(`${server.url}/plain.html`);
     expectHatching(await pixels(page));
-    // The browser reports the refused worker, and the library says what it does about it.
-    expect(pageProblems).toEqual([
-      expect.stringMatching(/^console error: .*worker-src 'self'/),
+    // The browser reports every worker that it refuses, and the library says once what it does about it.
+    const refused = pageProblems.filter((problem) => /^console error: .*worker-src 'self'/.test(problem));
+    expect(refused.length).toBeGreaterThan(0);
+    expect(pageProblems.filter((problem) => !refused.includes(problem))).toEqual([
       expect.stringMatching(/^console warning: three-hatching: .*createWorker/),
     ]);
     pageProblems.length = 0;

@@ -3,7 +3,7 @@ import { expect, test } from '../browser/test.js';
 import { columnGlb } from './columnModel.js';
 import { countObjects, liveObjects } from './liveObjects.js';
 import { file, octahedronPly } from './modelFiles.js';
-import { drop, openPlayground, savePicture } from './playground.js';
+import { drop, openPlayground, ready, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotion: 'reduce' } });
 
@@ -48,6 +48,8 @@ test('what is made for models, maps, techniques, comparisons and shadows is give
   await openPlayground(page, `${SMALL}&model=cube`);
   // The first round fills what is kept for later.
   await oneRound(page);
+  // A sketch comes first, and the rest of a drawing after it.
+  await ready(page);
   const before = await liveObjects(page);
   expect(before.Texture).toBeGreaterThan(3);
   expect(before.kilobytes).toBeGreaterThan(50);

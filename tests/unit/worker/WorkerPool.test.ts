@@ -121,4 +121,14 @@ describe('the pool', () => {
     expect(failing).toHaveBeenCalledOnce();
     expect(warn).toHaveBeenCalledOnce();
   });
+
+  test('warns once of all that were being started when the first was refused', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const both = [run(1), run(2)];
+    expect(workers).toHaveLength(2);
+    for (const worker of workers) worker.onerror!({});
+    vi.useRealTimers();
+    for (const { images } of await Promise.all(both)) expect(images).toHaveLength(4);
+    expect(warn).toHaveBeenCalledOnce();
+  });
 });
