@@ -12,15 +12,13 @@ export const firstPartCheck: Plugin = {
     for (const entry of Object.values(bundle)) {
       if (entry.type !== 'chunk' || !entry.isEntry) continue;
       const files = new Set([entry.fileName]);
+      let bytes = 0;
       // A set that grows is gone through to its end.
       for (const file of files) {
         const chunk = bundle[file];
-        if (chunk?.type === 'chunk') for (const imported of chunk.imports) files.add(imported);
-      }
-      let bytes = 0;
-      for (const file of files) {
-        const chunk = bundle[file];
-        if (chunk?.type === 'chunk') bytes += gzipSync(chunk.code).length;
+        if (chunk?.type !== 'chunk') continue;
+        for (const imported of chunk.imports) files.add(imported);
+        bytes += gzipSync(chunk.code).length;
       }
       if (bytes > MAX_BYTES)
         this.error(

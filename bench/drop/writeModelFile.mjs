@@ -32,8 +32,11 @@ export function writeModelFile(path, geometry) {
 }
 
 /** One mesh with positions, normals and an index. three's own exporter needs a browser. */
-function glb({ attributes: { position, normal }, index }) {
-  const indices = new Uint32Array(index.array);
+function glb(geometry) {
+  const { position, normal } = geometry.attributes;
+  geometry.computeBoundingBox();
+  const { min, max } = geometry.boundingBox;
+  const indices = new Uint32Array(geometry.index.array);
   const parts = [indices, position.array, normal.array].map((array) =>
     Buffer.from(array.buffer, array.byteOffset, array.byteLength),
   );
@@ -43,10 +46,6 @@ function glb({ attributes: { position, normal }, index }) {
     byteOffset += byteLength;
     return view;
   });
-  const extent = (pick) =>
-    [0, 1, 2].map((axis) =>
-      position.array.reduce((found, value, i) => (i % 3 === axis ? pick(found, value) : found), position.array[axis]),
-    );
   const json = Buffer.from(
     JSON.stringify({
       asset: { version: '2.0' },
@@ -63,8 +62,8 @@ function glb({ attributes: { position, normal }, index }) {
           componentType: 5126,
           count: position.count,
           type: 'VEC3',
-          min: extent(Math.min),
-          max: extent(Math.max),
+          min: min.toArray(),
+          max: max.toArray(),
         },
         { bufferView: 2, componentType: 5126, count: position.count, type: 'VEC3' },
       ],

@@ -9,6 +9,8 @@ const CURVES = {
 /** Twice the time of Phong shading of the same geometry: "a ratio around 50%" of frame rates (Suarez et al., section 4). */
 const RATIO_OF_THE_PAPER = 2;
 
+const PAPER = { label: 'twice Phong, as in the paper', colour: '#888', dashes: ' stroke-dasharray="5 4"' };
+
 const SIDE = 240;
 const HEIGHT = 210;
 const TRIANGLES = [4, 6];
@@ -33,9 +35,9 @@ ${legend(height - 14)}
 function chart(left, { title, models }) {
   const rows = Object.values(models).sort((a, b) => a.triangles - b.triangles);
   const timesOf = (name) => rows.map(({ triangles, drawn }) => [triangles, drawn[name].ms]);
-  const curves = Object.entries(CURVES).map(([name, [, colour]]) => ({ points: timesOf(name), colour, style: '' }));
+  const curves = Object.entries(CURVES).map(([name, [, colour]]) => ({ points: timesOf(name), colour }));
   const paper = timesOf('phong corner').map(([triangles, ms]) => [triangles, RATIO_OF_THE_PAPER * ms]);
-  curves.push({ points: paper, colour: '#888', style: ' stroke-dasharray="5 4"' });
+  curves.push({ points: paper, ...PAPER });
   const logs = curves.flatMap(({ points }) => points.map(([, ms]) => Math.log10(ms)));
   const range = [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs))];
   const x = (triangles) => left + (SIDE * (Math.log10(triangles) - TRIANGLES[0])) / (TRIANGLES[1] - TRIANGLES[0]);
@@ -44,20 +46,17 @@ function chart(left, { title, models }) {
   return `<text x="${left}" y="24" font-weight="600">${title}: ms by triangles</text>
 ${decades.map((ms) => `<path d="M${left} ${y(ms)}h${SIDE}" stroke="#ddd"/><text x="${left - 6}" y="${y(ms) + 4}" text-anchor="end">${ms}</text>`).join('\n')}
 ${[1e4, 1e5, 1e6].map((count) => `<path d="M${x(count)} 40v${HEIGHT}" stroke="#eee"/><text x="${x(count)}" y="${HEIGHT + 58}" text-anchor="middle">${count < 1e6 ? `${count / 1000} k` : '1 M'}</text>`).join('\n')}
-${curves.map(({ points, colour, style }) => `<path d="M${points.map(([count, ms]) => `${x(count).toFixed(1)} ${y(ms).toFixed(1)}`).join('L')}" fill="none" stroke="${colour}" stroke-width="2"${style}/>`).join('\n')}`;
+${curves.map(({ points, colour, dashes = '' }) => `<path d="M${points.map(([count, ms]) => `${x(count).toFixed(1)} ${y(ms).toFixed(1)}`).join('L')}" fill="none" stroke="${colour}" stroke-width="2"${dashes}/>`).join('\n')}`;
 }
 
 function legend(y) {
-  const entries = [
-    ...Object.values(CURVES).map(([label, colour]) => ({ label, colour, style: '' })),
-    { label: 'twice Phong, as in the paper', colour: '#888', style: ' stroke-dasharray="5 4"' },
-  ];
+  const entries = [...Object.values(CURVES).map(([label, colour]) => ({ label, colour })), PAPER];
   let at = 60;
   return entries
-    .map(({ label, colour, style }) => {
+    .map(({ label, colour, dashes = '' }) => {
       const left = at;
       at += 52 + 6.6 * label.length;
-      return `<path d="M${left} ${y - 4}h22" stroke="${colour}" stroke-width="2"${style}/><text x="${left + 28}" y="${y}">${label}</text>`;
+      return `<path d="M${left} ${y - 4}h22" stroke="${colour}" stroke-width="2"${dashes}/><text x="${left + 28}" y="${y}">${label}</text>`;
     })
     .join('\n');
 }

@@ -23,7 +23,9 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
 PerToneNormal shadedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
-    return toneFromRadiance((surface.radiance + 1e-6) / (surface.radiance + surface.shadowed + 1e-6));
+    PerToneNormal arriving = (surface.radiance + 1e-6) / (surface.radiance + surface.shadowed + 1e-6);
+    // Nor where all of it arrives, whatever a curve makes of blank paper.
+    return max(toneFromRadiance(arriving) - arriving * toneFromRadiance(PerToneNormal(1.0)), 0.0);
   #else
     return toneFromRadiance(surface.radiance);
   #endif // TONE_MODEL

@@ -85,17 +85,19 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
     ? yield* asPhase(bakeSmoothNormals(twins, adjacency.areaNormals), 0.34 * share, 0.4 * share)
     : null;
   const surface = yield* asPhase(separateFans(mesh, adjacency, twins), 0.4 * share, 0.5 * share);
-  const judged = joinedTwins && isCoarse(mesh, surface.twins, adjacency.areaNormals, bounds.radius);
-  const isCoarseMesh = judged !== null && (yield* asPhase(judged, 0.5 * share, 0.52 * share));
+  // A coarse mesh has contours along its edges, and needs no smoother normals for them.
+  const hasSmoothLines =
+    joinedTwins !== null &&
+    !(yield* asPhase(isCoarse(mesh, surface.twins, adjacency.areaNormals, bounds.radius), 0.5 * share, 0.52 * share));
   const radius = request.smoothingRadius ?? DEFAULT_SMOOTHING_SHARE * bounds.radius;
-  const lineRadii = joinedTwins && !isCoarseMesh ? lineSmoothingRadii(bounds.radius) : [];
+  const lineRadii = hasSmoothLines ? lineSmoothingRadii(bounds.radius) : [];
   const smoothed = yield* asPhase(smoothFanNormals(surface, [radius, ...lineRadii]), 0.52 * share, 0.93 * share);
   const patches = yield* asPhase(findPatches(surface), 0.93 * share, 0.95 * share);
   const hatchNormals = yield* asPhase(directHatchNormals(surface, patches, radius, smoothed[0]), 0.95 * share, share);
   const lines =
     joinedTwins &&
     (yield* asPhase(
-      bakeLines(surface, patches, joinedTwins, isCoarseMesh ? null : smoothed.slice(1), bounds.radius, request.lines!),
+      bakeLines(surface, patches, joinedTwins, hasSmoothLines ? smoothed.slice(1) : null, bounds.radius, request.lines!),
       share,
       1,
     ));

@@ -1,12 +1,10 @@
-import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { doubleArea } from '../mesh/computeAreaNormals.js';
 import { triangleOf } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import type { Fans } from './buildFans.js';
+import type { FanSurface } from './assembleHeatEquation.js';
+import { type Fans, NO_FAN } from './buildFans.js';
 import type { Patches } from './findPatches.js';
-
-const NO_FAN = 0xffffffff;
 
 /**
  * Moves the corners of small patches, in place, to the largest fan at their vertex that belongs to no small patch, if there
@@ -17,7 +15,7 @@ const NO_FAN = 0xffffffff;
  * @param isSmall says so of a patch, by its area in square object units and its number of triangles
  */
 export function* absorbSmallPatches(
-  { canonicalCorners, areaNormals }: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
+  { mesh, canonicalCorners, areaNormals }: Pick<FanSurface, 'mesh' | 'canonicalCorners' | 'areaNormals'>,
   { ofTriangle, areas, sizes }: Patches,
   { ofCorner, count }: Fans,
   isSmall: (area: number, triangles: number) => boolean,
@@ -27,15 +25,12 @@ export function* absorbSmallPatches(
   for (let patch = 0; patch < areas.length; patch++) small[patch] = Number(isSmall(areas[patch], sizes[patch]));
   if (!small.includes(1)) return;
   const fanAreas = new Float64Array(count);
-  let vertexCount = 0;
   yield* asPhase(
-    forEachChunk(cornerCount / 3, (start, end) => {
-      vertexCount = Math.max(vertexCount, addFans(areaNormals, canonicalCorners, ofCorner, fanAreas, start, end));
-    }),
+    forEachChunk(cornerCount / 3, (start, end) => addFans(areaNormals, ofCorner, fanAreas, start, end)),
     0,
     0.4,
   );
-  const largestFans = new Uint32Array(vertexCount).fill(NO_FAN);
+  const largestFans = new Uint32Array(mesh.positions.length / 3).fill(NO_FAN);
   yield* asPhase(
     forEachChunk(cornerCount, (start, end) =>
       findLargestFans(canonicalCorners, ofCorner, fanAreas, ofTriangle, small, largestFans, start, end),
@@ -52,24 +47,18 @@ export function* absorbSmallPatches(
   );
 }
 
-/** Adds the areas of some triangles to those of their fans. Returns the largest number of a canonical vertex + 1. */
+/** Adds the areas of some triangles to those of their fans. */
 function addFans(
   areaNormals: Float64Array,
-  canonicalCorners: Uint32Array,
   ofCorner: Uint32Array,
   fanAreas: Float64Array,
   start: number,
   end: number,
-): number {
-  let vertexCount = 0;
+): void {
   for (let triangle = start; triangle < end; triangle++) {
     const area = 0.5 * doubleArea(areaNormals, triangle);
-    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
-      fanAreas[ofCorner[corner]] += area;
-      vertexCount = Math.max(vertexCount, canonicalCorners[corner] + 1);
-    }
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) fanAreas[ofCorner[corner]] += area;
   }
-  return vertexCount;
 }
 
 /** Finds for each canonical vertex the largest fan that belongs to no small patch, or NO_FAN. */

@@ -11,7 +11,8 @@ export interface Fans {
   count: number;
 }
 
-const NO_FAN = 0xffffffff;
+/** In place of a fan, where there is none. */
+export const NO_FAN = 0xffffffff;
 
 /**
  * Finds the fans by walking around the vertices. They continue across welded seams. They end at borders, at creases that were

@@ -33,21 +33,16 @@ export async function bakeGeometries(
   const results = new Map<BufferGeometry, BufferGeometry | Error>();
   // What fails stops all others, and nothing is baked on behind the back of the caller.
   const stop = new AbortController();
-  const { signal = stop.signal } = options;
-  const abort = (): void => stop.abort(signal.reason);
-  signal.addEventListener('abort', abort);
-  if (signal.aborted) abort();
-  let failure: { error: unknown } | undefined;
-  const fail = (error: unknown): void => {
-    failure ??= { error };
-    stop.abort(error);
-  };
+  const { signal } = options;
+  const abort = (): void => stop.abort(signal?.reason);
+  signal?.addEventListener('abort', abort);
+  if (signal?.aborted) abort();
   const tell = (listener: () => void): void => {
     if (stop.signal.aborted) return;
     try {
       listener();
     } catch (error) {
-      fail(error);
+      stop.abort(error);
     }
   };
 
@@ -67,7 +62,8 @@ export async function bakeGeometries(
       results.set(geometry, prepared);
     } catch (error) {
       if (!(error instanceof TypeError || error instanceof RangeError) || stop.signal.aborted) {
-        fail(error);
+        // The first reason stays.
+        stop.abort(error);
         return;
       }
       results.set(geometry, error);
@@ -93,9 +89,9 @@ export async function bakeGeometries(
     running.add(task);
   }
   await Promise.all(running);
-  signal.removeEventListener('abort', abort);
-  options.signal?.throwIfAborted();
-  if (failure) throw failure.error;
+  signal?.removeEventListener('abort', abort);
+  signal?.throwIfAborted();
+  stop.signal.throwIfAborted();
   corners = total;
   report();
   // In the order of what was given, whatever was done first.

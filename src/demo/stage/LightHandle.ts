@@ -16,6 +16,8 @@ const HINT_MARGIN = 76;
  * ratio.
  */
 const MIN_REACH = 32;
+/** So far past the outline or the edge of the sheet, in pixels, a drag has to go before it takes the lamp behind: hands waver. */
+const PAST_OUTLINE = 14;
 /** A sun has no distance: its handle moves over the largest sphere in these limits whose outline lies on the sheet. */
 const SUN_RADIUS = { min: 0.45, max: 1.45 };
 
@@ -206,12 +208,14 @@ export class LightHandle {
     const ray = this.projection.ray(place);
     const radius = this.shown.length();
     const hits = intersectSphere(ray, radius);
-    if (!hits || !this.isOnSheet(place)) this.beyondOutline = true;
-    else if (this.beyondOutline) {
+    const outline = hits ? undefined : nearestOutlinePoint(ray, radius);
+    const past = Math.max(outline ? this.projection.project(outline).distanceTo(place) : 0, this.pastSheet(place));
+    if (past > PAST_OUTLINE) this.beyondOutline = true;
+    else if (past === 0 && this.beyondOutline) {
       this.beyondOutline = false;
       this.behind = !this.behind;
     }
-    const hit = hits ? (this.behind ? hits.far : hits.near) : nearestOutlinePoint(ray, radius);
+    const hit = outline ?? (this.behind ? hits!.far : hits!.near);
     if (this.host.isWithViewer()) hit.applyQuaternion(this.host.camera.quaternion.clone().invert());
     const { theta, phi } = new Spherical().setFromVector3(hit);
     const { min, max } = SETTINGS.lightElevation;
@@ -241,10 +245,10 @@ export class LightHandle {
     return place;
   }
 
-  /** Whether the handle can be at a place, and need not be kept at the edge. */
-  private isOnSheet({ x, y }: Vector2): boolean {
+  /** How far a place lies beyond those where the handle can be, in pixels; 0 for one of them. */
+  private pastSheet({ x, y }: Vector2): number {
     const { width, height } = this.projection.size;
-    return x >= MARGIN && y >= MARGIN && x <= width - MARGIN && y <= height - MARGIN;
+    return Math.max(0, MARGIN - x, MARGIN - y, x - (width - MARGIN), y - (height - MARGIN));
   }
 
   /** How far a pointer is from the model's centre, in pixels. */

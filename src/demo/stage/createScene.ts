@@ -179,6 +179,13 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     isSketch = false;
     timer.reset();
     applyDrawn();
+  }
+
+  /** Draws the model that was put in the place of another. `first` is the direction to the eye when it is framed. */
+  function showPresent(first: readonly [number, number, number]): void {
+    firstView = first;
+    applyDrawn();
+    measureBounds(first);
     scheduler.invalidate();
   }
 
@@ -416,10 +423,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       isSketch = !isStandIn && !context.isContextLost();
       isStandIn = false;
       replacedModel = undefined;
-      firstView = first;
-      applyDrawn();
-      measureBounds(first);
-      scheduler.invalidate();
+      showPresent(first);
     },
 
     /** Shows a model until {@link setModel} sets the one that is waited for, or {@link removeStandIn} brings back the one before. */
@@ -434,10 +438,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       }
       isStandIn = true;
       isSketch = !context.isContextLost();
-      firstView = first;
-      applyDrawn();
-      measureBounds(first);
-      scheduler.invalidate();
+      showPresent(first);
     },
 
     /** Takes away the stand-in, if one is shown. */
@@ -450,10 +451,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       if (replacedModel) exchange(replacedModel);
       replacedModel = undefined;
       isStandIn = false;
-      firstView = replacedView;
-      applyDrawn();
-      measureBounds(firstView);
-      scheduler.invalidate();
+      isSketch = false;
+      showPresent(replacedView);
     },
 
     /** Whether the model only stands in for one that is still being baked. */
