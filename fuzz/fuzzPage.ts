@@ -20,7 +20,6 @@ export interface FuzzOutcome extends FuzzCase {
   isBlank: boolean;
   /** Milliseconds of the longest task on the main thread. */
   longest: number;
-  milliseconds: number;
   /** What went wrong. */
   failures: string[];
 }
@@ -64,7 +63,6 @@ export async function fuzzPage(
   if (isOneColour(first)) throw new Error('fuzzPage: the page draws nothing.');
   for (const [i, { kind, seed }] of cases.entries()) {
     await takeWatch(page);
-    const start = performance.now();
     const failures: string[] = [];
     const fail = (error: unknown) => void failures.push(error instanceof Error ? error.message : String(error));
     let outcome: FuzzOutcome['outcome'] = 'refused';
@@ -75,12 +73,11 @@ export async function fuzzPage(
     } catch (error) {
       fail(error);
     }
-    const milliseconds = performance.now() - start;
     const { longest, complaints } = await takeWatch(page);
     for (const complaint of [...complaints, ...watched.flatMap((list) => list.splice(0))]) fail(complaint);
     const isLooked = i === cases.length - 1 || i % CASES_BETWEEN_LOOKS === CASES_BETWEEN_LOOKS - 1;
     if (isLooked && !(await returns(page, rest, first))) fail('The page does not draw any more as it did.');
-    onCase({ kind, seed, outcome, isBlank, longest, milliseconds, failures });
+    onCase({ kind, seed, outcome, isBlank, longest, failures });
   }
 }
 

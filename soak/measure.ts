@@ -23,6 +23,26 @@ export async function countsOf(page: Page): Promise<Lap> {
   return Object.fromEntries(counts.map(([kind, count]) => [kind.toLowerCase(), count]));
 }
 
+/** Longer than anything here should take, also on a slow machine. */
+const STUCK_MILLISECONDS = 120_000;
+
+/** Waits until the page of the figures has drawn all that it shows. */
+export const settleFigures = (page: Page) =>
+  page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: STUCK_MILLISECONDS });
+
+/** Turns the light of the figures, and counts. */
+export async function turnFigures(page: Page, times: number): Promise<Lap> {
+  for (let i = 0; i < times; i++) {
+    await page.locator('#turn').fill(String(((i * 35) % 360) - 180));
+    await settleFigures(page);
+  }
+  return countsOf(page);
+}
+
+/** A count or a measurement, for the report. */
+export const format = (value: number | undefined): string =>
+  value === undefined ? '–' : Number.isInteger(value) ? String(value) : value.toFixed(1);
+
 /** Megabytes of the JavaScript heap. */
 async function heapOf(page: Page): Promise<number> {
   const session = await page.context().newCDPSession(page);

@@ -5,7 +5,7 @@ import { file } from '../tests/e2e/modelFiles.js';
 import { drop, follow, idle } from '../tests/e2e/playground.js';
 import { GOOD, MODELS, STYLES, TECHNIQUES } from './actions.js';
 import { grown, type Lap } from './judge.js';
-import { countsOf, measure, REST } from './measure.js';
+import { countsOf, format, measure, REST, settleFigures, turnFigures } from './measure.js';
 
 interface RepeatOptions {
   /** Where the pages are served. */
@@ -65,7 +65,7 @@ export async function repeat(browser: Browser, { address, times, say }: RepeatOp
   const complaints: string[] = [];
   const row = (name: string, before: Lap, after: Lap): void => {
     const pairs = [...COLUMNS, ...MEGABYTES].filter((kind) => kind in before);
-    say(`${name}: ${pairs.map((kind) => `${kind} ${round(before[kind])} → ${round(after[kind])}`).join(', ')}`);
+    say(`${name}: ${pairs.map((kind) => `${kind} ${format(before[kind])} → ${format(after[kind])}`).join(', ')}`);
     complaints.push(...grown(before, after).map((complaint) => `${name}: ${complaint}`));
   };
   for (const [name, act] of Object.entries(REPEATED)) {
@@ -86,24 +86,14 @@ async function repeatFigures(
   times: number,
   row: (name: string, before: Lap, after: Lap) => void,
 ): Promise<void> {
-  const settle = () => page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: 120_000 });
-  const turn = async (count: number): Promise<Lap> => {
-    for (let i = 0; i < count; i++) {
-      await page.locator('#turn').fill(String(((i * 35) % 360) - 180));
-      await settle();
-    }
-    return countsOf(page);
-  };
   await page.goto(`${address}figures/`);
-  await settle();
-  row(`light of the figures, ${times} times`, await turn(2), await turn(times));
+  await settleFigures(page);
+  row(`light of the figures, ${times} times`, await turnFigures(page, 2), await turnFigures(page, times));
   const before = await countsOf(page);
   for (let i = 0; i < times; i++) {
     await page.reload();
     await page.waitForFunction(() => window.__figures !== undefined);
   }
-  await settle();
-  row(`page of the figures, ${times} times`, before, await turn(2));
+  await settleFigures(page);
+  row(`page of the figures, ${times} times`, before, await turnFigures(page, 2));
 }
-
-const round = (value: number): string => (Number.isInteger(value) ? String(value) : value.toFixed(1));

@@ -5,7 +5,7 @@ import { follow, idle } from '../tests/e2e/playground.js';
 import { Random } from '../tests/Random.js';
 import { ACTIONS } from './actions.js';
 import { judge, type Lap } from './judge.js';
-import { countsOf, measure, REST } from './measure.js';
+import { format, measure, REST, settleFigures, turnFigures } from './measure.js';
 
 interface SoakOptions {
   /** Where the pages are served. */
@@ -16,8 +16,6 @@ interface SoakOptions {
   say: (line: string) => void;
 }
 
-/** Longer than anything here should take, also on a slow machine. */
-const STUCK_MILLISECONDS = 120_000;
 const KEPT_ACTIONS = 5;
 const COLUMNS = [
   'minute',
@@ -82,16 +80,9 @@ export async function soak(browser: Browser, { address, minutes, seed, say }: So
 /** Turns the light of the figures forty times. */
 async function soakFigures(page: Page, address: string, say: (line: string) => void): Promise<string[]> {
   await page.goto(`${address}figures/`);
-  const turn = async (times: number): Promise<Lap> => {
-    for (let i = 0; i < times; i++) {
-      await page.locator('#turn').fill(String(((i * 35) % 360) - 180));
-      await page.waitForFunction(() => window.__figures!.isIdle, null, { timeout: STUCK_MILLISECONDS });
-    }
-    return countsOf(page);
-  };
-  await page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: STUCK_MILLISECONDS });
-  const laps = [await turn(2)];
-  for (let i = 0; i < 4; i++) laps.push(await turn(10));
+  await settleFigures(page);
+  const laps = [await turnFigures(page, 2)];
+  for (let i = 0; i < 4; i++) laps.push(await turnFigures(page, 10));
   say(`Figures, the light turned 42 times: ${laps.map(({ texture }) => texture).join(', ')} textures.`);
   return judge(laps).map((complaint) => `Figures: ${complaint}`);
 }
@@ -104,6 +95,3 @@ function shuffled(random: Random): (typeof ACTIONS)[number][] {
   }
   return actions;
 }
-
-const format = (value: number | undefined): string =>
-  value === undefined ? '–' : Number.isInteger(value) ? String(value) : value.toFixed(1);

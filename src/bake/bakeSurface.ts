@@ -97,7 +97,14 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
   const lines =
     joinedTwins &&
     (yield* asPhase(
-      bakeLines(surface, patches, joinedTwins, hasSmoothLines ? smoothed.slice(1) : null, bounds.radius, request.lines!),
+      bakeLines(
+        surface,
+        patches,
+        joinedTwins,
+        hasSmoothLines ? smoothed.slice(1) : null,
+        bounds.radius,
+        request.lines!,
+      ),
       share,
       1,
     ));

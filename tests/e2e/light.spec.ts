@@ -51,6 +51,20 @@ test('strokes and tone of a face follow the light when it is dragged', async ({ 
   await expectFaceAsReference(page, 'T');
 });
 
+test('from its first place the light goes across in front of the model, also for a hand that wavers at the edge', async ({
+  page,
+}) => {
+  await openPlayground(page, `${PAPER}model=cube`);
+  const lamp = await middleOf(page, '#lamp');
+  await page.mouse.move(lamp.x, lamp.y);
+  await page.mouse.down();
+  await page.mouse.move(lamp.x - 4, lamp.y - 9);
+  await page.mouse.move(lamp.x + 160, lamp.y + 40, { steps: 6 });
+  await page.mouse.up();
+  await expect(page.locator('#lamp')).not.toHaveClass(/is-behind/);
+  await expect(page.getByRole('slider', { name: 'Light' })).toHaveAttribute('aria-valuetext', /in front of the model/);
+});
+
 test('the side that faces the light is lighter, and the light goes behind the model past the edge', async ({
   page,
 }) => {

@@ -334,7 +334,12 @@ test('without a shadow the tone of shadows alone is nothing at all', async ({ pa
   const ink = await page.evaluate(async () => {
     const { THREE, lightOf, ground, sceneOf, draw } = window.shading;
     const inkUnder = async (...lights: InstanceType<typeof THREE.Light>[]) => {
-      const pixels = draw(sceneOf(await ground('anchored', { toneModel: 'shadow' }), ...lights));
+      // A curve that prints blank paper, as of chalk.
+      const toneCurve = [
+        [0, 0.5],
+        [1, 0],
+      ] as const;
+      const pixels = draw(sceneOf(await ground('anchored', { toneModel: 'shadow', toneCurve }), ...lights));
       return pixels.reduce((least, value) => Math.min(least, value), 255);
     };
     return [

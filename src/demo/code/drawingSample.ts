@@ -7,6 +7,7 @@ import { GROUND } from '../stage/Ground.js';
 import { SHADOWS, SUN_DISTANCE } from '../stage/LightRig.js';
 import { FULL_SHEET, LEAST_STROKE_SHARE } from '../stage/strokeShare.js';
 import type { CodeDrawing } from './CodeModel.js';
+import { intensityOf, mainLight, positionOf } from './lightSource.js';
 import { lineParameters, mapParameters, materialParameters } from './lookSample.js';
 import { modelSource } from './modelSource.js';
 import { round } from './round.js';
@@ -215,21 +216,16 @@ scene.add(ground);`,
 }
 
 function lightsPart(settings: Settings): Part {
-  const strength = (percent: number): number => round((Math.PI * percent) / 100);
-  const intensity = strength(settings.lightStrength);
-  const main = {
-    directional: `new DirectionalLight('white', ${intensity})`,
-    point: `new PointLight('white', ${intensity}, 0, 0)`,
-    spot: `new SpotLight('white', ${intensity}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
-  }[settings.lightKind];
-  const three = [/new (\w+)/.exec(main)![1]];
+  const { made, name } = mainLight(settings);
+  const at = (place: LightPlace) => positionOf(place, place.distance ?? SUN_DISTANCE);
+  const three = [name];
   const second = placeOfSecondLight(settings);
-  const lines = [`const light = ${main};`, `light.position.${positionOf(placeOfLight(settings))};`];
+  const lines = [`const light = ${made};`, `light.position.${at(placeOfLight(settings))};`];
   if (second) {
     three.push('DirectionalLight');
     lines.push(
-      `const second = new DirectionalLight('white', ${strength(settings.secondStrength)});`,
-      `second.position.${positionOf(second)};`,
+      `const second = new DirectionalLight('white', ${intensityOf(settings.secondStrength)});`,
+      `second.position.${at(second)};`,
     );
   }
   const names = second ? 'light, second' : 'light';
@@ -254,9 +250,6 @@ holder.traverse((object) => {
   if (settings.lightFollows === 'viewer') lines.push('const places = lights.map(({ position }) => position.clone());');
   return { code: lines.join('\n'), three };
 }
-
-const positionOf = ({ azimuth, elevation, distance = SUN_DISTANCE }: LightPlace): string =>
-  `setFromSphericalCoords(${listed([distance, ((90 - elevation) * Math.PI) / 180, (azimuth * Math.PI) / 180])})`;
 
 function framesPart({ model, settings, aspect }: CodeDrawing, hasClips = false): Part {
   const following =

@@ -1,6 +1,6 @@
 import type { Settings } from '../settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
-import { round } from './round.js';
+import { intensityOf, mainLight, positionOf } from './lightSource.js';
 
 /**
  * Code that adds the lights of the page to `scene`, and the classes of three.js that it needs.
@@ -8,25 +8,19 @@ import { round } from './round.js';
  * @param radius of what they light; that of the page's models is 1
  */
 export function lightSample(settings: Settings, radius = 1): { code: string; classes: string[] } {
-  const intensity = round((Math.PI * settings.lightStrength) / 100);
-  const light = {
-    directional: `new DirectionalLight('white', ${intensity})`,
-    point: `new PointLight('white', ${intensity}, 0, 0)`,
-    spot: `new SpotLight('white', ${intensity}, 0, ${round((settings.spotAngle * Math.PI) / 360)}, ${settings.spotSoftness / 100}, 0)`,
-  }[settings.lightKind];
-  const at = ({ azimuth, elevation, distance = 1 }: LightPlace) =>
-    `setFromSphericalCoords(${round(distance * radius)}, ${round(((90 - elevation) * Math.PI) / 180)}, ${round((azimuth * Math.PI) / 180)})`;
+  const { made, name } = mainLight(settings);
+  const at = (place: LightPlace) => positionOf(place, (place.distance ?? 1) * radius);
   const stay = (name: string) =>
     settings.lightFollows === 'viewer'
       ? `${name}.position.applyQuaternion(camera.quaternion); // again in every frame, to stay with the viewer\n`
       : '';
   const parts = [
-    `const light = ${light};
+    `const light = ${made};
 light.position.${at(placeOfLight(settings))};
 ${stay('light')}scene.add(light);
 `,
   ];
-  const classes = [/new (\w+)/.exec(light)![1]];
+  const classes = [name];
   if (settings.shadows === 'on') {
     const turning =
       settings.shadowStrokes === 'tone'
@@ -46,7 +40,7 @@ scene.traverse((object) => {
   if (second) {
     classes.push('DirectionalLight');
     parts.push(`
-const second = new DirectionalLight('white', ${round((Math.PI * settings.secondStrength) / 100)});
+const second = new DirectionalLight('white', ${intensityOf(settings.secondStrength)});
 second.position.${at(second)};
 ${stay('second')}scene.add(second);
 `);

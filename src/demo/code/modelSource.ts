@@ -1,4 +1,4 @@
-import { extensionOf, withoutGz } from '../files/fileName.js';
+import { baseName, extensionOf, withoutGz } from '../files/fileName.js';
 import type { CodeModel } from './CodeModel.js';
 import { CDN } from './versions.js';
 
@@ -105,7 +105,7 @@ ${MAKE_MESH}`,
 }
 
 function fileSource(title: string): ModelSource {
-  const name = title.replace(/^.*[\\/]/, '');
+  const name = baseName(title);
   const isPacked = withoutGz(name) !== name;
   const extension = extensionOf(withoutGz(name)) ?? '';
   const note = `Put ${oneLine(name)} beside this file. A web server must serve both: browsers load no models from file:// addresses.`;

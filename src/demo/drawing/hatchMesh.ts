@@ -1,6 +1,6 @@
 import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
 import { HatchingLines, HatchingMaterial } from 'three-hatching';
-import { findUpAxis } from '../files/findUpAxis.js';
+import type { UpAxis } from '../files/findUpAxis.js';
 import type { MeshPicture } from '../files/meshPictures.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import { bakeMesh } from './bakeMesh.js';
@@ -19,6 +19,7 @@ export async function hatchMesh(
   mesh: PlainMesh,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
   pictures: readonly (MeshPicture | undefined)[] = [],
+  stands?: UpAxis,
 ): Promise<HatchedModel> {
   const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, lines: true });
   const textures = pictures.map((picture) => picture && textureOf(picture));
@@ -34,7 +35,7 @@ export async function hatchMesh(
     root,
     geometry.boundingBox!,
     outlineOf(mesh.positions),
-    findUpAxis(mesh.positions, mesh.indices),
+    stands,
     statistics,
     undefined,
     materials,

@@ -32,7 +32,8 @@ async function hatch(
     const count = triangleCount(read.mesh).toLocaleString('en');
     const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
     try {
-      return { model: await hatchMesh(read.mesh, { signal, onProgress }, read.pictures), notes: read.notes };
+      const model = await hatchMesh(read.mesh, { signal, onProgress }, read.pictures, read.stands);
+      return { model, notes: read.notes };
     } catch (error) {
       signal.throwIfAborted();
       throw toModelError(read.name, error, 'its mesh');

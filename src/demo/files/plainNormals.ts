@@ -45,7 +45,10 @@ export function plainNormals(mesh: PlainMesh): Float32Array | null {
     sums[i + 2] *= scale;
   }
   // What the file says of other vertices counts, as it does in the bake.
-  if (normals) for (let i = 0; i < sums.length; i += 3) if (isSet(normals, i)) sums.set(normals.subarray(i, i + 3), i);
+  if (!normals) return sums;
+  for (let i = 0; i < sums.length; i += 3) {
+    if (isSet(normals, i)) for (let k = i; k < i + 3; k++) sums[k] = normals[k];
+  }
   return sums;
 }
 

@@ -4,6 +4,7 @@ import { counted } from './counted.js';
 import { dropDuplicates } from './dropDuplicates.js';
 import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf, withoutGz } from './fileName.js';
+import { findUpAxis, type UpAxis } from './findUpAxis.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
 import type { LoadedScene } from './LoadedScene.js';
@@ -11,6 +12,7 @@ import { ModelError, toModelError } from './ModelError.js';
 import type { ModelFile } from './ModelFile.js';
 import { mergeScene, type WantedPicture } from './mergeScene.js';
 import { type MeshPicture, missingNote, readMeshPictures } from './meshPictures.js';
+import { MAX_BYTES } from './modelLimits.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
 import { plainNormals } from './plainNormals.js';
@@ -23,9 +25,6 @@ import { readScene, type SceneFormat } from './readScene.js';
 import { readStl } from './readStl.js';
 import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
 import { toUtf8 } from './toUtf8.js';
-
-/** Of all files together. A model is held in memory several times while it is read. */
-const MAX_BYTES = 512 * 1024 * 1024;
 
 export type { ModelFile };
 
@@ -53,6 +52,8 @@ export interface ReadMesh extends Read {
   pictures: (MeshPicture | undefined)[];
   /** Those of a stand-in until the mesh is baked; null if it needs none. */
   plainNormals: Float32Array | null;
+  /** Which of its axes points up, where its flat side tells. */
+  stands: UpAxis | undefined;
 }
 
 export interface ReadParts extends Read {
@@ -121,6 +122,7 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     mesh,
     pictures,
     plainNormals: plainNormals(mesh),
+    stands: findUpAxis(mesh.positions, mesh.indices),
     missing,
     notes: [
       ...brokenNote(parsed.broken + broken),

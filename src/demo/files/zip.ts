@@ -1,7 +1,6 @@
 import { ModelError } from './ModelError.js';
+import { MAX_BYTES } from './modelLimits.js';
 
-/** Largest size of all files together after unpacking, so that a small archive cannot fill the memory. */
-const MAX_BYTES = 512 * 1024 * 1024;
 /** What is left of the limit however small the archive is, and how much models shrink at most. */
 const SMALL_BYTES = 64 * 1024 * 1024;
 const MAX_RATIO = 64;

@@ -1,5 +1,13 @@
 /** Forms that are made by code, because they are worth drawing. All stand on a plane of constant y, or float. */
-import { BufferAttribute, BufferGeometry, LatheGeometry, TorusKnotGeometry, Vector2 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  LatheGeometry,
+  MathUtils,
+  SplineCurve,
+  TorusKnotGeometry,
+  Vector2,
+} from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { gearWheel } from './gearWheel.js';
 
@@ -74,28 +82,9 @@ export function vase(): BufferGeometry {
     [0.3, 0.3],
     [0.001, 0.2],
   ] as const;
-  return new LatheGeometry(
-    [...smooth(outer, 6), ...smooth(inner, 4)].map(([x, y]) => new Vector2(x, y)),
-    96,
-  );
-}
-
-/** A Catmull-Rom curve through points, with so many steps between two of them. */
-function smooth(points: readonly (readonly [number, number])[], steps: number): [number, number][] {
-  const at = (i: number) => points[Math.min(points.length - 1, Math.max(0, i))];
-  const result: [number, number][] = [];
-  for (let i = 0; i < points.length - 1; i++) {
-    for (let step = 0; step < steps; step++) {
-      const t = step / steps;
-      result.push(
-        [0, 1].map((axis) => {
-          const [a, b, c, d] = [at(i - 1)[axis], at(i)[axis], at(i + 1)[axis], at(i + 2)[axis]];
-          return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
-        }) as [number, number],
-      );
-    }
-  }
-  return [...result, [...at(points.length)] as [number, number]];
+  const smooth = (points: readonly (readonly [number, number])[], steps: number): Vector2[] =>
+    new SplineCurve(points.map(([x, y]) => new Vector2(x, y))).getPoints(steps * (points.length - 1));
+  return new LatheGeometry([...smooth(outer, 6), ...smooth(inner, 4)], 96);
 }
 
 const FLUTES = 20;
@@ -151,9 +140,7 @@ export function gears(): BufferGeometry {
   const other = wheel()
     .rotateZ(TURN * (0.3 / 20))
     .translate(1.76, 0, 0);
-  return mergeGeometries([wheel().rotateZ(0), other])!
-    .translate(-0.88, 0, 0)
-    .rotateX(-0.9);
+  return mergeGeometries([wheel(), other])!.translate(-0.88, 0, 0).rotateX(-0.9);
 }
 
 const HILLS = 150;
@@ -163,9 +150,9 @@ export function landscape(): BufferGeometry {
   const floor = -0.34;
   return grid(HILLS, HILLS, (u, v) => {
     // The outermost rows go down to the floor, as the sides of the block.
-    const [x, z] = [u, v].map((w) => Math.min(1, Math.max(0, (w * HILLS - 1) / (HILLS - 2))));
+    const [x, z] = [u, v].map((w) => MathUtils.clamp((w * HILLS - 1) / (HILLS - 2), 0, 1));
     const isSide = u === 0 || v === 0 || u === 1 || v === 1;
-    return [2 * x - 1, isSide ? floor : heightAt(x, z), 1 - 2 * z].map((w) => w * 1) as [number, number, number];
+    return [2 * x - 1, isSide ? floor : heightAt(x, z), 1 - 2 * z];
   });
 }
 
@@ -184,9 +171,9 @@ function heightAt(x: number, z: number): number {
 /** Smooth noise in [0, 1] on a lattice of whole numbers. */
 function noise(x: number, z: number): number {
   const [i, j] = [Math.floor(x), Math.floor(z)];
-  const [s, t] = [x - i, z - j].map((w) => w * w * w * (w * (6 * w - 15) + 10));
-  const mix = (a: number, b: number, share: number): number => a + (b - a) * share;
-  return mix(mix(chance(i, j), chance(i + 1, j), s), mix(chance(i, j + 1), chance(i + 1, j + 1), s), t);
+  const [s, t] = [x - i, z - j].map((w) => MathUtils.smootherstep(w, 0, 1));
+  const { lerp } = MathUtils;
+  return lerp(lerp(chance(i, j), chance(i + 1, j), s), lerp(chance(i, j + 1), chance(i + 1, j + 1), s), t);
 }
 
 /** A number in [0, 1) for a place of the lattice, always the same. */

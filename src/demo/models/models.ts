@@ -152,5 +152,15 @@ function builtInMesh(name: string, mesh: PlainMesh): ReadModel {
 }
 
 function readMesh(name: string, mesh: PlainMesh): ReadModel {
-  return { kind: 'mesh', mesh, pictures: [], plainNormals: null, name, notes: [], missing: [], upAxis: 'y' };
+  return {
+    kind: 'mesh',
+    mesh,
+    pictures: [],
+    plainNormals: null,
+    stands: undefined,
+    name,
+    notes: [],
+    missing: [],
+    upAxis: 'y',
+  };
 }

@@ -24,10 +24,6 @@ export async function loadMapFiles(
 
 /** All files of a map in one archive. PNG images are compressed already, so they are stored as they are. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
-  const { zipSync } = await import('three/addons/libs/fflate.module.js');
-  const entries = await Promise.all(
-    (await map.save()).map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const),
-  );
-  const zip = zipSync(Object.fromEntries(entries), { level: 0 });
-  return new Blob([zip as Uint8Array<ArrayBuffer>], { type: 'application/zip' });
+  const { zipBlobs } = await import('../print/zipBlobs.js');
+  return zipBlobs((await map.save()).map((file) => ({ name: file.name, content: file })));
 }

@@ -113,15 +113,14 @@ async function drawBands(
 /** Copies a tile, whose rows come from the bottom and are multiplied with alpha, to its place in a band. */
 function copyTile(tile: Uint8Array, columns: number, rows: number, band: Uint8Array, x: number, width: number): void {
   for (let row = 0; row < rows; row++) {
-    let from = 4 * columns * (rows - 1 - row);
-    let to = 4 * (row * width + x);
-    for (let column = 0; column < columns; column++, from += 4, to += 4) {
-      const alpha = tile[from + 3];
-      for (let i = 0; i < 3; i++) {
-        band[to + i] =
-          alpha === 255 ? tile[from + i] : alpha === 0 ? 0 : Math.min(255, Math.round((tile[from + i] * 255) / alpha));
-      }
-      band[to + 3] = alpha;
+    const from = 4 * columns * (rows - 1 - row);
+    const start = 4 * (row * width + x);
+    const end = start + 4 * columns;
+    band.set(tile.subarray(from, from + 4 * columns), start);
+    for (let at = start; at < end; at += 4) {
+      const alpha = band[at + 3];
+      if (alpha === 255) continue;
+      for (let i = at; i < at + 3; i++) band[i] = alpha === 0 ? 0 : Math.min(255, Math.round((band[i] * 255) / alpha));
     }
   }
 }

@@ -1,0 +1,2 @@
+/** Of all files of a model together, also once they are unpacked. A model is held in memory several times while it is read. */
+export const MAX_BYTES = 512 * 2 ** 20;
