@@ -30,6 +30,7 @@ export type { ApplyHatchingOptions } from './scene/applyHatching.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
+export { MovingResolution, type MovingResolutionOptions } from './scene/MovingResolution.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';

@@ -1,8 +1,5 @@
+import { LINE_SIZES, STROKE_SIZES } from './pixelSizes.js';
 import type { HatchingPreset } from './presets.js';
-
-/** What is measured in pixels of the drawing buffer. */
-const STROKE_SIZES = ['strokeWidth', 'lineSpacing', 'texelPixels', 'toothSize'] as const;
-const LINE_SIZES = ['lineWidth', 'wobble', 'overshoot'] as const;
 
 /**
  * A preset with all its widths and distances multiplied. Those of a preset are for one pixel of the drawing buffer per CSS

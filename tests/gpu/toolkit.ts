@@ -9,6 +9,7 @@ import {
   bakeOcclusion,
   HatchingMaterial,
   type HatchingMaterialParameters,
+  MovingResolution,
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
@@ -92,6 +93,7 @@ const toolkit = {
   applyHatching,
   bakeOcclusion,
   HatchingMaterial,
+  MovingResolution,
   prepareHatchingGeometry,
   TonalArtMap,
   SIZE,

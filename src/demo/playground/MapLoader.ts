@@ -4,7 +4,6 @@ import type { ModelFile } from '../files/readModel.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import { needsMap } from '../settings/settingValues.js';
 import type { HatchingScene } from '../stage/createScene.js';
-import type { ContactSheet } from './ContactSheet.js';
 import { loadMapFiles } from './mapFiles.js';
 import type { TaskRunner } from './TaskRunner.js';
 
@@ -22,7 +21,8 @@ export class MapLoader {
     private readonly scene: HatchingScene,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
-    private readonly contactSheet: ContactSheet,
+    /** Called when another map is drawn with. */
+    private readonly onMap: () => void,
     /** Called when the user's own map has become the style in the settings. */
     private readonly onOwnMap: (isRestored: boolean) => void,
     /** Called when the settings of the map in use were put back. */
@@ -60,6 +60,11 @@ export class MapLoader {
     });
   }
 
+  /** The label of the style of the map that is drawn with. */
+  get shownStyle(): string {
+    return SETTINGS.mapStyle.choices[(this.shown ?? this.settings).mapStyle];
+  }
+
   /** To be called while the graphics context is lost. */
   releaseGraphics(): void {
     this.cache.releaseGraphics();
@@ -69,6 +74,6 @@ export class MapLoader {
     const { mapStyle, mapSize, mapTones, mapSeed } = this.settings;
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };
     this.scene.setTonalArtMap(map);
-    this.contactSheet.show(map, SETTINGS.mapStyle.choices[this.settings.mapStyle]);
+    this.onMap();
   }
 }

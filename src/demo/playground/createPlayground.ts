@@ -10,7 +10,7 @@ import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
 import type { CodeDialog } from './CodeDialog.js';
 import { CompareDivider } from './CompareDivider.js';
-import { ContactSheet } from './ContactSheet.js';
+import type { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
 import { isFullScreenKey, toggleFullScreen } from './fullScreen.js';
@@ -72,12 +72,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       scene.invalidate();
     },
   });
-  const contactSheet = new ContactSheet(page.contactSheet);
+  let contactSheet: ContactSheet | undefined;
   const mapLoader = new MapLoader(
     scene,
     settings,
     tasks,
-    contactSheet,
+    () => contactSheet && fillSheet(contactSheet),
     (isRestored) => (isRestored ? applySettings() : recordChange()),
     () => {
       history.adopt();
@@ -192,8 +192,16 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   function showMap(): void {
-    contactSheet.open();
+    whenFetched(import('./ContactSheet.js'), ({ ContactSheet }) => {
+      contactSheet ??= new ContactSheet(page.contactSheet);
+      fillSheet(contactSheet);
+      contactSheet.open();
+    });
     void mapLoader.showChosen(true);
+  }
+
+  function fillSheet(sheet: ContactSheet): void {
+    if (scene.tonalArtMap) sheet.show(scene.tonalArtMap, mapLoader.shownStyle);
   }
 
   // ── Settings ──

@@ -1,5 +1,6 @@
 import { errorMessage } from '../files/errorMessage.js';
 import { setPageState } from '../page/setPageState.js';
+import { drawsInSoftware } from '../stage/drawsInSoftware.js';
 import { createPlayground } from './createPlayground.js';
 import { page } from './page.js';
 import { Status } from './Status.js';
@@ -7,7 +8,8 @@ import { Status } from './Status.js';
 const status = new Status(page.status);
 const context = page.canvas.getContext('webgl2', {
   alpha: true,
-  antialias: true,
+  // It takes a processor as long as all the rest. Strokes and lines have soft edges of their own.
+  antialias: !drawsInSoftware(),
   depth: true,
   powerPreference: 'high-performance',
 });

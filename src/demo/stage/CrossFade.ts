@@ -5,6 +5,7 @@ const DURATION = 350;
 export class CrossFade {
   private readonly copy = document.createElement('canvas');
   private readonly context = this.copy.getContext('2d');
+  private isKept = false;
 
   constructor(private readonly drawing: HTMLCanvasElement) {
     this.copy.className = 'earlier-picture';
@@ -13,20 +14,38 @@ export class CrossFade {
     drawing.after(this.copy);
   }
 
-  /** To be called right after the earlier picture was drawn, in the same task: the canvas does not keep it for longer. */
-  start(): void {
+  /** Keeps the picture. To be called right after it was drawn, in the same task: the canvas does not keep it for longer. */
+  keep(): void {
     const { copy, context, drawing } = this;
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
-    Object.assign(copy, { width: drawing.width, height: drawing.height });
+    if (copy.width !== drawing.width || copy.height !== drawing.height) {
+      Object.assign(copy, { width: drawing.width, height: drawing.height });
+    }
     context?.drawImage(drawing, 0, 0);
+    this.isKept = true;
+  }
+
+  /** Lets the kept picture, if there is one, fade into the drawing. */
+  start(): void {
+    const { copy } = this;
+    if (!this.isKept) return;
+    this.isKept = false;
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      this.forget();
+      return;
+    }
     copy.hidden = false;
     const fading = copy.animate([{ opacity: 1 }, { opacity: 0 }], { duration: DURATION, easing: 'ease-in-out' });
-    const end = (): void => {
-      copy.hidden = true;
-      // Its memory is needed for nothing any more.
-      Object.assign(copy, { width: 0, height: 0 });
-    };
-    fading.finished.then(end, () => {});
+    fading.finished.then(
+      () => this.forget(),
+      () => {},
+    );
+  }
+
+  /** Gives the memory of the picture back. */
+  forget(): void {
+    this.isKept = false;
+    this.copy.hidden = true;
+    Object.assign(this.copy, { width: 0, height: 0 });
   }
 
   dispose(): void {

@@ -33,7 +33,7 @@ export class LightRig {
   private readonly settled = new Vector3();
   private readonly secondSettled = new Vector3(0, SUN_DISTANCE, 0);
   private isWithViewer = false;
-  private shadowQuality: ShadowQuality = 'usual';
+  private mapSize: number = SHADOWS.mapSize;
 
   constructor(scene: Scene) {
     this.secondPosition = this.second.position;
@@ -76,17 +76,21 @@ export class LightRig {
   }
 
   /**
-   * Sets how finely shadows are drawn. Coarse ones have one sample in the place of nine. Builds no program.
+   * Sets how finely shadows are drawn. Coarse ones have one sample in the place of nine; their maps become smaller only if they are
+   * drawn anew, because for a large model that takes as long as a frame. Builds no program.
    *
-   * @returns whether the maps must be drawn anew
+   * @param areDrawn whether the maps are drawn anew in any case
+   * @returns whether they must be
    */
-  setShadowQuality(quality: ShadowQuality): boolean {
-    if (quality === this.shadowQuality) return false;
-    this.shadowQuality = quality;
+  setShadowQuality(quality: ShadowQuality, areDrawn: boolean): boolean {
+    const radius = quality === 'coarse' ? 0 : SHADOWS.softness;
+    for (const { shadow } of this.all) shadow.radius = radius;
+    const mapSize = SHADOW_MAP_SIZES[quality];
+    if (mapSize === this.mapSize || (quality === 'coarse' && !areDrawn)) return false;
+    this.mapSize = mapSize;
     for (const { shadow } of this.all) {
-      shadow.radius = quality === 'coarse' ? 0 : SHADOWS.softness;
       // three does not resize the cube of a point light.
-      if (shadow !== this.main.point.shadow) shadow.mapSize.setScalar(SHADOW_MAP_SIZES[quality]);
+      if (shadow !== this.main.point.shadow) shadow.mapSize.setScalar(mapSize);
     }
     return this.second.castShadow;
   }

@@ -1,15 +1,14 @@
 import { Group, MathUtils, type Matrix4, Scene, Vector3, WebGLRenderer } from 'three';
-import type { TonalArtMap } from 'three-hatching';
+import { MovingResolution, type TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import type { Settings } from '../settings/settings.js';
 import { needsMap, UPRIGHT } from '../settings/settingValues.js';
-import { AdaptiveResolution } from './AdaptiveResolution.js';
 import { CrossFade } from './CrossFade.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
 import { FrameScheduler } from './FrameScheduler.js';
-import { FrameTimer } from './FrameTimer.js';
+import { fullPixelRatio } from './fullPixelRatio.js';
 import { Ground } from './Ground.js';
 import { LastPicture } from './LastPicture.js';
 import { LightRig } from './LightRig.js';
@@ -28,6 +27,8 @@ export type HatchingScene = ReturnType<typeof createScene>;
  * factor per side, without lines and ground, whose programs are built later.
  */
 const SKETCH_SHARE = 0.5;
+/** A sketch of a stand-in that takes longer stays until the model itself is there. */
+const LONG_MILLISECONDS = 500;
 
 /** The part of a picture that is drawn into the canvas at once, in the renderer's pixels. */
 interface Tile {
@@ -75,8 +76,6 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   let firstView: readonly [number, number, number] = DEFAULT_VIEW;
   let replacedView = firstView;
   let isStandIn = false;
-  /** The stand-in that the next frame fades from. */
-  let fadesFrom: HatchedModel | undefined;
   /** Whether the first frame of a model is being drawn: see {@link SKETCH_SHARE}. */
   let isSketch = false;
   let map: TonalArtMap | undefined;
@@ -86,14 +85,16 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   const frameListeners: (() => void)[] = [];
   const scheduler = new FrameScheduler(() => draw());
   const ground = new Ground(scene, () => scheduler.invalidate());
-  const resolution = new AdaptiveResolution(() => scheduler.invalidate());
-  const timer = new FrameTimer(context, () => {
-    if (isSketch) {
-      finishSketch();
-      return;
-    }
-    resolution.measured(timer.milliseconds!);
-    for (const listener of timeListeners) listener();
+  const resolution = new MovingResolution(renderer, {
+    onRest: () => scheduler.invalidate(),
+    onMeasured: () => {
+      if (!isSketch) {
+        for (const listener of timeListeners) listener();
+      } else if (!isStandIn || resolution.milliseconds! < LONG_MILLISECONDS) {
+        // A whole frame of a stand-in that takes long would only delay the model itself.
+        finishSketch();
+      }
+    },
   });
   const timeListeners: (() => void)[] = [];
   const view = new View(canvas, camera, () => {
@@ -120,47 +121,36 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (isHeld) return;
     const { clientWidth: width, clientHeight: height } = viewport;
     if (context.isContextLost() || width === 0 || height === 0) return;
-    resolution.beforeFrame();
-    advanceMotion();
-    const isLightMoved = settings !== undefined && lights.place(camera);
-    const areShadowsChanged = lights.setShadowQuality(resolution.isCoarse ? 'coarse' : 'usual');
-    if (isLightMoved || areShadowsChanged || model?.motion) renderer.shadowMap.needsUpdate = true;
-    if (isSketch) {
-      model?.showLines(false);
-      ground.hide();
-    }
-    const pixelRatio = resolution.pixelRatio(width, height) * (isSketch ? SKETCH_SHARE : 1);
-    if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
-    const tile = { viewWidth: width, x: 0, width, height };
-    if (fadesFrom) {
-      showInstead(fadesFrom, () => drawTile(tile, pixelRatio));
-      crossFade.start();
-      fadesFrom = undefined;
-    }
-    timer.measure(() => drawTile(tile, pixelRatio));
+    resolution.frame(() => drawFrame(width, height));
+    if (isStandIn) crossFade.keep();
+    else crossFade.start();
     if (!isSketch) disposePrevious();
     lastPicture.frameDrawn();
     for (const listener of frameListeners) listener();
     if (model?.motion?.isPlaying) scheduler.invalidate();
   }
 
-  /** Puts another model in the place of the present one while `draw` draws. */
-  function showInstead(other: HatchedModel, draw: () => void): void {
-    const shown = model;
-    shown?.root.removeFromParent();
-    upright.add(other.root);
-    model = other;
-    draw();
-    model = shown;
-    other.root.removeFromParent();
-    if (shown) upright.add(shown.root);
+  function drawFrame(width: number, height: number): void {
+    advanceMotion();
+    const isLightMoved = settings !== undefined && lights.place(camera);
+    if (isLightMoved || model?.motion) renderer.shadowMap.needsUpdate = true;
+    const { needsUpdate } = renderer.shadowMap;
+    if (lights.setShadowQuality(isCoarse() ? 'coarse' : 'usual', needsUpdate)) renderer.shadowMap.needsUpdate = true;
+    if (isSketch) {
+      model?.showLines(false);
+      ground.hide();
+    }
+    const pixelRatio = fullPixelRatio(width, height) * (isSketch ? SKETCH_SHARE : resolution.scale);
+    if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
+    drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio);
   }
 
   function disposePrevious(): void {
     for (const previous of previousModels) previous.dispose();
     previousModels = [];
-    fadesFrom = undefined;
   }
+
+  const isCoarse = (): boolean => resolution.scale < 1;
 
   /** Puts `next` in the place of the present model, which is returned. */
   function exchange(next: HatchedModel): HatchedModel | undefined {
@@ -169,7 +159,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     before?.root.removeFromParent();
     model = next;
     upright.add(next.root);
-    timer.reset();
+    resolution.reset();
     if (map) next.tonalArtMap = map;
     return before;
   }
@@ -177,14 +167,14 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   /** The first frame of a model is on the page: the rest is added in the next one. */
   function finishSketch(): void {
     isSketch = false;
-    timer.reset();
-    applyDrawn();
+    resolution.reset();
+    applyToScene();
   }
 
   /** Draws the model that was put in the place of another. `first` is the direction to the eye when it is framed. */
   function showPresent(first: readonly [number, number, number]): void {
     firstView = first;
-    applyDrawn();
+    applyToScene();
     measureBounds(first);
     scheduler.invalidate();
   }
@@ -229,10 +219,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (width === 0 || height === 0) return;
     isOutdated = true;
     if (isHeld) return;
-    renderer.setPixelRatio(resolution.pixelRatio(width, height));
+    renderer.setPixelRatio(fullPixelRatio(width, height) * resolution.scale);
     renderer.setSize(width, height, false);
     view.resized(width / height);
-    timer.reset();
+    resolution.reset();
     // At once and not in the next frame, because resizing clears the canvas.
     draw();
   }
@@ -258,25 +248,30 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     view.setOutline(turned(model.outline, upright.matrix), first);
   }
 
-  /** Applies the settings to the lights, the model and what it stands on. */
-  function applyDrawn(): void {
+  /** Applies the settings to the lights, the model and what it stands on. Shadows stay as they are. */
+  function applyToScene(): void {
     if (!settings) return;
     lights.apply(settings);
     if (upAxis !== settings.upAxis) {
       upAxis = settings.upAxis;
       upright.rotation.set(...UPRIGHT[upAxis]);
+      renderer.shadowMap.needsUpdate = true;
       measureBounds();
     }
     renderer.setClearColor(settings.paper, 1);
     model?.apply(settings);
     ground.apply(settings);
-    renderer.shadowMap.needsUpdate = true;
     scheduler.invalidate();
+  }
+
+  function applyDrawn(): void {
+    applyToScene();
+    renderer.shadowMap.needsUpdate = true;
   }
 
   const onLost = (): void => {
     if (isSketch) finishSketch();
-    timer.reset();
+    resolution.reset();
     disposePrevious();
     releaseGraphics(scene);
     if (replacedModel) {
@@ -316,7 +311,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       if (isSketch) finishSketch();
       isHeld = true;
       isOutdated = false;
-      if (lights.setShadowQuality(size > LARGE ? 'fine' : 'usual')) renderer.shadowMap.needsUpdate = true;
+      if (lights.setShadowQuality(size > LARGE ? 'fine' : 'usual', true)) renderer.shadowMap.needsUpdate = true;
     },
 
     /** Goes on with frames: draws one at once, so that the page never shows a tile. */
@@ -379,7 +374,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     /** The time a frame takes, or undefined before one was measured. */
     get frameMilliseconds(): number | undefined {
-      return timer.milliseconds;
+      return resolution.milliseconds;
     },
 
     /** Whether the graphics context is lost. What is changed meanwhile is drawn when it comes back. */
@@ -394,7 +389,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     /** Whether frames are drawn in a lower resolution, because the machine is too slow for the movement. */
     get isCoarse(): boolean {
-      return resolution.isCoarse;
+      return isCoarse();
     },
 
     get framesDrawn(): number {
@@ -418,9 +413,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       disposePrevious();
       const before = exchange(next);
       previousModels = [before, replacedModel].filter((one) => one !== undefined);
-      fadesFrom = isStandIn ? before : undefined;
-      // After a stand-in all programs are there.
+      // After a stand-in all programs are there, and its shadows are those of the model.
       isSketch = !isStandIn && !context.isContextLost();
+      if (!isStandIn) renderer.shadowMap.needsUpdate = true;
       isStandIn = false;
       replacedModel = undefined;
       showPresent(first);
@@ -438,6 +433,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       }
       isStandIn = true;
       isSketch = !context.isContextLost();
+      renderer.shadowMap.needsUpdate = true;
       showPresent(first);
     },
 
@@ -452,6 +448,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       replacedModel = undefined;
       isStandIn = false;
       isSketch = false;
+      crossFade.forget();
+      renderer.shadowMap.needsUpdate = true;
       showPresent(replacedView);
     },
 
@@ -509,7 +507,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       lastPicture.dispose();
       view.dispose();
       scheduler.dispose();
-      timer.reset();
+      resolution.dispose();
       disposePrevious();
       replacedModel?.dispose();
       crossFade.dispose();

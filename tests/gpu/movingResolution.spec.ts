@@ -1,0 +1,105 @@
+import { expect } from '../browser/test.js';
+import { test } from './toolkitPage.js';
+
+/** A lower resolution while something moves on a slow machine. What counts as slow is set, so that no clock decides. */
+
+test('movement is drawn in a lower resolution with strokes as wide, and rest in the full one', async ({ page }) => {
+  const seen = await page.evaluate(async () => {
+    const { THREE, MovingResolution, hatchedMesh, stripedMap, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
+    const renderer = makeRenderer();
+    renderer.setPixelRatio(2);
+    const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 24, 12), { tonalArtMap: stripedMap(), strokeWidth: 3 });
+    const { material } = mesh;
+    const scene = sceneOf(mesh, sun());
+    const camera = makeCamera();
+    let rested = () => {};
+    let measured = () => {};
+    const resolution = new MovingResolution(renderer, {
+      slow: 0,
+      pause: 300,
+      onRest: () => rested(),
+      onMeasured: () => measured(),
+    });
+    const state = () => [renderer.domElement.width, material.strokeWidth, material.toothSize, resolution.scale];
+    const frame = async (isMoving?: boolean) => {
+      const known = new Promise<void>((resolve) => {
+        measured = resolve;
+      });
+      resolution.render(scene, camera, isMoving);
+      await known;
+      return state();
+    };
+    const toothSize = material.toothSize;
+    const seen: Record<string, unknown> = { toothSize };
+    seen.first = await frame();
+    seen.still = await frame();
+    const move = () => {
+      camera.position.x += 0.05;
+      return frame();
+    };
+    // The first step is measured in full, and found slow.
+    await move();
+    const rest = new Promise<void>((resolve) => {
+      rested = resolve;
+    });
+    seen.moving = await move();
+    material.toothSize = 7;
+    await rest;
+    seen.restBeforeFrame = resolution.scale;
+    seen.rest = await frame(false);
+    material.toothSize = toothSize;
+    await frame(true);
+    seen.light = await frame(true);
+    renderer.setPixelRatio(1.5);
+    seen.ratioSet = await frame(true);
+    resolution.dispose();
+    seen.disposed = state();
+    return seen;
+  });
+  const { toothSize } = seen as { toothSize: number };
+  expect(seen).toEqual({
+    toothSize,
+    first: [192, 3, toothSize, 1],
+    still: [192, 3, toothSize, 1],
+    moving: [96, 1.5, toothSize / 2, 0.5],
+    restBeforeFrame: 1,
+    // What was set meanwhile stays.
+    rest: [192, 3, 7, 1],
+    // What moves may be a light: the caller says so.
+    light: [96, 1.5, toothSize / 2, 0.5],
+    // A ratio that was set meanwhile is the full one.
+    ratioSet: [72, 1.5, toothSize / 2, 0.5],
+    disposed: [144, 3, toothSize, 1],
+  });
+});
+
+test('fast frames stay in full resolution, and wrong options are told', async ({ page }) => {
+  const [scale, width, messages] = await page.evaluate(async () => {
+    const { THREE, MovingResolution, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
+    const renderer = makeRenderer();
+    const scene = sceneOf(await hatchedMesh(new THREE.BoxGeometry()), sun());
+    const camera = makeCamera();
+    let measured = () => {};
+    const resolution = new MovingResolution(renderer, { slow: 1e6, onMeasured: () => measured() });
+    for (let i = 0; i < 3; i++) {
+      await new Promise<void>((resolve) => {
+        measured = resolve;
+        resolution.render(scene, camera, true);
+      });
+    }
+    const messages = [{ share: 0 }, { slow: -1 }, { pause: Number.NaN }].map((options) => {
+      try {
+        return String(new MovingResolution(renderer, options));
+      } catch (error) {
+        return String(error);
+      }
+    });
+    return [resolution.scale, renderer.domElement.width, messages] as const;
+  });
+  expect([scale, width]).toEqual([1, 96]);
+  expect(messages).toEqual([
+    'RangeError: MovingResolution: share is 0. Pass a number in (0, 1], or leave it out.',
+    'RangeError: MovingResolution: slow is -1. Pass a number of milliseconds, 0 or more, or leave it out.',
+    'RangeError: MovingResolution: pause is NaN. Pass a positive number of milliseconds, or leave it out.',
+  ]);
+});
