@@ -5,6 +5,9 @@ import { type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js
  * majority says which side is out.
  */
 const HARMLESS_SHARE = 0.1;
+/** Of more triangles than a few, one in so many is looked at first. */
+const SAMPLE = 16;
+const FEW = 100_000;
 
 /**
  * Leaves out triangles that are drawn before, exactly: same corners in the same sense, with the same colours and pictures.
@@ -15,19 +18,48 @@ const HARMLESS_SHARE = 0.1;
 export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: number } {
   const total = triangleCount(mesh);
   const corners = new Corners(mesh);
-  const table = new Int32Array(2 ** Math.ceil(Math.log2(2 * total + 2))).fill(-1);
+  if (total > FEW) {
+    const { looked, kept } = distinct(mesh, corners, SAMPLE);
+    // If fewer were looked at than expected, many copies of one triangle may have been passed over together.
+    const isEven = looked > (1 - HARMLESS_SHARE / 2) * (total / SAMPLE);
+    if (isEven && looked - kept.length / 3 < (HARMLESS_SHARE / 2) * looked) return { mesh, duplicates: 0 };
+  }
+  const { kept, ranges } = distinct(mesh, corners, 1);
+  const duplicates = total - kept.length / 3;
+  if (duplicates <= HARMLESS_SHARE * total) return { mesh, duplicates: 0 };
+  return { mesh: { ...mesh, indices: kept.slice(), ...(mesh.ranges && { ranges }) }, duplicates };
+}
+
+/**
+ * The first of each triangle, turned so that equal ones begin with the same corner.
+ *
+ * @param sample looks at those alone whose hash it divides: at one in so many, duplicates together. A power of two
+ * @returns how many were looked at, and the vertices and ranges of those that are kept
+ */
+function distinct(
+  mesh: PlainMesh,
+  corners: Corners,
+  sample: number,
+): { looked: number; kept: Uint32Array; ranges: PictureRange[] } {
+  const total = triangleCount(mesh);
+  // Hashes are not spread quite evenly.
+  const room = sample === 1 ? total : Math.ceil((2 * total) / sample);
+  const table = new Int32Array(2 ** Math.ceil(Math.log2(2 * room + 2))).fill(-1);
   const mask = table.length - 1;
-  const kept = new Uint32Array(3 * total);
+  const kept = new Uint32Array(3 * room);
   /** Of the kept triangles: most that meet in a slot of the table differ in it. */
-  const hashes = new Int32Array(total);
+  const hashes = new Int32Array(room);
   const ranges: PictureRange[] = [];
+  let looked = 0;
   let length = 0;
   for (const { start, count, picture } of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
     const first = length;
-    for (let corner = start; corner < start + count; corner += 3) {
+    for (let corner = start; corner < start + count && length < kept.length; corner += 3) {
       const turn = corners.firstOf(corner);
       const hash = corners.hashOf(corner, turn) ^ picture;
-      let slot = hash & mask;
+      if ((hash & (sample - 1)) !== 0) continue;
+      looked++;
+      let slot = (hash / sample) & mask;
       for (let at = table[slot]; at !== -1; at = table[slot]) {
         if (hashes[at / 3] === hash && at >= first && corners.areEqual(kept, at, corner, turn)) break;
         slot = (slot + 1) & mask;
@@ -35,14 +67,11 @@ export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: 
       if (table[slot] !== -1) continue;
       table[slot] = length;
       hashes[length / 3] = hash;
-      // Turned, so that equal triangles begin with the same corner.
       for (let k = 0; k < 3; k++) kept[length++] = corners.vertexAt(corner + ((turn + k) % 3));
     }
     if (length > first) ranges.push({ start: first, count: length - first, picture });
   }
-  if (total - length / 3 <= HARMLESS_SHARE * total) return { mesh, duplicates: 0 };
-  const indices = kept.slice(0, length);
-  return { mesh: { ...mesh, indices, ...(mesh.ranges && { ranges }) }, duplicates: total - length / 3 };
+  return { looked, kept: kept.subarray(0, length), ranges };
 }
 
 /** The corners of a mesh, by all that is drawn of them. */

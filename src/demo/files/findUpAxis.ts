@@ -27,20 +27,24 @@ export function findUpAxis(positions: ArrayLike<number>, indices: ArrayLike<numb
   }
   const size = AXES.map((_, axis) => high[axis] - low[axis]);
   const tolerance = FLATNESS * Math.max(...size);
-  const corners = indices ?? { length: positions.length / 3 };
-  const at = (corner: number, axis: number): number => positions[3 * (indices ? indices[corner] : corner) + axis];
+  const count = indices?.length ?? positions.length / 3;
+  const sides = outerSides(positions, low, high, tolerance);
   /** Area that lies on the lower and on the upper side across each axis. */
   const areas = AXES.map(() => [0, 0] as [number, number]);
-  for (let corner = 0; corner + 2 < corners.length; corner += 3) {
+  for (let corner = 0; corner + 2 < count; corner += 3) {
+    const [a, b, c] = indices
+      ? [indices[corner], indices[corner + 1], indices[corner + 2]]
+      : [corner, corner + 1, corner + 2];
+    const side = sides[a] & sides[b] & sides[c];
+    if (side === 0) continue;
     for (let axis = 0; axis < 3; axis++) {
-      const [a, b, c] = [at(corner, axis), at(corner + 1, axis), at(corner + 2, axis)];
-      const isLow = Math.max(a, b, c) - low[axis] < tolerance;
-      if (!isLow && !(high[axis] - Math.min(a, b, c) < tolerance)) continue;
+      const ofAxis = (side >> (2 * axis)) & 3;
+      if (ofAxis === 0) continue;
       const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-      const area =
-        (at(corner + 1, u) - at(corner, u)) * (at(corner + 2, v) - at(corner, v)) -
-        (at(corner + 2, u) - at(corner, u)) * (at(corner + 1, v) - at(corner, v));
-      areas[axis][isLow ? 0 : 1] += Math.abs(area) / 2;
+      const from = (vertex: number, across: number): number =>
+        positions[3 * vertex + across] - positions[3 * a + across];
+      const area = from(b, u) * from(c, v) - from(c, u) * from(b, v);
+      areas[axis][ofAxis & 1 ? 0 : 1] += Math.abs(area) / 2;
     }
   }
   const across = (axis: number): number => size[(axis + 1) % 3] * size[(axis + 2) % 3];
@@ -53,4 +57,22 @@ export function findUpAxis(positions: ArrayLike<number>, indices: ArrayLike<numb
   const [below, above] = areas[best];
   // A column has two such sides: it is left the way it is.
   return above > 1.1 * below ? `-${AXES[best]}` : AXES[best];
+}
+
+/** Of each vertex, which sides of the model it lies on: two bits an axis, 1 for the lower side and 2 for the upper one. */
+function outerSides(
+  positions: ArrayLike<number>,
+  low: readonly number[],
+  high: readonly number[],
+  tolerance: number,
+): Uint8Array {
+  const sides = new Uint8Array(positions.length / 3);
+  for (let vertex = 0; vertex < sides.length; vertex++) {
+    for (let axis = 0; axis < 3; axis++) {
+      const at = positions[3 * vertex + axis];
+      if (at - low[axis] < tolerance) sides[vertex] |= 1 << (2 * axis);
+      if (high[axis] - at < tolerance) sides[vertex] |= 2 << (2 * axis);
+    }
+  }
+  return sides;
 }

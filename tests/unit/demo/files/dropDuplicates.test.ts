@@ -84,3 +84,21 @@ test('a few duplicates, as scans have, stay: the mesh is as it was', () => {
   const mesh = { positions, normals: null, colors: null, indices };
   expect(dropDuplicates(mesh)).toEqual({ mesh, duplicates: 0 });
 });
+
+test('of many triangles duplicates are found too, be they spread or copies of one', () => {
+  const random = new Random(3);
+  const distinct = Float32Array.from({ length: 9 * 90_000 }, () => random.next());
+  const withCopies = (count: number, from: (i: number) => number): PlainMesh => {
+    const positions = new Float32Array(distinct.length + 9 * count);
+    positions.set(distinct);
+    for (let i = 0; i < count; i++) {
+      positions.set(distinct.subarray(9 * from(i), 9 * from(i) + 9), distinct.length + 9 * i);
+    }
+    return mesh([], { positions });
+  };
+  expect(dropDuplicates(withCopies(15_000, (i) => i)).duplicates).toBe(15_000);
+  for (let one = 0; one < 8; one++) expect(dropDuplicates(withCopies(15_000, () => one)).duplicates).toBe(15_000);
+  expect(dropDuplicates(withCopies(11_000, (i) => i % 300)).duplicates).toBe(11_000);
+  // Few are harmless.
+  expect(dropDuplicates(withCopies(2_000, (i) => i)).duplicates).toBe(0);
+});
