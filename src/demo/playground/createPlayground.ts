@@ -9,7 +9,7 @@ import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../setti
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
 import type { CodeDialog } from './CodeDialog.js';
-import { CompareDivider } from './CompareDivider.js';
+import type { CompareDivider } from './CompareDivider.js';
 import type { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
 import { ExportActions } from './ExportActions.js';
@@ -102,7 +102,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const turnHint = new TurnHint(page.turnHint, settings, recordChange);
   const exportActions = new ExportActions(scene, settings, modelLoader, status, tasks, currentLink);
   const lights = new LightHandles(scene, settings, recordChange);
-  const divider = new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
+  let divider: CompareDivider | undefined;
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
     recordChange();
@@ -247,14 +247,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   function applySettings(): void {
     scene.apply(settings);
     occlusion.update();
-    const { compare, technique } = settings;
-    const isCompared = compare !== 'none';
-    scene.compareWith(isCompared ? () => divider.share : undefined);
-    divider.show(
-      isCompared
-        ? { left: SETTINGS.technique.choices[compare], right: SETTINGS.technique.choices[technique] }
-        : undefined,
-    );
+    showComparison();
     page.sheet.style.setProperty('--paper', settings.paper);
     page.sheet.style.setProperty('--ink', settings.ink);
     panel?.refresh();
@@ -262,6 +255,24 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     turnHint.refresh();
     showSteps();
     updateAddress();
+  }
+
+  function showComparison(): void {
+    const { compare, technique } = settings;
+    const isCompared = compare !== 'none';
+    scene.compareWith(isCompared ? () => divider?.share ?? 0.5 : undefined);
+    if (isCompared && !divider) {
+      whenFetched(import('./CompareDivider.js'), ({ CompareDivider }) => {
+        divider ??= new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
+        showComparison();
+      });
+      return;
+    }
+    divider?.show(
+      isCompared
+        ? { left: SETTINGS.technique.choices[compare], right: SETTINGS.technique.choices[technique] }
+        : undefined,
+    );
   }
 
   function showSteps(): void {
@@ -388,7 +399,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   scene.onFrame(() => {
     lights.update();
     motion.update();
-    if (!page.divider.hidden) divider.place();
+    if (!page.divider.hidden) divider?.place();
     if (tasks.isIdle && scene.isComplete) setPageState('ready');
   });
   scene.onFrameTime(() => {

@@ -3,7 +3,7 @@ import { MovingResolution, type TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
-import type { Settings } from '../settings/settings.js';
+import { SETTING_KEYS, SETTINGS, type Settings } from '../settings/settings.js';
 import { needsMap, UPRIGHT } from '../settings/settingValues.js';
 import { CrossFade } from './CrossFade.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
@@ -13,6 +13,7 @@ import { Ground } from './Ground.js';
 import { LastPicture } from './LastPicture.js';
 import { LightRig } from './LightRig.js';
 import type { Layer } from './layers.js';
+import { ProgramBuilder } from './ProgramBuilder.js';
 import { strokeShare } from './strokeShare.js';
 import { View } from './View.js';
 
@@ -29,6 +30,9 @@ export type HatchingScene = ReturnType<typeof createScene>;
 const SKETCH_SHARE = 0.5;
 /** A sketch of a stand-in that takes longer stays until the model itself is there. */
 const LONG_MILLISECONDS = 500;
+
+/** The settings that programs depend on are among those that are chosen from a list. */
+const CHOICES = SETTING_KEYS.filter((name) => SETTINGS[name].kind === 'choice');
 
 /** The part of a picture that is drawn into the canvas at once, in the renderer's pixels. */
 interface Tile {
@@ -83,7 +87,13 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   let upAxis: Settings['upAxis'] = 'y';
 
   const frameListeners: (() => void)[] = [];
-  const scheduler = new FrameScheduler(() => draw());
+  const scheduler = new FrameScheduler(() => {
+    // The last frame stays until then.
+    if (!builder.isBuilding) draw();
+  });
+  const builder = new ProgramBuilder(renderer, () => scheduler.invalidate());
+  /** What programs depend on, as it was when they were last built. */
+  let builtFor = '';
   const ground = new Ground(scene, () => scheduler.invalidate());
   const resolution = new MovingResolution(renderer, {
     onRest: () => scheduler.invalidate(),
@@ -159,6 +169,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     before?.root.removeFromParent();
     model = next;
     upright.add(next.root);
+    builtFor = '';
     resolution.reset();
     if (map) next.tonalArtMap = map;
     return before;
@@ -261,7 +272,18 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setClearColor(settings.paper, 1);
     model?.apply(settings);
     ground.apply(settings);
+    buildPrograms(settings);
     scheduler.invalidate();
+  }
+
+  /** Numbers and colours build no programs. */
+  function buildPrograms(settings: Settings): void {
+    // The few of a sketch are built by its frame.
+    if (isSketch || !model || context.isContextLost()) return;
+    const key = CHOICES.map((name) => settings[name]).join();
+    if (key === builtFor) return;
+    builtFor = key;
+    builder.build(scene, camera);
   }
 
   function applyDrawn(): void {
@@ -272,6 +294,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   const onLost = (): void => {
     if (isSketch) finishSketch();
     resolution.reset();
+    builder.stop();
+    builtFor = '';
     disposePrevious();
     releaseGraphics(scene);
     if (replacedModel) {
@@ -398,7 +422,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     /** Whether a frame was requested and is not drawn yet, or a model was drawn as a sketch only. */
     get isWaiting(): boolean {
-      return scheduler.isWaiting || (isSketch && !context.isContextLost());
+      return scheduler.isWaiting || builder.isBuilding || (isSketch && !context.isContextLost());
     },
 
     /** Requests one frame. */
@@ -508,6 +532,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       view.dispose();
       scheduler.dispose();
       resolution.dispose();
+      builder.stop();
       disposePrevious();
       replacedModel?.dispose();
       crossFade.dispose();
