@@ -2,6 +2,7 @@ import type { ServerResponse } from 'node:http';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
 import { firstPartCheck } from './building/firstPart.js';
+import { formSources } from './building/formSources.js';
 import { shortShaders } from './building/shortShaders.js';
 import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
 
@@ -28,7 +29,7 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
-    plugins: [shortShaders, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
+    plugins: [shortShaders, formSources, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
     resolve: {
       alias: {
         // Named in both cases: left alone, the name would be resolved by the paths in tsconfig.json, to the source again.

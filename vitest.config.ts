@@ -1,8 +1,10 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
+import { formSources } from './building/formSources.js';
 
 /** Tests that need no browser: pure code, and the double-precision reference. */
 export default defineConfig({
+  plugins: [formSources],
   resolve: { alias: { 'three-hatching': fileURLToPath(new URL('./src/index.ts', import.meta.url)) } },
   test: {
     environment: 'node',

@@ -16,7 +16,7 @@ import { round } from './round.js';
 export interface DrawingSample {
   /** Import declarations. */
   imports: string;
-  /** The declaration of `drawHatching(canvas)`. */
+  /** The declaration of `drawHatching(canvas)`, and of functions that it calls. */
   code: string;
   /** What somebody has to know who puts the module to use. */
   note: string | undefined;
@@ -54,10 +54,10 @@ export function drawingSample(shown: CodeDrawing): DrawingSample {
     imports: [
       `import { ${names('three')} } from 'three';`,
       "import { OrbitControls } from 'three/addons/controls/OrbitControls.js';",
-      ...source.imports,
+      ...new Set(source.imports),
       `import { ${names('hatching')} } from 'three-hatching';`,
     ].join('\n'),
-    code: `/** Draws into a canvas, which keeps its size by itself. Rejects with an Error if the model cannot be loaded. */
+    code: `${source.functions ? `${source.functions}\n\n` : ''}/** Draws into a canvas, which keeps its size by itself. Rejects with an Error if the model cannot be loaded. */
 export async function drawHatching(canvas) {
 ${body}
 }`,

@@ -1,4 +1,6 @@
+import forms from 'virtual:form-sources';
 import { baseName, extensionOf, withoutGz } from '../files/fileName.js';
+import { BUST_FOOT } from '../models/models.js';
 import type { CodeModel } from './CodeModel.js';
 import { CDN } from './versions.js';
 
@@ -8,6 +10,8 @@ export interface ModelSource {
   imports: string[];
   /** The classes of three.js that it needs. */
   classes: string[];
+  /** Functions that the statements call. */
+  functions?: string;
   /** Statements, of which the last ones declare `model`, an Object3D; and `animations`, if `hasClips`. */
   code: string;
   hasClips?: boolean;
@@ -42,18 +46,22 @@ const LOADERS: Readonly<Record<string, Loader>> = {
   stl: { name: 'STLLoader', gives: 'geometry' },
 };
 
-const DRAGONS: Readonly<Record<string, string>> = {
+const DRAGONS = {
   dragon4: 'dragon_vrip_res4',
   dragon3: 'dragon_vrip_res3',
   dragon2: 'dragon_vrip_res2',
   dragon1: 'dragon_vrip',
-};
+} as const;
 
 /** The code that loads or makes the model that the page shows. */
 export function modelSource({ model, title }: CodeModel): ModelSource {
   if (model === 'file') return fileSource(title);
-  if (model in DRAGONS) return gzippedSource(`${CDN.dragon}/models/${DRAGONS[model]}.ply.gz`, 'ply');
   switch (model) {
+    case 'dragon4':
+    case 'dragon3':
+    case 'dragon2':
+    case 'dragon1':
+      return gzippedSource(`${CDN.dragon}/models/${DRAGONS[model]}.ply.gz`, 'ply');
     case 'bunny':
       return {
         imports: ["import * as bunny from 'bunny';"],
@@ -79,13 +87,40 @@ ${MAKE_MESH}`,
       };
     case 'sphere':
       return shapeSource('new IcosahedronGeometry(1, 12)', [], ['IcosahedronGeometry']);
-    default:
+    case 'fish': {
+      const { code: functions, ...source } = forms.makeFish;
+      return { ...source, functions, code: 'const { root: model, animations } = makeFish();', hasClips: true };
+    }
+    case 'bust':
       return {
-        imports: [],
-        classes: ['TorusKnotGeometry', ...MESH],
-        code: `const geometry = new TorusKnotGeometry(1, 0.34, 320, 48);\n${MAKE_MESH}`,
-        note: `The playground makes its model "${title}" by itself. This knot stands in for it.`,
+        imports: [
+          "import * as bust from 'snowden/lo.js';",
+          "import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';",
+        ],
+        classes: ['BufferGeometry', 'Float32BufferAttribute', ...MESH],
+        code: `const { positions, cells } = bust.default ?? bust;
+// Two stray triangles hang far below it.
+const corners = cells.filter((cell) => cell.every((i) => positions[i][1] >= ${BUST_FOOT})).flat();
+const shape = new BufferGeometry();
+shape.setAttribute('position', new Float32BufferAttribute(corners.flatMap((i) => positions[i]), 3));
+const geometry = mergeVertices(shape, 1e-6);
+${MAKE_MESH}`,
       };
+    case 'hand':
+      return {
+        imports: [importOf(GLTF)],
+        classes: ['Group', 'MeshStandardMaterial'],
+        code: `const { scene: hand } = await new GLTFLoader().loadAsync('${CDN.hand}/dist/profiles/generic-hand/right.glb');
+hand.traverse((object) => {
+  if (object.isMesh) object.material = new MeshStandardMaterial(); // not the grey of a glove
+});
+const model = new Group().add(hand);
+model.quaternion.set(Math.SQRT1_2, 0, Math.SQRT1_2, 0); // its fingers up, its back to the viewer`,
+      };
+    default: {
+      const { imports, classes, code: functions } = forms[model];
+      return { ...shapeSource(`${model}()`, imports, classes), functions };
+    }
   }
 }
 

@@ -8,8 +8,9 @@ export const IMPORT_MAP = {
   three: `${CDN.three}/build/three.module.js`,
   'three/addons/': `${CDN.three}/examples/jsm/`,
   'three-hatching': `${CDN.hatching}/dist/index.js`,
-  // Packed as a module, which the package is not.
+  // Packed as modules, which these packages are not.
   bunny: `${CDN.bunny}/+esm`,
+  'snowden/lo.js': `${CDN.bust}/lo.js/+esm`,
   '@pmndrs/assets/': `${CDN.assets}/`,
 } as const;
 

@@ -130,7 +130,7 @@ function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNo
 }
 
 /** The lowest point of the bust, in its file. Two stray triangles hang far below it. */
-const BUST_FOOT = -4.7;
+export const BUST_FOOT = -4.7;
 const isStray = (positions: number[][], cell: number[]): boolean => cell.some((i) => positions[i][1] < BUST_FOOT);
 
 /** One of {@link forms}. */

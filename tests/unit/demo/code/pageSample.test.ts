@@ -1,9 +1,14 @@
 import { readFileSync } from 'node:fs';
+import type { AnimationClip, BufferGeometry, Group } from 'three';
+import * as three from 'three';
+import { mergeGeometries, mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
-import type { CodeDrawing } from '../../../../src/demo/code/CodeModel.js';
+import type { CodeDrawing, CodeModel } from '../../../../src/demo/code/CodeModel.js';
 import { codeForms } from '../../../../src/demo/code/codeForms.js';
+import { modelSource } from '../../../../src/demo/code/modelSource.js';
 import { IMPORT_MAP, moduleSample, pageSample } from '../../../../src/demo/code/pageSample.js';
-import { BUILT_IN_MODELS } from '../../../../src/demo/models/models.js';
+import * as forms from '../../../../src/demo/models/forms.js';
+import { BUILT_IN_MODELS, BUST_FOOT, type BuiltInModel } from '../../../../src/demo/models/models.js';
 import { presetLook } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 
@@ -18,6 +23,18 @@ const drawing = (model: Partial<CodeDrawing['model']>, settings: Partial<Setting
 /** Throws a SyntaxError if a module's text is no JavaScript. Nothing is run. */
 function parse(text: string): void {
   new Function(`return async () => { ${text.replace(/^import .*$/gm, '').replace('export async', 'async')} }`);
+}
+
+const EVERYTHING: Record<string, unknown> = { ...three, mergeGeometries, mergeVertices };
+
+/** Runs the code that makes a model. @returns the value of `result` after it */
+function run(model: Pick<CodeModel, 'model' | 'title'>, result: string, imported: object = {}): unknown {
+  const { code, classes, functions = '' } = modelSource({ sceneRadius: undefined, isOpen: false, ...model });
+  const names = {
+    ...imported,
+    ...Object.fromEntries([...classes, 'mergeGeometries', 'mergeVertices'].map((name) => [name, EVERYTHING[name]])),
+  };
+  return new Function(...Object.keys(names), `${functions}\n${code}\nreturn ${result};`)(...Object.values(names));
 }
 
 const versionOf = (name: string): string =>
@@ -62,10 +79,10 @@ describe('copied code', () => {
 
   test('names the versions that are installed, and maps every name that it imports', () => {
     expect(IMPORT_MAP.three).toContain(`/three@${versionOf('three')}/`);
-    for (const name of ['bunny', '@pmndrs/assets'] as const) {
+    for (const name of ['bunny', 'snowden', '@pmndrs/assets'] as const) {
       expect(Object.values(IMPORT_MAP).join()).toContain(`/${name}@${versionOf(name)}/`);
     }
-    for (const model of ['bunny', 'suzanne', 'teapot', 'dragon3', 'sphere', 'file'] as const) {
+    for (const model of [...(Object.keys(BUILT_IN_MODELS) as BuiltInModel[]), 'file'] as const) {
       const html = pageSample(drawing({ model, title: 'bust.glb' }));
       const map = JSON.parse(/<script type="importmap">(.*?)<\/script>/s.exec(html)![1]) as {
         imports: Record<string, string>;
@@ -77,6 +94,25 @@ describe('copied code', () => {
         expect(found, name).toBe(true);
       }
     }
+  });
+
+  test.each(Object.entries(forms))('makes the very form that the page draws: %s', (name, form) => {
+    const model = name as keyof typeof forms;
+    const geometry = run({ model, title: model }, 'geometry') as BufferGeometry;
+    const drawn = mergeVertices(form().deleteAttribute('uv').deleteAttribute('normal'), 1e-4);
+    expect(geometry.attributes.position.array).toEqual(drawn.attributes.position.array);
+    expect(geometry.attributes.position.count).toBeGreaterThan(1000);
+  });
+
+  test('makes the fish with its bones and clips, and the bust without its stray triangles', async () => {
+    const [fish, clips] = run({ model: 'fish', title: 'Fish' }, '[model, animations]') as [Group, AnimationClip[]];
+    expect(clips.map(({ name }) => name)).toEqual(['Swim', 'Dart']);
+    expect(fish.getObjectByName('spine9')).toBeDefined();
+
+    const bust = run({ model: 'bust', title: 'Bust' }, 'geometry', { bust: await import('snowden/lo.js') });
+    const { attributes } = bust as BufferGeometry;
+    expect(Math.min(...attributes.position.array.filter((_, i) => i % 3 === 1))).toBeGreaterThanOrEqual(BUST_FOOT);
+    expect(attributes.position.count).toBeGreaterThan(1000);
   });
 
   test('keeps names of files to themselves', () => {
