@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test';
 import { expect, test } from '../browser/test.js';
 import { openPlayground } from './playground.js';
 
@@ -10,6 +11,7 @@ function findFaults(): string[] {
   const faults: string[] = [];
   const nameOf = (element: Element) =>
     `${element.id || element.className} "${element.textContent?.trim().slice(0, 24)}"`;
+  const middleOf = ({ left, right, top, bottom }: DOMRect) => ({ x: (left + right) / 2, y: (top + bottom) / 2 });
   const shown = (selector: string) =>
     [...document.querySelectorAll<HTMLElement>(selector)].filter((element) => element.checkVisibility());
   const groups = [
@@ -45,10 +47,41 @@ function findFaults(): string[] {
     if (card.scrollHeight > card.clientHeight + 1 && getComputedStyle(card).overflowY === 'visible')
       faults.push(`${nameOf(card)} holds more than it shows`);
   }
+  const rows = new Set(shown('.bar > *').map((element) => Math.round(middleOf(element.getBoundingClientRect()).y)));
+  if (rows.size > 1 && matchMedia('(min-width: 51.25em)').matches) faults.push('the bar takes two rows');
   for (const element of shown('[hidden]')) faults.push(`${nameOf(element)} shows, though it is hidden`);
   const { scrollWidth } = document.documentElement;
   if (scrollWidth > innerWidth) faults.push(`the page is ${scrollWidth} pixels wide`);
   return faults;
+}
+
+/** What cannot be used: controls that no scrolling brings into the window, or that something else lies over. */
+function findUnreachable(): string[] {
+  const faults: string[] = [];
+  const all = document.querySelectorAll<HTMLElement>('button, a[href], select, input, [tabindex="0"]');
+  for (const element of all) {
+    if (!element.checkVisibility() || element.closest('.visually-hidden, :disabled')) continue;
+    element.scrollIntoView({ block: 'nearest' });
+    const { left, right, top, bottom } = element.getBoundingClientRect();
+    const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+    const hit = document.elementFromPoint(x, y);
+    // The lamp and the sentences about the drawing lie over it.
+    if (hit && (element.contains(hit) || element.id === 'drawing')) continue;
+    const over = hit ? `under ${hit.id || hit.className || hit.tagName}` : 'outside of the window';
+    faults.push(`${element.id || element.className} "${element.textContent?.trim().slice(0, 24)}" is ${over}`);
+  }
+  return faults;
+}
+
+/** Opens the settings, where they are closed, and every fold of them. */
+async function openAll(page: Page): Promise<void> {
+  const toggle = page.getByRole('button', { name: 'Settings' });
+  if ((await toggle.isVisible()) && (await toggle.getAttribute('aria-expanded')) === 'false') await toggle.click();
+  await page.evaluate(() => {
+    // As after a model of one's own: the bar is as full as it can be.
+    document.getElementById('open-recent')!.hidden = false;
+    for (const title of document.querySelectorAll<HTMLElement>('.lil-gui .lil-closed > .lil-title')) title.click();
+  });
 }
 
 test('nothing overlaps, is cut off or sticks out, at eight widths and in three fonts', async ({ page }) => {
@@ -61,9 +94,40 @@ test('nothing overlaps, is cut off or sticks out, at eight widths and in three f
     }, font);
     for (const width of WIDTHS) {
       await page.setViewportSize({ width, height: 500 });
-      const toggle = page.getByRole('button', { name: 'Settings' });
-      if ((await toggle.isVisible()) && (await toggle.getAttribute('aria-expanded')) === 'false') await toggle.click();
+      await openAll(page);
       expect.soft(await page.evaluate(findFaults), `${width} pixels, ${font || 'the font of the page'}`).toEqual([]);
     }
   }
+});
+
+test.describe('at 200 %', () => {
+  test.use({ deviceScaleFactor: 2, viewport: { width: 640, height: 512 } });
+
+  test('nothing is cut off or out of reach: the page twice as large, or its letters alone', async ({ page }) => {
+    await openPlayground(page, 'model=cube&lines=off');
+    // Windows of 1,280 × 1,024, 1,366 × 768 and 1,920 × 1,080 pixels: what is left of them at twice the size.
+    for (const [width, height] of [
+      [640, 512],
+      [683, 384],
+      [960, 540],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await openAll(page);
+      const faults = [...(await page.evaluate(findFaults)), ...(await page.evaluate(findUnreachable))];
+      expect.soft(faults, `${width} × ${height}, twice as large`).toEqual([]);
+    }
+    // Letters twice as large as usual, as a browser can be set to.
+    const session = await page.context().newCDPSession(page);
+    await session.send('Page.setFontSizes', { fontSizes: { standard: 32, fixed: 26 } });
+    for (const [width, height] of [
+      [1280, 1024],
+      [1920, 1080],
+      [640, 1024],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await openAll(page);
+      const faults = [...(await page.evaluate(findFaults)), ...(await page.evaluate(findUnreachable))];
+      expect.soft(faults, `${width} × ${height}, large letters`).toEqual([]);
+    }
+  });
 });
