@@ -44,6 +44,7 @@ export default defineConfig(
       include: [
         'three',
         'lil-gui',
+        'mediabunny',
         'bunny',
         'snowden/lo.js',
         '@pmndrs/assets/models/suzi.glb.js',

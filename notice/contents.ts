@@ -71,6 +71,15 @@ export const PARTS: readonly Part[] = [
     from: 'lil-gui',
   },
   {
+    name: 'Mediabunny',
+    use: 'puts recorded frames into video files',
+    by: 'Vanilagy, and the Mediabunny contributors',
+    address: 'https://github.com/Vanilagy/mediabunny, where its source is, as in the npm package mediabunny',
+    licence: 'MPL-2.0',
+    licenceFile: 'node_modules/mediabunny/LICENSE',
+    from: 'mediabunny',
+  },
+  {
     name: 'Stanford dragon',
     use: 'a model',
     by: 'Stanford Computer Graphics Laboratory',

@@ -1,14 +1,11 @@
-import type { Report } from '../drawing/Report.js';
 import type { Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
-import { LAYERS } from '../stage/layers.js';
 import { copyText } from './copyText.js';
 import { download } from './download.js';
 import { fileStem } from './fileStem.js';
 import type { ModelLoader } from './ModelLoader.js';
 import { zipMap } from './mapFiles.js';
-import { page } from './page.js';
-import { raiseCurtain } from './raiseCurtain.js';
+import type { SaveDrawing } from './SaveDrawing.js';
 import type { Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 import type { TaskRunner } from './TaskRunner.js';
@@ -25,7 +22,13 @@ export class ExportActions {
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
-  readonly savePng = async (): Promise<void> => {
+  readonly savePng = (): Promise<void> => this.save(async () => (await import('./savePicture.js')).savePicture);
+
+  /** Records the video that the settings ask for, frame by frame. */
+  readonly saveVideo = (): Promise<void> => this.save(async () => (await import('./saveVideo.js')).saveVideo);
+
+  /** Draws and saves by what `fetchSave` fetches. Nothing else is saved meanwhile. */
+  private async save(fetchSave: () => Promise<SaveDrawing>): Promise<void> {
     const { scene, status } = this;
     if (this.tasks.isRunning('picture')) return;
     if (scene.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
@@ -34,40 +37,11 @@ export class ExportActions {
       const settings = { ...this.settings };
       let sentence = '';
       const end = await this.tasks.run('picture', async (report, signal) => {
-        sentence = await this.draw(settings, report, signal);
+        const save = await fetchSave();
+        signal.throwIfAborted();
+        sentence = await save(scene, settings, fileStem(this.modelLoader.title), report, signal);
       });
       if (end === 'done') status.say(sentence);
-    }
-  };
-
-  private async draw(settings: Settings, report: Report, signal: AbortSignal): Promise<string> {
-    const { scene } = this;
-    const name = fileStem(this.modelLoader.title);
-    const { drawPicture, cutToDrawing, planPrint, zipBlobs, describePrint } = await import('../print/print.js');
-    const { clientWidth: width, clientHeight: height } = page.viewport;
-    const lower = raiseCurtain(scene);
-    try {
-      const whole = planPrint(settings, { width, height });
-      scene.hold(Math.max(whole.width, whole.height));
-      const plan = settings.pictureCrop === 'drawing' ? await cutToDrawing(scene, whole, signal) : whole;
-      const progressOf = (part: number, parts: number) => (progress: number) =>
-        report('drawing the picture', (part + progress) / parts);
-      if (settings.pictureLayers === 'one') {
-        const look = { ground: settings.pictureGround };
-        download(await drawPicture(scene, plan, look, { signal, onProgress: progressOf(0, 1) }), `${name}.png`);
-      } else {
-        const files: { name: string; content: Blob }[] = [];
-        for (const [i, layer] of LAYERS.entries()) {
-          const options = { signal, onProgress: progressOf(i, LAYERS.length) };
-          const content = await drawPicture(scene, plan, { ground: 'transparent', layer }, options);
-          files.push({ name: `${name}-${i + 1}-${layer}.png`, content });
-        }
-        download(await zipBlobs(files), `${name}-layers.zip`);
-      }
-      return `Saved: ${describePrint(plan)}.`;
-    } finally {
-      scene.release();
-      lower();
     }
   }
 

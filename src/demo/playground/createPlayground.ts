@@ -135,6 +135,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
             : []),
           { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
           { label: 'Code and embedding', group: 'Picture', run: openCode },
+          { label: 'Record a video', group: 'Video', run: exportActions.saveVideo },
         ],
         (key) => {
           if (key === 'model') modelLoader.changeModel();

@@ -24,6 +24,8 @@ export async function loadMapFiles(
 
 /** All files of a map in one archive. PNG images are compressed already, so they are stored as they are. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
-  const { zipBlobs } = await import('../print/zipBlobs.js');
-  return zipBlobs((await map.save()).map((file) => ({ name: file.name, content: file })));
+  const { ZipWriter } = await import('../print/ZipWriter.js');
+  const zip = new ZipWriter();
+  for (const file of await map.save()) await zip.add(file.name, file);
+  return zip.end();
 }

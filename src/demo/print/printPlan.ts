@@ -29,8 +29,8 @@ export interface PrintPlan {
   dpi: number;
 }
 
-/** A size in CSS pixels. */
-interface Size {
+/** A size in pixels: CSS pixels, of the page's view. */
+export interface Size {
   width: number;
   height: number;
 }
@@ -69,10 +69,15 @@ export function planPrint(settings: Settings, view: Size): PrintPlan {
   }
   const dpi = Number(settings.pictureDpi);
   const [width, height] = [toPixels(sheet[0], dpi), toPixels(sheet[1], dpi)];
+  return { ...placeView({ width, height }, view), dpi };
+}
+
+/** Places the whole view of the page in the middle of a picture, as large as can be. @param picture its size in pixels */
+export function placeView({ width, height }: Size, view: Size): Omit<PrintPlan, 'dpi'> {
   const scale = Math.min(width / view.width, height / view.height);
   const [viewWidth, viewHeight] = [view.width * scale, view.height * scale];
   return {
-    ...{ width, height, viewWidth, viewHeight, scale, dpi },
+    ...{ width, height, viewWidth, viewHeight, scale },
     left: -Math.round((width - viewWidth) / 2),
     top: -Math.round((height - viewHeight) / 2),
   };

@@ -27,5 +27,15 @@ export interface ColorSetting extends SettingBase<string> {
 export type Setting = NumberSetting | ChoiceSetting | ColorSetting;
 
 /** Groups of the panel, in order. The first is open, the others are folded. */
-export const SETTING_GROUPS = ['Drawing', 'More', 'Lines', 'Tone', 'Colours', 'Light', 'View', 'Picture'] as const;
+export const SETTING_GROUPS = [
+  'Drawing',
+  'More',
+  'Lines',
+  'Tone',
+  'Colours',
+  'Light',
+  'View',
+  'Picture',
+  'Video',
+] as const;
 export type SettingGroup = (typeof SETTING_GROUPS)[number];

@@ -631,6 +631,47 @@ export const SETTINGS = {
     default: 'paper',
     choices: { paper: 'Paper', transparent: 'Transparent', strokes: 'Transparent, strokes alone' },
   },
+  videoMotion: {
+    kind: 'choice',
+    label: 'Motion',
+    group: 'Video',
+    default: 'turn',
+    choices: {
+      turn: 'The model turns',
+      sweep: 'The light goes around',
+      swing: 'The light swings',
+      clip: 'The model’s own',
+    },
+  },
+  videoSize: {
+    kind: 'choice',
+    label: 'Frame',
+    group: 'Video',
+    default: '1920x1080',
+    choices: {
+      page: 'As on the page',
+      '1280x720': '1,280 × 720 px',
+      '1920x1080': '1,920 × 1,080 px',
+      '3840x2160': '3,840 × 2,160 px',
+      '1080x1080': '1,080 × 1,080 px',
+      '1080x1920': '1,080 × 1,920 px',
+    },
+  },
+  videoSeconds: { kind: 'number', label: 'Length', group: 'Video', default: 6, unit: 's', min: 1, max: 30, step: 1 },
+  videoRate: {
+    kind: 'choice',
+    label: 'Frames',
+    group: 'Video',
+    default: '30',
+    choices: { 12: '12 a second', 24: '24 a second', 30: '30 a second', 60: '60 a second' },
+  },
+  videoForm: {
+    kind: 'choice',
+    label: 'Saved as',
+    group: 'Video',
+    default: 'video',
+    choices: { video: 'A video', frames: 'Pictures, in a ZIP' },
+  },
 } as const satisfies Record<string, Setting>;
 
 export type SettingKey = keyof typeof SETTINGS;

@@ -76,6 +76,11 @@ export class View {
     this.onChange();
   };
 
+  /** What the model is framed by, as {@link fitCamera} takes it. */
+  get framing(): { outline: ArrayLike<number>; first: Vector3; fill: number } {
+    return { outline: this.outline, first: this.first, fill: FILL };
+  }
+
   /**
    * Sets the outline of a new model, or of one that was turned.
    *

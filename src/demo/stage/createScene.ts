@@ -52,6 +52,14 @@ interface TiledPicture {
   scale: number;
 }
 
+/** A part of a picture, in its pixels. */
+interface Part {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
 /** How a picture is drawn: on which ground, and what of it. */
 export interface PictureLook {
   ground: Settings['pictureGround'];
@@ -238,6 +246,21 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     draw();
   }
 
+  function drawPart({ viewWidth, viewHeight, left, top, scale }: TiledPicture, { x, y, width, height }: Part): void {
+    if (isOutdated) throw new Error('The drawing was changed while it was being saved; save it again.');
+    // Even the same size would give the canvas new memory.
+    if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
+    camera.setViewOffset(viewWidth, viewHeight, left + x, top + y, width, height);
+    drawTile({ viewWidth, x: left + x, width, height }, scale);
+    camera.clearViewOffset();
+    throwIfLost();
+  }
+
+  function throwIfLost(): void {
+    if (context.isContextLost())
+      throw new Error('The graphics card gave up at a picture of this size; choose a smaller one.');
+  }
+
   /** Shows or hides the paper. Without it, only strokes are drawn. */
   function showPaper(shown: boolean): void {
     model?.showPaper(shown);
@@ -318,10 +341,12 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   resize();
 
   return {
+    canvas,
     renderer,
     scene,
     camera,
     view,
+    lights,
     lightPosition: lights.position,
     secondLightPosition: lights.secondPosition,
     draw,
@@ -363,27 +388,29 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     },
 
     /**
+     * Draws one tile of a picture that was begun into the canvas, which keeps it until the end of the task.
+     *
+     * @param tile its place in the picture, in pixels
+     * @throws Error with a sentence for the user
+     */
+    drawPart,
+
+    /**
      * Draws one tile of a picture that was begun, and reads its pixels: RGBA multiplied with alpha, the lowest row first.
      *
      * @param tile its place in the picture, in pixels
      * @param pixels to be filled
      * @throws Error with a sentence for the user
      */
-    readTile(
-      { viewWidth, viewHeight, left, top, scale }: TiledPicture,
-      { x, y, width, height }: { x: number; y: number; width: number; height: number },
-      pixels: Uint8Array,
-    ): void {
-      if (isOutdated) throw new Error('The drawing was changed while it was being saved; save it again.');
-      // Even the same size would give the canvas new memory.
-      if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
-      camera.setViewOffset(viewWidth, viewHeight, left + x, top + y, width, height);
-      drawTile({ viewWidth, x: left + x, width, height }, scale);
-      camera.clearViewOffset();
-      // In one task, because the canvas does not keep its content for longer.
-      context.readPixels(0, 0, width, height, context.RGBA, context.UNSIGNED_BYTE, pixels);
-      if (context.isContextLost())
-        throw new Error('The graphics card gave up at a picture of this size; choose a smaller one.');
+    readTile(picture: TiledPicture, tile: Part, pixels: Uint8Array): void {
+      drawPart(picture, tile);
+      context.readPixels(0, 0, tile.width, tile.height, context.RGBA, context.UNSIGNED_BYTE, pixels);
+      throwIfLost();
+    },
+
+    /** Has shadows drawn anew, because something has moved that casts or throws them. */
+    outdateShadows(): void {
+      renderer.shadowMap.needsUpdate = true;
     },
 
     /** Calls back after each frame. */

@@ -12,7 +12,7 @@ const ALLOWED = new Set([
   'Apache-2.0',
   'MIT OR Apache-2.0',
   'CC0-1.0',
-  // Of Vite's tool for style sheets, which is not in what it builds.
+  // Of Vite's tool for style sheets, which is not in what it builds, and of Mediabunny, whose files are in the playground as they are.
   'MPL-2.0',
 ]);
 

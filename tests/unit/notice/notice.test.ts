@@ -23,6 +23,7 @@ describe('NOTICE.txt', () => {
       'three.js authors',
       'Copyright (c) 2019 Amazon',
       'Arseny Kapoulkine',
+      'Mozilla Public License Version 2.0',
       'Stanford Computer Graphics Laboratory',
       'END OF TERMS AND CONDITIONS',
     ])

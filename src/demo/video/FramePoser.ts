@@ -1,0 +1,80 @@
+import { MathUtils, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { drawnSettings } from '../settings/drawnSettings.js';
+import type { Settings } from '../settings/settings.js';
+import type { HatchingScene } from '../stage/createScene.js';
+import { fitCamera } from '../stage/framing.js';
+import { turnedOutlines } from './turnedOutlines.js';
+
+/** What a frame of a video shows otherwise than the page does. */
+export interface FramePose {
+  /** By how much the model is turned, with what stands around it, in degrees. */
+  turn: number;
+  /** By how much the light is moved around the model, in degrees. */
+  light: number;
+  /** How far the model's clip is, in seconds; undefined leaves it as it is. */
+  clipTime: number | undefined;
+}
+
+const UP = new Vector3(0, 1, 0);
+
+/** Moves the camera, the light and the model's clip for the frames of a video. The camera goes around where the model turns. */
+export class FramePoser {
+  private readonly clipTime: number | undefined;
+  private readonly position = new Vector3();
+  private readonly quaternion = new Quaternion();
+  /** Where the first frame is seen from, and what the camera looks at there. */
+  private readonly first = new Vector3();
+  private readonly target: Vector3;
+  private readonly settings: Settings;
+
+  /**
+   * A model that is framed on the page is framed in the video, in every turn; otherwise the frames show the view of the page.
+   *
+   * @param aspect of the frames
+   * @param turns whether the model will turn
+   */
+  constructor(
+    private readonly scene: HatchingScene,
+    settings: Settings,
+    aspect: number,
+    turns: boolean,
+  ) {
+    const { camera, view, model } = scene;
+    this.settings = drawnSettings(settings);
+    this.clipTime = model?.motion?.time;
+    this.position.copy(camera.position);
+    this.quaternion.copy(camera.quaternion);
+    this.target = view.isFramed ? frame(scene, camera, aspect, turns) : view.controls.target.clone();
+    this.first.copy(camera.position);
+  }
+
+  pose({ turn, light, clipTime }: FramePose): void {
+    const { scene, settings } = this;
+    const { camera, lights, model } = scene;
+    const around = MathUtils.degToRad(-turn);
+    camera.position.copy(this.first).applyAxisAngle(UP, around);
+    camera.lookAt(this.target.clone().applyAxisAngle(UP, around));
+    lights.apply({ ...settings, lightAzimuth: settings.lightAzimuth + light });
+    lights.place(camera);
+    if (model?.motion && clipTime !== undefined) model.motion.time = clipTime;
+    scene.outdateShadows();
+  }
+
+  /** Puts back what was moved, but for the camera's aspect, which the scene sets when it is released. */
+  restore(): void {
+    const { camera, lights, model } = this.scene;
+    camera.position.copy(this.position);
+    camera.quaternion.copy(this.quaternion);
+    lights.apply(this.settings);
+    if (model?.motion && this.clipTime !== undefined) model.motion.time = this.clipTime;
+    this.scene.outdateShadows();
+  }
+}
+
+/** @returns what the camera looks at */
+function frame({ view }: HatchingScene, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
+  const { outline, first, fill } = view.framing;
+  camera.aspect = aspect;
+  camera.updateProjectionMatrix();
+  return fitCamera(camera, turns ? turnedOutlines(outline) : outline, first, 1, fill);
+}

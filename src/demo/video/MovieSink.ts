@@ -1,0 +1,72 @@
+import {
+  BufferTarget,
+  CanvasSource,
+  getFirstEncodableVideoCodec,
+  Mp4OutputFormat,
+  Output,
+  Quality,
+  WebMOutputFormat,
+} from 'mediabunny';
+import type { FrameSink } from './FrameSink.js';
+import { stampOf, type VideoPlan } from './videoPlan.js';
+
+/** The codecs in the order of how many programs show them. */
+const CODECS = ['avc', 'vp9', 'vp8'] as const;
+const NAMES = { avc: 'H.264 in MP4', vp9: 'VP9 in WebM', vp8: 'VP8 in WebM' } as const;
+
+/** Thin strokes suffer first. */
+const QUALITY = new Quality('very-high');
+
+/** Records frames as a film: encoded by the browser, each with its own time, however long it took to draw. */
+export class MovieSink implements FrameSink {
+  readonly extension: string;
+  readonly kind: string;
+  private readonly target = new BufferTarget();
+  private readonly output: Output;
+  private readonly source: CanvasSource;
+
+  private constructor(
+    private readonly plan: VideoPlan,
+    canvas: HTMLCanvasElement,
+    codec: (typeof CODECS)[number],
+  ) {
+    const format = codec === 'avc' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
+    this.extension = format.fileExtension;
+    this.kind = NAMES[codec];
+    this.output = new Output({ format, target: this.target });
+    this.source = new CanvasSource(canvas, { codec, quality: QUALITY, keyFrameInterval: 1 });
+    this.output.addVideoTrack(this.source, { frameRate: plan.rate });
+  }
+
+  /**
+   * Begins a film with the first codec that the browser can encode in the size of the frames.
+   *
+   * @returns undefined if there is none
+   */
+  static async begin(plan: VideoPlan, canvas: HTMLCanvasElement): Promise<MovieSink | undefined> {
+    const { width, height, rate: frameRate } = plan;
+    const codec = await getFirstEncodableVideoCodec([...CODECS], { width, height, quality: QUALITY, frameRate });
+    if (codec === null) return undefined;
+    const sink = new MovieSink(plan, canvas, codec as (typeof CODECS)[number]);
+    await sink.output.start();
+    return sink;
+  }
+
+  add(_: HTMLCanvasElement, frame: number): Promise<void> {
+    const { time, duration } = stampOf(this.plan, frame);
+    return this.source.add(time, duration).catch(giveUp);
+  }
+
+  async end(): Promise<Blob> {
+    await this.output.finalize().catch(giveUp);
+    return new Blob([this.target.buffer!], { type: this.output.format.mimeType });
+  }
+
+  async abort(): Promise<void> {
+    await this.output.cancel();
+  }
+}
+
+function giveUp(cause: unknown): never {
+  throw new Error('The browser gave up encoding the video; choose smaller frames, or pictures in a ZIP.', { cause });
+}

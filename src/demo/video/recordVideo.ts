@@ -1,0 +1,93 @@
+import type { Size } from '../print/printPlan.js';
+import type { Settings } from '../settings/settings.js';
+import type { HatchingScene } from '../stage/createScene.js';
+import { FramePoser } from './FramePoser.js';
+import type { FrameSink } from './FrameSink.js';
+import { MovieSink } from './MovieSink.js';
+import { PicturesSink } from './PicturesSink.js';
+import { placeOnFrame, planVideo, poseOf, type VideoPlan } from './videoPlan.js';
+
+export interface RecordOptions {
+  /** Size of the page's view, in CSS pixels. */
+  view: Size;
+  /** Of the pictures, if that is what is saved. */
+  name: string;
+  signal: AbortSignal;
+  onProgress: (progress: number) => void;
+  /** Called after each frame, while the canvas still shows it. */
+  onFrame: (canvas: HTMLCanvasElement) => void;
+}
+
+/** A recorded video, and what it is in one sentence. */
+export interface Recording {
+  content: Blob;
+  extension: string;
+  sentence: string;
+}
+
+/**
+ * Records the video that the settings ask for, frame by frame, however long each takes. The scene must be held meanwhile. Where the
+ * browser encodes no video, the frames are saved as pictures.
+ *
+ * @throws Error with a sentence for the user
+ */
+export async function recordVideo(
+  scene: HatchingScene,
+  settings: Settings,
+  { view, name, signal, onProgress, onFrame }: RecordOptions,
+): Promise<Recording> {
+  const { videoMotion } = settings;
+  const motion = scene.model?.motion;
+  const clip = motion?.isPlaying && motion.duration > 0 ? motion : undefined;
+  if (videoMotion === 'clip' && !clip)
+    throw new Error('This model does not move by itself just now; choose another motion for the video.');
+  const plan = planVideo(settings, view);
+  const start = clip && { duration: clip.duration, time: clip.time, speed: clip.speed };
+  const { canvas } = scene;
+  const { width, height } = plan;
+  const place = placeOnFrame(plan, view, scene.view.isFramed);
+  scene.beginPicture({ ground: 'paper' });
+  const poser = new FramePoser(scene, settings, width / height, videoMotion === 'turn');
+  let sink: FrameSink | undefined;
+  try {
+    const movie = settings.videoForm === 'video' ? await MovieSink.begin(plan, canvas) : undefined;
+    sink = movie ?? new PicturesSink(plan, name);
+    for (let frame = 0; frame < plan.frames; frame++) {
+      // The page goes on living between two frames: Cancel is heard.
+      await nextTask();
+      signal.throwIfAborted();
+      poser.pose(poseOf(plan, frame, videoMotion, start));
+      scene.drawPart(place, { x: 0, y: 0, width, height });
+      const taken = sink.add(canvas, frame);
+      onFrame(canvas);
+      await taken;
+      onProgress((frame + 1) / plan.frames);
+    }
+    const content = await sink.end();
+    const fallback = settings.videoForm === 'video' && !movie ? ' This browser encodes no video of that size.' : '';
+    return { content, extension: sink.extension, sentence: `Saved: ${describe(plan, sink.kind)}.${fallback}` };
+  } catch (error) {
+    await sink?.abort();
+    throw error;
+  } finally {
+    poser.restore();
+    scene.endPicture();
+  }
+}
+
+/** Waits for a task of its own. Unlike timers, such tasks are not put off in a tab that is hidden. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}
+
+function describe({ width, height, frames, rate }: VideoPlan, kind: string): string {
+  const size = `${width.toLocaleString('en')} × ${height.toLocaleString('en')} px`;
+  return `${size}, ${frames / rate} s with ${rate} frames a second, ${kind}`;
+}

@@ -1,0 +1,141 @@
+import { readFile } from 'node:fs/promises';
+import type { Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { unzipSync } from 'three/addons/libs/fflate.module.js';
+import { expect, test } from '../browser/test.js';
+import { changedShare } from './pictures.js';
+import { openPlayground, readDrawing, ready } from './playground.js';
+
+test.use({ viewport: { width: 560, height: 420 }, contextOptions: { reducedMotion: 'reduce' } });
+
+const LOOK = 'technique=anchored&model=cube&mapSize=64&mapTones=4&lines=off&videoSize=page&videoSeconds=1&videoRate=12';
+
+/** Records by the keyboard alone, and returns the file with its name. */
+async function record(page: Page): Promise<{ name: string; content: Buffer }> {
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Record a video' }).press('Enter');
+  const file = await download;
+  return { name: file.suggestedFilename(), content: await readFile(await file.path()) };
+}
+
+/** What a browser plays of a video: its facts, its first picture, and those at some times, as data URLs. */
+async function play(page: Page, content: Buffer, times: readonly number[]) {
+  return page.evaluate(
+    async ([base64, seconds]) => {
+      const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+      const video = document.createElement('video');
+      video.muted = true;
+      const when = (event: string) =>
+        new Promise((resolve, reject) => {
+          video.addEventListener(event, resolve, { once: true });
+          video.addEventListener('error', () => reject(new Error(video.error?.message)), { once: true });
+        });
+      const isLoaded = when('loadeddata');
+      video.src = URL.createObjectURL(new Blob([bytes]));
+      await isLoaded;
+      const { videoWidth: width, videoHeight: height, duration } = video;
+      const canvas = Object.assign(document.createElement('canvas'), { width, height });
+      const pictures: string[] = [];
+      const keep = () => {
+        canvas.getContext('2d')!.drawImage(video, 0, 0);
+        pictures.push(canvas.toDataURL());
+      };
+      keep();
+      for (const time of seconds) {
+        // Sought is sooner than shown.
+        const isThere = new Promise((resolve) => video.requestVideoFrameCallback(resolve));
+        video.currentTime = time;
+        await isThere;
+        keep();
+      }
+      return { width, height, duration, pictures };
+    },
+    [content.toString('base64'), times] as const,
+  );
+}
+
+const decoded = (address: string): PNG => PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+
+test('a turntable is recorded as a video that plays, or as pictures; Cancel leaves the drawing as it was', async ({
+  page,
+  context,
+}) => {
+  // The codec that every Chromium has, whatever others this one knows.
+  await page.addInitScript(() => {
+    const ask = VideoEncoder.isConfigSupported.bind(VideoEncoder);
+    VideoEncoder.isConfigSupported = async (config) =>
+      config.codec === 'vp8' ? ask(config) : { supported: false, config };
+  });
+  await openPlayground(page, LOOK);
+  await page.getByRole('button', { name: 'Settings' }).click();
+  await page.getByRole('button', { name: 'Video', exact: true }).click();
+  const size = await page.locator('#viewport').evaluate(({ clientWidth, clientHeight }) => ({
+    width: 2 * Math.round(clientWidth / 2),
+    height: 2 * Math.round(clientHeight / 2),
+  }));
+
+  const { name, content } = await record(page);
+  expect(name).toBe('cube.webm');
+  await expect(page.locator('#status')).toHaveText(
+    `Saved: ${size.width} × ${size.height} px, 1 s with 12 frames a second, VP8 in WebM.`,
+  );
+  await expect(page.locator('.curtain')).toHaveCount(0);
+
+  const player = await context.newPage();
+  await player.goto('./tests/browser/blank.html');
+  const film = await play(player, content, [0.26, 0.51, 0.97]);
+  expect([film.width, film.height]).toEqual([size.width, size.height]);
+  expect(film.duration).toBeCloseTo(1, 2);
+  const [first, quarter, half, last] = film.pictures.map(decoded);
+  await test.info().attach('first', { body: PNG.sync.write(first), contentType: 'image/png' });
+  await test.info().attach('last', { body: PNG.sync.write(last), contentType: 'image/png' });
+  expect(changedShare(first, quarter)).toBeGreaterThan(0.02);
+  expect(changedShare(quarter, half)).toBeGreaterThan(0.02);
+  // The last frame is one step before the first.
+  expect(changedShare(first, last)).toBeGreaterThan(0);
+  await player.close();
+
+  // Where nothing is encoded, the frames come as pictures. What was asked once is not asked again: of another size.
+  await page.setViewportSize({ width: 540, height: 420 });
+  await page.evaluate(() => {
+    VideoEncoder.isConfigSupported = async (config) => ({ supported: false, config });
+  });
+  const archive = await record(page);
+  expect(archive.name).toBe('cube.zip');
+  await expect(page.locator('#status')).toContainText('This browser encodes no video of that size.');
+  const files = Object.entries(unzipSync(archive.content));
+  expect(files.map(([path]) => path)).toEqual(
+    Array.from({ length: 12 }, (_, i) => `cube-${String(i + 1).padStart(2, '0')}.png`),
+  );
+  const frames = files.map(([, file]) => PNG.sync.read(Buffer.from(file)));
+  expect(new Set(frames.map(({ width, height }) => `${width} × ${height}`)).size).toBe(1);
+  const steps = frames.map((frame, i) => changedShare(frame, frames[(i + 1) % frames.length]));
+  test.info().annotations.push({ type: 'steps', description: steps.map((step) => step.toFixed(3)).join(' ') });
+  expect(Math.min(...steps)).toBeGreaterThan(0.01);
+  // No step is larger than the others: not the one from the last frame to the first, either.
+  expect(Math.max(...steps)).toBeLessThan(3 * Math.min(...steps));
+
+  await page.getByRole('button', { name: 'Settings' }).click();
+  const shown = await readDrawing(page);
+  await page.getByRole('button', { name: 'Settings' }).click();
+  // What goes wrong can be read beside the open settings.
+  await page.getByRole('combobox', { name: 'Motion' }).selectOption('The model’s own');
+  await page.getByRole('button', { name: 'Record a video' }).press('Enter');
+  const error = page.locator('#status');
+  await expect(error).toContainText('This model does not move by itself just now; choose another motion');
+  expect((await error.boundingBox())!.width).toBeGreaterThan(200);
+  await page.getByRole('combobox', { name: 'Motion' }).selectOption('The light swings');
+
+  const downloads: unknown[] = [];
+  page.on('download', (one) => downloads.push(one));
+  await page.getByRole('button', { name: 'Record a video' }).press('Enter');
+  await expect(page.locator('#status')).toHaveText('Recording the video…');
+  await expect(page.locator('.curtain')).toBeVisible();
+  await page.locator('#cancel').click();
+  await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
+  await expect(page.locator('.curtain')).toHaveCount(0);
+  await page.getByRole('button', { name: 'Settings' }).click();
+  await ready(page);
+  expect(changedShare(shown, await readDrawing(page))).toBe(0);
+  expect(downloads).toEqual([]);
+});
