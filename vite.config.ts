@@ -32,6 +32,7 @@ export default defineConfig(
     plugins: [shortShaders, formSources, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
     resolve: {
       alias: {
+        'three-hatching/react': page(mode === 'use-build' ? './dist/react.js' : './src/react/index.ts'),
         // Named in both cases: left alone, the name would be resolved by the paths in tsconfig.json, to the source again.
         'three-hatching': page(mode === 'use-build' ? './dist/index.js' : './src/index.ts'),
       },

@@ -4,6 +4,7 @@ import { shortShaders } from './building/shortShaders.js';
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   command: { command: 'src/command/main.ts' },
+  react: { react: 'src/react/index.ts' },
 };
 
 /** Vite makes the Blob of an inlined worker when the module is loaded, so no bundler may leave it out. */
@@ -21,7 +22,8 @@ const pureWorkerBlob: Plugin = {
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
  * inlined; with `--mode worker` the same worker as one file, which a page under a strict Content-Security-Policy can serve
- * from its own origin; and with `--mode command` the command for Node.
+ * from its own origin; with `--mode command` the command for Node; and with `--mode react` the components, which import `index` as any
+ * page does, so that there is one copy of it.
  */
 export default defineConfig(
   ({ mode }): UserConfig => ({
@@ -42,10 +44,12 @@ export default defineConfig(
         formats: ['es'],
       },
       rolldownOptions: {
-        external: [/^three($|\/)/, /^node:/],
+        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', 'three-hatching'],
         // What is loaded when it is needed, under its own name; and what several files need.
         output: {
           chunkFileNames: '[name].js',
+          // Says that it runs in the browser, to frameworks that run components on the server.
+          ...(mode === 'react' && { banner: "'use client';" }),
           codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] },
         },
       },

@@ -5,7 +5,12 @@ import { formSources } from './building/formSources.js';
 /** Tests that need no browser: pure code, and the double-precision reference. */
 export default defineConfig({
   plugins: [formSources],
-  resolve: { alias: { 'three-hatching': fileURLToPath(new URL('./src/index.ts', import.meta.url)) } },
+  resolve: {
+    alias: {
+      'three-hatching/react': fileURLToPath(new URL('./src/react/index.ts', import.meta.url)),
+      'three-hatching': fileURLToPath(new URL('./src/index.ts', import.meta.url)),
+    },
+  },
   test: {
     environment: 'node',
     include: ['tests/unit/**/*.test.ts', 'tests/reference/**/*.test.ts'],

@@ -26,7 +26,7 @@ export type {
   ToneNormal,
 } from './material/hatchingProperties.js';
 export { HATCHING_DEFAULTS } from './material/hatchingProperties.js';
-export type { ApplyHatchingOptions } from './scene/applyHatching.js';
+export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
@@ -34,6 +34,7 @@ export { MovingResolution, type MovingResolutionOptions } from './scene/MovingRe
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';
+export { withPreset } from './scene/withPreset.js';
 export type { StrokeStyleName } from './strokes/strokeStyles.js';
 export type { MapDrawing, TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';

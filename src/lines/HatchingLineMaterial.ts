@@ -62,7 +62,8 @@ export class HatchingLineMaterial extends ShaderMaterial {
   shadeWeights: Vector2 = new Vector2(...HATCHING_LINE_DEFAULTS.shadeWeights);
 
   /** @throws RangeError if a number is out of its range */
-  constructor(parameters?: HatchingLineParameters) {
+  // React Three Fiber gives an attribute that is taken away its default only if the constructor counts no parameters.
+  constructor(parameters: HatchingLineParameters | undefined = undefined) {
     super();
     for (const name of LINE_NUMBER_NAMES) this.defineNumber(name);
     this.uniforms = createLineUniforms();

@@ -74,7 +74,7 @@ export class HatchingLines extends Object3D {
    * @param mesh whose lines they are. Left out: the mesh they are a child of.
    * @param look the material, or what it is made from. One that is given is not disposed of with the lines.
    */
-  constructor(mesh?: Mesh | null, look: HatchingLineMaterial | HatchingLineParameters = {}) {
+  constructor(mesh: Mesh | null | undefined = undefined, look: HatchingLineMaterial | HatchingLineParameters = {}) {
     super();
     this.ownMesh = mesh ?? null;
     this.ownsMaterial = !(look instanceof HatchingLineMaterial);

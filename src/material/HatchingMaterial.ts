@@ -95,7 +95,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private announced: Mesh[] = [];
 
   /** @throws Error if a choice is none of the known names, or `toneCurve` no curve. */
-  constructor(parameters?: HatchingMaterialParameters) {
+  // React Three Fiber gives an attribute that is taken away its default only if the constructor counts no parameters.
+  constructor(parameters: HatchingMaterialParameters | undefined = undefined) {
     super();
     this.uniforms = createHatchingUniforms();
     this.lights = true;

@@ -1,4 +1,5 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
+import { identityOf } from '../geometry/identityOf.js';
 import type { HatchingLines } from '../lines/HatchingLines.js';
 import { FIELD_FRAME } from '../material/fieldFrame.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
@@ -20,7 +21,7 @@ export interface MeshLook {
 
 /** A scene hatched by `applyHatching`, which can be restored. */
 export class HatchedScene {
-  private originals: readonly MeshLook[];
+  private changes: readonly LookChange[];
 
   /**
    * Gives the meshes their new looks, all at once.
@@ -39,24 +40,19 @@ export class HatchedScene {
     private readonly disposables: { dispose(): void }[],
     private readonly releaseMeshes: () => void,
   ) {
-    this.originals = looks.map(({ mesh }) => ({
-      mesh,
-      geometry: mesh.geometry,
-      material: mesh.material,
-      fieldFrame: mesh.userData[FIELD_FRAME],
-    }));
-    applyLooks(looks);
+    this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
+    for (const { before, after } of this.changes) exchangeLook(before, after);
     for (const one of lines) one.mesh?.add(one);
   }
 
   /**
-   * Gives every mesh back the geometry and material it had, and takes its lines. A second call does nothing. The new geometries and materials stay
-   * usable until `dispose()`.
+   * Gives every mesh back the geometry and material it had, and takes its lines. What a mesh was given since stays. A second call does
+   * nothing. The new geometries and materials stay usable until `dispose()`.
    */
   restore(): void {
     for (const one of this.lines) one.removeFromParent();
-    applyLooks(this.originals);
-    this.originals = [];
+    for (const { before, after } of this.changes) exchangeLook(after, before);
+    this.changes = [];
     this.releaseMeshes();
   }
 
@@ -65,12 +61,43 @@ export class HatchedScene {
     this.restore();
     for (const disposable of this.disposables.splice(0)) disposable.dispose();
   }
-}
 
-function applyLooks(looks: readonly MeshLook[]): void {
-  for (const { mesh, geometry, material, fieldFrame } of looks) {
-    Object.assign(mesh, { geometry, material });
-    if (fieldFrame === undefined) delete mesh.userData[FIELD_FRAME];
-    else mesh.userData[FIELD_FRAME] = fieldFrame;
+  /** Whether a mesh has its look from here. @internal */
+  holds(mesh: Mesh): boolean {
+    return this.changes.some(({ after }) => after.mesh === mesh);
+  }
+
+  /** Does something with the meshes as they were before; afterwards they look hatched again. @internal */
+  suspended<Result>(work: () => Result): Result {
+    for (const { before, after } of this.changes) exchangeLook(after, before);
+    try {
+      return work();
+    } finally {
+      for (const { before, after } of this.changes) exchangeLook(before, after);
+    }
   }
 }
+
+interface LookChange {
+  readonly before: MeshLook;
+  readonly after: MeshLook;
+}
+
+const lookOf = (mesh: Mesh): MeshLook => ({
+  mesh,
+  geometry: mesh.geometry,
+  material: mesh.material,
+  fieldFrame: mesh.userData[FIELD_FRAME],
+});
+
+/** Gives a mesh the geometry and material of `to` in the place of those of `from`. Others were given by somebody else, and stay. */
+function exchangeLook(from: MeshLook, to: MeshLook): void {
+  const { mesh } = from;
+  if (isSame(mesh.geometry, from.geometry)) mesh.geometry = to.geometry;
+  if (isSame(mesh.material, from.material)) mesh.material = to.material;
+  if (to.fieldFrame === undefined) delete mesh.userData[FIELD_FRAME];
+  else mesh.userData[FIELD_FRAME] = to.fieldFrame;
+}
+
+/** Whether two are one, be it by a proxy. */
+const isSame = (one: object, other: object): boolean => one === other || identityOf(one) === identityOf(other);

@@ -1,53 +1,21 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
-import {
-  checkPrepareOptions,
-  type LineOptions,
-  type PrepareHatchingGeometryOptions,
-} from '../geometry/prepareHatchingGeometry.js';
-import type { HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
+import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
-import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import { type MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
+import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
 import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import { LineMaker } from './LineMaker.js';
 import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
+import type { PresetName } from './presets.js';
 import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
+import { withPreset } from './withPreset.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
-
-/** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
-export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'lines'> {
-  /**
-   * The map for materials whose parameters name none: a map of yours, or what `TonalArtMap.generate` is to draw. By default one
-   * in the style `hatching` is drawn. `dispose()` of the result frees what was drawn. `null`: none for now; the meshes stay
-   * blank paper until you set one.
-   */
-  tonalArtMap?: TonalArtMap | MapDrawing | null | undefined;
-  /**
-   * Parameters of the new materials. They override what is taken over from the old ones. A function is called once for every
-   * material made, with the material it replaces and the first mesh that uses it.
-   */
-  material?: HatchingMaterialParameters | ((source: Material, mesh: Mesh) => HatchingMaterialParameters) | undefined;
-  /**
-   * Size of the strokes: tiles of the map per world unit, the same on small and large objects. The default is 3 divided by the
-   * radius of the whole scene. A `strokeScale` among the materials' parameters counts per unit of object space instead.
-   */
-  strokeScale?: number | undefined;
-  /**
-   * Draws contours, borders and creases: gives every mesh a child, `HatchingLines`. `true`, or which edges are creases
-   * (`LineOptions`) and how lines look (the properties of `HatchingLineMaterial`). Default: no lines.
-   */
-  lines?: boolean | (LineOptions & HatchingLineParameters) | undefined;
-  /** Which meshes to hatch. Default: all. */
-  filter?: ((mesh: Mesh) => boolean) | undefined;
-  /** Called whenever a geometry is done, with how many are, and how many there are. Several are baked at a time. */
-  onGeometry?: ((done: number, total: number) => void) | undefined;
-}
 
 /** The names of the options that `prepareHatchingGeometry` has not. */
 const OWN_OPTIONS = {
@@ -56,6 +24,8 @@ const OWN_OPTIONS = {
   strokeScale: true,
   filter: true,
   onGeometry: true,
+  preset: true,
+  replaces: true,
 } satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
 
 /** A mesh to hatch: its present geometry and material, and the material it will get. */
@@ -76,6 +46,8 @@ const MAP_SHARE = 0.2;
  * groups, skins and morph targets keep working; lines, points and sprites are left alone. Nothing in the scene changes before
  * everything is ready, and nothing at all if that fails or is aborted. Once aborted, the scene can be hatched again at once.
  *
+ *     await applyHatching(gltf.scene, 'pencil');
+ *
  * `await renderer.compileAsync(scene, camera)` afterwards builds every program that the first frame uses.
  *
  * - A material shared by meshes becomes one shared material. If the meshes differ in scale, it becomes one per scale, since
@@ -92,40 +64,45 @@ const MAP_SHARE = 0.2;
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
  *   was filled with prepared geometries.
  *
- * Rejects with an Error if part of `root` is hatched already; with the signal's reason when aborted; with the first mesh's
+ * Rejects with an Error if part of `root` is hatched already; with a RangeError for an unknown preset; with the signal's reason when aborted; with the first mesh's
  * error if none can be hatched; with a TypeError for an unknown option; and with the error of a map or a parameter.
  */
-export async function applyHatching(root: Object3D, options: ApplyHatchingOptions = {}): Promise<HatchedScene> {
-  checkPrepareOptions('applyHatching', options, OWN_OPTIONS);
+export async function applyHatching(
+  root: Object3D,
+  given: ApplyHatchingOptions | PresetName = {},
+): Promise<HatchedScene> {
+  const named: ApplyHatchingOptions = typeof given === 'string' ? { preset: given } : given;
+  checkPrepareOptions('applyHatching', named, OWN_OPTIONS);
+  const options = named.preset === undefined ? named : withPreset(named.preset, named);
   checkOwnOptions(options);
   options.signal?.throwIfAborted();
   if (!root?.isObject3D) {
     throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
   }
+  const { replaces } = options;
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
-  const releaseMeshes = claimMeshes(meshes);
+  let releaseMeshes = claimMeshes(meshes.filter((mesh) => !replaces?.holds(mesh)));
+  const onAbort = (): void => releaseMeshes();
   // At once, not when the work has stopped: whoever aborts may apply again in the same breath, as React's StrictMode does.
-  options.signal?.addEventListener('abort', releaseMeshes);
+  options.signal?.addEventListener('abort', onAbort);
+  const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
   const disposables: { dispose(): void }[] = [];
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
     const replacer = new MaterialReplacer(options.material ?? {});
-    const planned = meshes
-      .filter((mesh) => !materialsOf(mesh).every(isHatching))
-      .map((mesh): PlannedMesh => {
-        const material = replacer.replacementFor(mesh, worldScale(worldMatrices(mesh)));
-        return { mesh, geometry: mesh.geometry, oldMaterial: mesh.material, material };
-      });
+    const planned = asBefore(() => planMeshes(meshes, replacer));
     disposables.push(...replacer.materials);
 
     const withoutMap = replacer.materials.filter(
       ({ tonalArtMap, technique }) => tonalArtMap === null && HATCHING_TECHNIQUES[technique].map !== 'none',
     );
-    const { tonalArtMap: given = {} } = options;
-    const drawing = withoutMap.length > 0 && isMapDrawing(given) ? given : undefined;
+    const { tonalArtMap: wanted = {} } = options;
+    const drawing = withoutMap.length > 0 && isMapDrawing(wanted) ? wanted : undefined;
     const mapShare = drawing ? MAP_SHARE : 0;
     const {
+      preset: _preset,
+      replaces: _replaces,
       tonalArtMap: _map,
       material: _material,
       strokeScale,
@@ -145,10 +122,10 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
       },
       { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
     );
-    const { looks, skipped } = collectLooks(planned, baked);
+    const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
     if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
 
-    let map = isMapDrawing(given) ? null : given;
+    let map = isMapDrawing(wanted) ? null : wanted;
     if (drawing) {
       const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
       map = await TonalArtMap.generate({ ...drawing, signal, createWorker, onProgress: onMapProgress });
@@ -168,6 +145,9 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     const materials = replacer.materials.filter((material) => used.has(material));
     const drawn = lineMaker?.linesFor(looks) ?? [];
     if (lineMaker) disposables.push(lineMaker);
+    replaces?.dispose();
+    releaseMeshes();
+    releaseMeshes = claimMeshes(meshes);
     const scene = new HatchedScene(looks, materials, drawn, skipped, disposables, releaseMeshes);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
@@ -178,13 +158,25 @@ export async function applyHatching(root: Object3D, options: ApplyHatchingOption
     releaseMeshes();
     throw error;
   } finally {
-    options.signal?.removeEventListener('abort', releaseMeshes);
+    options.signal?.removeEventListener('abort', onAbort);
   }
 }
 
+/** What becomes of the meshes that do not have a `HatchingMaterial` yet. */
+const planMeshes = (meshes: readonly Mesh[], replacer: MaterialReplacer): PlannedMesh[] =>
+  meshes
+    .filter((mesh) => !materialsOf(mesh).every(isHatching))
+    .map((mesh) => {
+      const material = replacer.replacementFor(mesh, worldScale(worldMatrices(mesh)));
+      return { mesh, geometry: mesh.geometry, oldMaterial: mesh.material, material };
+    });
+
 /** The options of its own and of its tasks; those of the geometry are checked where they are used. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {
-  const { filter, lines = false, onGeometry, material = {}, strokeScale = 1, tonalArtMap = null } = options;
+  const { filter, lines = false, onGeometry, material = {}, replaces, strokeScale = 1, tonalArtMap = null } = options;
+  if (replaces !== undefined && !(replaces instanceof HatchedScene)) {
+    throw new TypeError('applyHatching: replaces must be what an earlier call resolved with, or left out.');
+  }
   if (filter !== undefined && typeof filter !== 'function') {
     throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
   }

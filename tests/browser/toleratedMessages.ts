@@ -1,7 +1,11 @@
-/** Console messages that are the browser's remarks about itself. Every other warning or error fails the test. */
+/** Console messages that are remarks about the browser itself, or about another library. Every other warning or error fails the test. */
 export const toleratedMessages: readonly { pattern: RegExp; reason: string }[] = [
   {
     pattern: /GPU stall due to ReadPixels/,
     reason: 'Reading pixels back is what the tests are for.',
+  },
+  {
+    pattern: /^THREE\.Clock: This module has been deprecated/,
+    reason: 'A remark of three.js about React Three Fiber, which still uses it.',
   },
 ];

@@ -57,7 +57,7 @@ test.describe('the tarball', () => {
         ...['dist/index.js', 'dist/index.d.ts', 'dist/worker/bake.worker.d.ts'],
       ]),
     );
-    const scripts = ['index.js', 'bake.worker.js', 'command.js']
+    const scripts = ['index.js', 'react.js', 'bake.worker.js', 'command.js']
       .flatMap((name) => withImports(name))
       .map((name) => `dist/${name}`);
     const strangers = files.filter(
@@ -77,18 +77,22 @@ test.describe('the tarball', () => {
   });
 
   test('is found by resolvers old and new, and binds no user to a version of Node', () => {
-    const { exports, main, engines, peerDependencies } = packageJson();
+    const { exports, main, engines, peerDependencies, peerDependenciesMeta } = packageJson();
     expect(main).toBe(exports['.'].default);
     const { resolve } = createRequire(join(projectFolder, 'any.js'));
     expect(resolve('three-hatching/package.json')).toBe(join(libraryFolder, 'package.json'));
     expect(engines).toBeUndefined();
-    expect(peerDependencies).toEqual({ three: '>=0.170.0' });
+    expect(peerDependencies).toEqual({ three: '>=0.170.0', react: '>=19.0.0', '@react-three/fiber': '>=9.0.0' });
+    expect(peerDependenciesMeta).toEqual({ react: { optional: true }, '@react-three/fiber': { optional: true } });
   });
 
-  test('imports three and nothing else; the worker imports nothing, the command what Node has', () => {
+  test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {
     const imported = withImports('index.js').flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
+    const ofReact = ['@react-three/fiber', 'react', 'react/jsx-runtime', 'three', 'three-hatching'];
+    expect(importsOf('react.js').sort()).toEqual(ofReact);
+    expect(readFileSync(join(libraryFolder, 'dist/react.js'), 'utf8')).toMatch(/^["']use client["'];\n/);
     for (const name of importsOf('command.js')) expect(name).toMatch(/^node:/);
   });
 

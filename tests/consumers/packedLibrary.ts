@@ -9,13 +9,20 @@ export const projectFolder = join(root, 'tests/output/consumers');
 export const libraryFolder = join(projectFolder, 'node_modules/three-hatching');
 export const threeFolder = join(root, 'node_modules/three');
 
+let installed: string[] | undefined;
+
 /**
  * Builds the library, packs it as it would be published, and installs the tarball in a small project that holds the
- * pages beside this file.
+ * pages beside this file. Once for all tests that one process runs.
  *
  * @returns the paths of all files in the tarball
  */
 export function installPackedLibrary(): string[] {
+  installed ??= install();
+  return installed;
+}
+
+function install(): string[] {
   rmSync(projectFolder, { recursive: true, force: true });
   mkdirSync(libraryFolder, { recursive: true });
   const npm = (...args: string[]) =>

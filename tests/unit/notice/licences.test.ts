@@ -56,10 +56,12 @@ describe.each(LOCKS)('%s', (path) => {
   });
 });
 
-test('the library depends on nothing but three.js', () => {
-  const { dependencies, peerDependencies } = JSON.parse(
+test('the library depends on nothing but three.js, and its components on React where it is used', () => {
+  const { dependencies, peerDependencies, peerDependenciesMeta } = JSON.parse(
     readFileSync(new URL('../../../package.json', import.meta.url), 'utf8'),
-  ) as { dependencies?: object; peerDependencies: object };
+  ) as { dependencies?: object; peerDependencies: object; peerDependenciesMeta: Record<string, { optional: boolean }> };
   expect(dependencies).toBeUndefined();
-  expect(Object.keys(peerDependencies)).toEqual(['three']);
+  const needed = Object.keys(peerDependencies).filter((name) => !peerDependenciesMeta[name]?.optional);
+  expect(needed).toEqual(['three']);
+  expect(Object.keys(peerDependencies)).toEqual(['@react-three/fiber', 'react', 'three']);
 });

@@ -38,6 +38,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { ApplyHatchingOptions } from '../../../src/scene/ApplyHatchingOptions.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 import { reactive } from '../geometry/reactive.js';
@@ -498,7 +499,7 @@ describe('when something is wrong', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, onGeometry, layout, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, onGeometry, preset, replaces, layout, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],
@@ -587,11 +588,7 @@ describe('when something is wrong', () => {
   });
 
   /** Every way to fail half-way: the scene is as it was, what was made is freed, and it can be hatched afterwards. */
-  const failures: [
-    how: string,
-    options: (abort: AbortController) => Parameters<typeof applyHatching>[1],
-    says: RegExp,
-  ][] = [
+  const failures: [how: string, options: (abort: AbortController) => ApplyHatchingOptions, says: RegExp][] = [
     [
       'aborted',
       (abort) => ({ signal: abort.signal, onProgress: (value) => value > 0.55 && abort.abort(new Error('enough')) }),

@@ -1,0 +1,79 @@
+import { useFrame, useThree } from '@react-three/fiber';
+import { type ReactElement, useEffect, useRef, useState } from 'react';
+import type { Group } from 'three';
+import { type HatchedProps, splitProps } from './HatchedProps.js';
+import { Hatcher } from './Hatcher.js';
+import { hintAtToneMapping } from './toneMappingHint.js';
+
+/**
+ * Hatches its children, or a loaded scene, with `applyHatching`, and keeps them hatched while children come, go and change.
+ *
+ * ```tsx
+ * <Hatched preset="pencil">
+ *   <mesh>
+ *     <torusKnotGeometry />
+ *     <meshStandardMaterial color="tomato" />
+ *   </mesh>
+ * </Hatched>
+ * <Hatched preset="engraving" object={gltf.scene} />
+ * ```
+ *
+ * On unmounting, everything has its own look back and what was made is freed. Children may suspend. Use `<Canvas flat>`: a tone
+ * mapping greys paper and ink.
+ */
+export function Hatched({
+  object,
+  children,
+  showUnhatched = false,
+  onHatched,
+  onError,
+  ...others
+}: HatchedProps): ReactElement {
+  const { options, group } = splitProps(others);
+  const content = useRef<Group>(null);
+  const hatcher = useRef<Hatcher | null>(null);
+  const renderer = useThree(({ gl }) => gl);
+  const invalidate = useThree((state) => state.invalidate);
+  const [failure, setFailure] = useState<{ error: unknown } | null>(null);
+  const latest = useRef({ onHatched, onError, showUnhatched });
+
+  useEffect(() => {
+    latest.current = { onHatched, onError, showUnhatched };
+  });
+
+  useEffect(() => {
+    const root = content.current!;
+    const made = new Hatcher(root, latest.current.showUnhatched, {
+      onHatched: (hatched) => {
+        hintAtToneMapping(renderer, hatched);
+        latest.current.onHatched?.(hatched);
+        invalidate();
+      },
+      onError: (error) => {
+        if (latest.current.onError) latest.current.onError(error);
+        else setFailure({ error });
+        invalidate();
+      },
+    });
+    hatcher.current = made;
+    root.visible = true;
+    return () => {
+      made.dispose();
+      hatcher.current = null;
+    };
+  }, [renderer, invalidate]);
+
+  useEffect(() => hatcher.current?.update(options));
+
+  useFrame(() => hatcher.current?.follow());
+
+  if (failure) throw failure.error;
+  return (
+    <group {...group}>
+      <group ref={content} visible={showUnhatched}>
+        {object && <primitive object={object} />}
+        {children}
+      </group>
+    </group>
+  );
+}

@@ -1,0 +1,174 @@
+import type { Mesh, Object3D } from 'three';
+import {
+  type ApplyHatchingOptions,
+  applyHatching,
+  type HatchedScene,
+  type MapDrawing,
+  TonalArtMap,
+  withPreset,
+} from 'three-hatching';
+import { restyle } from './restyle.js';
+import { meshesOf, SceneSnapshot } from './SceneSnapshot.js';
+import { sameValue } from './sameValue.js';
+import { retainMap, sharedMap } from './sharedMaps.js';
+import { Veil } from './Veil.js';
+
+/** What a `Hatcher` tells. */
+export interface HatcherEvents {
+  /** The scene is hatched, for the first time or anew, or has new values. */
+  onHatched(hatched: HatchedScene): void;
+  /** The scene could not be hatched. It is as it was before. */
+  onError(error: unknown): void;
+}
+
+/** Share of the progress for the map. */
+const MAP_SHARE = 0.2;
+
+/**
+ * Keeps a scene hatched while its options and its meshes change: sets values where that is enough, and hatches anew where it is not. The
+ * last look is drawn until the next is ready.
+ */
+export class Hatcher {
+  private wanted: ApplyHatchingOptions | undefined;
+  /** What was tried last, whether or not that went well. */
+  private tried: ApplyHatchingOptions | undefined;
+  private hatched: HatchedScene | undefined;
+  /** What the scene is hatched with. */
+  private applied: ApplyHatchingOptions | undefined;
+  private map: TonalArtMap | null = null;
+  private releaseMap = (): void => {};
+  private readonly snapshot = new SceneSnapshot();
+  private readonly abort = new AbortController();
+  private readonly veil = new Veil();
+  private isBusy = false;
+
+  /** @param showsUnhatched whether meshes are drawn as they are until they are hatched */
+  constructor(
+    private readonly root: Object3D,
+    private readonly showsUnhatched: boolean,
+    private readonly events: HatcherEvents,
+  ) {}
+
+  /** Brings the scene to these options. Functions alone change nothing, and are called when they are needed. */
+  update(options: ApplyHatchingOptions): void {
+    if (this.wanted && sameValue(this.wanted, options)) {
+      Object.assign(this.wanted, options);
+      return;
+    }
+    this.wanted = options;
+    this.bringUpToDate();
+  }
+
+  /** Called before each frame: looks whether the scene is still what was hatched. */
+  follow(): void {
+    if (!this.wanted || !this.snapshot.differs(this.root)) return;
+    // What comes in the middle of the work is hatched right after it.
+    if (this.isBusy) this.coverUnhatched(this.wanted);
+    else this.bringUpToDate();
+  }
+
+  /** Gives the scene back its own look, and frees what was made. */
+  dispose(): void {
+    this.abort.abort();
+    this.veil.lift(undefined);
+    this.hatched?.dispose();
+    this.hatched = undefined;
+    this.releaseMap();
+  }
+
+  private async bringUpToDate(): Promise<void> {
+    if (this.isBusy) return;
+    this.isBusy = true;
+    const { signal } = this.abort;
+    try {
+      while (!signal.aborted && !this.isUpToDate()) await this.take(this.wanted!);
+    } catch (error) {
+      // Not again before something changes.
+      this.snapshot.take(this.root);
+      this.veil.lift(undefined);
+      if (!signal.aborted) this.events.onError(error);
+    } finally {
+      this.isBusy = false;
+    }
+  }
+
+  private isUpToDate(): boolean {
+    return this.tried === this.wanted && !this.snapshot.differs(this.root);
+  }
+
+  private async take(wanted: ApplyHatchingOptions): Promise<void> {
+    this.tried = wanted;
+    const options = resolve(wanted);
+    this.coverUnhatched(options);
+    const { map, release } = await this.takeMap(options);
+    try {
+      this.abort.signal.throwIfAborted();
+      if (!this.restyled(options, map)) await this.hatch(options, map);
+    } catch (error) {
+      release();
+      throw error;
+    }
+    this.releaseMap();
+    this.map = map;
+    this.releaseMap = release;
+    this.applied = options;
+    this.events.onHatched(this.hatched!);
+  }
+
+  private restyled(options: ApplyHatchingOptions, map: TonalArtMap | null): boolean {
+    if (!this.hatched || !this.applied || this.snapshot.differs(this.root)) return false;
+    if (!restyle(this.hatched, this.applied, options)) return false;
+    for (const material of this.hatched.materials) if (material.tonalArtMap === this.map) material.tonalArtMap = map;
+    return true;
+  }
+
+  private async hatch(options: ApplyHatchingOptions, map: TonalArtMap | null): Promise<void> {
+    const { signal } = this.abort;
+    const { filter = () => true, onProgress } = options;
+    this.snapshot.take(this.root);
+    const hatched = await applyHatching(this.root, {
+      ...options,
+      tonalArtMap: map,
+      // A mesh of React's may be there before its geometry.
+      filter: (mesh) => hasPositions(mesh) && filter(mesh),
+      onProgress: onProgress && ((progress) => onProgress(MAP_SHARE + (1 - MAP_SHARE) * progress)),
+      replaces: this.hatched,
+      signal,
+    });
+    if (signal.aborted) hatched.dispose();
+    signal.throwIfAborted();
+    this.hatched = hatched;
+    const hasChanged =
+      !this.snapshot.hasMeshesOf(this.root) || hatched.skipped.some(({ mesh }) => this.snapshot.looksOtherwise(mesh));
+    // Left as it was before, the snapshot says that there is more to do.
+    if (!hasChanged) this.snapshot.take(this.root);
+    this.veil.lift(hatched);
+  }
+
+  private coverUnhatched({ filter = () => true }: ApplyHatchingOptions): void {
+    for (const mesh of meshesOf(this.root)) {
+      if (!this.snapshot.looksOtherwise(mesh) || !filter(mesh)) continue;
+      if (this.hatched) this.veil.coverLines(mesh);
+      if (!this.showsUnhatched && !('isHatchingMaterial' in mesh.material)) this.veil.cover(mesh);
+    }
+  }
+
+  /** The map that the options name or ask for. Drawn maps are shared with all who ask for the same. */
+  private async takeMap({ tonalArtMap = {}, onProgress, createWorker }: ApplyHatchingOptions): Promise<{
+    map: TonalArtMap | null;
+    release: () => void;
+  }> {
+    if (tonalArtMap === null || tonalArtMap instanceof TonalArtMap) return { map: tonalArtMap, release: () => {} };
+    const drawing: MapDrawing = tonalArtMap;
+    const map = await sharedMap(drawing, {
+      createWorker,
+      onProgress: onProgress && ((progress) => onProgress(MAP_SHARE * progress)),
+    });
+    return { map, release: retainMap(drawing) };
+  }
+}
+
+const resolve = (options: ApplyHatchingOptions): ApplyHatchingOptions =>
+  options.preset === undefined ? options : withPreset(options.preset, options);
+
+const hasPositions = ({ geometry }: Mesh): boolean => (geometry?.attributes.position?.count ?? 0) > 0;

@@ -1,0 +1,73 @@
+import { MeshStandardMaterial } from 'three';
+import {
+  type ApplyHatchingOptions,
+  HATCHING_DEFAULTS,
+  HATCHING_LINE_DEFAULTS,
+  type HatchedScene,
+  type HatchingMaterialParameters,
+} from 'three-hatching';
+import { namesOf, sameValue } from './sameValue.js';
+
+type Values = Readonly<Record<string, unknown>>;
+
+/** Techniques that draw every geometry; the others need one that was prepared with adjacency. */
+const UNDEMANDING: readonly unknown[] = ['anchored', 'engraved'];
+
+/** Of the lines: which edges are creases is decided when the geometry is prepared. */
+const BAKED_LINE_OPTIONS: readonly string[] = ['creaseAngle', 'creaseLength'];
+
+/**
+ * Gives a hatched scene new values of its materials and lines, where that is all that changes: at once, and with nothing made anew.
+ * The map is left to the caller.
+ *
+ * @returns whether that was all; if not, nothing has changed
+ */
+export function restyle(hatched: HatchedScene, from: ApplyHatchingOptions, to: ApplyHatchingOptions): boolean {
+  const { material: fromMaterial = {}, lines: fromLines = false, tonalArtMap: _fromMap, ...fromRest } = from;
+  const { material: toMaterial = {}, lines: toLines = false, tonalArtMap: _toMap, ...toRest } = to;
+  if (!sameValue(fromRest, toRest) || typeof fromMaterial !== typeof toMaterial) return false;
+  if (typeof fromLines === 'boolean' || typeof toLines === 'boolean') {
+    if (fromLines !== toLines) return false;
+  }
+  const ofMaterial = typeof toMaterial === 'function' ? {} : materialChanges(fromMaterial, toMaterial);
+  const ofLines = lineChanges(fromLines, toLines);
+  if (!ofMaterial || !ofLines) return false;
+  for (const material of hatched.materials) material.setValues({ ...ofMaterial });
+  for (const material of new Set(hatched.lines.map((lines) => lines.material))) material.setValues({ ...ofLines });
+  return true;
+}
+
+function materialChanges(from: object, to: object): HatchingMaterialParameters | null {
+  const changes = changed(from as Values, to as Values, HATCHING_DEFAULTS);
+  if (!changes || 'strokeScale' in changes) return null;
+  if (!('technique' in changes)) return changes;
+  return [from, to].every((values) => UNDEMANDING.includes((values as Values).technique)) ? changes : null;
+}
+
+function lineChanges(from: boolean | object, to: boolean | object): Values | null {
+  const changes = changed(Object(from) as Values, Object(to) as Values, HATCHING_LINE_DEFAULTS);
+  return changes && Object.keys(changes).some((name) => BAKED_LINE_OPTIONS.includes(name)) ? null : changes;
+}
+
+/**
+ * What to set to come from some values to others; what is no longer named gets its default. `null` if that is not known: what three's
+ * own materials have too was taken over from the scene's.
+ */
+function changed(from: Values, to: Values, defaults: Values): Values | null {
+  const changes: Record<string, unknown> = {};
+  for (const name of namesOf(from, to)) {
+    if (sameValue(from[name], to[name])) continue;
+    if (to[name] !== undefined) changes[name] = to[name];
+    else if (name in defaults && !(name in takenOver())) changes[name] = defaults[name];
+    else return null;
+  }
+  return changes;
+}
+
+let standard: MeshStandardMaterial | undefined;
+
+/** Has every property that may have been taken over from the material of a scene. */
+function takenOver(): MeshStandardMaterial {
+  standard ??= new MeshStandardMaterial();
+  return standard;
+}

@@ -1,0 +1,69 @@
+import { useEffect, useRef, useState } from 'react';
+import type { BufferGeometry } from 'three';
+import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
+import { sameValue } from './sameValue.js';
+import { useStable } from './useStable.js';
+
+/** What `useHatchingGeometry` takes beside the geometry. */
+export interface HatchingGeometryOptions extends Omit<PrepareHatchingGeometryOptions, 'signal'> {
+  /** Called if the geometry cannot be prepared. Left out: the error goes to the nearest error boundary. */
+  onError?: ((error: unknown) => void) | undefined;
+}
+
+interface Prepared {
+  readonly source: BufferGeometry;
+  readonly options: HatchingGeometryOptions;
+  readonly geometry?: BufferGeometry;
+  readonly error?: unknown;
+}
+
+/**
+ * Prepares a geometry for `<hatchingMaterial>`, in a worker. `null` until it is ready, so that something else can be drawn
+ * meanwhile; disposes of the result when the component unmounts or the source changes. It does not suspend: a geometry that is
+ * made in the same component would be made anew with every try.
+ *
+ * ```tsx
+ * const source = useMemo(() => new TorusKnotGeometry(), []);
+ * const geometry = useHatchingGeometry(source, { lines: true });
+ * return geometry && <mesh geometry={geometry}><hatchingMaterial tonalArtMap={map} /></mesh>;
+ * ```
+ *
+ * @param source the geometry, which is not changed; `null` while there is none yet
+ */
+export function useHatchingGeometry(
+  source: BufferGeometry | null | undefined,
+  options: HatchingGeometryOptions = {},
+): BufferGeometry | null {
+  const stable = useStable(options);
+  const latest = useRef(options);
+  useEffect(() => {
+    latest.current = options;
+  });
+  const [prepared, setPrepared] = useState<Prepared | null>(null);
+  useEffect(() => {
+    if (!source) return;
+    const abort = new AbortController();
+    let made: BufferGeometry | undefined;
+    const { onError: _onError, onProgress: _onProgress, ...baking } = stable;
+    const onProgress = (progress: number): void => latest.current.onProgress?.(progress);
+    prepareHatchingGeometry(source, { ...baking, onProgress, signal: abort.signal }).then(
+      (geometry) => {
+        if (abort.signal.aborted) return geometry.dispose();
+        made = geometry;
+        setPrepared({ source, options: stable, geometry });
+      },
+      (error: unknown) => {
+        if (abort.signal.aborted) return;
+        if (latest.current.onError) latest.current.onError(error);
+        else setPrepared({ source, options: stable, error });
+      },
+    );
+    return () => {
+      abort.abort();
+      made?.dispose();
+    };
+  }, [source, stable]);
+  if (!prepared || prepared.source !== source || !sameValue(prepared.options, stable)) return null;
+  if (prepared.error !== undefined) throw prepared.error;
+  return prepared.geometry ?? null;
+}

@@ -1,0 +1,183 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import react from '@vitejs/plugin-react';
+import { createServer, type ViteDevServer } from 'vite';
+import { expect, test } from '../browser/test.js';
+import { installPackedLibrary, projectFolder } from './packedLibrary.js';
+
+/** What the page can be told to show. */
+type Shown = Record<string, unknown>;
+
+/** A React app in StrictMode on a development server with hot reload, with the packed library. */
+let server: ViteDevServer;
+
+test.beforeAll(async () => {
+  installPackedLibrary();
+  server = await createServer({
+    configFile: false,
+    root: projectFolder,
+    logLevel: 'error',
+    cacheDir: join(projectFolder, '.vite-react'),
+    plugins: [react()],
+    server: { host: '127.0.0.1', port: 0 },
+    optimizeDeps: {
+      entries: ['react.html'],
+      include: [
+        ...['three', 'three-hatching', 'three-hatching/react', '@react-three/fiber'],
+        ...['react', 'react-dom/client', 'react/jsx-runtime', 'react/jsx-dev-runtime'],
+      ],
+    },
+  });
+  await server.listen();
+});
+
+test.afterAll(() => server.close());
+
+test.beforeEach(async ({ page }) => {
+  await page.goto(`${server.resolvedUrls!.local[0]}react.html`);
+  await page.waitForFunction(() => window.page?.hatchings > 0);
+});
+
+test('StrictMode mounts, unmounts and mounts: the children are hatched', async ({ page }) => {
+  expect(await page.evaluate(() => window.page.meshes())).toEqual({
+    first: { material: 'HatchingMaterial', ink: '1c1a17', color: 'ffffff', triangles: 12 },
+  });
+  const red = await page.evaluate(() => window.page.pixels());
+  const part = (from: number, to: number) => red.filter((value) => value >= from && value < to).length / red.length;
+  expect(part(0, 64), 'ink').toBeGreaterThan(0.02);
+  // The paper of the preset, by the number: no tone mapping has changed it.
+  expect(part(0xf7, 0xf8), 'paper').toBeGreaterThan(0.02);
+  const progress = await page.evaluate(() => window.page.progress);
+  expect(progress.at(-1)).toBe(1);
+});
+
+test('what changes is hatched anew, and nothing is drawn unhatched meanwhile', async ({ page }) => {
+  const hatched = async (change: Shown) => {
+    const before = await page.evaluate((c) => {
+      const { hatchings } = window.page;
+      window.page.show(c);
+      return hatchings;
+    }, change);
+    await page.waitForFunction((n) => window.page.hatchings > n, before);
+    return page.evaluate(() => window.page.meshes());
+  };
+  expect((await hatched({ shape: 'sphere' })).first.triangles).toBe(16 * 12 * 2 - 2 * 16);
+  expect((await hatched({ color: '#ff0000' })).first.color).toBe('ff0000');
+  const both = await hatched({ second: true, loaded: true });
+  expect(Object.values(both).map(({ material }) => material)).toEqual(Array(3).fill('HatchingMaterial'));
+  const woodcut = await hatched({
+    options: { preset: 'woodcut', tonalArtMap: { size: 64, tones: 4, style: 'woodcut' } },
+  });
+  expect(Object.values(woodcut).map(({ ink }) => ink)).toEqual(Array(3).fill('120e0a'));
+  const fewer = await hatched({ second: false, loaded: false });
+  expect(Object.keys(fewer)).toEqual(['first']);
+  await page.evaluate(() => window.page.show({ late: true }));
+  await page.evaluate(() => window.page.arrive());
+  await expect.poll(() => page.evaluate(() => window.page.meshes().late?.material)).toBe('HatchingMaterial');
+  expect(await page.evaluate(() => window.page.flashes)).toBe(0);
+  expect(await page.evaluate(() => window.page.errors)).toEqual([]);
+});
+
+test('what cannot be hatched is skipped; an error shows the scene as it is', async ({ page }) => {
+  await page.evaluate(() => window.page.show({ broken: true }));
+  await page.waitForFunction(() => window.page.last!.skipped.length > 0);
+  expect(await page.evaluate(() => window.page.last!.skipped.map(({ mesh }) => mesh.name))).toEqual(['broken']);
+  await page.evaluate(() => window.page.show({ broken: false, hatched: false }));
+  await page.evaluate(() => window.page.show({ hatched: true, options: { preset: 'pen', creaseAngle: 90 } }));
+  await page.waitForFunction(() => window.page.errors.length > 0);
+  expect(await page.evaluate(() => window.page.errors)).toEqual([expect.stringContaining('creaseAngle is 90')]);
+  expect((await page.evaluate(() => window.page.meshes())).first.material).toBe('MeshStandardMaterial');
+});
+
+test('40 mounts and unmounts leave nothing behind: no textures, geometries, programs, workers', async ({ page }) => {
+  const counts = async () => {
+    const { memory, loaded } = await page.evaluate(async () => {
+      const next = () => new Promise((go) => requestAnimationFrame(go));
+      window.page.show({ hatched: false });
+      for (let i = 0; i < 3; i++) await next();
+      window.page.pixels();
+      return { memory: window.page.memory(), loaded: window.page.meshes() };
+    });
+    expect(loaded).toEqual({});
+    return { ...memory, workers: page.workers().length };
+  };
+  const toggle = (waits: boolean) =>
+    page.evaluate(async (isPatient) => {
+      const { hatchings } = window.page;
+      window.page.show({ hatched: true, loaded: true });
+      for (let i = 0; (isPatient && window.page.hatchings === hatchings) || i < 2; i++) {
+        await new Promise((go) => setTimeout(go, 10));
+      }
+      if (isPatient) window.page.pixels();
+    }, waits);
+  await toggle(true);
+  const first = await counts();
+  for (let i = 0; i < 40; i++) {
+    // Four of five go before they are hatched: programs take their time.
+    await toggle(i % 5 === 4);
+    const now = await counts();
+    if (i % 10 === 9) expect.soft(now, `after ${i + 1}`).toEqual(first);
+  }
+  expect(first).toMatchObject({ geometries: 0, textures: 0 });
+});
+
+test('hot reload: an edited component is hatched anew, and the page and what it shows stay', async ({ page }) => {
+  await page.evaluate(() => {
+    Object.assign(window, { stays: true });
+    window.page.show({ second: true });
+  });
+  await expect.poll(() => page.evaluate(() => window.page.meshes().edited?.triangles)).toBe(12);
+  const file = join(projectFolder, 'ReactModel.tsx');
+  const text = readFileSync(file, 'utf8');
+  writeFileSync(file, text.replace('<boxGeometry args={[0.6, 0.6, 0.6]} />', '<sphereGeometry args={[0.4, 8, 6]} />'));
+  try {
+    await expect.poll(() => page.evaluate(() => window.page.meshes().edited?.triangles)).toBe(8 * 6 * 2 - 2 * 8);
+  } finally {
+    writeFileSync(file, text);
+  }
+  expect(await page.evaluate(() => [Reflect.get(window, 'stays'), window.page.flashes])).toEqual([true, 0]);
+  expect((await page.evaluate(() => window.page.meshes())).first.material).toBe('HatchingMaterial');
+});
+
+test('the parts by hand: map, geometry, material and lines; what is taken away is at its default again', async ({
+  page,
+}) => {
+  await page.evaluate(() => window.page.show({ hatched: false, byHand: true, ink: '#aa0000', lineWidth: 5 }));
+  await page.waitForFunction(() => window.page.meshes()['by hand']);
+  const parts = () =>
+    page.evaluate(() => {
+      const mesh = window.page.state.scene.getObjectByName('by hand') as import('three').Mesh;
+      const material = mesh.material as unknown as import('three-hatching').HatchingMaterial;
+      const [lines] = mesh.children as import('three-hatching').HatchingLines[];
+      window.page.pixels();
+      return {
+        ink: material.ink.getHexString(),
+        offset: material.strokeOffset.x,
+        map: material.tonalArtMap?.size,
+        lineWidth: lines.material.lineWidth,
+        wobble: lines.material.wobble,
+      };
+    });
+  expect(await parts()).toEqual({ ink: 'aa0000', offset: 0.5, map: 64, lineWidth: 5, wobble: 1 });
+  await page.evaluate(() => window.page.show({ ink: undefined, lineWidth: undefined }));
+  await expect.poll(parts).toEqual({ ink: '000000', offset: 0.5, map: 64, lineWidth: 1.8, wobble: 1 });
+  const memory = await page.evaluate(async () => {
+    window.page.show({ byHand: false });
+    for (let i = 0; i < 3; i++) await new Promise((go) => requestAnimationFrame(go));
+    window.page.pixels();
+    return window.page.memory();
+  });
+  expect(memory).toMatchObject({ geometries: 0, textures: 0 });
+});
+
+test('a canvas with a tone mapping is advised against, once', async ({ page, pageProblems }) => {
+  await page.evaluate(() => window.page.show({ flat: false }));
+  const before = await page.evaluate(() => window.page.hatchings);
+  await page.waitForFunction((n) => window.page.hatchings > n, before);
+  await page.evaluate(() => window.page.show({ options: { preset: 'chalk', tonalArtMap: { size: 64, tones: 4 } } }));
+  await page.waitForFunction((n) => window.page.hatchings > n + 1, before);
+  expect(pageProblems).toEqual([
+    expect.stringContaining('console warning: three-hatching: this canvas has a tone mapping'),
+  ]);
+  pageProblems.length = 0;
+});

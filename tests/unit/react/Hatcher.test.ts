@@ -1,0 +1,194 @@
+import { BoxGeometry, type BufferGeometry, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets } from 'three-hatching';
+import { expect, test, vi } from 'vitest';
+import { Hatcher } from '../../../src/react/Hatcher.js';
+
+const SMALL_MAP = { size: 64, tones: 4 } as const;
+
+/** A hatcher at work on a box, and a way to wait until it has nothing left to do. */
+function atWork(options: ApplyHatchingOptions) {
+  const mesh = new Mesh<BufferGeometry>(new BoxGeometry(), new MeshBasicMaterial());
+  const root = new Group().add(mesh);
+  const errors: unknown[] = [];
+  const hatched: HatchedScene[] = [];
+  const waiting: (() => void)[] = [];
+  const told = (): void => {
+    for (const go of waiting.splice(0)) go();
+  };
+  const hatcher = new Hatcher(root, false, {
+    onHatched: (scene) => {
+      hatched.push(scene);
+      told();
+    },
+    onError: (error) => {
+      errors.push(error);
+      told();
+    },
+  });
+  const next = () => new Promise<void>((go) => waiting.push(go));
+  hatcher.update(options);
+  return { mesh, root, hatcher, errors, hatched, next };
+}
+
+const materialOf = ({ material }: Mesh): HatchingMaterial => {
+  expect(material).toBeInstanceOf(HatchingMaterial);
+  return material as unknown as HatchingMaterial;
+};
+
+test('values change in place: the geometry, the material and the lines stay', async () => {
+  const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical' });
+  await next();
+  const [geometry, material, lines] = [mesh.geometry, materialOf(mesh), mesh.children[0]];
+  hatcher.update({ preset: 'engraving', material: { ink: '#123456' }, lines: { taper: 0 } });
+  await next();
+  expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, lines]);
+  expect(material.ink.getHexString()).toBe('123456');
+  expect([material.lineField, material.handmade]).toEqual(['light', presets.engraving.material.handmade]);
+  const [{ material: look }] = hatched[0].lines;
+  // Of `technical`, which draws lines of even weight; `engraving` leaves them at their defaults.
+  expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.6, 0.5, 1.4]);
+  hatcher.update({ preset: 'engraving' });
+  await next();
+  expect(look.taper).toBe(0.8);
+  expect(materialOf(mesh).ink.getHexString()).toBe('1c1a17');
+});
+
+test('a technique that needs other geometry, other creases and other options of the bake hatch anew', async () => {
+  const { mesh, hatcher, next } = atWork({ preset: 'technical' });
+  await next();
+  for (const options of [
+    { preset: 'technical', lines: { creaseAngle: 1 } },
+    { preset: 'technical', lines: false },
+    { preset: 'technical', lines: false, smoothingRadius: 0.1 },
+    { material: { technique: 'adjacency' }, tonalArtMap: SMALL_MAP },
+  ] as const) {
+    const before = mesh.geometry;
+    hatcher.update(options);
+    await next();
+    expect(mesh.geometry).not.toBe(before);
+  }
+  expect(mesh.geometry.userData.hatching.layout).toBe('corner');
+  expect(mesh.children).toEqual([]);
+});
+
+test('one map serves all who ask for the same, and leaves the graphics card with the last of them', async () => {
+  const [one, other] = [1, 2].map(() => atWork({ tonalArtMap: { ...SMALL_MAP, seed: 3 } }));
+  await Promise.all([one.next(), other.next()]);
+  const map = materialOf(one.mesh).tonalArtMap!;
+  expect(materialOf(other.mesh).tonalArtMap).toBe(map);
+  let freed = 0;
+  map.texture.addEventListener('dispose', () => freed++);
+  one.hatcher.dispose();
+  await new Promise((go) => setTimeout(go));
+  expect(freed).toBe(0);
+  other.hatcher.update({ tonalArtMap: { ...SMALL_MAP, seed: 4 } });
+  await other.next();
+  await new Promise((go) => setTimeout(go));
+  expect(freed).toBe(1);
+  expect(materialOf(other.mesh).tonalArtMap).not.toBe(map);
+});
+
+test('meshes that come, and other geometries and materials, are hatched with the next frame', async () => {
+  const { mesh, root, hatcher, hatched, next } = atWork({ preset: 'technical' });
+  await next();
+  hatcher.follow();
+  expect(hatched).toHaveLength(1);
+  const second = new Mesh<BufferGeometry>(new SphereGeometry(1, 8, 6), new MeshBasicMaterial());
+  root.add(new Group().add(second));
+  hatcher.follow();
+  await next();
+  materialOf(second);
+  second.geometry = new BoxGeometry();
+  const plain = new MeshBasicMaterial({ color: '#ff0000' });
+  mesh.material = plain;
+  hatcher.follow();
+  await next();
+  expect(materialOf(mesh).color.getHexString()).toBe('ff0000');
+  expect(second.geometry.userData.hatching.triangles).toBe(12);
+  root.remove(second.parent!);
+  hatcher.follow();
+  await next();
+  expect(hatched.at(-1)!.materials).toEqual([mesh.material]);
+  hatcher.dispose();
+  expect(mesh.material).toBe(plain);
+});
+
+test('what is not hatched yet is not drawn, and is in its layers afterwards, its lines too', async () => {
+  const { mesh, root, hatcher, next } = atWork({ preset: 'technical' });
+  expect(mesh.layers.mask).toBe(0);
+  await next();
+  expect([mesh.layers.mask, mesh.children[0].layers.mask]).toEqual([1, 1]);
+  const second = new Mesh<BufferGeometry>(new SphereGeometry(1, 8, 6), new MeshBasicMaterial());
+  second.layers.set(3);
+  root.add(second);
+  hatcher.follow();
+  expect([mesh.layers.mask, second.layers.mask]).toEqual([1, 0]);
+  await next();
+  expect([second.layers.mask, second.children[0].layers.mask]).toEqual([8, 8]);
+  root.add(new Mesh(new BoxGeometry(), new MeshBasicMaterial()));
+  hatcher.follow();
+  hatcher.dispose();
+  expect(root.children.map(({ layers }) => layers.mask)).toEqual([1, 8, 1]);
+});
+
+test('what changes while geometry is being prepared is hatched right after', async () => {
+  const { mesh, root, hatcher, hatched, errors } = atWork({ preset: 'technical' });
+  await new Promise((go) => setTimeout(go));
+  const second = new Mesh<BufferGeometry>(new SphereGeometry(1, 8, 6), new MeshBasicMaterial());
+  root.add(second);
+  const other = new SphereGeometry(2, 8, 6);
+  mesh.geometry = other;
+  hatcher.update({ preset: 'technical', material: { ink: '#abcdef' } });
+  await vi.waitFor(() => expect(materialOf(mesh).ink.getHexString()).toBe('abcdef'), 20_000);
+  materialOf(second);
+  expect(mesh.geometry.boundingSphere!.radius).toBeCloseTo(2);
+  expect([hatched.at(-1)!.skipped, errors]).toEqual([[], []]);
+});
+
+test('an error is told once, and tried again when something changes', async () => {
+  const { mesh, hatcher, errors, next } = atWork({ preset: 'technical', creaseAngle: 90 });
+  await next();
+  expect(String(errors[0])).toContain('creaseAngle is 90');
+  hatcher.follow();
+  hatcher.update({ preset: 'technical', creaseAngle: 90 });
+  await new Promise((go) => setTimeout(go));
+  expect(errors).toHaveLength(1);
+  expect(mesh.material).toBeInstanceOf(MeshBasicMaterial);
+  hatcher.update({ preset: 'technical' });
+  await next();
+  materialOf(mesh);
+});
+
+test('whoever is disposed of at work leaves the scene to the next, as in StrictMode', async () => {
+  const { mesh, root, hatcher, errors, hatched } = atWork({ preset: 'technical' });
+  const [geometry, material] = [mesh.geometry, mesh.material];
+  hatcher.dispose();
+  const done = await new Promise<HatchedScene>((onHatched, onError) => {
+    new Hatcher(root, false, { onHatched, onError }).update({ preset: 'technical' });
+  });
+  materialOf(mesh);
+  done.dispose();
+  expect([mesh.geometry, mesh.material]).toEqual([geometry, material]);
+  expect([errors, hatched]).toEqual([[], []]);
+});
+
+test('other functions alone change nothing, and the newest are called', async () => {
+  const called: string[] = [];
+  const withFilter = (name: string): ApplyHatchingOptions => ({
+    preset: 'technical',
+    filter: () => {
+      called.push(name);
+      return true;
+    },
+  });
+  const { root, hatcher, hatched, next } = atWork(withFilter('first'));
+  await next();
+  hatcher.update(withFilter('second'));
+  hatcher.follow();
+  expect(hatched).toHaveLength(1);
+  called.length = 0;
+  root.add(new Mesh(new BoxGeometry(), new MeshBasicMaterial()));
+  hatcher.follow();
+  await next();
+  expect(new Set(called)).toEqual(new Set(['second']));
+});

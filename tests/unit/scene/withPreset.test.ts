@@ -1,0 +1,57 @@
+import { Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import { expect, test } from 'vitest';
+import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { applyHatching } from '../../../src/scene/applyHatching.js';
+import { presets } from '../../../src/scene/presets.js';
+import { withPreset } from '../../../src/scene/withPreset.js';
+
+test('what is said beside a preset counts before it, parameter by parameter', () => {
+  expect(withPreset('pen')).toEqual(presets.pen);
+  const { material, lines, tonalArtMap, layout } = withPreset('pen', {
+    layout: 'pull',
+    material: { ink: 'navy' },
+    lines: { wobble: 0 },
+    tonalArtMap: { style: 'ruled', size: 64 },
+  });
+  expect(material).toEqual({ ...presets.pen.material, ink: 'navy' });
+  expect(lines).toEqual({ ...presets.pen.lines, wobble: 0 });
+  expect([tonalArtMap, layout]).toEqual([{ style: 'ruled', size: 64 }, 'pull']);
+});
+
+test('lines can be left out or kept, a map taken away, and a function adds to the material', () => {
+  expect(withPreset('pen', { lines: false }).lines).toBe(false);
+  expect(withPreset('pen', { lines: true }).lines).toEqual(presets.pen.lines);
+  expect(withPreset('pen', { tonalArtMap: null }).tonalArtMap).toBe(null);
+  expect(withPreset('engraving').tonalArtMap).toBe(null);
+  const { material } = withPreset('chalk', { material: ({ name }) => ({ name: `${name} in chalk` }) });
+  const source = new MeshBasicMaterial({ name: 'wood' });
+  expect((material as (source: object, mesh: object) => object)(source, new Mesh())).toEqual({
+    ...presets.chalk.material,
+    name: 'wood in chalk',
+  });
+});
+
+test('a preset of your own is taken as it is', () => {
+  const mine = { material: { ink: 'red' }, lines: { lineWidth: 3 }, tonalArtMap: null };
+  expect(withPreset(mine)).toEqual(mine);
+});
+
+test.each([['scribble'], ['toString'], [7], [null]])('%s is no preset', async (name) => {
+  const root = new Group().add(new Mesh(new SphereGeometry(1, 8, 6), new MeshBasicMaterial()));
+  await expect(applyHatching(root, { preset: name as 'pen' })).rejects.toThrow(
+    new RangeError(
+      `applyHatching: there is no preset "${name}". Use one of ${Object.keys(presets).join(', ')}, or pass a preset of your own.`,
+    ),
+  );
+});
+
+test('applyHatching takes a name in the place of options, or among them', async () => {
+  for (const options of ['technical', { preset: 'technical' }, { preset: presets.technical }] as const) {
+    const mesh = new Mesh(new SphereGeometry(1, 8, 6), new MeshBasicMaterial());
+    const hatched = await applyHatching(mesh, options);
+    const material = mesh.material as unknown as HatchingMaterial;
+    expect([material.technique, material.lineField, material.lineSpacing]).toEqual(['engraved', 'y', 5]);
+    expect(hatched.lines.map((lines) => lines.material.lineWidth)).toEqual([1.6]);
+    hatched.dispose();
+  }
+});
