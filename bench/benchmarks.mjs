@@ -2,6 +2,7 @@ import { bake } from './bake/bake.mjs';
 import { drop } from './drop/drop.mjs';
 import { frame } from './frame/frame.mjs';
 import { lines } from './lines/lines.mjs';
+import { media } from './media/media.mjs';
 import { memory } from './memory/memory.mjs';
 import { occlusion } from './occlusion/occlusion.mjs';
 import { shadows } from './shadows/shadows.mjs';
@@ -12,4 +13,4 @@ import { upload } from './upload/upload.mjs';
  * All benchmarks, in the order they run in. Each has a name, knows whether what it measures depends on who draws, runs in
  * a browser (`openBrowser`) to a result of plain data, and describes such a result in Markdown.
  */
-export const benchmarks = [frame, lines, shadows, bake, memory, occlusion, upload, tam, drop];
+export const benchmarks = [frame, media, lines, shadows, bake, memory, occlusion, upload, tam, drop];

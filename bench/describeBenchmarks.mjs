@@ -8,6 +8,7 @@ const RASTERISERS = ['gpu', 'swiftshader', 'llvmpipe'];
 
 const titles = {
   frame: 'Frames',
+  media: 'Media',
   lines: 'Lines',
   shadows: 'Shadows',
   bake: 'The bake by phase',
@@ -28,6 +29,7 @@ pixel of it can be read. Ratios are taken within a turn, and their median is giv
 
 This is figure 15 of Suarez et al. for this library, in time instead of frames per second. There, hatching reached about half the frame rate of
 Phong shading of the same geometry, on a Quadro FX 3800: the dashed line.`,
+  media: 'What media cost beside the ink of a pen. Pencil, charcoal and chalk are dry; a woodcut is carved.',
   lines: 'What contours, borders and creases add to a frame, and to the main thread while the camera moves.',
   shadows: `What strokes that know of shadows cost beside strokes that shadows only darken, and what a ground with nothing but shadows on it
 adds to the frame. The shadow map is drawn once, before.`,

@@ -2,6 +2,7 @@
 const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
   lines: async () => (await import('./lines/measureLines.js')).measureLines,
+  media: async () => (await import('./media/measureMedia.js')).measureMedia,
   occlusion: async () => (await import('./occlusion/measureOcclusion.js')).measureOcclusion,
   shadows: async () => (await import('./shadows/measureShadows.js')).measureShadows,
   bake: async () => (await import('./bake/measureBake.js')).measureBake,

@@ -218,6 +218,14 @@ export const PROPERTIES = {
     sentence:
       'How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine.',
   },
+  carved: {
+    kind: 'switch',
+    group: 'Strokes',
+    default: false,
+    techniques: ['engraved'],
+    sentence:
+      'Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points ([media.md](media.md)).',
+  },
   creaseAngle: {
     kind: 'number',
     group: 'Strokes',
@@ -253,6 +261,8 @@ export const PROPERTIES = {
     choices: {
       ink: 'ink or paper, and nothing between.',
       dry: 'pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which lies on the screen.',
+      stipple:
+        'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone. Draws without a map.',
     },
     default: 'ink',
     techniques: ['anchored'],

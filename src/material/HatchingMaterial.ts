@@ -15,6 +15,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
+import { stippleMap } from '../tam/stippleMap.js';
 import { toothMap } from '../tam/toothMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
@@ -365,8 +366,10 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     u.alphaTest.value = this.alphaTest;
     u.texelPixels.value =
       this.strokeWidth === null ? this.texelPixels : this.strokeWidth / (this.tonalArtMap?.strokeWidth ?? 1);
+    u.dotPixels.value = u.texelPixels.value * (this.tonalArtMap?.strokeWidth ?? 1);
     u.creaseCosine.value = Math.cos(this.creaseAngle);
     if (this.medium === 'dry') u.toothMap.value = toothMap();
+    if (this.medium === 'stipple') u.stippleMap.value = stippleMap();
     u.tonalArtMap.value = map?.texture ?? blankTonalArtMap();
     const tones = map?.tones ?? 2;
     u.tonalArtMapTones.value = tones;

@@ -112,6 +112,11 @@ export interface HatchingMaterialOptions {
    */
   handmade: number;
   /**
+   * Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points. Default
+   * `false`. Only `'engraved'`. Another value builds another program.
+   */
+  carved: boolean;
+  /**
    * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
    * `'adjacency'`.
@@ -482,6 +487,18 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set handmade(value: number) {
     this.numbers.handmade = checkNumber('handmade', value, HATCHING_PROPERTIES.handmade.range);
+  }
+
+  /**
+   * Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points. Default
+   * `false`. Only `'engraved'`. Another value builds another program.
+   */
+  get carved(): boolean {
+    return this.choice('carved') as boolean;
+  }
+
+  set carved(value: boolean) {
+    this.choose('carved', value);
   }
 
   /**

@@ -66,8 +66,10 @@ export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
  * - `ink`: ink or paper, and nothing between.
  * - `dry`: pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which
  *   lies on the screen.
+ * - `stipple`: dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the
+ *   diameter of a dot at half tone. Draws without a map.
  */
-export type Medium = 'ink' | 'dry';
+export type Medium = 'ink' | 'dry' | 'stipple';
 
 /**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
@@ -124,6 +126,7 @@ export const HATCHING_DEFAULTS = {
   crossFrom: 0.52,
   crossAngle: Math.PI / 3,
   handmade: 0.4,
+  carved: false,
   creaseAngle: Math.PI / 2,
   shadowStrokes: 'tone',
   medium: 'ink',
@@ -217,9 +220,10 @@ export const HATCHING_PROPERTIES = {
     techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
   },
   handmade: { kind: 'number', uniform: 'handmade', range: { from: 0, to: 1 }, techniques: ['engraved'] },
+  carved: { kind: 'switch', define: 'CARVED', techniques: ['engraved'] },
   creaseAngle: { kind: 'number', range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
   shadowStrokes: { kind: 'choice', define: 'SHADOW_STROKES', choices: ['tone', 'cross', 'reorient'] },
-  medium: { kind: 'choice', define: 'MEDIUM', choices: ['ink', 'dry'], techniques: ['anchored'] },
+  medium: { kind: 'choice', define: 'MEDIUM', choices: ['ink', 'dry', 'stipple'], techniques: ['anchored'] },
   tooth: { kind: 'number', uniform: 'tooth', range: { from: 0, to: 1 }, techniques: ['anchored'] },
   toothSize: { kind: 'number', uniform: 'toothSize', range: { above: 0 }, techniques: ['anchored'] },
   softness: { kind: 'number', uniform: 'softness', range: { from: 0, to: 1 }, techniques: ['anchored'] },

@@ -32,6 +32,9 @@ export function createHatchingUniforms(): Uniforms {
       tonalArtMap: { value: null },
       tonalArtMapLastLayer: { value: 0 },
       tonalArtMapTones: { value: 2 },
+      // of dots
+      dotPixels: { value: 1 },
+      stippleMap: { value: null },
       // of the paper
       toothMap: { value: null },
       toothOffset: { value: new Vector2() },

@@ -1,5 +1,6 @@
 import { ShaderChunk } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
+import { STIPPLE_MAP_SIZE } from '../tam/stippleMap.js';
 import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../tam/toothMap.js';
 import type { HatchingProperty, HatchingTexture } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES } from './hatchingProperties.js';
@@ -26,6 +27,7 @@ export const conventionsChunk = (): string =>
     ...numbered('TONE_CURVE', TONE_CURVES),
     `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
+    `#define STIPPLE_MAP_SIZE ${STIPPLE_MAP_SIZE}`,
     `#define TOOTH_MAP_SIZE ${TOOTH_MAP_SIZE}.0`,
     `#define TOOTH_MAP_BUMP ${TOOTH_MAP_BUMP}.0`,
     // Versions of three.js before sun lights do not replace the name by their number.

@@ -95,7 +95,8 @@ export async function applyHatching(
     disposables.push(...replacer.materials);
 
     const withoutMap = replacer.materials.filter(
-      ({ tonalArtMap, technique }) => tonalArtMap === null && HATCHING_TECHNIQUES[technique].map !== 'none',
+      ({ tonalArtMap, technique, medium }) =>
+        tonalArtMap === null && HATCHING_TECHNIQUES[technique].map !== 'none' && medium !== 'stipple',
     );
     const { tonalArtMap: wanted = {} } = options;
     const drawing = withoutMap.length > 0 && isMapDrawing(wanted) ? wanted : undefined;

@@ -129,6 +129,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   hatching.strokeOffset.set(...strokeOffset);
   hatching.strokeRotation = strokeRotation;
   hatching.edgePixels = 0;
+  if (spec.dots) Object.assign(hatching, { ...spec.dots, medium: 'stipple', tonalArtMap: null });
   hatching.anchorSpacing = spec.anchorSpacing ?? 0.35;
   hatching.screenConstancy = spec.screenConstancy ?? 0;
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);

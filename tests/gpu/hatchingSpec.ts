@@ -24,6 +24,8 @@ export interface HatchingSpec {
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
   anchorSpacing?: number;
   screenConstancy?: number;
+  /** For the medium `stipple` of the technique `anchored`: the dots. */
+  dots?: { strokeWidth: number; edgePixels: number };
   /** For the technique `engraved`, which draws the mesh unprepared too. */
   lines?: LineSettings;
   doubleSided?: boolean;

@@ -1,5 +1,9 @@
 #include "perFragment/emit"
 vRestPosition = anchorPosition;
 vStrokeNormal = strokeNormal;
-vUnitsPerPixel = unitsPerPixel(viewToAnchor, mvPosition);
-vToViewer = viewToAnchor * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition);
+#if MEDIUM == MEDIUM_STIPPLE
+  vViewUnitsPerPixel = unitsPerPixel(mat3(1.0), mvPosition);
+#else
+  vUnitsPerPixel = unitsPerPixel(viewToAnchor, mvPosition);
+  vToViewer = viewToAnchor * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition);
+#endif // MEDIUM

@@ -19,6 +19,10 @@ HatchingParameters readHatchingParameters() {
   h.point = vRestPosition;
   h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;
   h.vAxis = strokeDirection.y * tangent + strokeDirection.x * bitangent;
-  h.lean = vToViewer * mat3(h.uAxis, h.vAxis, n);
+  #if MEDIUM == MEDIUM_STIPPLE
+    h.lean = n;
+  #else
+    h.lean = vToViewer * mat3(h.uAxis, h.vAxis, n);
+  #endif // MEDIUM
   return h;
 }

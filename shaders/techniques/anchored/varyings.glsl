@@ -2,5 +2,9 @@
 
 varying vec3 vRestPosition; // object space
 varying vec3 vStrokeNormal; // at the scale of a stroke, object space
-varying float vUnitsPerPixel; // object units to a pixel
-varying vec3 vToViewer; // object space, of any length
+#if MEDIUM == MEDIUM_STIPPLE
+  varying float vViewUnitsPerPixel;
+#else
+  varying float vUnitsPerPixel; // object units to a pixel
+  varying vec3 vToViewer; // object space, of any length
+#endif // MEDIUM

@@ -30,9 +30,14 @@ float handTone(const in float pressure, const in float tone) {
   return tone + pressure * tone * (1.0 - tone);
 }
 
-// A factor on the width of a line, the same all along it; 1 in the mean. line: its value, a multiple of a power of two.
-float handWidth(const in float line) {
+// A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
+float lotOf(const in float line) {
   // Few bits of such a number are set. Multiplied by the golden ratio, they are spread evenly (Fibonacci hashing).
   uint spread = floatBitsToUint(line) * 0x9e3779b9u;
-  return 1.0 + handmade * (float(spread >> 8u) / 33554432.0 - 0.25);
+  return float(spread >> 8u) / 16777216.0;
+}
+
+// A factor on the width of a line, the same all along it; 1 in the mean.
+float handWidth(const in float line) {
+  return 1.0 + handmade * (0.5 * lotOf(line) - 0.25);
 }

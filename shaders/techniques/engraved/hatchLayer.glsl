@@ -23,7 +23,9 @@ float families(const in HatchingParameters h, const in float first, const in flo
     float perPixel = length(mixing.x * h.valueOnScreen + mixing.y * screenGradient(side, h.onScreen));
     float value = mixing.x * h.value + mixing.y * dot(h.point, side);
     float tone = handTone(h.pressure, i == 0 ? first : i == 1 ? second : third);
-    blank *= 1.0 - ruledLines(value, max(perPixel, 1e-12), i == 0 ? h.slope : 1.0, tone);
+    // Lines of the first family run along its sides, those of the others along its axis.
+    vec3 place = i == 0 ? h.alongFirst : vec3(h.value, h.value, 1.0);
+    blank *= 1.0 - ruledLines(value, max(perPixel, 1e-12), i == 0 ? h.slope : 1.0, tone, place);
   }
   return 1.0 - blank;
 }

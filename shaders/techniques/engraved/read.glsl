@@ -7,7 +7,7 @@ uniform mat3 objectToField; // linear part
 #include "technique/fieldAxis"
 #include "technique/arrivingLight"
 #include "technique/hand"
-#include "technique/screenGradient"
+#include "perFragment/screenGradient"
 
 // Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left, and
 // those that cross it take its tone.
@@ -22,6 +22,7 @@ struct HatchingParameters {
   float slope; // its change along the surface
   float has; // how far the first family has lines
   vec3 sideB, sideC; // across its axis; other families lean towards one of them
+  vec3 alongFirst; // the place by those two, and how much more the first of them changes along its lines
   float shareB; // of what crosses, by how well its lines run across those of the first on the surface
 };
 
@@ -32,7 +33,7 @@ HatchingParameters readHatchingParameters() {
   vec3 waves = slowWaves(3.5 * vFieldPoint);
   h.point = handPoint(vFieldPoint, waves);
   h.pressure = handPressure(waves);
-  h.onScreen = screenMap(normal);
+  h.onScreen = screenMap(normal, objectToField * readViewToAnchor());
   vec3 gradient;
   h.value = fieldAt(field, h.point, gradient);
   h.valueOnScreen = screenGradient(gradient, h.onScreen);
@@ -43,6 +44,7 @@ HatchingParameters readHatchingParameters() {
   float acrossB = dot(normal, h.sideC);
   float acrossC = dot(normal, h.sideB);
   float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
+  h.alongFirst = vec3(dot(h.point, h.sideB), dot(h.point, h.sideC), smoothstep(-0.35, 0.35, between));
   h.shareB = mix(1.0, smoothstep(-0.35, 0.35, between), h.has);
   return h;
 }

@@ -24,9 +24,18 @@ float powerOf2(const in float octave) {
   return intBitsToFloat(int((octave + 127.0) * 8388608.0));
 }
 
-// value: of the function, tiles. perPixel: its change from one pixel to the next. slope: its change along the surface.
-// Returns the darkness.
-float ruledLines(const in float value, const in float perPixel, const in float slope, const in float tone) {
+#ifdef CARVED
+  #include "technique/carving"
+#else
+  // How wide a line is, as a share of the room it has.
+  #define WIDTH_OF(line) (tone * handWidth(line))
+#endif // CARVED
+
+// value: of the function, tiles. perPixel: its change from one pixel to the next. slope: its change along the surface. place: on the
+// surface along the lines, as two coordinates and the share of the first. Returns the darkness.
+float ruledLines(
+  const in float value, const in float perPixel, const in float slope, const in float tone, const in vec3 place
+) {
   // As the surface turns to face the gradient, the lines it is cut in lie further apart, up to a bound.
   float onObject = octaves(lineSpacing / 256.0 * min(slope / SPARSEST_SLOPE, 1.0));
   float onScreen = octaves(lineSpacing * perPixel);
@@ -36,14 +45,22 @@ float ruledLines(const in float value, const in float perPixel, const in float s
   // they leave is that of the new ones, which are their equals when the next octave begins.
   float pixels = period / perPixel;
   float spacing = powerOf2(octave) / perPixel;
-  float oldWidth = 0.5 * tone * spacing;
-  float youngWidth = 0.5 * tone * (pixels - spacing);
   float x = value / period;
   float below = floor(x);
+  #ifdef CARVED
+    Cut cut = cutFor(tone, place / vec3(period, period, 1.0), 2.0 - 2.0 * spacing / pixels);
+  #endif // CARVED
+  float oldRoom = 0.5 * spacing;
+  float youngRoom = 0.5 * (pixels - spacing);
   // All that a pixel may lie on: their shares of it add up.
-  return min(1.0,
-    lineInk((x - below) * pixels, oldWidth * handWidth(below * period))
-    + lineInk(abs(x - below - 0.5) * pixels, youngWidth * handWidth((below + 0.5) * period))
-    + lineInk((below + 1.0 - x) * pixels, oldWidth * handWidth((below + 1.0) * period))
+  float covered = min(1.0,
+    lineInk((x - below) * pixels, oldRoom * WIDTH_OF(below * period))
+    + lineInk(abs(x - below - 0.5) * pixels, youngRoom * WIDTH_OF((below + 0.5) * period))
+    + lineInk((below + 1.0 - x) * pixels, oldRoom * WIDTH_OF((below + 1.0) * period))
   );
+  #ifdef CARVED
+    return 1.0 - covered;
+  #else
+    return covered;
+  #endif // CARVED
 }

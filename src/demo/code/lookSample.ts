@@ -25,6 +25,7 @@ export function materialParameters(settings: Settings, isScene: boolean): string
   if (technique === 'adjacencyCrisp') material.push('crisp: true');
   if (technique === 'anchored') {
     material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
+    if (settings.medium === 'stipple') material.push(`medium: 'stipple'`);
     if (settings.medium === 'dry') {
       material.push(
         `medium: 'dry'`,
@@ -47,6 +48,7 @@ export function materialParameters(settings: Settings, isScene: boolean): string
       ...crossing,
       `handmade: ${settings.handmade / 100}`,
     );
+    if (settings.carved === 'yes') material.push('carved: true');
   } else if (isCrisp(technique) || settings.levelRule === 'depth') {
     material.push(`strokeWidth: ${round(settings.strokeWidth)} * renderer.getPixelRatio()`);
   }

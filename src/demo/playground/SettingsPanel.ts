@@ -76,7 +76,7 @@ export class SettingsPanel {
     const hasStrokes = techniques.some((technique) => technique !== 'engraved' && technique !== 'none');
     const isPaper = ['adjacency', 'adjacencyCrisp', 'triangle'].some((one) => (techniques as string[]).includes(one));
     this.show('screenConstancy', isAnchored || isEngraved);
-    for (const key of ['lineField', 'lineSpacing', 'handmade'] as const) this.show(key, isEngraved);
+    for (const key of ['lineField', 'lineSpacing', 'handmade', 'carved'] as const) this.show(key, isEngraved);
     for (const key of ['mapStyle', 'strokeDirection', 'strokeLayers'] as const) this.show(key, hasStrokes);
     const isCrossing = isEngraved || (hasStrokes && settings.strokeLayers === 'tone');
     for (const key of ['crossFrom', 'crossAngle'] as const) this.show(key, isCrossing);

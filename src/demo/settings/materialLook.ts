@@ -43,6 +43,11 @@ const TWINS = {
   crossFrom: percent('crossFrom'),
   crossAngle: degrees('crossAngle'),
   handmade: percent('handmade'),
+  carved: {
+    property: 'carved',
+    toProperty: (setting: Settings['carved']) => setting === 'yes',
+    toSetting: (value: boolean) => (value ? 'yes' : 'no'),
+  },
   edge: same('edgePixels'),
   medium: same('medium'),
   tooth: percent('tooth'),

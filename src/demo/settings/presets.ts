@@ -22,6 +22,7 @@ const LOOK_KEYS = [
   'crossFrom',
   'crossAngle',
   'handmade',
+  'carved',
   'strokeDirection',
   'strokeAngle',
   'anchorSpacing',

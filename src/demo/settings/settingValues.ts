@@ -44,9 +44,11 @@ export const TONE_CURVES = {
   chalked: curveOf('chalk'),
 } as const satisfies Record<Settings['toneCurve'], unknown>;
 
-/** Whether anything is drawn with a tonal art map. Engraved lines need none. */
-export const needsMap = ({ technique, compare }: Settings): boolean =>
-  technique !== 'engraved' || (compare !== 'none' && compare !== 'engraved');
+/** Whether anything is drawn with a tonal art map. Engraved lines and dots need none. */
+export const needsMap = ({ technique, compare, medium }: Settings): boolean =>
+  [technique, compare].some(
+    (one) => one !== 'none' && one !== 'engraved' && !(one === 'anchored' && medium === 'stipple'),
+  );
 
 /** Whether a technique draws strokes of a set width in pure ink, instead of blending their greys. */
 export function isCrisp(technique: Settings['technique']): boolean {

@@ -194,6 +194,13 @@ export const SETTINGS = {
     step: 1,
   },
   handmade: { kind: 'number', label: 'Handmade', group: 'More', default: 40, unit: '%', min: 0, max: 100, step: 1 },
+  carved: {
+    kind: 'choice',
+    label: 'Lines',
+    group: 'More',
+    default: 'no',
+    choices: { no: 'Ink on paper', yes: 'Cut white out of black' },
+  },
   anchorSpacing: {
     kind: 'number',
     label: 'Anchors',
@@ -210,7 +217,7 @@ export const SETTINGS = {
     label: 'Medium',
     group: 'More',
     default: 'ink',
-    choices: { ink: 'Ink', dry: 'Pencil or chalk' },
+    choices: { ink: 'Ink', dry: 'Pencil or chalk', stipple: 'Dots' },
   },
   tooth: { kind: 'number', label: 'Paper tooth', group: 'More', default: 40, unit: '%', min: 0, max: 100, step: 1 },
   toothSize: {

@@ -46,9 +46,9 @@ describe('presets', () => {
   test('applyHatching takes one as it is, draws its map and frees it', async () => {
     const generate = vi.spyOn(TonalArtMap, 'generate');
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
-    const { material, lines } = presets.stipple;
+    const { material, lines } = presets.pen;
     const hatched = await applyHatching(mesh, {
-      ...presets.stipple,
+      ...presets.pen,
       tonalArtMap: { style: 'stippling', size: 64, tones: 4 },
       material: { ...material, ink: 'navy' },
     });
@@ -64,10 +64,11 @@ describe('presets', () => {
     expect(isFreed).toBe(true);
   });
 
-  test('one without a map has none drawn', async () => {
+  test.each(['engraving', 'stipple', 'woodcut'] as const)('%s needs no map, and has none drawn', async (name) => {
     const generate = vi.spyOn(TonalArtMap, 'generate');
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
-    (await applyHatching(mesh, presets.engraving)).dispose();
+    const { material, lines } = presets[name];
+    (await applyHatching(mesh, { material, lines })).dispose();
     expect(generate).not.toHaveBeenCalled();
   });
 

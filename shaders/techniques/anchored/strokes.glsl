@@ -1,0 +1,103 @@
+// Strokes anchored in object space: the four triangles of the paper's adjacency primitive give way to the four nearest
+// points of a lattice that is fixed on the object. Each samples the threshold map in the light's frame at the fragment,
+// the fields are blended, and ink is decided once. Independent of the mesh, and continuous wherever its normals are.
+#include "levelByDepth"
+#include "thresholdMap"
+#include "ink"
+#include "technique/simplexLattice"
+
+uniform float anchorSpacing; // tiles between anchors
+#ifdef SIZED_ON_SCREEN
+  uniform float screenConstancy; // 0: strokes sized on the object, 1: on the screen
+#endif // SIZED_ON_SCREEN
+
+// Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
+// serve between them; only in the last part of the way does a lattice give way to one with other strokes.
+#define LATTICE_OCTAVES 1.0
+#define LATTICE_FADE 0.75
+
+// Strokes crowd as the surface leans away, which shows its form, but no more than by so many octaves: then coarser levels take
+// over. By the smooth normal, so that no edge of a triangle shows.
+#define FREE_CROWDING 1.0
+
+// The g of one lattice's blended field. point: object space. uAxis, vAxis: the strokes' u and v in the surface. octaves: by
+// how many the map would be too fine for this lattice.
+float latticeField(
+  const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float lattice, const in ThresholdLevel level
+) {
+  LatticeAnchors anchors = nearestAnchors(point * (strokeScale * exp2(lattice * LATTICE_OCTAVES) / anchorSpacing), lattice);
+  #if LIGHTS_WITH_DIRECTION > 1
+    // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
+    // only: where B turns into −B the strokes stay.
+    vec4 shiftU = 0.5 * vec4(anchors.hashes & 1u);
+    vec4 shiftV = 0.5 * vec4((anchors.hashes >> 16u) & 1u);
+  #else
+    vec4 shiftU = vec4(anchors.hashes & 0xffffu) * (1.0 / 65536.0);
+    vec4 shiftV = vec4(anchors.hashes >> 16u) * (1.0 / 65536.0);
+  #endif // LIGHTS_WITH_DIRECTION
+  // A bit of each word as the sign of 1.
+  vec4 mirror = uintBitsToFloat(0x3f800000u | ((anchors.hashes << 16u) & 0x80000000u));
+  vec4 u = mirror * (anchorSpacing * uAxis * anchors.offsets) + shiftU;
+  vec4 v = anchorSpacing * vAxis * anchors.offsets + shiftV;
+  return blendedField(
+    vec2(u.x, v.x), vec2(u.y, v.y), vec2(u.z, v.z), vec2(u.w, v.w), anchors.weights, level
+  );
+}
+
+// Octaves by which strokes lie closer on the screen than face on, where the surface leans away across them.
+float foreshortenedOctaves(const in vec3 lean) {
+  float facing = lean.z * lean.z;
+  return -0.5 * log2(max(facing / max(facing + lean.y * lean.y, 1e-20), 1e-4));
+}
+
+// Layers that cross from some tone on, and those of shadows, print nothing in most places.
+#if STROKE_LAYERS == STROKE_LAYERS_TONE || defined(TELLS_SHADOWS)
+  #define MAY_BE_BLANK true
+#else
+  #define MAY_BE_BLANK false
+#endif // STROKE_LAYERS
+
+// crowding: octaves by which strokes are finer than drawn. isBlank: nothing will be printed, so nothing is fetched.
+HatchField anchoredField(
+  const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in vec3 lean, const in bool isBlank, out float crowding
+) {
+  // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
+  float magnification = -levelByDepth(thresholdMapSize);
+  float foreshortened = foreshortenedOctaves(lean);
+  HatchField field = HatchField(0.0, 0.0);
+  #ifdef SIZED_ON_SCREEN
+    float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
+    float lattice = ceil(wanted);
+    float faceOn = lattice * LATTICE_OCTAVES - magnification;
+    float octaves = faceOn + max(foreshortened - FREE_CROWDING, 0.0);
+    float fade = smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted));
+    float i = 0.0;
+    // A loop that is left after its body, not a branch, of which some devices compute either side.
+    if (!isBlank) do {
+      ThresholdLevel level = chooseLevel(levelFor(octaves + i * LATTICE_OCTAVES));
+      field.g += latticeField(point, uAxis, vAxis, lattice + i, level) * (i == 0.0 ? 1.0 - fade : fade);
+      field.mixing = max(field.mixing, level.mixing);
+      if (fade == 0.0) break;
+      i++;
+    } while (i < 2.0);
+    // The fields are independent: their variances add.
+    field.g *= inversesqrt(1.0 - 2.0 * fade * (1.0 - fade));
+  #else
+    float faceOn = -magnification;
+    float octaves = faceOn + max(foreshortened - FREE_CROWDING, 0.0);
+    if (!isBlank) {
+      ThresholdLevel level = chooseLevel(levelFor(octaves));
+      field = HatchField(latticeField(point, uAxis, vAxis, 0.0, level), level.mixing);
+    }
+  #endif // SIZED_ON_SCREEN
+  crowding = faceOn + foreshortened - levelFor(octaves);
+  return field;
+}
+
+float hatchLayer(const in HatchingParameters h, const in float tone) {
+  // Fragments are computed four at once, and the edges of strokes are found by their differences: not blank unless all are.
+  bool isBlank = MAY_BE_BLANK && !(tone + fwidth(tone) > 0.0);
+  float crowding;
+  HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, h.lean, isBlank, crowding);
+  return inkAt(field, tone, crowding);
+}

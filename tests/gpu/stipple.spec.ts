@@ -1,0 +1,305 @@
+import { expect } from '../browser/test.js';
+import { test } from './toolkitPage.js';
+
+/** Dots, measured on a wall that fills the picture, in tones that light from all around makes. */
+
+/** The ink of one dot that touches no border. */
+interface Dot {
+  x: number;
+  y: number;
+  area: number;
+  /** Of the longer axis of its ellipse to the shorter. */
+  aspect: number;
+}
+
+/** What the page does for these tests. */
+interface Stage {
+  /** Darkness of every pixel, 0 to 1, row by row from below. */
+  draw(change?: { tone?: number; slant?: number; x?: number; zoom?: number; dot?: number }): Float32Array;
+  dotsOf(darkness: Float32Array): Dot[];
+}
+
+const SIDE = 256;
+
+test.beforeEach(async ({ page }) => {
+  await page.evaluate(async (side) => {
+    const { THREE, hatchedMesh, makeRenderer, sceneOf } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(200, 200), {
+      technique: 'anchored',
+      medium: 'stipple',
+      tonalArtMap: null,
+      screenConstancy: 1,
+    });
+    const light = new THREE.AmbientLight();
+    const scene = sceneOf(mesh, light);
+    const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 600);
+    camera.position.z = 300;
+    const renderer = makeRenderer();
+    renderer.setSize(side, side, false);
+    const gl = renderer.getContext();
+    const pixels = new Uint8Array(4 * side * side);
+    const draw: Stage['draw'] = ({ tone = 0.2, slant = 0, x = 0, zoom = 1, dot = 16 } = {}) => {
+      mesh.material.strokeWidth = dot;
+      mesh.rotation.x = (-slant * Math.PI) / 180;
+      light.intensity = Math.PI * (1 - tone);
+      camera.position.x = x;
+      camera.zoom = zoom;
+      camera.updateProjectionMatrix();
+      renderer.render(scene, camera);
+      gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return Float32Array.from({ length: side * side }, (_, i) => 1 - pixels[4 * i] / 255);
+    };
+    const dotsOf: Stage['dotsOf'] = (darkness) => {
+      const seen = new Uint8Array(darkness.length);
+      const dots: Dot[] = [];
+      for (let start = 0; start < darkness.length; start++) {
+        if (seen[start] || darkness[start] < 0.4) continue;
+        const queue = [start];
+        seen[start] = 1;
+        let isCut = false;
+        let [area, sx, sy, xx, xy, yy] = [0, 0, 0, 0, 0, 0];
+        while (queue.length > 0) {
+          const i = queue.pop()!;
+          const [px, py] = [i % side, Math.floor(i / side)];
+          if (px === 0 || py === 0 || px === side - 1 || py === side - 1) {
+            isCut = true;
+            continue;
+          }
+          const w = darkness[i];
+          area += w;
+          sx += w * px;
+          sy += w * py;
+          xx += w * px * px;
+          xy += w * px * py;
+          yy += w * py * py;
+          for (const next of [i - 1, i + 1, i - side, i + side]) {
+            if (seen[next] || darkness[next] < 0.4) continue;
+            seen[next] = 1;
+            queue.push(next);
+          }
+        }
+        if (isCut || area < 4) continue;
+        const [x, y] = [sx / area, sy / area];
+        const [vxx, vxy, vyy] = [xx / area - x * x, xy / area - x * y, yy / area - y * y];
+        const half = Math.hypot((vxx - vyy) / 2, vxy);
+        const mean = (vxx + vyy) / 2;
+        dots.push({ x, y, area, aspect: Math.sqrt((mean + half) / Math.max(mean - half, 1e-6)) });
+      }
+      return dots;
+    };
+    Object.assign(window, { stage: { draw, dotsOf } });
+  }, SIDE);
+});
+
+declare global {
+  interface Window {
+    stage: Stage;
+  }
+}
+
+const middle = (values: readonly number[], share = 0.5): number =>
+  values.toSorted((a, b) => a - b)[Math.floor(share * values.length)];
+
+/** The mean distance to the nearest other dot, to that of the densest lattice of as many. */
+function evenness(dots: readonly Dot[]): number {
+  const margin = 30;
+  const inner = dots.filter(({ x, y }) => Math.min(x, y, SIDE - x, SIDE - y) > margin);
+  const nearest = inner.map((one) =>
+    Math.min(...dots.map((other) => (other === one ? Infinity : Math.hypot(one.x - other.x, one.y - other.y)))),
+  );
+  const room = (SIDE - 2 * margin) ** 2 / inner.length;
+  return nearest.reduce((sum, away) => sum + away, 0) / inner.length / Math.sqrt((2 / Math.sqrt(3)) * room);
+}
+
+test('dots are round and even at any slant, and do not merge below half tone', async ({ page }, testInfo) => {
+  const found = await page.evaluate(() => {
+    const { draw, dotsOf } = window.stage;
+    return [0, 45, 70].map((slant) => ({
+      slant,
+      // At two places between octaves.
+      light: [1, 1.3].map((zoom) => dotsOf(draw({ tone: 0.12, slant, dot: 12, zoom }))),
+      mid: dotsOf(draw({ tone: 0.35, slant, dot: 10 })),
+    }));
+  });
+  for (const { slant, light, mid } of found) {
+    const aspects = light.flat().map(({ aspect }) => aspect);
+    const even = light.map(evenness);
+    // What is much larger than most are several in one.
+    const most = middle(mid.map(({ area }) => area));
+    const merged = mid.filter(({ area }) => area > 1.7 * most).length / mid.length;
+    testInfo.annotations.push({
+      type: `${slant}°`,
+      description: `${aspects.length} dots, aspect ${middle(aspects).toFixed(2)}, nine in ten below ${middle(aspects, 0.9).toFixed(2)}; evenness ${even.map((value) => value.toFixed(2))}; merged ${merged.toFixed(2)} of ${mid.length}`,
+    });
+    expect(aspects.length).toBeGreaterThan(100);
+    expect(middle(aspects), `aspect at ${slant}°`).toBeLessThan(1.1);
+    expect(middle(aspects, 0.9), `aspect at ${slant}°`).toBeLessThan(1.3);
+    // Where dots are being born the set is less even, and at a slant it is seen foreshortened. Dots at random would have 0.47.
+    for (const value of even)
+      expect(value, `evenness at ${slant}°`).toBeGreaterThan({ 0: 0.7, 45: 0.65, 70: 0.6 }[slant]!);
+    expect(merged, `merged at ${slant}°`).toBeLessThan(slant < 60 ? 0.08 : 0.25);
+  }
+});
+
+test('the ink of dots is the tone in the mean, at any size and slant and between octaves', async ({
+  page,
+}, testInfo) => {
+  const errors = await page.evaluate(() => {
+    const { draw } = window.stage;
+    const found: string[] = [];
+    for (const [slant, dot] of [
+      [0, 2],
+      [0, 3.2],
+      [0, 8],
+      [30, 3.2],
+      [60, 3.2],
+    ]) {
+      for (const tone of [0.02, 0.1, 0.3, 0.5, 0.55, 0.6, 0.7, 0.9]) {
+        // Not a tone of one picture alone: dots are few in the lights.
+        for (const zoom of [1, 1.25, 1.55]) {
+          const mean = draw({ tone, slant, dot, zoom }).reduce((sum, ink) => sum + ink, 0) / 256 ** 2;
+          found.push(`${slant}° ${dot} px ${tone} ${zoom}: ${(mean - tone).toFixed(3)}`);
+        }
+      }
+    }
+    return found;
+  });
+  const size = (error: string): number => Math.abs(Number(error.split(': ')[1]));
+  const sorted = errors.toSorted((a, b) => size(b) - size(a));
+  testInfo.annotations.push({ type: 'tone error', description: sorted.slice(0, 8).join('; ') });
+  expect(size(sorted[0]), sorted.slice(0, 8).join('; ')).toBeLessThan(0.02);
+});
+
+test('dots stay where they are on the surface, while others are born and die', async ({ page }) => {
+  const found = await page.evaluate(() => {
+    const { draw, dotsOf } = window.stage;
+    const look = { tone: 0.2, dot: 10 };
+    const before = dotsOf(draw(look));
+    /** The share of inner dots that are found where they should be, and how large those are that are not, to the others. */
+    const kept = (after: ReturnType<typeof dotsOf>, to: (x: number, y: number) => [number, number]) => {
+      const inner = before.filter(({ x, y }) => Math.min(x, y, 256 - x, 256 - y) > 40);
+      const isKept = inner.map((one) => {
+        const [x, y] = to(one.x, one.y);
+        return after.some((other) => Math.hypot(other.x - x, other.y - y) < 0.7);
+      });
+      return isKept.filter(Boolean).length / inner.length;
+    };
+    // 256 pixels are two units wide.
+    const shifted = kept(dotsOf(draw({ ...look, x: 10.3 / 128 })), (x, y) => [x - 10.3, y]);
+    const nearer = [1.05, 1.4, 2, 2.9].map((zoom) =>
+      kept(dotsOf(draw({ ...look, zoom })), (x, y) => [127.5 + zoom * (x - 127.5), 127.5 + zoom * (y - 127.5)]),
+    );
+    // Nothing appears at once: a little nearer, little ink is elsewhere than the motion takes it.
+    const slanted = kept(dotsOf(draw({ ...look, slant: 12 })), (x, y) => [
+      x,
+      127.5 + Math.cos((12 * Math.PI) / 180) * (y - 127.5),
+    ]);
+    const ink = [1, 1.004].map((zoom) => draw({ ...look, zoom }));
+    let changed = 0;
+    ink[0].forEach((value, i) => {
+      const [x, y] = [(i % 256) - 127.5, Math.floor(i / 256) - 127.5];
+      if (Math.max(Math.abs(x), Math.abs(y)) < 20 && Math.abs(value - ink[1][i]) > 0.5) changed++;
+    });
+    return { count: before.length, shifted, nearer, slanted, changed };
+  });
+  expect(found.count).toBeGreaterThan(60);
+  expect(found.shifted).toBeGreaterThan(0.97);
+  // Dots never go as one comes nearer, at whatever distance they were born; those beyond the picture are not looked for.
+  expect(found.nearer[0], `${found.nearer}`).toBeGreaterThan(0.97);
+  expect(found.slanted).toBeGreaterThan(0.9);
+  expect(found.changed).toBeLessThan(5);
+});
+
+test('tiles of a larger picture have the dots of the whole; dots follow a bone; any lights, layers and shadows draw them', async ({
+  page,
+}) => {
+  const found = await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, makeRenderer, sceneOf } = window.toolkit;
+    const side = 128;
+    const material = new HatchingMaterial({
+      technique: 'anchored',
+      medium: 'stipple',
+      screenConstancy: 1,
+      strokeWidth: 6,
+    });
+    const geometry = new THREE.SphereGeometry(1.2, 48, 32);
+    const count = geometry.attributes.position.count;
+    geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+    geometry.setAttribute(
+      'skinWeight',
+      new THREE.Float32BufferAttribute(
+        Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0)),
+        4,
+      ),
+    );
+    const mesh = new THREE.SkinnedMesh(geometry, material);
+    const bone = new THREE.Bone();
+    mesh.add(bone);
+    mesh.bind(new THREE.Skeleton([bone]));
+    mesh.castShadow = mesh.receiveShadow = true;
+    const lights = [new THREE.DirectionalLight('white', Math.PI), new THREE.PointLight('white', 4)];
+    lights[0].position.set(1, 2, 2);
+    lights[1].position.set(-2, 0, 2);
+    lights[0].castShadow = true;
+    const scene = sceneOf(mesh, lights[0]);
+    scene.background = new THREE.Color('white');
+    const camera = new THREE.OrthographicCamera(-2, 2, 2, -2, 0.1, 20);
+    camera.position.z = 5;
+    const renderer = makeRenderer();
+    renderer.shadowMap.enabled = true;
+    const gl = renderer.getContext();
+    const drawn = (width: number, height: number): Uint8Array => {
+      renderer.setSize(width, height, false);
+      renderer.render(scene, camera);
+      const pixels = new Uint8Array(4 * width * height);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return pixels;
+    };
+    const whole = drawn(side, side);
+    let seams = 0;
+    for (const [x, y] of [
+      [0, 0],
+      [0.5, 0],
+      [0, 0.5],
+      [0.5, 0.5],
+    ]) {
+      camera.setViewOffset(side, side, x * side, y * side, side / 2, side / 2);
+      const tile = drawn(side / 2, side / 2);
+      for (let row = 0; row < side / 2; row++) {
+        // Rows count from below.
+        const start = 4 * ((row + (0.5 - y) * side) * side + x * side);
+        whole.subarray(start, start + 2 * side).forEach((value, i) => {
+          seams += Number(Math.abs(value - tile[2 * side * row + i]) > 8) / whole.length;
+        });
+      }
+    }
+    camera.clearViewOffset();
+    // By eight pixels to the right.
+    bone.position.x = 0.25;
+    const moved = drawn(side, side);
+    bone.position.x = 0;
+    let left = 0;
+    for (let i = 0; i < moved.length - 32; i += 4) {
+      if ((i / 4) % side < side - 8) left += Number(Math.abs(moved[i + 32] - whole[i]) > 8) / (side * side);
+    }
+    const ink = (pixels: Uint8Array): number =>
+      pixels.reduce((sum, value) => sum + 1 - value / 255, 0) / (3 * side * side);
+    const inks = [ink(whole)];
+    scene.add(lights[1]);
+    for (const strokeLayers of ['single', 'lights', 'tone'] as const) {
+      for (const shadowStrokes of ['tone', 'cross', 'reorient'] as const) {
+        Object.assign(material, { strokeLayers, shadowStrokes });
+        inks.push(ink(drawn(side, side)));
+      }
+    }
+    return { seams, left, inks };
+  });
+  expect(found.seams).toBeLessThan(0.002);
+  expect(found.left).toBeLessThan(0.01);
+  expect(found.inks[0]).toBeGreaterThan(0.05);
+  // A second light leaves less ink, and however it is laid, the tone is the same.
+  for (const ink of found.inks.slice(1)) {
+    expect(ink, `${found.inks}`).toBeLessThan(found.inks[0]);
+    expect(Math.abs(ink - found.inks[1]), `${found.inks}`).toBeLessThan(0.02);
+  }
+});

@@ -1,0 +1,183 @@
+/**
+ * The medium `stipple` at one fragment, in double precision, as documented: planes, a set of points that holds itself, discs on the
+ * screen. Shares no code with the shader, but for the table of the points.
+ */
+import { mat3, mat4, vec3 } from 'gl-matrix';
+import { STIPPLE_MAP_SIZE, stippleMap } from '../../src/tam/stippleMap.js';
+import type { HatchingReference } from './hatchingReference.js';
+import type { ReferenceCamera } from './rasterizeReference.js';
+import type { Vec3 } from './referenceAdjacency.js';
+
+export interface StippleScene {
+  reference: HatchingReference;
+  matrixWorld: number[];
+  camera: ReferenceCamera;
+  /** Of the picture in pixels; it is square. */
+  size: number;
+  settings: { strokeScale: number; strokeWidth: number; screenConstancy: number; edgePixels: number };
+}
+
+type Vec2 = [number, number];
+
+const dot = (a: Vec3, b: Vec3) => vec3.dot(a, b);
+const cross = (a: Vec3, b: Vec3) => vec3.cross([0, 0, 0], a, b) as Vec3;
+const unit = (a: Vec3) => vec3.normalize([0, 0, 0], a) as Vec3;
+const clamp01 = (x: number) => Math.min(1, Math.max(0, x));
+
+/** The thirteen axes of a cube: through its faces, edges and corners, one of each opposite two. */
+const AXES: readonly Vec3[] = [-1, 0, 1]
+  .flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z): Vec3 => [x, y, z])))
+  .slice(14)
+  .map(unit);
+
+/** The axes that a surface is near enough to, towards the side it looks to, and the share of each. */
+function planesOf(normal: Vec3): { axis: Vec3; share: number }[] {
+  const facing = AXES.map((axis) => Math.abs(dot(axis, normal)));
+  const best = Math.max(...facing);
+  const weights = facing.map((value) => clamp01(1 - (best - value) / 0.04) ** 2);
+  const sum = weights.reduce((total, weight) => total + weight, 0);
+  return AXES.map((axis, i) => ({
+    axis: axis.map((x) => (dot(axis, normal) < 0 ? -x : x) + 0) as Vec3,
+    share: weights[i] / sum,
+  })).filter(({ share }) => share >= 0.02);
+}
+
+/** The convention for two axes in a plane. */
+function acrossAxis(axis: Vec3): [Vec3, Vec3] {
+  const u = unit(Math.abs(axis[0]) > Math.abs(axis[2]) ? [-axis[1], axis[0], 0] : [0, -axis[2], axis[1]]);
+  return [u, cross(axis, u)];
+}
+
+const texels = stippleMap().image.data as Uint8Array;
+
+/** The share of an octave in which a dot grows. */
+const GROWTH = 0.35;
+
+/** Area of a dot so far into the octave, as a share of its full one. */
+const grownBy = (octave: number, birth: number): number =>
+  birth === 0 ? 1 : clamp01((octave - birth * (1 - GROWTH)) / GROWTH);
+
+/** The mean of that over all births: exact, since between the births at which dots begin and end to grow it is linear. */
+function meanGrown(octave: number): number {
+  const ends = [0, (octave - GROWTH) / (1 - GROWTH), octave / (1 - GROWTH), 1].map(clamp01).toSorted((a, b) => a - b);
+  let sum = 0;
+  for (let i = 1; i < ends.length; i++) {
+    const [from, to] = [ends[i - 1], ends[i]];
+    sum += (to - from) * grownBy(octave, Math.max((from + to) / 2, 1e-9));
+  }
+  return sum;
+}
+
+/** Area of all discs together over the whole, of which they cover so much at such a place in an octave: they overlap. */
+function areaFor(covered: number, octave: number): number {
+  if (covered <= 0.5) return covered;
+  return (
+    covered +
+    ((0.3 + 2.8 * octave * (1 - octave) ** 2) * (covered - 0.5) ** 2) / Math.sqrt(Math.max(1 - covered, 0.001))
+  );
+}
+
+/** The share of ink at so many pixels from the middle of a disc with an edge so wide. Below the edge it pales. */
+function discInk(away: number, area: number, edge: number): number {
+  const squared = area / Math.PI;
+  const radius = Math.sqrt(Math.max(squared - edge ** 2 / 12, edge ** 2 / 4));
+  return clamp01((radius - away) / edge + 0.5) * Math.min((3 * squared) / edge ** 2, 1);
+}
+
+export class StippleReference {
+  constructor(private readonly scene: StippleScene) {}
+
+  /** Darkness at one fragment. place: object space. normals: as interpolated; of strokes in object space, of tone in world space. */
+  darkness(place: Vec3, normal: Vec3, toneNormal: Vec3): number {
+    const { reference, settings } = this.scene;
+    const tone = reference.tone(reference.toWorld(place), unit(toneNormal));
+    const n = unit(normal);
+    const toViewer = unit(reference.toViewer(reference.toWorld(place)));
+    // None of the scenes shows the back of a surface.
+    const between = unit([n[0] + toViewer[0], n[1] + toViewer[1], n[2] + toViewer[2]]);
+    const { toScreen, lie } = this.screenMap(place, n);
+    const blank = { black: 1, white: 1 };
+    for (const { axis, share } of planesOf(between)) {
+      const [u, v] = acrossAxis(axis);
+      const moves = [u, v].map((side) => {
+        // From a step in the plane along the axis to the surface.
+        const lifted = side.map((x, i) => x - (axis[i] * dot(side, lie)) / dot(axis, lie)) as Vec3;
+        return toScreen(lifted);
+      }) as [Vec2, Vec2];
+      const at: Vec2 = [dot(place, u), dot(place, v)];
+      const shares = this.shares(tone);
+      for (const kind of ['black', 'white'] as const) {
+        const whole = shares[kind];
+        const own = 1 - Math.max(1 - whole, 1e-6) ** share;
+        const [a, b, c] = kind === 'black' ? [3.17, 7.71, 5.39] : [4.73, 1.93, 8.29];
+        const shifted = at.map(
+          (coordinate, i) => coordinate + dot(axis, i === 0 ? [a, b, c] : [b, c, a]) / settings.strokeScale,
+        ) as Vec2;
+        blank[kind] *= 1 - this.dots(shifted, moves, share, own, whole);
+      }
+    }
+    return tone <= 0.5 ? 1 - blank.black : 1 - blank.black * (1 - blank.white);
+  }
+
+  /** What black dots cover, and white ones of the rest: below half tone none, above 0.7 all the light there is. */
+  private shares(tone: number): { black: number; white: number } {
+    const black = tone <= 0.5 ? tone : Math.max(0, 0.5 - (tone - 0.5) * 2.5);
+    return { black, white: tone <= 0.5 ? 0 : (1 - tone) / (1 - black) };
+  }
+
+  /** moves: pixels for a step along each of the plane's axes. share: of all dots. own: what these cover, and all of them. */
+  private dots(at: Vec2, moves: [Vec2, Vec2], share: number, own: number, all: number): number {
+    const { strokeScale, strokeWidth, screenConstancy, edgePixels } = this.scene.settings;
+    const pixelArea = Math.abs(moves[0][0] * moves[1][1] - moves[0][1] * moves[1][0]);
+    // A dot at half tone has 0.8 of its room as diameter. Dots per unit of length.
+    const onPaper = Math.sqrt(pixelArea) / (strokeWidth / 0.8);
+    const onObject = Math.min(64 * strokeScale, onPaper);
+    const thinned = Math.sqrt(share) * Math.min(1, Math.max(2 * all, 0.008)) ** 0.25;
+    const octave = Math.log2(onObject ** (1 - screenConstancy) * onPaper ** screenConstancy * thinned);
+    const cells = 2 ** (Math.floor(octave) + 1);
+    const into = octave - Math.floor(octave);
+    const dotArea = (areaFor(own, into) * pixelArea) / cells ** 2 / (0.25 + 0.75 * meanGrown(into));
+    let ink = 0;
+    const [column, row] = at.map((coordinate) => Math.floor(coordinate * cells));
+    for (let y = row - 3; y <= row + 3; y++) {
+      for (let x = column - 3; x <= column + 3; x++) {
+        const wrap = (cell: number) => ((cell % STIPPLE_MAP_SIZE) + STIPPLE_MAP_SIZE) % STIPPLE_MAP_SIZE;
+        const texel = 4 * (wrap(y) * STIPPLE_MAP_SIZE + wrap(x));
+        const du = (x + texels[texel] / 255) / cells - at[0];
+        const dv = (y + texels[texel + 1] / 255) / cells - at[1];
+        const away = Math.hypot(du * moves[0][0] + dv * moves[1][0], du * moves[0][1] + dv * moves[1][1]);
+        const area = dotArea * grownBy(into, texels[texel + 2] / 255);
+        ink += discInk(away, area, Math.max(edgePixels, 0.01));
+      }
+    }
+    return Math.min(ink, 1);
+  }
+
+  /** How many pixels a step in object space takes, by the derivatives of the whole projection; and how the surface lies for dots. */
+  private screenMap(place: Vec3, normal: Vec3): { toScreen: (step: Vec3) => Vec2; lie: Vec3 } {
+    const { camera, matrixWorld, size } = this.scene;
+    const objectToView = mat4.multiply(mat4.create(), camera.view as unknown as mat4, matrixWorld as unknown as mat4);
+    const linear = mat3.fromMat4(mat3.create(), objectToView);
+    const q = vec3.transformMat4([0, 0, 0], place, objectToView) as Vec3;
+    const p = camera.projection;
+    const clip = (row: number, v: Vec3, w: number) =>
+      p[row] * v[0] + p[4 + row] * v[1] + p[8 + row] * v[2] + p[12 + row] * w;
+    const depth = clip(3, q, 1);
+    // The quotient rule: x/w changes by (dx − x/w · dw)/w.
+    const moved = (row: number, v: Vec3) =>
+      ((clip(row, v, 0) - (clip(row, q, 1) / depth) * clip(3, v, 0)) / depth) * (size / 2);
+    const toScreen = (step: Vec3): Vec2 => {
+      const inView = vec3.transformMat3([0, 0, 0], step, linear) as Vec3;
+      return [moved(0, inView), moved(1, inView)];
+    };
+    // A surface that leans away from the line of sight further than to a cosine of 0.33 is taken for one that does not. The cosine
+    // is to a line of sight as long as it is deep.
+    const toObject = mat3.invert(mat3.create(), linear)!;
+    const inView = unit(vec3.transformMat3([0, 0, 0], normal, mat3.transpose(mat3.create(), toObject)) as Vec3);
+    const isPerspective = p[11] !== 0;
+    const sight: Vec3 = isPerspective ? [q[0] / q[2], q[1] / q[2], 1] : [0, 0, 1];
+    const lacking = Math.max(0.33 - dot(inView, sight), 0) / dot(sight, sight);
+    const leaning = inView.map((x, i) => x + lacking * sight[i]) as Vec3;
+    return { toScreen, lie: vec3.transformMat3([0, 0, 0], leaning, mat3.transpose(mat3.create(), linear)) as Vec3 };
+  }
+}
