@@ -106,7 +106,6 @@ export class HatchingLineMaterial extends ShaderMaterial {
     this.uniforms.ink.value = this.ink;
     this.uniforms.shadeWeights.value = this.shadeWeights;
     this.uniforms.opacity.value = this.opacity;
-    this.setDefine('WOBBLE', this.wobble > 0);
     this.setDefine('DEFORMED', isDeformed);
     this.uniformsNeedUpdate = true;
   }
@@ -124,6 +123,8 @@ export class HatchingLineMaterial extends ShaderMaterial {
       get: () => current,
       set: (value: number) => {
         current = checkNumber(name, value, LINE_NUMBERS[name], 'HatchingLineMaterial');
+        // At once, so that `renderer.compile` builds the program that frames use.
+        if (name === 'wobble') this.setDefine('WOBBLE', current > 0);
       },
       enumerable: true,
     });

@@ -1,33 +1,42 @@
-import type { Camera, Scene, WebGLInfo, WebGLRenderer } from 'three';
+import type { WebGLInfo, WebGLRenderer } from 'three';
 
 const POLL_MILLISECONDS = 10;
 
-/**
- * Has the programs of a scene built beside the page, so that the first frame that needs them does not hold it up. Where browsers
- * cannot (KHR_parallel_shader_compile), programs count as ready at once.
- */
+/** Has the programs of a scene built beside the page, so that the first frame that needs them does not hold it up. */
 export class ProgramBuilder {
+  private readonly gl: WebGL2RenderingContext;
+  /** Passed when the browser has handed the programs to the driver. */
+  private fence: WebGLSync | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /** @param onBuilt called when programs that were waited for are ready */
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly onBuilt: () => void,
-  ) {}
+  ) {
+    this.gl = renderer.getContext() as WebGL2RenderingContext;
+  }
 
   get isBuilding(): boolean {
     return this.timer !== undefined;
   }
 
-  build(scene: Scene, camera: Camera): void {
+  /** @param compile calls the renderer's `compile` for everything that is drawn next */
+  build(compile: () => void): void {
+    const newest = this.programs.at(-1);
+    compile();
+    if (this.programs.at(-1) === newest) return;
     this.stop();
-    this.renderer.compile(scene, camera);
-    if (!this.areReady) this.wait();
+    this.fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.gl.flush();
+    this.wait();
   }
 
   stop(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
+    this.gl.deleteSync(this.fence);
+    this.fence = null;
   }
 
   private get programs(): NonNullable<WebGLInfo['programs']> {
@@ -35,12 +44,16 @@ export class ProgramBuilder {
   }
 
   private get areReady(): boolean {
-    const gl = this.renderer.getContext();
+    const { gl, fence } = this;
+    if (gl.isContextLost()) return true;
+    if (fence && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
     const parallel = gl.getExtension('KHR_parallel_shader_compile');
-    if (!parallel) return true;
     // Not by the promise of compileAsync: it throws where a material is disposed meanwhile.
-    return this.programs.every(({ program }) =>
-      gl.getProgramParameter(program as WebGLProgram, parallel.COMPLETION_STATUS_KHR),
+    return (
+      !parallel ||
+      this.programs.every(({ program }) =>
+        gl.getProgramParameter(program as WebGLProgram, parallel.COMPLETION_STATUS_KHR),
+      )
     );
   }
 
@@ -50,7 +63,7 @@ export class ProgramBuilder {
         this.wait();
         return;
       }
-      this.timer = undefined;
+      this.stop();
       // Asks for them once, which in the middle of a frame would wait for what is drawn before.
       for (const program of this.programs) program.getUniforms();
       this.onBuilt();

@@ -31,6 +31,8 @@ const SKETCH_SHARE = 0.5;
 /** A sketch of a stand-in that takes longer stays until the model itself is there. */
 const LONG_MILLISECONDS = 500;
 
+/** Of a comparison. */
+const SIDES = ['drawn', 'compared'] as const;
 /** The settings that programs depend on are among those that are chosen from a list. */
 const CHOICES = SETTING_KEYS.filter((name) => SETTINGS[name].kind === 'choice');
 
@@ -213,11 +215,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
    */
   function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
     const share = divider?.();
-    if (settings) {
-      const strokeRatio = pixelRatio * strokeShare(viewport.clientWidth, viewport.clientHeight);
-      model?.setWidths(settings, strokeRatio);
-      ground.setWidths(settings, strokeRatio);
-    }
+    if (settings) setWidths(settings, pixelRatio);
     model?.useMaterials('drawn');
     if (share === undefined) {
       renderer.render(scene, camera);
@@ -231,6 +229,12 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setScissor(0, 0, split, height);
     if (split > 0) renderer.render(scene, camera);
     renderer.setScissorTest(false);
+  }
+
+  function setWidths(settings: Settings, pixelRatio: number): void {
+    const strokeRatio = pixelRatio * strokeShare(viewport.clientWidth, viewport.clientHeight);
+    model?.setWidths(settings, strokeRatio);
+    ground.setWidths(settings, strokeRatio);
   }
 
   function resize(): void {
@@ -306,7 +310,14 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     const key = CHOICES.map((name) => settings[name]).join();
     if (key === builtFor) return;
     builtFor = key;
-    builder.build(scene, camera);
+    // Lines that are not drawn by hand have a program of their own.
+    setWidths(settings, renderer.getPixelRatio());
+    builder.build(() => {
+      for (const side of settings.compare === 'none' ? SIDES.slice(0, 1) : SIDES) {
+        model?.useMaterials(side);
+        renderer.compile(scene, camera);
+      }
+    });
   }
 
   function applyDrawn(): void {
