@@ -45,6 +45,80 @@ test('the mean darkness is the tone, at every distance between octaves, with and
   for (const error of errors) expect(error).toBeLessThan(0.01);
 });
 
+test('carved lines are white wedges that end in points, and their mean is the tone', async ({ page }) => {
+  const found = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2), { layout: 'indexed' });
+    const material = new HatchingMaterial({
+      technique: 'engraved',
+      carved: true,
+      crossFrom: 1,
+      lineField: 'y',
+      screenConstancy: 1,
+      handmade: 0,
+    });
+    const light = new THREE.AmbientLight(0xffffff, 0);
+    const scene = paperScene(new THREE.Mesh(geometry, material), light);
+    const camera = new THREE.OrthographicCamera(-0.6, 0.6, 0.6, -0.6, 0.1, 10);
+    camera.position.z = 2;
+    const size = 300;
+    const drawn = (tone: number, eighth: number) => {
+      light.intensity = Math.PI * (1 - tone);
+      camera.zoom = 2 ** (eighth / 8);
+      camera.updateProjectionMatrix();
+      return draw(scene, camera, rendererOf(size));
+    };
+    const errors: number[] = [];
+    for (const tone of [0, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 1]) {
+      for (const eighth of [0, 2, 4, 6]) {
+        const ink = drawn(tone, eighth);
+        errors.push(ink.reduce((sum, one) => sum + one, 0) / ink.length - tone);
+      }
+    }
+    // Wide enough apart for their forms to be measured. Widths of each white piece, column by column.
+    material.lineSpacing = 14;
+    const ink = drawn(0.75, 0);
+    const seen = new Uint8Array(ink.length);
+    const pieces: { length: number; mean: number; most: number; ends: number }[] = [];
+    for (let start = 0; start < ink.length; start++) {
+      if (seen[start] || ink[start] > 0.5) continue;
+      const queue = [start];
+      seen[start] = 1;
+      const widths = new Map<number, number>();
+      let isCut = false;
+      while (queue.length > 0) {
+        const i = queue.pop()!;
+        const [x, y] = [i % size, Math.floor(i / size)];
+        if (x === 0 || y === 0 || x === size - 1 || y === size - 1) {
+          isCut = true;
+          continue;
+        }
+        widths.set(x, (widths.get(x) ?? 0) + 1 - ink[i]);
+        for (const next of [i - 1, i + 1, i - size, i + size]) {
+          if (seen[next] || ink[next] > 0.5) continue;
+          seen[next] = 1;
+          queue.push(next);
+        }
+      }
+      if (isCut || widths.size < 20) continue;
+      const row = [...widths.keys()].toSorted((a, b) => a - b).map((x) => widths.get(x)!);
+      const most = Math.max(...row);
+      const mean = row.reduce((sum, width) => sum + width, 0) / row.length;
+      pieces.push({ length: row.length, mean, most, ends: Math.max(row[0], row.at(-1)!) });
+    }
+    return { errors, pieces };
+  });
+  for (const error of found.errors) expect(Math.abs(error), `${found.errors}`).toBeLessThan(0.02);
+  expect(found.pieces.length).toBeGreaterThan(20);
+  for (const { length, mean, most, ends } of found.pieces) {
+    expect(length).toBeGreaterThan(3 * most);
+    // A wedge that is as wide as it ever is in one place alone has half of that width in the mean; a bar has all of it.
+    expect(mean / most).toBeLessThan(0.7);
+    expect(ends).toBeLessThan(2);
+  }
+});
+
 test('lines lie as far apart as asked on the screen, from near and far, or half as far where new ones are born', async ({
   page,
 }) => {

@@ -17,6 +17,8 @@ export interface EngravedSettings {
   handmade: number;
   screenConstancy: number;
   strokeScale: number;
+  /** Default: false. */
+  carved?: boolean;
   /** Default: 'tone'. */
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
 }
@@ -194,12 +196,44 @@ function lineShare(away: number, width: number): number {
   return Math.max(overlap, 0) * Math.min(width, 1);
 }
 
-/** A factor on the width of the line at a value: the bits of the value in single precision, times the golden ratio. */
-export function lineFactor(value: number, handmade: number): number {
+/** A number in [0, 1) of the line at a value: the upper 24 bits of the value in single precision, times the golden ratio. */
+export function lotOf(value: number): number {
   const [bits] = new Uint32Array(Float32Array.of(value).buffer);
   const spread = BigInt.asUintN(32, BigInt(bits) * 0x9e3779b9n);
-  // The upper 24 bits as a number in [0, 1).
-  return 1 + handmade * (0.5 * (Number(spread >> 8n) / 2 ** 24) - 0.25);
+  return Number(spread >> 8n) / 2 ** 24;
+}
+
+/** A factor on the width of the line at a value. */
+export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * lotOf(value) - 0.25);
+
+/** Where along its lines a place is: by two coordinates, in tiles, and how much the first of them counts. */
+interface Along {
+  places: readonly [number, number];
+  share: number;
+}
+
+/** A wedge of length 1 after another: up from −1 to 1 over 0.7 of it, and down. */
+function gouge(x: number): number {
+  const t = x - Math.floor(x);
+  return t < 0.7 ? (2 * t) / 0.7 - 1 : (2 * (1 - t)) / 0.3 - 1;
+}
+
+/** How much of its room the cut of a line takes, where old lines lie so far apart and new ones have grown by so much. */
+function cutShare(line: number, white: number, { places, share }: Along, period: number, into: number): number {
+  const swell = 0.42;
+  const lot = lotOf(line);
+  const longer = smoothly(0.2, 0.8, into);
+  const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
+  const flattened = (t: number) => Math.hypot(t, 1 - t);
+  const waves = places.map((place) => {
+    const wedges = place / (11 * period);
+    return mixed(gouge(wedges + lot), gouge(2 * wedges + lot), longer);
+  });
+  const wave = mixed(waves[1], waves[0], share) / (flattened(longer) * flattened(share));
+  // So that the mean over all waves is what is asked for.
+  const middleFor = (rare: number) => (rare < swell ? Math.sqrt(4 * swell * rare) - swell : rare);
+  const middle = white < 0.5 ? middleFor(white) : 1 - middleFor(1 - white);
+  return clamp01(middle + swell * wave);
 }
 
 /** The logarithm to base 2, linear between powers of two, and its inverse. */
@@ -216,6 +250,7 @@ function ruledDarkness(
   slope: number,
   tone: number,
   settings: EngravedSettings,
+  along: Along,
 ): number {
   const { lineSpacing, screenConstancy, handmade } = settings;
   const onObject = octaveOf((lineSpacing / 256) * Math.min(slope / 0.4, 1));
@@ -227,13 +262,14 @@ function ruledDarkness(
   const shares = { old: wanted / period, young: 1 - wanted / period };
   const pixels = period / perPixel;
   const nearest = Math.round(value / period);
-  let ink = 0;
+  const shareOf = (line: number): number =>
+    settings.carved ? cutShare(line, 1 - tone, along, period, 2 * shares.young) : tone * lineFactor(line, handmade);
+  let covered = 0;
   for (let line = nearest - 2; line <= nearest + 2; line += 0.5) {
-    const width =
-      tone * (Number.isInteger(line) ? shares.old : shares.young) * pixels * lineFactor(line * period, handmade);
-    ink += lineShare(Math.abs(value - line * period) / perPixel, width);
+    const width = (Number.isInteger(line) ? shares.old : shares.young) * pixels * shareOf(line * period);
+    covered += lineShare(Math.abs(value - line * period) / perPixel, width);
   }
-  return Math.min(ink, 1);
+  return settings.carved ? 1 - Math.min(covered, 1) : Math.min(covered, 1);
 }
 
 /** Two parabolas in the place of a sine of period 2: up from −1 to 0, down from 0 to 1. */
@@ -297,7 +333,14 @@ export class EngravedReference {
       if (familyTone <= 1e-4 && family !== first) return 1;
       const pressed = familyTone + pressure * familyTone * (1 - familyTone);
       const perPixel = strokeScale * plane.gradientLength(family.gradient(strayed));
-      return 1 - ruledDarkness(family.value(strayed), perPixel, familySlope, pressed, settings);
+      const along: Along =
+        family === first
+          ? {
+              places: sides.map((side) => dot(strayed, side)) as [number, number],
+              share: smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)),
+            }
+          : { places: [first.value(strayed), first.value(strayed)], share: 1 };
+      return 1 - ruledDarkness(family.value(strayed), perPixel, familySlope, pressed, settings, along);
     };
     if (tone >= 1) return 1;
     // Above crossFrom it takes 0.4 of the tone; what it leaves blank too much the others cover, by the law of products.
