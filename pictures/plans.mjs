@@ -39,17 +39,17 @@ export const PLANS = {
     pictures: PRESET_NAMES.map((preset) => ({ ...HAND, preset, width: 400, height: 500, pixelRatio: 1.5 })),
   },
   media: {
-    columns: 3,
+    columns: 5,
     pictures: [
       { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 0.8], zoom: 0.95 },
       { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 },
     ].flatMap((subject) =>
-      ['pencil', 'charcoal', 'chalk'].map((preset) => ({
+      ['pencil', 'charcoal', 'chalk', 'stipple', 'woodcut'].map((preset) => ({
         ...subject,
         preset,
-        width: 560,
-        height: 560,
-        pixelRatio: 1.3,
+        width: 460,
+        height: 460,
+        pixelRatio: 1.1,
         shadows: true,
         occlusion: 0.6,
       })),

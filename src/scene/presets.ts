@@ -146,7 +146,7 @@ const makePresets = () =>
         carved: true,
         screenConstancy: 1,
         lineField: 'towards',
-        lineSpacing: 9,
+        lineSpacing: 7,
         crossFrom: 1,
         handmade: 0.6,
         toneCurve: CUT,
