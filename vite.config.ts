@@ -44,6 +44,7 @@ export default defineConfig(
       // Named, because a dependency that is first met while a page runs makes the server reload that page.
       include: [
         'three',
+        'three/webgpu',
         'lil-gui',
         'mediabunny',
         'bunny',

@@ -19,6 +19,17 @@ const pureWorkerBlob: Plugin = {
   },
 };
 
+/** The library holds no code of others: nobody who uses it has to name them. */
+const nothingOfOthers: Plugin = {
+  name: 'nothing-of-others',
+  generateBundle(_options, bundle) {
+    for (const chunk of Object.values(bundle)) {
+      const strangers = chunk.type === 'chunk' ? chunk.moduleIds.filter((id) => id.includes('/node_modules/')) : [];
+      if (strangers.length > 0) this.error(`The library would hold code of others: ${strangers.join(', ')}.`);
+    }
+  },
+};
+
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
  * inlined; with `--mode worker` the same worker as one file, which a page under a strict Content-Security-Policy can serve
@@ -29,10 +40,10 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // The default base would turn the worker's address into an absolute one, broken for every consumer.
     base: './',
-    plugins: [shortShaders, pureWorkerBlob],
+    plugins: [shortShaders, pureWorkerBlob, nothingOfOthers],
     publicDir: false,
     // Inlined as text, where no consumer's minifier reaches it.
-    worker: { format: 'es', rolldownOptions: { output: { minify: true } } },
+    worker: { format: 'es', plugins: () => [nothingOfOthers], rolldownOptions: { output: { minify: true } } },
     build: {
       target: 'es2022',
       // Readable as it is, so it needs no source map; and a map of the inlined worker would have no address.

@@ -22,6 +22,14 @@ export function writeNotice(): string {
   return `${sections.join('\n')}\n`;
 }
 
+/** The same, as the table of docs/licences.md. */
+export function licenceTable(): string {
+  const rows = PARTS.map(
+    ({ name, use, by, address, licence }) => `| [${name}](${address}) | ${use} | ${by} | ${licence} |`,
+  );
+  return ['| | for | by | licence |', '| --- | --- | --- | --- |', ...rows].join('\n');
+}
+
 function titleOf({ name, from }: Part): string {
   const path = from && `node_modules/${from}/package.json`;
   if (!path || !existsSync(new URL(path, root))) return name;

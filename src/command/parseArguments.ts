@@ -1,5 +1,6 @@
 import { parseArgs } from 'node:util';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type HatchingPreset, presets } from '../scene/presets.js';
 import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
 
 /** A mistake in how the command was called, reported without a stack trace. */
@@ -13,6 +14,7 @@ export type Request =
 
 const OPTIONS = {
   style: { type: 'string' },
+  preset: { type: 'string' },
   out: { type: 'string' },
   size: { type: 'string' },
   tones: { type: 'string' },
@@ -29,6 +31,7 @@ export const HELP = `three-hatching tam: draws a tonal art map into a folder of 
   npx three-hatching tam --style woodcut --out maps/woodcut
 
   --style <name>          what it looks like; --list names them all (default hatching)
+  --preset <name>         the map of a preset, in the place of a style
   --out <folder>          where it goes; the folder is made, and must not hold a map yet
   --size <texels>         side of the finest level: 64, 128, 256, 512 or 1024 (default 256)
   --tones <count>         with blank paper, 4 to 16 (default 8)
@@ -57,7 +60,8 @@ export function parseArguments(args: readonly string[]): Request {
   if (values.list) return { action: 'list' };
   if (!values.out) throw new UsageError('--out is missing; name the folder that the map goes into.');
   const map: HatchImageOptions = {
-    style: values.style as StrokeStyleName | undefined,
+    ...mapOfPreset(values),
+    ...(values.style !== undefined && { style: values.style as StrokeStyleName }),
     size: wholeNumber('size', values.size),
     tones: wholeNumber('tones', values.tones),
     levels: wholeNumber('levels', values.levels),
@@ -72,6 +76,17 @@ export function parseArguments(args: readonly string[]): Request {
     );
   }
   return { action: 'draw', map, out: values.out, force: values.force ?? false };
+}
+
+/** What the map of a preset is drawn with. */
+function mapOfPreset({ preset, style }: { preset?: string; style?: string }): HatchImageOptions {
+  if (preset === undefined) return {};
+  if (style !== undefined) throw new UsageError('--preset and --style say the same in two ways; give one of them.');
+  const drawn = Object.entries<HatchingPreset>(presets).filter(([, { tonalArtMap }]) => tonalArtMap !== null);
+  const found = drawn.find(([name]) => name === preset)?.[1].tonalArtMap;
+  if (found) return { ...found };
+  const reason = Object.hasOwn(presets, preset) ? 'which needs no map' : 'which is no preset';
+  throw new UsageError(`--preset is ${preset}, ${reason}; use one of ${drawn.map(([name]) => name).join(', ')}.`);
 }
 
 /** The names of the styles, one a line. */

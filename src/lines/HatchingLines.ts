@@ -18,6 +18,7 @@ import { type LineData, lineDataOf } from '../geometry/LineData.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
 import { canDeform, deforms } from '../material/bindVertices.js';
 import { deformationOf } from '../material/deformationOf.js';
+import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { ContourList } from './ContourList.js';
 import { HatchingLineMaterial, type HatchingLineParameters } from './HatchingLineMaterial.js';
 
@@ -153,6 +154,10 @@ export class HatchingLines extends Object3D {
     const { geometry, mesh } = this;
     geometry.setDrawRange(0, NOTHING);
     if (!mesh) return;
+    if ('isWebGPURenderer' in renderer) {
+      tellOfRenderer('HatchingLines');
+      return;
+    }
     this.matrixWorld.copy(mesh.matrixWorld);
     const data = lineDataOf(mesh.geometry);
     if (!data) {

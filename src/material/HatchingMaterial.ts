@@ -51,6 +51,7 @@ import {
   VERTEX_LAYOUTS,
   type VertexLayout,
 } from './shaderConventions.js';
+import { tellOfRenderer } from './tellOfRenderer.js';
 import { isUsedBy, warnOfUnused } from './unusedProperties.js';
 
 /** Before the shaders of a mesh that neither deforms nor has instances. */
@@ -92,6 +93,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private drawnSwitches: number | undefined;
   /** Where the mesh drawn last has its adjacency. */
   private vertexLayout: VertexLayout = 'corner';
+  /** Whether a renderer that knows GLSL has asked for it. */
+  private isWithWebGL = false;
   /** Meshes announced before the first program was built. */
   private announced: Mesh[] = [];
 
@@ -208,6 +211,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const hook = function (this: HatchingMaterial): string {
       if (own.announced.some(environmentAround)) own.hasEnvironment = true;
       own.writeProgram();
+      own.askForRenderer();
       return current.call(this);
     };
     Object.defineProperty(this, 'customProgramCacheKey', {
@@ -216,6 +220,17 @@ export class HatchingMaterial extends HatchingMaterialProperties {
         current = given;
       },
       configurable: true,
+    });
+  }
+
+  /**
+   * Every renderer asks which program it is. WebGLRenderer then builds it or draws, at once and for the first time; WebGPURenderer never
+   * comes so far.
+   */
+  private askForRenderer(): void {
+    if (this.isWithWebGL || this.onBeforeCompile !== HatchingMaterial.prototype.onBeforeCompile) return;
+    queueMicrotask(() => {
+      if (!this.isWithWebGL) tellOfRenderer('HatchingMaterial');
     });
   }
 
@@ -235,6 +250,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    * of the environment's blur too, which only drawing does.
    */
   override onBeforeCompile(shader: ProgramParameters, renderer: WebGLRenderer): void {
+    this.isWithWebGL = true;
     if (isRigid(shader)) {
       shader.vertexShader = `${RIGID}${shader.vertexShader}`;
       shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
@@ -254,6 +270,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     object: Object3D,
     _group: Group,
   ): void {
+    this.isWithWebGL = true;
     const switches = programSwitches(this);
     if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
     this.drawnSwitches = switches;

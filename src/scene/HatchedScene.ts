@@ -64,7 +64,7 @@ export class HatchedScene {
 
   /** Whether a mesh has its look from here. @internal */
   holds(mesh: Mesh): boolean {
-    return this.changes.some(({ after }) => after.mesh === mesh);
+    return this.changes.some(({ after }) => isSame(after.mesh, mesh));
   }
 
   /** Does something with the meshes as they were before; afterwards they look hatched again. @internal */

@@ -71,6 +71,15 @@ test('the command says how it is used, and names the styles', () => {
   expect(stdout.split('\n')).toEqual(expect.arrayContaining(['hatching', 'stippling', 'woodcut']));
 });
 
+test('the command draws the map of a preset', () => {
+  const small = ['--size', '64', '--tones', '4', '--levels', '1'];
+  expect(run('tam', '--preset', 'woodcut', ...small, '--out', 'a').status).toBe(0);
+  expect(run('tam', '--style', 'woodcut', ...small, '--out', 'b').status).toBe(0);
+  for (const name of readdirSync(join(work, 'b'))) {
+    expect(readFileSync(join(work, 'a', name)).equals(readFileSync(join(work, 'b', name))), name).toBe(true);
+  }
+});
+
 test('the command replaces a map only when told so, and other files never', () => {
   expect(run('tam', '--size', '64', '--tones', '4', '--out', 'here').status).toBe(0);
   const before = readFileSync(join(work, 'here/map.json'), 'utf8');
@@ -95,6 +104,9 @@ for (const [args, message] of [
   [['tam', 'x'], '"x" is one word too many; a folder goes after --out.'],
   [['tam', '--out', 'x', '--colour'], "Unknown option '--colour'"],
   [['tam', '--out', 'x', '--style', 'oil'], '--style is oil, but must be one of hatching, '],
+  [['tam', '--out', 'x', '--preset', 'engraving'], '--preset is engraving, which needs no map; use one of pen, '],
+  [['tam', '--out', 'x', '--preset', 'oil'], '--preset is oil, which is no preset; use one of pen, '],
+  [['tam', '--out', 'x', '--preset', 'pen', '--style', 'ruled'], '--preset and --style say the same in two ways'],
   [['tam', '--out', 'x', '--size', '100'], '--size is 100, but must be 64, 128, 256, 512 or 1024.'],
   [['tam', '--out', 'x', '--tones', 'many'], '--tones is many, but must be a whole number.'],
   [['tam', '--out', 'x', '--stroke-width', '9'], '--stroke-width is 9, but must be a number from 1.2 to 2.6'],

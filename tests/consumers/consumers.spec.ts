@@ -1,10 +1,11 @@
 import { execFileSync } from 'node:child_process';
-import { cpSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
+import { publint } from 'publint';
 import { build, createServer, type Rolldown } from 'vite';
 import { expect, test } from '../browser/test.js';
 import { columnGlb } from '../e2e/columnModel.js';
@@ -41,6 +42,15 @@ const COPIED = [
 /** Correlation of two pictures that show the same strokes; other strokes of the same form have 0.7 or less. */
 const LIKE = 0.9;
 
+/** Everything that is published, but for the declarations: one for each source. */
+const PACKED = [
+  ...['LICENSE', 'README.md'],
+  ...['bake.worker', 'command', 'index', 'inlineWorker', 'react', 'readSource', 'shared', 'tasks', 'writeMapFiles'].map(
+    (name) => `dist/${name}.js`,
+  ),
+  'package.json',
+];
+
 let files: string[] = [];
 test.beforeAll(() => {
   files = installPackedLibrary();
@@ -49,23 +59,24 @@ test.beforeAll(() => {
 /** The smallest bundles that a page with a build of its own can have, in bytes after gzip: what it loads at once. */
 const MOST_BYTES = { HatchingMaterial: 31_000, 'HatchingMaterial, prepareHatchingGeometry, TonalArtMap': 48_000 };
 
+/** Of the components of React alone. */
+const MOST_BYTES_OF_REACT = 5_000;
+
 test.describe('the tarball', () => {
   test('holds the library and its declarations, and nothing else', () => {
-    expect(files).toEqual(
-      expect.arrayContaining([
-        ...['LICENSE', 'README.md', 'package.json'],
-        ...['dist/index.js', 'dist/index.d.ts', 'dist/worker/bake.worker.d.ts'],
-      ]),
+    expect(files.filter((file) => !file.endsWith('.d.ts'))).toEqual(PACKED);
+    const declared = files.filter((file) => file.endsWith('.d.ts'));
+    for (const file of declared) expect(existsSync(sourceOf(file)), file).toBe(true);
+    expect(declared.filter((file) => /demo|command/.test(file))).toEqual([]);
+    const scripts = ['index.js', 'react.js', 'bake.worker.js', 'command.js'].flatMap((name) => withImports(name));
+    expect(PACKED.filter((file) => file.endsWith('.js'))).toEqual(
+      [...new Set(scripts)].map((name) => `dist/${name}`).sort(),
     );
-    const scripts = ['index.js', 'react.js', 'bake.worker.js', 'command.js']
-      .flatMap((name) => withImports(name))
-      .map((name) => `dist/${name}`);
-    const strangers = files.filter(
-      (file) => !/^(LICENSE|README\.md|package\.json|dist\/.+\.d\.ts)$/.test(file) && !scripts.includes(file),
-    );
-    expect(strangers).toEqual([]);
-    expect(files).toEqual(expect.arrayContaining(scripts));
-    expect(files.filter((file) => file.includes('demo'))).toEqual([]);
+  });
+
+  test('is as it should be by publint, warnings included', async () => {
+    const { messages } = await publint({ pkgDir: libraryFolder, pack: false, strict: true });
+    expect(messages).toEqual([]);
   });
 
   test('every file that package.json names is there', () => {
@@ -119,6 +130,37 @@ test.describe('the tarball', () => {
     });
   }
 
+  test('is small: the components of React, without what they import', async () => {
+    const others = /^(three|react|@react-three|three-hatching)($|\/(?!react$))/;
+    const chunks = await bundle(`export * from '${libraryFolder}/dist/react.js';`, others);
+    const bytes = chunks.reduce((sum, { code }) => sum + gzipSync(code).length, 0);
+    test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });
+    expect(bytes).toBeLessThanOrEqual(MOST_BYTES_OF_REACT);
+  });
+
+  for (const moduleResolution of ['bundler', 'node16', 'nodenext']) {
+    test(`has components that a strict compiler takes: ${moduleResolution}`, () => {
+      const compilerOptions = {
+        target: 'es2022',
+        lib: ['es2023', 'dom', 'dom.iterable'],
+        module: moduleResolution === 'bundler' ? 'esnext' : moduleResolution,
+        moduleResolution,
+        jsx: 'react-jsx',
+        types: [],
+        strict: true,
+        exactOptionalPropertyTypes: true,
+        noEmit: true,
+        // Those of React Three Fiber do not stand a strict look; ours are used by the file.
+        skipLibCheck: true,
+      };
+      writeFileSync(
+        join(projectFolder, 'tsconfig.react.json'),
+        JSON.stringify({ compilerOptions, files: ['reactTypes.tsx'] }),
+      );
+      expect(compilerOutput(() => compile('tsconfig.react.json'))).toBe('');
+    });
+  }
+
   for (const three of ['@types/three', 'types-three-middle', 'types-three-oldest']) {
     for (const moduleResolution of ['bundler', 'nodenext']) {
       test(`has declarations that a strict compiler takes without our build tools: ${three}, ${moduleResolution}`, () => {
@@ -138,13 +180,7 @@ test.describe('the tarball', () => {
           join(projectFolder, 'tsconfig.strict.json'),
           JSON.stringify({ compilerOptions, files: ['types.ts'] }),
         );
-        const typescript = createRequire(import.meta.url).resolve('typescript/package.json');
-        const compile = () =>
-          execFileSync(process.execPath, [join(dirname(typescript), 'bin/tsc'), '--project', 'tsconfig.strict.json'], {
-            cwd: projectFolder,
-            encoding: 'utf8',
-          });
-        expect(compilerOutput(compile)).toBe('');
+        expect(compilerOutput(() => compile('tsconfig.strict.json'))).toBe('');
       });
     }
   }
@@ -290,6 +326,12 @@ function versionOf(folder: string): string {
 
 const packageJson = () => JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
 
+/** The source that a declaration is of. */
+const sourceOf = (declaration: string): string => {
+  const path = join(root, declaration.replace(/^dist/, 'src').replace(/\.d\.ts$/, ''));
+  return existsSync(`${path}.tsx`) ? `${path}.tsx` : `${path}.ts`;
+};
+
 /** A file of dist and all of its own kind that it imports, at once or later. */
 function withImports(file: string, known: string[] = []): string[] {
   if (known.includes(file)) return [];
@@ -299,7 +341,7 @@ function withImports(file: string, known: string[] = []): string[] {
 }
 
 /** What a consumer's bundler makes of an entry, three.js apart. */
-async function bundle(entry: string): Promise<Rolldown.OutputChunk[]> {
+async function bundle(entry: string, external = /^three($|\/)/): Promise<Rolldown.OutputChunk[]> {
   const input = join(projectFolder, 'entry.js');
   writeFileSync(input, entry);
   const result = await build({
@@ -309,7 +351,7 @@ async function bundle(entry: string): Promise<Rolldown.OutputChunk[]> {
     build: {
       write: false,
       modulePreload: false,
-      rolldownOptions: { input, external: /^three($|\/)/, preserveEntrySignatures: 'strict' },
+      rolldownOptions: { input, external, preserveEntrySignatures: 'strict' },
     },
   });
   return (result as Rolldown.RolldownOutput).output.filter((file) => file.type === 'chunk');
@@ -320,6 +362,14 @@ function importsOf(file: string): string[] {
   const statements = text.matchAll(/^(?:import|export)\b[^'"`;]*?(?:from\s*)?['"]([^'"]+)['"]/gm);
   const calls = text.matchAll(/\bimport\(\s*['"]([^'"]+)['"]\s*\)/g);
   return [...new Set([...statements, ...calls].map((match) => match[1]))];
+}
+
+function compile(project: string): string {
+  const typescript = createRequire(import.meta.url).resolve('typescript/package.json');
+  return execFileSync(process.execPath, [join(dirname(typescript), 'bin/tsc'), '--project', project], {
+    cwd: projectFolder,
+    encoding: 'utf8',
+  });
 }
 
 function compilerOutput(compile: () => string): string {

@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, test } from 'vitest';
 import { PARTS } from '../../../notice/contents.js';
-import { unnoticed, writeNotice } from '../../../notice/writeNotice.js';
+import { licenceTable, unnoticed, writeNotice } from '../../../notice/writeNotice.js';
 
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 
@@ -30,6 +30,10 @@ describe('NOTICE.txt', () => {
       expect(text).toContain(sentence);
     // Made anywhere, it is the same.
     expect(text).not.toContain(root);
+  });
+
+  test('is a table in the docs too', () => {
+    expect(readFileSync(`${root}docs/licences.md`, 'utf8')).toContain(licenceTable());
   });
 
   test('speaks of every package that the pages import', () => {

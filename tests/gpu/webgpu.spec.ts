@@ -1,0 +1,28 @@
+import { expect, test } from '../browser/test.js';
+
+const THREES = [
+  /Material "Hatching(Line)?Material" is not compatible/,
+  // Of the material that three.js draws in the place of that of lines.
+  /Vertex attribute "position" not found on geometry/,
+];
+
+test("beside three's error stands one sentence that says what to do, and nothing breaks", async ({
+  page,
+  pageProblems,
+}) => {
+  for (const lines of [false, true]) {
+    await page.goto('tests/gpu/webgpu.html');
+    await page.waitForFunction(() => window.drawWithWebGPURenderer !== undefined);
+    expect(await page.evaluate((l) => window.drawWithWebGPURenderer(l), lines)).toBe(3);
+    const problems = pageProblems.splice(0);
+    const ours = problems.filter((problem) => problem.includes('WebGPURenderer draws no materials'));
+    expect(ours).toEqual([expect.stringContaining('Draw the scene with WebGLRenderer')]);
+    const others = problems.filter((problem) => !ours.includes(problem));
+    expect(others.length).toBeGreaterThan(0);
+    for (const problem of others)
+      expect(
+        THREES.some((one) => one.test(problem)),
+        problem,
+      ).toBe(true);
+  }
+});

@@ -1,0 +1,71 @@
+import { reactive, ref, shallowRef, toRaw } from '@vue/reactivity';
+import { BoxGeometry, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import { expect, test } from 'vitest';
+import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { applyHatching } from '../../../src/scene/applyHatching.js';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { reactive as asInTheTests } from '../geometry/reactive.js';
+
+/** With Vue itself; the other tests use a proxy like Vue's. */
+
+const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]) });
+
+test('a scene in a ref is hatched and restored, by proxy or as it is', async () => {
+  const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+  const { geometry, material } = mesh;
+  const root = ref(new Group().add(mesh));
+  const state = reactive<{ hatched?: Awaited<ReturnType<typeof applyHatching>> }>({});
+  state.hatched = (await applyHatching(root.value as unknown as Group, 'technical')) as never;
+  expect(toRaw(mesh.material)).toBeInstanceOf(HatchingMaterial);
+  await expect(applyHatching(mesh)).rejects.toThrow('is hatched already');
+  const next = await applyHatching(toRaw(root.value) as unknown as Group, {
+    preset: 'engraving',
+    replaces: state.hatched as never,
+  });
+  expect(toRaw(mesh.material)).toBe(toRaw(next.materials[0]));
+  (reactive(next) as unknown as typeof next).dispose();
+  expect([toRaw(mesh.geometry), toRaw(mesh.material)]).toEqual([geometry, material]);
+  expect(toRaw(mesh.geometry)).toBe(geometry);
+});
+
+test('a material in a ref takes values, keeps them, and draws with the map itself', () => {
+  const held = ref(new HatchingMaterial({ technique: 'anchored' }));
+  const material = held.value as unknown as HatchingMaterial;
+  material.tonalArtMap = reactive({ map }).map as unknown as TonalArtMap;
+  material.ink.set('#123456');
+  material.strokeRotation = 0.5;
+  material.toneCurve = reactive([
+    [0, 0],
+    [1, 1],
+  ]) as unknown as [number, number][];
+  const itself = toRaw(held.value) as unknown as HatchingMaterial;
+  expect([itself.ink.getHexString(), itself.strokeRotation]).toEqual(['123456', 0.5]);
+  expect(toRaw(itself.tonalArtMap)).toBe(map);
+  expect(material.clone().strokeRotation).toBe(0.5);
+  expect(HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(material.toJSON()))).strokeRotation).toBe(0.5);
+  expect(() => material.setValues({ side: 2 })).not.toThrow();
+  shallowRef(material).value.dispose();
+});
+
+test('a geometry in a ref is prepared', async () => {
+  const held = ref(new SphereGeometry(1, 8, 6));
+  const prepared = await prepareHatchingGeometry(held.value as unknown as SphereGeometry, { lines: true });
+  expect(prepared.userData.hatching.triangles).toBe(80);
+});
+
+test("the proxy of the tests does what Vue's does", () => {
+  for (const wrap of [reactive, asInTheTests]) {
+    const target = { inner: { value: 1 }, list: [{}], method() {}, made: new Map(), buffer: new Float32Array(1) };
+    const proxy = wrap(target as object) as typeof target;
+    expect(proxy).not.toBe(target);
+    expect(proxy.inner).not.toBe(target.inner);
+    expect(proxy.inner).toBe(proxy.inner);
+    expect(proxy.list[0]).not.toBe(target.list[0]);
+    expect(proxy.method).toBe(target.method);
+    expect(proxy.buffer).toBe(target.buffer);
+    const other = { value: 2 };
+    proxy.inner = wrap(other as object) as typeof other;
+    expect(target.inner).toBe(other);
+  }
+});
