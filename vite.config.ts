@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
 import { firstPartCheck } from './building/firstPart.js';
 import { formSources } from './building/formSources.js';
+import { libraryEntries } from './building/libraryEntries.js';
 import { shortShaders } from './building/shortShaders.js';
 import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
 
@@ -31,16 +32,19 @@ export default defineConfig(
     base: './',
     plugins: [shortShaders, formSources, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
     resolve: {
-      alias: {
-        'three-hatching/react': page(mode === 'use-build' ? './dist/react.js' : './src/react/index.ts'),
-        // Named in both cases: left alone, the name would be resolved by the paths in tsconfig.json, to the source again.
-        'three-hatching': page(mode === 'use-build' ? './dist/index.js' : './src/index.ts'),
-      },
+      // Named in both cases: left alone, the names would be resolved by the paths in tsconfig.json, to the source again.
+      alias: mode === 'use-build' ? libraryEntries('./dist/', 'js') : libraryEntries('./src/', 'ts'),
     },
     assetsInclude: ['**/*.ply.gz'],
     worker: { format: 'es', plugins: () => [noticeCheck()] },
     optimizeDeps: {
-      entries: ['index.html', 'figures/index.html', 'fetch/index.html', 'tests/**/*.html', '!tests/output/**'],
+      entries: [
+        'index.html',
+        '{figures,fetch}/index.html',
+        'examples/**/*.html',
+        'tests/**/*.html',
+        '!tests/output/**',
+      ],
       // Named, because a dependency that is first met while a page runs makes the server reload that page.
       include: [
         'three',

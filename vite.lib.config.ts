@@ -1,10 +1,12 @@
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
 import { shortShaders } from './building/shortShaders.js';
 
+/** Further entries, by the mode that builds them. */
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   command: { command: 'src/command/main.ts' },
   react: { react: 'src/react/index.ts' },
+  element: { element: 'src/element/element.ts' },
 };
 
 /** Vite makes the Blob of an inlined worker when the module is loaded, so no bundler may leave it out. */
@@ -33,8 +35,8 @@ const nothingOfOthers: Plugin = {
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
  * inlined; with `--mode worker` the same worker as one file, which a page under a strict Content-Security-Policy can serve
- * from its own origin; with `--mode command` the command for Node; and with `--mode react` the components, which import `index` as any
- * page does, so that there is one copy of it.
+ * from its own origin; with `--mode command` the command for Node; with `--mode react` the components and with `--mode element` the web
+ * component, which import `index` as any page does, so that there is one copy of it.
  */
 export default defineConfig(
   ({ mode }): UserConfig => ({
@@ -61,6 +63,8 @@ export default defineConfig(
           chunkFileNames: '[name].js',
           // Says that it runs in the browser, to frameworks that run components on the server.
           ...(mode === 'react' && { banner: "'use client';" }),
+          // A page without a bundler needs no entry in its import map for that.
+          ...(mode === 'element' && { paths: { 'three-hatching': './index.js' } }),
           codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] },
         },
       },

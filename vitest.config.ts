@@ -1,16 +1,11 @@
-import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { formSources } from './building/formSources.js';
+import { libraryEntries } from './building/libraryEntries.js';
 
 /** Tests that need no browser: pure code, and the double-precision reference. */
 export default defineConfig({
   plugins: [formSources],
-  resolve: {
-    alias: {
-      'three-hatching/react': fileURLToPath(new URL('./src/react/index.ts', import.meta.url)),
-      'three-hatching': fileURLToPath(new URL('./src/index.ts', import.meta.url)),
-    },
-  },
+  resolve: { alias: libraryEntries('./src/', 'ts') },
   test: {
     environment: 'node',
     include: ['tests/unit/**/*.test.ts', 'tests/reference/**/*.test.ts'],

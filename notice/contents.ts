@@ -80,6 +80,15 @@ export const PARTS: readonly Part[] = [
     from: 'mediabunny',
   },
   {
+    name: 'postprocessing',
+    use: 'effects over the picture, in one of the examples',
+    by: 'Raoul van Rüschen',
+    address: 'https://github.com/pmndrs/postprocessing',
+    licence: 'Zlib',
+    licenceFile: 'node_modules/postprocessing/LICENSE.md',
+    from: 'postprocessing',
+  },
+  {
     name: 'Stanford dragon',
     use: 'a model',
     by: 'Stanford Computer Graphics Laboratory',

@@ -2,6 +2,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { isSettled } from './isSettled.mjs';
 import { PRESET_NAMES } from './plans.mjs';
+import { toWebp } from './toWebp.mjs';
 
 /** Sides of the sheet that is drawn, in CSS pixels, and of the picture, in its own. */
 const DRAWING = { sheet: 320, side: 256 };
@@ -39,26 +40,11 @@ export async function drawGallery(server, browser, root) {
     });
     await page.waitForFunction(isSettled, null, { polling: 100, timeout: 120_000 });
     const picture = await page.screenshot();
-    const file = await page.evaluate(toWebp, [picture.toString('base64'), side, QUALITY]);
+    const file = await page.evaluate(toWebp, [picture.toString('base64'), { width: side, height: side }, QUALITY]);
     await page.close();
     const content = Buffer.from(file, 'base64');
     bytes += content.length;
     writeFileSync(join(folder, `${name}.webp`), content);
   }
   console.log(`gallery: ${pictures.length} pictures, ${Math.round(bytes / 1000)} kB`);
-}
-
-/** Runs in the page: a PNG as a smaller WebP, both in base64. */
-async function toWebp([png, side, quality]) {
-  const bytes = Uint8Array.from(atob(png), (character) => character.charCodeAt(0));
-  const bitmap = await createImageBitmap(new Blob([bytes]), {
-    resizeWidth: side,
-    resizeHeight: side,
-    resizeQuality: 'high',
-  });
-  const canvas = new OffscreenCanvas(side, side);
-  canvas.getContext('2d').drawImage(bitmap, 0, 0);
-  const blob = await canvas.convertToBlob({ type: 'image/webp', quality });
-  const content = new Uint8Array(await blob.arrayBuffer());
-  return btoa(Array.from(content, (byte) => String.fromCharCode(byte)).join(''));
 }

@@ -55,6 +55,20 @@ export const PLANS = {
       })),
     ),
   },
+  techniques: {
+    columns: 4,
+    pictures: ['triangle', 'adjacency', 'anchored', 'engraved'].map((technique) => ({
+      subject: 'dragon',
+      view: [0.22, 0.18, 1],
+      light: [-1, 1.2, 0.85],
+      shadows: true,
+      preset: technique === 'engraved' ? 'engraving' : 'pen',
+      material: { technique },
+      width: 450,
+      height: 450,
+      pixelRatio: 1.3,
+    })),
+  },
   engraved: {
     columns: 4,
     pictures: [

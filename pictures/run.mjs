@@ -1,5 +1,5 @@
 /**
- * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names, and of the playground's gallery. `npm run pictures -- hero` draws one of them.
+ * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them.
  * `npm run pictures -- show` writes others into tests/output/show, to be looked at: the page in eight sizes, dropped files beside plain pictures.
  * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
@@ -11,6 +11,7 @@ import { PNG } from 'pngjs';
 import { createServer } from 'vite';
 import { writePalettePng } from '../figures/writePalettePng.mjs';
 import { launchOptions } from '../tests/browser/launchOptions.mjs';
+import { drawExamples } from './examples.mjs';
 import { drawGallery } from './gallery.mjs';
 import { PLANS, SUBJECT_FILES } from './plans.mjs';
 import { drawShow } from './show.mjs';
@@ -21,9 +22,9 @@ const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES
 
 const wanted = process.argv.slice(2);
 for (const name of wanted) {
-  if (!(name in PLANS) && name !== 'gallery' && name !== 'show')
+  if (!(name in PLANS) && !['gallery', 'examples', 'show'].includes(name))
     throw new Error(
-      `pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}, gallery, show.`,
+      `pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show.`,
     );
 }
 
@@ -57,6 +58,7 @@ try {
     console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
   }
   if (wanted.length === 0 || wanted.includes('gallery')) await drawGallery(server, browser, root);
+  if (wanted.length === 0 || wanted.includes('examples')) await drawExamples(server, browser, root);
   if (wanted.includes('show')) await drawShow(server, browser, root, models);
 } finally {
   await browser.close();

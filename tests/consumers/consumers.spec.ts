@@ -68,7 +68,7 @@ test.describe('the tarball', () => {
     const declared = files.filter((file) => file.endsWith('.d.ts'));
     for (const file of declared) expect(existsSync(sourceOf(file)), file).toBe(true);
     expect(declared.filter((file) => /demo|command/.test(file))).toEqual([]);
-    const scripts = ['index.js', 'react.js', 'bake.worker.js', 'command.js'].flatMap((name) => withImports(name));
+    const scripts = ['index.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'].flatMap((name) => withImports(name));
     expect(PACKED.filter((file) => file.endsWith('.js'))).toEqual(
       [...new Set(scripts)].map((name) => `dist/${name}`).sort(),
     );

@@ -1,0 +1,39 @@
+/** `npm run build:examples`: builds the examples into dist-examples, as static files for any folder of any host. */
+import { cpSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { build } from 'vite';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+/** What pages without a build step import of three.js. */
+const THREE_FILES = [
+  'build/three.module.js',
+  'build/three.core.js',
+  ...[
+    'controls/OrbitControls.js',
+    'geometries/TeapotGeometry.js',
+    'libs/meshopt_decoder.module.js',
+    'loaders/GLTFLoader.js',
+    'utils/BufferGeometryUtils.js',
+    'utils/SkeletonUtils.js',
+  ].map((path) => `examples/jsm/${path}`),
+];
+
+/** @param {string} outDir is emptied first */
+export async function buildExamples(outDir) {
+  const common = { root, logLevel: 'error' };
+  await build({ ...common, configFile: join(root, 'examples/vite.config.ts'), root: undefined, build: { outDir } });
+  // Pages that stand alone, and what they import.
+  for (const name of ['import-map', 'web-component']) {
+    cpSync(join(root, `examples/${name}/page.html`), join(outDir, `${name}/page.html`));
+  }
+  for (const name of ['models', 'pictures'])
+    cpSync(join(root, `examples/${name}`), join(outDir, name), { recursive: true });
+  for (const path of THREE_FILES) cpSync(join(root, 'node_modules/three', path), join(outDir, 'lib/three', path));
+  const dist = join(outDir, 'lib/three-hatching/dist');
+  for (const mode of ['production', 'element']) {
+    await build({ ...common, configFile: join(root, 'vite.lib.config.ts'), mode, build: { outDir: dist } });
+  }
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) await buildExamples(join(root, 'dist-examples'));

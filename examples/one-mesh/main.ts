@@ -1,0 +1,47 @@
+import { DirectionalLight, Mesh, PerspectiveCamera, Scene, TorusKnotGeometry, WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import {
+  HatchingLines,
+  HatchingMaterial,
+  prepareHatchingGeometry,
+  presets,
+  scalePreset,
+  TonalArtMap,
+} from 'three-hatching';
+
+const canvas = document.querySelector('canvas')!;
+const renderer = new WebGLRenderer({ canvas, antialias: true });
+renderer.setClearColor('#f7f3e8');
+renderer.setPixelRatio(devicePixelRatio);
+renderer.shadowMap.enabled = true;
+
+// A look to start from, its strokes as wide on this screen as on any other.
+const pen = scalePreset(presets.pen, devicePixelRatio);
+
+// Both are made in a worker.
+const [geometry, tonalArtMap] = await Promise.all([
+  prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3), { lines: true }),
+  TonalArtMap.generate(pen.tonalArtMap!),
+]);
+
+const mesh = new Mesh(geometry, new HatchingMaterial({ ...pen.material, tonalArtMap }));
+mesh.add(new HatchingLines(mesh, pen.lines));
+mesh.castShadow = mesh.receiveShadow = true;
+
+const light = new DirectionalLight(0xffffff, Math.PI);
+light.position.set(-3, 4, 3);
+light.castShadow = true;
+light.shadow.normalBias = 0.02;
+Object.assign(light.shadow.camera, { left: -1.2, right: 1.2, bottom: -1.2, top: 1.2 });
+
+const scene = new Scene().add(mesh, light);
+const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
+camera.position.set(0, 0, 5);
+
+// Drawn when something changes, not all the time.
+const draw = () => renderer.render(scene, camera);
+new OrbitControls(camera, canvas).addEventListener('change', draw);
+new ResizeObserver(() => {
+  renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
+  draw();
+}).observe(canvas);

@@ -1,0 +1,52 @@
+import {
+  Color,
+  DirectionalLight,
+  HalfFloatType,
+  Mesh,
+  PerspectiveCamera,
+  Scene,
+  TorusKnotGeometry,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js';
+import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
+import { RenderPass } from 'three/addons/postprocessing/RenderPass.js';
+import { ShaderPass } from 'three/addons/postprocessing/ShaderPass.js';
+import { RGBShiftShader } from 'three/addons/shaders/RGBShiftShader.js';
+import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, presets, scalePreset } from 'three-hatching';
+
+const canvas = document.querySelector('canvas')!;
+const renderer = new WebGLRenderer({ canvas });
+renderer.setPixelRatio(devicePixelRatio);
+
+const { material, lines } = scalePreset(presets.engraving, devicePixelRatio);
+const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 3, 5), { lines: true });
+const mesh = new Mesh(geometry, new HatchingMaterial(material));
+mesh.add(new HatchingLines(mesh, lines));
+
+const light = new DirectionalLight(0xffffff, Math.PI);
+light.position.set(-3, 4, 3);
+const scene = new Scene().add(mesh, light);
+// Not the clear colour of the renderer, which RenderPass takes for a linear one.
+scene.background = new Color('#f7f3e8');
+const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
+camera.position.set(0, 0, 5.2);
+
+// The canvas has no part in antialiasing any more: the target of the composer has samples of its own.
+const composer = new EffectComposer(renderer, new WebGLRenderTarget(1, 1, { type: HalfFloatType, samples: 4 }));
+composer.addPass(new RenderPass(scene, camera));
+const shift = new ShaderPass(RGBShiftShader);
+shift.uniforms.amount.value = 0.0025;
+shift.uniforms.angle.value = 0.6;
+composer.addPass(shift);
+composer.addPass(new OutputPass());
+
+const draw = () => composer.render();
+new OrbitControls(camera, canvas).addEventListener('change', draw);
+new ResizeObserver(() => {
+  renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
+  composer.setSize(canvas.clientWidth, canvas.clientHeight);
+  draw();
+}).observe(canvas);

@@ -1,0 +1,47 @@
+import {
+  DirectionalLight,
+  Group,
+  Mesh,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  Scene,
+  TorusGeometry,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { applyHatching, presets, scalePreset } from 'three-hatching';
+// The policy of this page forbids workers that are made from text, so the worker comes as a file from the same server.
+// This is how Vite takes it; README.md says more.
+import BakeWorker from 'three-hatching/bake.worker?worker';
+
+const canvas = document.querySelector('canvas')!;
+const renderer = new WebGLRenderer({ canvas, antialias: true });
+renderer.setClearColor('#f7f3e8');
+renderer.setPixelRatio(devicePixelRatio);
+
+const rings = new Group();
+for (const [x, turn] of [
+  [-0.85, 0.5],
+  [0, Math.PI / 2 + 0.5],
+  [0.85, 0.5],
+]) {
+  const ring = new Mesh(new TorusGeometry(0.6, 0.18, 40, 96).rotateX(turn), new MeshLambertMaterial());
+  ring.position.x = x;
+  rings.add(ring);
+}
+await applyHatching(rings, {
+  ...scalePreset(presets.engraving, devicePixelRatio),
+  createWorker: () => new BakeWorker(),
+});
+
+const light = new DirectionalLight(0xffffff, Math.PI);
+light.position.set(-3, 4, 3);
+const scene = new Scene().add(rings, light);
+const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
+camera.position.set(0, 0.6, 5);
+const draw = () => renderer.render(scene, camera);
+new OrbitControls(camera, canvas).addEventListener('change', draw);
+new ResizeObserver(() => {
+  renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
+  draw();
+}).observe(canvas);

@@ -1,0 +1,27 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+import { libraryEntries } from '../building/libraryEntries.js';
+import { shortShaders } from '../building/shortShaders.js';
+import { noticeCheck, noticeFile } from '../notice/noticePlugin.js';
+import { EXAMPLES } from './examples.js';
+
+const file = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/** The examples as static pages. They import the library by its package name, as its users do. */
+export default defineConfig({
+  root: file('.'),
+  base: './',
+  publicDir: false,
+  plugins: [shortShaders, noticeFile, noticeCheck()],
+  resolve: { alias: libraryEntries('./src/', 'ts') },
+  worker: { format: 'es', plugins: () => [noticeCheck()] },
+  build: {
+    outDir: '../dist-examples',
+    emptyOutDir: true,
+    target: 'es2022',
+    chunkSizeWarningLimit: 1500,
+    // A module that is preloaded by text of its own would need the policy of strict-csp to allow that.
+    modulePreload: { polyfill: false },
+    rolldownOptions: { input: ['index.html', ...EXAMPLES.map(({ folder }) => `${folder}/index.html`)].map(file) },
+  },
+});

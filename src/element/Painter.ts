@@ -1,0 +1,73 @@
+import { type Camera, type ColorRepresentation, type Scene, WebGLRenderer } from 'three';
+
+/**
+ * Draws all elements of a page in one WebGL context, because browsers allow about sixteen, and copies each drawing to the canvas
+ * of its element. There while anyone uses it.
+ */
+export class Painter {
+  private static shared: Painter | undefined;
+  private readonly users = new Set<() => void>();
+  private readonly buffer: HTMLCanvasElement;
+  private readonly context: WebGL2RenderingContext;
+  private readonly renderer: WebGLRenderer;
+
+  /**
+   * The painter of the page.
+   *
+   * @param onRestored called when the context was lost and is there again
+   * @throws Error if the browser has no WebGL 2
+   */
+  static acquire(onRestored: () => void): Painter {
+    Painter.shared ??= new Painter();
+    Painter.shared.users.add(onRestored);
+    return Painter.shared;
+  }
+
+  private constructor() {
+    this.buffer = document.createElement('canvas');
+    const context = this.buffer.getContext('webgl2', { antialias: true, stencil: false });
+    if (!context) throw new Error('Drawings need WebGL 2, which this browser does not offer here.');
+    this.context = context;
+    this.renderer = new WebGLRenderer({ canvas: this.buffer, context });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.setScissorTest(true);
+    this.buffer.addEventListener('webglcontextrestored', this.onRestored);
+  }
+
+  /** To be called once for each `acquire`, with what that was called with. The context goes with its last user. */
+  release(onRestored: () => void): void {
+    this.users.delete(onRestored);
+    if (this.users.size > 0) return;
+    Painter.shared = undefined;
+    this.buffer.removeEventListener('webglcontextrestored', this.onRestored);
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  /**
+   * Draws a scene on a canvas, in the size that the canvas has.
+   *
+   * @returns whether it was drawn; not while the context is lost
+   */
+  paint(scene: Scene, camera: Camera, paper: ColorRepresentation, canvas: HTMLCanvasElement): boolean {
+    const { buffer, renderer } = this;
+    const { width, height } = canvas;
+    const sheet = canvas.getContext('2d', { alpha: false });
+    if (!sheet || this.context.isContextLost()) return false;
+    // The buffer only grows. Smaller drawings are made in its lower left corner.
+    if (buffer.width < width || buffer.height < height) {
+      renderer.setSize(Math.max(buffer.width, width), Math.max(buffer.height, height), false);
+    }
+    renderer.setViewport(0, 0, width, height);
+    renderer.setScissor(0, 0, width, height);
+    renderer.setClearColor(paper);
+    renderer.render(scene, camera);
+    // In the same task, because the drawing buffer is not kept for longer.
+    sheet.drawImage(buffer, 0, buffer.height - height, width, height, 0, 0, width, height);
+    return true;
+  }
+
+  private readonly onRestored = (): void => {
+    for (const redraw of this.users) redraw();
+  };
+}

@@ -1,0 +1,15 @@
+/** The entry `three-hatching/element`: importing it makes browsers know `<hatched-model>`. On a server it does nothing. */
+import { HatchedModelElement } from './HatchedModelElement.js';
+
+export { HatchedModelElement };
+
+const NAME = 'hatched-model';
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'hatched-model': HatchedModelElement;
+  }
+}
+
+// Two copies of the library on one page would define it twice, which is an error.
+if (globalThis.customElements && !customElements.get(NAME)) customElements.define(NAME, HatchedModelElement);

@@ -1,0 +1,246 @@
+import { fileURLToPath } from 'node:url';
+import type { Locator, Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { buildExamples } from '../../examples/build.mjs';
+import { EXAMPLES } from '../../examples/examples.js';
+import { expect, test } from '../browser/test.js';
+import { serveFolders } from '../consumers/serveFolders.js';
+import { changedShare } from './pictures.js';
+
+const folder = fileURLToPath(new URL('../output/examples', import.meta.url));
+
+let server: Awaited<ReturnType<typeof serveFolders>>;
+
+// As they are deployed: built, and in a folder of a host.
+test.beforeAll(async () => {
+  await buildExamples(folder);
+  server = await serveFolders({ '/some/folder/': folder });
+});
+test.afterAll(() => server.close());
+
+test.use({ viewport: { width: 480, height: 800 } });
+
+const read = async (place: Locator): Promise<PNG> => PNG.sync.read(await place.screenshot());
+
+/** How much of a picture is dark, how much is light, and how often one turns into the other along a row, in shares of its pixels. */
+function measure({ data, width, height }: Pick<PNG, 'data' | 'width' | 'height'>) {
+  const light = (i: number) => (0.2126 * data[i] + 0.7152 * data[i + 1] + 0.0722 * data[i + 2]) / 255;
+  const counts = { dark: 0, bright: 0, edges: 0 };
+  for (let i = 0; i < data.length; i += 4) {
+    if (light(i) < 0.4) counts.dark++;
+    if (light(i) > 0.7) counts.bright++;
+    if ((i / 4) % width < width - 1 && Math.abs(light(i) - light(i + 4)) > 0.2) counts.edges++;
+  }
+  return Object.fromEntries(Object.entries(counts).map(([name, count]) => [name, count / (width * height)]));
+}
+
+/** Waits until there is a drawing: ink, paper, and strokes. */
+async function drawn(place: Locator): Promise<PNG> {
+  let picture: PNG | undefined;
+  await expect
+    .poll(
+      async () => {
+        picture = await read(place);
+        const { dark, bright, edges } = measure(picture);
+        return dark > 0.02 && bright > 0.02 && edges > 0.03;
+      },
+      { timeout: 60_000, message: 'a drawing of ink and paper' },
+    )
+    .toBe(true);
+  return picture!;
+}
+
+/** Notes what a page says and where it asks, which should be nothing, and nowhere else. */
+function listen(page: Page): string[] {
+  const heard: string[] = [];
+  page.on('console', (message) => heard.push(message.text()));
+  page.on('request', (request) => {
+    if (!request.url().startsWith(server.url) && !/^(blob|data):/.test(request.url())) heard.push(request.url());
+  });
+  return heard;
+}
+
+for (const example of EXAMPLES) {
+  test(`the example "${example.title}" is drawn, beside its source`, async ({ page }) => {
+    const heard = listen(page);
+    const workers: string[] = [];
+    page.on('worker', (worker) => workers.push(worker.url()));
+    await page.goto(`${server.url}/some/folder/${example.folder}/index.html`);
+    const picture = await drawn(page.locator('.picture'));
+    await test.info().attach(example.folder, { body: PNG.sync.write(picture), contentType: 'image/png' });
+    await expect(page.locator('.source')).toContainText("'three-hatching");
+    await expect(page.getByRole('heading', { level: 1 })).toHaveText(example.title);
+
+    if (example.folder === 'animated-model') {
+      await expect.poll(async () => changedShare(picture, await read(page.locator('.picture')))).toBeGreaterThan(0.01);
+    }
+    if (example.folder === 'strict-csp') {
+      expect(workers.length).toBeGreaterThan(0);
+      expect(workers.filter((address) => !address.startsWith(server.url))).toEqual([]);
+    }
+    if (example.folder === 'print') {
+      const download = page.waitForEvent('download');
+      await page.getByRole('button').click();
+      const chunks = await (await (await download).createReadStream()).toArray();
+      const print = PNG.sync.read(Buffer.concat(chunks));
+      expect([print.width, print.height]).toEqual([1181, 886]);
+      expect(measure(print).edges).toBeGreaterThan(0.01);
+    }
+    expect(heard).toEqual([]);
+  });
+}
+
+test('the page of all examples shows and links each', async ({ page }) => {
+  const heard = listen(page);
+  await page.goto(`${server.url}/some/folder/index.html`);
+  const pictures = page.locator('.gallery img');
+  await expect(pictures).toHaveCount(EXAMPLES.length);
+  for (const picture of await pictures.all()) {
+    await picture.scrollIntoViewIfNeeded();
+    await expect.poll(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(480);
+  }
+  const addresses = await page
+    .locator('.gallery a')
+    .evaluateAll((links) => links.map((link) => link.getAttribute('href')));
+  expect(addresses).toEqual(EXAMPLES.map(({ folder }) => `./${folder}/`));
+  expect(heard).toEqual([]);
+});
+
+test.describe('<hatched-model>', () => {
+  const elements = (page: Page) => page.locator('hatched-model');
+  const contexts = (page: Page) =>
+    page.evaluate(() => window.__webglContexts!.map((context) => (context.isContextLost() ? 'lost' : 'there')));
+
+  async function openElements(page: Page): Promise<Locator> {
+    await page.goto(`${server.url}/some/folder/web-component/page.html`);
+    await expect(page.locator('hatched-model canvas[data-drawn]')).toHaveCount(3, { timeout: 60_000 });
+    return elements(page).first();
+  }
+
+  /** The drawing alone, without the frame of the focus. */
+  const pixels = async (canvas: Locator): Promise<PNG> => {
+    const address = await canvas.evaluate((element: HTMLCanvasElement) => element.toDataURL());
+    return PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+  };
+
+  test('turns by keys and by hand, and draws only then', async ({ page }) => {
+    const first = await openElements(page);
+    expect(await contexts(page)).toEqual(['there']);
+    const canvas = page.getByRole('img', { name: 'A jug and fruit in pen and ink' });
+    await canvas.focus();
+    const home = await pixels(canvas);
+    for (const key of ['ArrowLeft', 'Shift+ArrowRight', '+']) {
+      await page.keyboard.press(key);
+      await expect.poll(async () => changedShare(home, await pixels(canvas)), { message: key }).toBeGreaterThan(0.02);
+      await page.keyboard.press('Home');
+      await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
+    }
+    const { x, y, width, height } = (await first.boundingBox())!;
+    for (const button of ['left', 'right'] as const) {
+      await page.mouse.move(x + width / 2, y + height / 2);
+      await page.mouse.down({ button });
+      await page.mouse.move(x + 0.7 * width, y + 0.4 * height, { steps: 3 });
+      await page.mouse.up({ button });
+      await expect
+        .poll(async () => changedShare(home, await pixels(canvas)), { message: button })
+        .toBeGreaterThan(0.02);
+      await page.keyboard.press('Home');
+    }
+    // Nothing is drawn while nothing changes.
+    await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
+    await page.evaluate(() => {
+      const { drawImage } = CanvasRenderingContext2D.prototype;
+      const counted = window as unknown as { frames: number };
+      counted.frames = 0;
+      CanvasRenderingContext2D.prototype.drawImage = function (this: CanvasRenderingContext2D, ...args: unknown[]) {
+        counted.frames++;
+        return drawImage.apply(this, args as Parameters<typeof drawImage>);
+      } as typeof drawImage;
+    });
+    await page.waitForTimeout(500);
+    expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBe(0);
+    await first.evaluate((element) => element.setAttribute('light', '70, 20'));
+    await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeGreaterThan(0.02);
+    expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBeLessThan(4);
+  });
+
+  test('bears being moved, taken out and put back, and frees the context with the last', async ({ page }) => {
+    await openElements(page);
+    const answer = await page.evaluate(async () => {
+      const all = [...document.querySelectorAll('hatched-model')] as HTMLElement[];
+      const main = document.querySelector('main')!;
+      const lost = () => window.__webglContexts!.map((context) => context.isContextLost());
+      const tasks = () => new Promise((resolve) => setTimeout(resolve));
+      const isDrawn = (element: HTMLElement) =>
+        element.shadowRoot!.querySelector('canvas')!.dataset.drawn !== undefined;
+      main.append(all[0]);
+      await tasks();
+      const afterMove = all.map(isDrawn);
+      for (const element of all.slice(1)) element.remove();
+      await tasks();
+      const afterTwo = [all.map(isDrawn), lost()];
+      all[0].remove();
+      await tasks();
+      const afterAll = [all.map(isDrawn), lost()];
+      const loaded = Promise.all(
+        all.map((element) => new Promise((resolve) => element.addEventListener('load', resolve))),
+      );
+      main.append(...all);
+      await loaded;
+      return { afterMove, afterTwo, afterAll };
+    });
+    expect(answer.afterMove).toEqual([true, true, true]);
+    expect(answer.afterTwo).toEqual([[true, false, false], [false]]);
+    expect(answer.afterAll).toEqual([[false, false, false], [true]]);
+    await expect(page.locator('hatched-model canvas[data-drawn]')).toHaveCount(3, { timeout: 60_000 });
+    await drawn(elements(page).first());
+    expect(await contexts(page)).toEqual(['lost', 'there']);
+  });
+
+  test('says what is wrong, shows its poster until then, and loads what comes into view', async ({
+    page,
+    pageProblems,
+  }) => {
+    await openElements(page);
+    const say = async (attributes: Record<string, string>) =>
+      elements(page)
+        .last()
+        .evaluate(async (element, values) => {
+          const failed = new Promise<string>((resolve) =>
+            element.addEventListener('error', (event) => resolve((event as ErrorEvent).message), { once: true }),
+          );
+          for (const [name, value] of Object.entries(values)) element.setAttribute(name, value);
+          return failed;
+        }, attributes);
+    const sentence = 'The model "none.glb" could not be fetched: the server answered 404.';
+    expect(await say({ src: 'none.glb' })).toBe(sentence);
+    await expect(page.getByRole('alert')).toHaveText(sentence);
+    expect(pageProblems.splice(0).join()).toContain('404');
+    expect(await say({ src: '../models/fish.glb', preset: 'oils' })).toMatch(
+      /^There is no preset "oils"\. There are pen, /,
+    );
+    expect(await say({ light: 'left' })).toMatch(/^The light is "left", but must be/);
+    // The drawing it had is still there, and a right value takes the sentence away.
+    await elements(page)
+      .last()
+      .evaluate((element) => Object.assign(element, { preset: 'stipple', light: '0 60' }));
+    await expect(page.getByRole('alert')).toHaveCount(0, { timeout: 60_000 });
+
+    await page.evaluate(() => {
+      document.body.style.paddingBottom = '4000px';
+      const late = Object.assign(document.createElement('hatched-model'), {
+        src: '../models/fish.glb',
+        poster: '../pictures/animated-model.webp',
+        alt: 'late',
+      });
+      late.style.cssText = 'position: absolute; top: 3000px; width: 200px; height: 150px';
+      document.body.append(late);
+    });
+    const late = elements(page).last();
+    await expect.poll(() => late.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(480);
+    await expect(late.locator('canvas[data-drawn]')).toHaveCount(0);
+    await late.scrollIntoViewIfNeeded();
+    await expect(late.locator('canvas[data-drawn]')).toHaveCount(1, { timeout: 60_000 });
+    await expect(late.locator('img')).toBeHidden();
+  });
+});

@@ -1,0 +1,53 @@
+import { presets } from 'three-hatching';
+import { describe, expect, test } from 'vitest';
+import { readControls, readLight, readPreset } from '../../../src/element/readAttributes.js';
+
+describe('preset', () => {
+  test.each([null, '', '  '])('is the pen for %o', (text) => expect(readPreset(text)).toBe(presets.pen));
+
+  test.each(Object.keys(presets))('knows %s', (name) =>
+    expect(readPreset(` ${name} `)).toBe(presets[name as keyof typeof presets]),
+  );
+
+  test.each(['oils', 'Pen', 'toString', '__proto__'])('names all there are, instead of %s', (name) => {
+    expect(() => readPreset(name)).toThrow(`There is no preset "${name}". There are pen, crossHatching, engraving,`);
+  });
+});
+
+describe('light', () => {
+  test.each([
+    [null, -45, 40],
+    ['', -45, 40],
+    ['30 20', 30, 20],
+    ['  -120,5.5 ', -120, 5.5],
+    ['720 -90', 720, -90],
+  ])('%o is azimuth and elevation', (text, azimuth, elevation) =>
+    expect(readLight(text)).toEqual({ azimuth, elevation }),
+  );
+
+  test.each(['left', '30', '30 20 10', '0 91', '1e999 0', '0 NaN'])('%o is refused', (text) => {
+    expect(() => readLight(text)).toThrow(`The light is "${text}", but must be its azimuth and elevation`);
+  });
+
+  test('does not hand out its default, which drags would change', () => {
+    readLight(null).azimuth = 0;
+    expect(readLight(null).azimuth).toBe(-45);
+  });
+});
+
+test('controls turn the model, or the light alone', () => {
+  expect([null, '', 'controls', 'orbit', 'light', ' Light '].map(readControls)).toEqual([
+    'none',
+    'orbit',
+    'orbit',
+    'orbit',
+    'light',
+    'light',
+  ]);
+});
+
+test('the entry can be imported where there is no browser', async () => {
+  expect('HTMLElement' in globalThis).toBe(false);
+  const { HatchedModelElement } = await import('three-hatching/element');
+  expect(HatchedModelElement.observedAttributes).toEqual(['src', 'preset', 'light', 'controls', 'alt', 'poster']);
+});
