@@ -7,7 +7,6 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'vite';
 import { buildExamples } from '../examples/build.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
@@ -15,7 +14,7 @@ const site = join(root, 'site');
 const pages = join(site, 'pages');
 const out = join(root, 'dist-site');
 
-/** Runs a program of the generator's package. */
+/** Runs a program of the generator's package, which has a Vite of its own. */
 const run = (program, ...args) =>
   execFileSync(process.execPath, [join(site, 'node_modules', program), ...args], { cwd: site, stdio: 'inherit' });
 
@@ -29,8 +28,20 @@ if (!existsSync(join(site, 'node_modules'))) {
 gatherPages();
 run('typedoc/bin/typedoc', '--out', join(pages, 'api'));
 run('vitepress/bin/vitepress.js', 'build', '--outDir', out);
-await buildExamples(join(out, 'examples'));
-await build({ root, logLevel: 'error', build: { outDir: join(out, 'playground'), emptyOutDir: true } });
+await buildExamples(join(out, 'live'));
+execFileSync(
+  process.execPath,
+  [
+    join(root, 'node_modules/vite/bin/vite.js'),
+    'build',
+    '--logLevel',
+    'error',
+    '--outDir',
+    join(out, 'playground'),
+    '--emptyOutDir',
+  ],
+  { cwd: root, stdio: 'inherit' },
+);
 
 /** Copies README, guides and their pictures beside each other, as the generator wants them. */
 function gatherPages() {

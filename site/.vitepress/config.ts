@@ -4,11 +4,11 @@ import { defineConfig } from 'vitepress';
 
 const pages = new URL('../pages/', import.meta.url);
 
-/** A page of the sidebar, under its own heading. */
+/** A page of the sidebar, under its own heading, which is put in as HTML. */
 function page(name: string): { text: string; link: string } {
   const file = new URL(`${name}.md`, pages);
   const heading = existsSync(file) ? /^# (.+)$/m.exec(readFileSync(file, 'utf8'))?.[1] : undefined;
-  return { text: (heading ?? name).replaceAll('`', ''), link: `/${name}` };
+  return { text: (heading ?? name).replaceAll('`', '').replaceAll('<', '&lt;'), link: `/${name}` };
 }
 
 const group = (text: string, ...names: string[]) => ({ text, collapsed: false, items: names.map(page) });
@@ -21,7 +21,7 @@ export default defineConfig({
   description: 'Real-time hatching for three.js: strokes that lie in the surface and turn with the light.',
   cleanUrls: true,
   // The examples and the playground are built beside the pages.
-  ignoreDeadLinks: [/^\/(playground|examples)\//],
+  ignoreDeadLinks: [/^\/(playground|live)\//],
   head: [['link', { rel: 'icon', type: 'image/svg+xml', href: `${process.env.SITE_BASE ?? '/'}lamp.svg` }]],
   vite: {
     // Outside of this folder lies the list of examples.
