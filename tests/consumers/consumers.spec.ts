@@ -45,9 +45,18 @@ const LIKE = 0.9;
 /** Everything that is published, but for the declarations: one for each source. */
 const PACKED = [
   ...['LICENSE', 'README.md'],
-  ...['bake.worker', 'command', 'index', 'inlineWorker', 'react', 'readSource', 'shared', 'tasks', 'writeMapFiles'].map(
-    (name) => `dist/${name}.js`,
-  ),
+  ...[
+    'bake.worker',
+    'command',
+    'element',
+    'index',
+    'inlineWorker',
+    'react',
+    'readSource',
+    'shared',
+    'tasks',
+    'writeMapFiles',
+  ].map((name) => `dist/${name}.js`),
   'package.json',
 ];
 
@@ -68,7 +77,9 @@ test.describe('the tarball', () => {
     const declared = files.filter((file) => file.endsWith('.d.ts'));
     for (const file of declared) expect(existsSync(sourceOf(file)), file).toBe(true);
     expect(declared.filter((file) => /demo|command/.test(file))).toEqual([]);
-    const scripts = ['index.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'].flatMap((name) => withImports(name));
+    const scripts = ['index.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'].flatMap((name) =>
+      withImports(name),
+    );
     expect(PACKED.filter((file) => file.endsWith('.js'))).toEqual(
       [...new Set(scripts)].map((name) => `dist/${name}`).sort(),
     );
