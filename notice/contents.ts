@@ -72,9 +72,9 @@ export const PARTS: readonly Part[] = [
   },
   {
     name: 'Mediabunny',
-    use: 'puts recorded frames into video files',
+    use: 'puts recorded frames into video files; its source is there and in the npm package mediabunny',
     by: 'Vanilagy, and the Mediabunny contributors',
-    address: 'https://github.com/Vanilagy/mediabunny, where its source is, as in the npm package mediabunny',
+    address: 'https://github.com/Vanilagy/mediabunny',
     licence: 'MPL-2.0',
     licenceFile: 'node_modules/mediabunny/LICENSE',
     from: 'mediabunny',

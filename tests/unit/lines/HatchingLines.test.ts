@@ -173,7 +173,7 @@ describe('in a scene', () => {
 
   test('nothing is drawn without a mesh, or with a geometry that has no lines, which is said once', () => {
     const lines = new HatchingLines();
-    const draw = () => lines.onBeforeRender(null as never, new Scene(), new PerspectiveCamera());
+    const draw = () => lines.onBeforeRender({} as never, new Scene(), new PerspectiveCamera());
     lines.geometry.setDrawRange(0, 99);
     draw();
     expect(lines.geometry.drawRange.count).toBe(-1);
