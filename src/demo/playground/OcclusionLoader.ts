@@ -1,4 +1,4 @@
-import { bakeOcclusion, type OcclusionBake } from 'three-hatching';
+import type { OcclusionBake } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { meshesOf } from '../drawing/meshesOf.js';
 import type { Settings } from '../settings/settings.js';
@@ -36,6 +36,8 @@ export class OcclusionLoader {
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
     void this.tasks.run('occlusion', async (report, signal) => {
       report(STAGE);
+      const { bakeOcclusion } = await import('../drawing/bakeOcclusion.js');
+      signal.throwIfAborted();
       const bake = await bakeOcclusion(model.root, {
         signal,
         onProgress: (progress) => report(STAGE, progress),

@@ -12,14 +12,14 @@ import type { CodeDialog } from './CodeDialog.js';
 import type { CompareDivider } from './CompareDivider.js';
 import type { ContactSheet } from './ContactSheet.js';
 import { dropFiles } from './dropFiles.js';
-import { ExportActions } from './ExportActions.js';
+import type { ExportActions } from './ExportActions.js';
 import { isFullScreenKey, toggleFullScreen } from './fullScreen.js';
 import type { Gallery } from './Gallery.js';
 import { Keeper } from './Keeper.js';
-import { LightHandles } from './LightHandles.js';
+import type { LightHandles } from './LightHandles.js';
 import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
-import { MotionPanel } from './MotionPanel.js';
+import type { MotionPanel } from './MotionPanel.js';
 import { OcclusionLoader } from './OcclusionLoader.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
@@ -86,7 +86,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   );
   const modelLoader = new ModelLoader(scene, settings, tasks, (end) => {
     if (end !== 'failed') {
-      motion.show(scene.model?.motion);
+      showMotion();
       turnHint.about(settings.model === 'file' ? scene.model?.stands : undefined);
     }
     if (end === 'opened') recordChange();
@@ -98,10 +98,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const history = new EditHistory(readState, isSameState);
   const keeper = new Keeper(status, () => void showRecent());
   const occlusion = new OcclusionLoader(scene, settings, tasks);
-  const motion = new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
   const turnHint = new TurnHint(page.turnHint, settings, recordChange);
-  const exportActions = new ExportActions(scene, settings, modelLoader, status, tasks, currentLink);
-  const lights = new LightHandles(scene, settings, recordChange);
   let divider: CompareDivider | undefined;
   const presets = new PresetBar(page.presets, settings, (name) => {
     Object.assign(settings, presetLook(name));
@@ -129,13 +126,13 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
           ...(document.fullscreenEnabled
             ? [{ label: 'Full screen (F)', group: 'View' as const, run: fillScreen }]
             : []),
-          { label: 'Save PNG', group: 'Picture', run: exportActions.savePng },
+          { label: 'Save PNG', group: 'Picture', run: exported('savePng') },
           ...('share' in navigator
-            ? [{ label: 'Share this drawing', group: 'Picture' as const, run: exportActions.share }]
+            ? [{ label: 'Share this drawing', group: 'Picture' as const, run: exported('share') }]
             : []),
-          { label: 'Copy a link to this drawing', group: 'Picture', run: exportActions.copyLink },
+          { label: 'Copy a link to this drawing', group: 'Picture', run: exported('copyLink') },
           { label: 'Code and embedding', group: 'Picture', run: openCode },
-          { label: 'Record a video', group: 'Video', run: exportActions.saveVideo },
+          { label: 'Record a video', group: 'Video', run: exported('saveVideo') },
         ],
         (key) => {
           if (key === 'model') modelLoader.changeModel();
@@ -157,7 +154,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         return scene.framesDrawn;
       },
       get isIdle() {
-        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && !isAwaiting;
+        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && !isAwaiting && fetching === 0;
       },
     },
   });
@@ -166,9 +163,43 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   let codeDialog: CodeDialog | undefined;
   let recent: RecentDialog | undefined;
 
+  /** How many parts of the page are being fetched. */
+  let fetching = 0;
+
   /** Opens what has to be fetched first. */
   function whenFetched<Part>(part: Promise<Part>, open: (part: Part) => unknown): void {
-    part.then(open).catch((error) => status.fail(`A part of the page could not be fetched: ${errorMessage(error)}.`));
+    fetching++;
+    part
+      .then(open)
+      .catch((error) => status.fail(`A part of the page could not be fetched: ${errorMessage(error)}.`))
+      .finally(() => fetching--);
+  }
+
+  let lights: LightHandles | undefined;
+  whenFetched(import('./LightHandles.js'), ({ LightHandles }) => {
+    lights = new LightHandles(scene, settings, recordChange);
+    scene.invalidate();
+  });
+
+  let motion: MotionPanel | undefined;
+  /** Shows the controls of a model that moves. */
+  function showMotion(): void {
+    if (!motion && !scene.model?.motion) return;
+    whenFetched(import('./MotionPanel.js'), ({ MotionPanel }) => {
+      motion ??= new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
+      motion.show(scene.model?.motion);
+      scene.invalidate();
+    });
+  }
+
+  let exportActions: ExportActions | undefined;
+  /** What saves or hands on the drawing in one of several ways. */
+  function exported(action: 'savePng' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink'): () => void {
+    return () =>
+      whenFetched(import('./ExportActions.js'), ({ ExportActions }) => {
+        exportActions ??= new ExportActions(scene, settings, modelLoader, status, tasks, currentLink);
+        void exportActions[action]();
+      });
   }
 
   function openCode(): void {
@@ -398,10 +429,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // ── Frames ──
 
   scene.onFrame(() => {
-    lights.update();
-    motion.update();
+    lights?.update();
+    motion?.update();
     if (!page.divider.hidden) divider?.place();
-    if (tasks.isIdle && scene.isComplete) setPageState('ready');
+    if (tasks.isIdle && scene.isComplete && lights) setPageState('ready');
   });
   scene.onFrameTime(() => {
     occlusion.update();
@@ -442,8 +473,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       (files) => void showFiles(files),
       (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
     );
-  page.savePng.addEventListener('click', exportActions.savePng);
-  page.saveMap.addEventListener('click', exportActions.saveMap);
+  page.savePng.addEventListener('click', exported('savePng'));
+  page.saveMap.addEventListener('click', exported('saveMap'));
   page.undo.addEventListener('click', () => step(history.undo()));
   page.redo.addEventListener('click', () => step(history.redo()));
   page.recent.addEventListener('click', () => {

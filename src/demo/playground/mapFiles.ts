@@ -1,11 +1,6 @@
 import { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../files/readModel.js';
 
-/** Whether files can only be a tonal art map: PNG images, perhaps with the JSON file of a saved map. */
-export function areMapFiles(files: readonly ModelFile[]): boolean {
-  return files.every(({ name }) => /\.(png|json)$/i.test(name));
-}
-
 /** Reads dropped files as a map. @throws Error with a message for the user */
 export async function loadMapFiles(
   files: readonly ModelFile[],

@@ -1,6 +1,5 @@
 import { baseName } from '../files/fileName.js';
 import type { ModelFile } from '../files/readModel.js';
-import { areMapFiles } from './mapFiles.js';
 
 /** The model that is shown: the files it was read from, and the names of those it asks for beside. */
 export interface ShownFiles {
@@ -32,3 +31,8 @@ export function sortDrop(
 }
 
 const nameOf = ({ name }: ModelFile): string => baseName(name).toLowerCase();
+
+/** Whether files can only be a tonal art map: PNG images, perhaps with the JSON file of a saved map. */
+function areMapFiles(files: readonly ModelFile[]): boolean {
+  return files.every(({ name }) => /\.(png|json)$/i.test(name));
+}
