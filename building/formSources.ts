@@ -76,7 +76,8 @@ function sourceOf(bundle: string): FormSource {
     classes: own,
     code: bundle
       .replace(/^(import|export) .*$/gm, '')
-      .replace(/^\/\/#(region|endregion).*$/gm, '')
+      .replace(/^\/\/(#region|#endregion| src\/).*$/gm, '')
+      .replace(/^var /gm, 'const ')
       .replace(/^\t+/gm, (tabs) => '  '.repeat(tabs.length))
       .trim(),
   };

@@ -55,12 +55,12 @@ ${entries.join(',\n')}
     <script type="module">
 ${commented(note)}${imports}
 
+${code.replace('export async', 'async')}
+
 drawHatching(document.getElementById('drawing')).catch((error) => {
   document.body.replaceChildren(\`The drawing could not be made: \${error.message}\`);
   throw error;
 });
-
-${code.replace('export async', 'async')}
     </script>
   </body>
 </html>

@@ -104,6 +104,15 @@ describe('copied code', () => {
     expect(geometry.attributes.position.count).toBeGreaterThan(1000);
   });
 
+  test('calls the drawing when all that it calls is there', () => {
+    const html = pageSample(drawing({ model: 'shell', title: 'Shell' }));
+    expect(html).not.toMatch(/^\/\/.*src\//m);
+    expect(html.indexOf('const shell = ')).toBeGreaterThan(0);
+    expect(html.indexOf("drawHatching(document.getElementById('drawing'))")).toBeGreaterThan(
+      html.indexOf('const shell = '),
+    );
+  });
+
   test('makes the fish with its bones and clips, and the bust without its stray triangles', async () => {
     const [fish, clips] = run({ model: 'fish', title: 'Fish' }, '[model, animations]') as [Group, AnimationClip[]];
     expect(clips.map(({ name }) => name)).toEqual(['Swim', 'Dart']);
