@@ -39,7 +39,7 @@ export function drawingSample(shown: CodeDrawing): DrawingSample {
       code: `// The model, its centre in the middle of the scene, with a radius of 1.\n${source.code}`,
       three: source.classes,
     },
-    fittingPart(drawing),
+    fittingPart(drawing, source.hasGeometry),
     clipPart(drawing, source.hasClips),
     lookPart(drawing),
     groundPart(drawing),
@@ -87,7 +87,7 @@ controls.update();`,
   };
 }
 
-function fittingPart({ model: { place }, settings: { upAxis } }: CodeDrawing): Part {
+function fittingPart({ model: { place }, settings: { upAxis } }: CodeDrawing, hasGeometry = false): Part {
   const turned = (group: string): string =>
     upAxis === 'y' ? '' : `\n${group}.rotation.set(${listed(UPRIGHT[upAxis])}); // its ${upAxis} axis points up`;
   if (place) {
@@ -98,6 +98,17 @@ holder.scale.setScalar(${exact(place.scale)});
 holder.position.set(${place.position.map(exact).join(', ')});
 const upright = new Group().add(holder);${turned('upright')}
 scene.add(upright);`,
+    };
+  }
+  // Strokes lie in the space of the geometry: as the page does, it is moved itself.
+  if (hasGeometry) {
+    return {
+      three: ['Group'],
+      code: `geometry.center().computeBoundingSphere();
+const scale = 1 / geometry.boundingSphere.radius;
+geometry.scale(scale, scale, scale);
+const holder = new Group().add(model);${turned('holder')}
+scene.add(holder);`,
     };
   }
   return {

@@ -15,6 +15,8 @@ export interface ModelSource {
   /** Statements, of which the last ones declare `model`, an Object3D; and `animations`, if `hasClips`. */
   code: string;
   hasClips?: boolean;
+  /** Whether the model is one mesh, whose `geometry` is declared, too. */
+  hasGeometry?: boolean;
   /** What somebody has to know who puts the code to use. */
   note?: string;
 }
@@ -54,7 +56,12 @@ const DRAGONS = {
 } as const;
 
 /** The code that loads or makes the model that the page shows. */
-export function modelSource({ model, title }: CodeModel): ModelSource {
+export function modelSource(model: CodeModel): ModelSource {
+  const source = sourceOf(model);
+  return { ...source, hasGeometry: source.code.endsWith(MAKE_MESH) };
+}
+
+function sourceOf({ model, title }: CodeModel): ModelSource {
   if (model === 'file') return fileSource(title);
   switch (model) {
     case 'dragon4':
