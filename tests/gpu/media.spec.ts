@@ -7,6 +7,7 @@ const MEDIA = [
   { tooth: 0.4, toothSize: 1.6, softness: 0.9, smudge: 0.2 },
   { tooth: 0.6, toothSize: 3.7, softness: 0.3, smudge: 0.5 },
   { tooth: 1, toothSize: 2.5, softness: 0, smudge: 0 },
+  { tooth: 0.6, toothSize: 10, softness: 0.5, smudge: 0.2 },
   { tooth: 0, toothSize: 2.5, softness: 0.5, smudge: 0 },
   { tooth: 0.5, toothSize: 2.5, softness: 1, smudge: 1 },
 ];

@@ -34,7 +34,7 @@ const AXES: readonly Vec3[] = [-1, 0, 1]
 function planesOf(normal: Vec3): { axis: Vec3; share: number }[] {
   const facing = AXES.map((axis) => Math.abs(dot(axis, normal)));
   const best = Math.max(...facing);
-  const weights = facing.map((value) => clamp01(1 - (best - value) / 0.04) ** 2);
+  const weights = facing.map((value) => clamp01(1 - (best - value) / 0.03) ** 2);
   const sum = weights.reduce((total, weight) => total + weight, 0);
   return AXES.map((axis, i) => ({
     axis: axis.map((x) => (dot(axis, normal) < 0 ? -x : x) + 0) as Vec3,
@@ -73,7 +73,7 @@ function areaFor(covered: number, octave: number): number {
   if (covered <= 0.5) return covered;
   return (
     covered +
-    ((0.3 + 2.8 * octave * (1 - octave) ** 2) * (covered - 0.5) ** 2) / Math.sqrt(Math.max(1 - covered, 0.001))
+    ((0.25 + 2.8 * octave * (1 - octave) ** 2) * (covered - 0.5) ** 2) / Math.sqrt(Math.max(1 - covered, 0.001))
   );
 }
 
@@ -119,9 +119,9 @@ export class StippleReference {
     return tone <= 0.5 ? 1 - blank.black : 1 - blank.black * (1 - blank.white);
   }
 
-  /** What black dots cover, and white ones of the rest: below half tone none, above 0.7 all the light there is. */
+  /** What black dots cover, and white ones of the rest: below half tone none, above 0.6 all the light there is. */
   private shares(tone: number): { black: number; white: number } {
-    const black = tone <= 0.5 ? tone : Math.max(0, 0.5 - (tone - 0.5) * 2.5);
+    const black = tone <= 0.5 ? tone : Math.max(0, 0.5 - (tone - 0.5) * 5);
     return { black, white: tone <= 0.5 ? 0 : (1 - tone) / (1 - black) };
   }
 

@@ -16,15 +16,15 @@ uniform float edgePixels; // width of the edge of a dot
 // Dots per tile at a screenConstancy of 0, along each side.
 #define DOTS_PER_TILE 64.0
 // How far a plane's tilt may differ from that of the best one, as a cosine, where dots of both stand side by side.
-#define PLANE_FADE 0.04
+#define PLANE_FADE 0.03
 // Shares of the surface too small to be told apart.
 #define LEAST_SHARE 0.02
 // The share of an octave in which a dot grows to its full size.
 #define GROWTH 0.35
-// Below this share dots fade instead of lying farther apart.
+// Covering less than this share, dots fade instead of lying farther apart.
 #define LEAST_DENSE_SHARE 0.004
 // Up to the first tone there are black dots alone; from the second on, white ones in black.
-#define JOINING vec2(0.5, 0.7)
+#define JOINING vec2(0.5, 0.6)
 // Where the surface leans away further than this cosine, dots lean with the rest.
 #define LEAST_ROUND 0.33
 
@@ -47,23 +47,25 @@ float grownShare(const in float octave) {
 // octave, when the first of those that are born lie close to others; fitted to the set.
 float discArea(const in float covered, const in float octave) {
   float beyond = max(covered - 0.5, 0.0);
-  float overlap = 0.3 + 2.8 * octave * (1.0 - octave) * (1.0 - octave);
+  float overlap = 0.25 + 2.8 * octave * (1.0 - octave) * (1.0 - octave);
   return covered + overlap * beyond * beyond * inversesqrt(max(1.0 - covered, 1e-3));
 }
 
-// How much of this fragment the dots of one plane cover, of which all together cover a share. at: in the plane. gradient: of its two coordinates on the screen. octave: cells of the set per unit,
-// as a logarithm.
-float dotsOfPlane(const in vec2 at, const in vec2 gradientU, const in vec2 gradientV, const in float octave, const in float share) {
+// How much of this fragment the dots of one plane cover, of which all together cover a share. at: in the plane. gradients: of its two
+// coordinates on the screen. octave: cells of the set per unit, as a logarithm.
+float dotsOfPlane(
+  const in vec2 at, const in vec2 gradientU, const in vec2 gradientV, const in float octave, const in float share
+) {
   float cells = exp2(floor(octave) + 1.0);
   float into = fract(octave);
   float area = gradientU.x * gradientV.y - gradientU.y * gradientV.x;
   float perCell = 0.25 + 0.75 * grownShare(into);
-  // Pixels per cell, and a cell's share of the area.
-  float squared = discArea(share, into) * RECIPROCAL_PI / (max(abs(area), 1e-20) * cells * cells * perCell);
-  mat2 toScreen = mat2(gradientV.y, -gradientV.x, -gradientU.y, gradientU.x) / (area * cells);
+  // In units of the edge: the squared radius of a dot that is full-grown, and the way from cells to the screen.
+  float edge = max(edgePixels, 1e-2);
+  float squared = discArea(share, into) * RECIPROCAL_PI / (max(abs(area), 1e-20) * cells * cells * perCell * edge * edge);
+  mat2 toScreen = mat2(gradientV.y, -gradientV.x, -gradientU.y, gradientU.x) / (area * cells * edge);
   vec2 place = at * cells;
   vec2 first = floor(place - 0.5) - 1.0;
-  float edge = max(edgePixels, 1e-2);
   float covered = 0.0;
   for (int i = 0; i < 16; i++) {
     vec2 cell = first + vec2(float(i & 3), float(i >> 2));
@@ -71,11 +73,10 @@ float dotsOfPlane(const in vec2 at, const in vec2 gradientU, const in vec2 gradi
     vec2 away = toScreen * (cell + texel.xy - place);
     float grown = clamp((into - texel.z * (1.0 - GROWTH)) / GROWTH, step(texel.z, 0.0), 1.0);
     float full = squared * grown;
-    // A soft edge makes a disc larger: by as much as it is drawn smaller. Below a pixel it keeps its ink and loses its darkness.
-    float radius = sqrt(max(full - edge * edge / 12.0, 0.25 * edge * edge));
-    float inked = clamp((radius - length(away)) / edge + 0.5, 0.0, 1.0) * min(3.0 * full / (edge * edge), 1.0);
+    // A soft edge makes a disc larger: by as much as it is drawn smaller. Below its width a dot keeps its ink and loses its darkness.
+    float radius = sqrt(max(full - 1.0 / 12.0, 0.25));
     // Two that meet in a pixel each have a part of it.
-    covered += inked;
+    covered += clamp(radius - length(away) + 0.5, 0.0, 1.0) * min(3.0 * full, 1.0);
   }
   return min(covered, 1.0);
 }
