@@ -173,16 +173,13 @@ test('the ink of dots is the tone in the mean, at any size and slant and between
 test('dots stay where they are on the surface, while others are born and die', async ({ page }) => {
   const found = await page.evaluate(() => {
     const { draw, dotsOf } = window.stage;
-    const look = { tone: 0.2, dot: 10 };
+    const look = { tone: 0.12, dot: 9 };
     const before = dotsOf(draw(look));
-    /** The share of inner dots that are found where they should be, and how large those are that are not, to the others. */
-    const kept = (after: ReturnType<typeof dotsOf>, to: (x: number, y: number) => [number, number]) => {
-      const inner = before.filter(({ x, y }) => Math.min(x, y, 256 - x, 256 - y) > 40);
-      const isKept = inner.map((one) => {
-        const [x, y] = to(one.x, one.y);
-        return after.some((other) => Math.hypot(other.x - x, other.y - y) < 0.7);
-      });
-      return isKept.filter(Boolean).length / inner.length;
+    /** The share of dots that are found where they should be, of those that should be well within the picture. */
+    const kept = (after: ReturnType<typeof dotsOf>, to: (x: number, y: number) => [number, number]): number => {
+      const wanted = before.map(({ x, y }) => to(x, y)).filter(([x, y]) => Math.min(x, y, 256 - x, 256 - y) > 25);
+      const isThere = wanted.filter(([x, y]) => after.some((other) => Math.hypot(other.x - x, other.y - y) < 1));
+      return wanted.length < 8 ? 0 : isThere.length / wanted.length;
     };
     // 256 pixels are two units wide.
     const shifted = kept(dotsOf(draw({ ...look, x: 10.3 / 128 })), (x, y) => [x - 10.3, y]);
@@ -204,8 +201,8 @@ test('dots stay where they are on the surface, while others are born and die', a
   });
   expect(found.count).toBeGreaterThan(60);
   expect(found.shifted).toBeGreaterThan(0.97);
-  // Dots never go as one comes nearer, at whatever distance they were born; those beyond the picture are not looked for.
-  expect(found.nearer[0], `${found.nearer}`).toBeGreaterThan(0.97);
+  // Dots never go as one comes nearer, at whatever distance they were born.
+  for (const share of found.nearer) expect(share, `${found.nearer}`).toBeGreaterThan(0.9);
   expect(found.slanted).toBeGreaterThan(0.9);
   expect(found.changed).toBeLessThan(5);
 });
