@@ -106,6 +106,8 @@ export class Hatcher {
       if (!this.restyled(options, map)) await this.hatch(options, map);
     } catch (error) {
       release();
+      // What changed meanwhile may be why: the caller sees that there is more to do.
+      if (!this.abort.signal.aborted && this.snapshot.differs(this.root)) return;
       throw error;
     }
     this.releaseMap();

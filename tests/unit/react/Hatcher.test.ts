@@ -59,8 +59,16 @@ test('a technique that needs other geometry, other creases and other options of 
   for (const options of [
     { preset: 'technical', lines: { creaseAngle: 1 } },
     { preset: 'technical', lines: false },
+    { preset: 'technical', lines: false, material: { strokeScale: 2 } },
+    { preset: 'technical', lines: false },
     { preset: 'technical', lines: false, smoothingRadius: 0.1 },
-    { material: { technique: 'adjacency' }, tonalArtMap: SMALL_MAP },
+    {
+      preset: 'technical',
+      lines: false,
+      smoothingRadius: 0.1,
+      material: { technique: 'adjacency' },
+      tonalArtMap: SMALL_MAP,
+    },
   ] as const) {
     const before = mesh.geometry;
     hatcher.update(options);
