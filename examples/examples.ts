@@ -4,7 +4,7 @@ export interface Example {
   title: string;
   about: string;
   /** The file that is shown beside the picture. */
-  source: 'main.ts' | 'page.html';
+  source: 'main.ts' | 'main.tsx' | 'page.html';
 }
 
 const example = (folder: string, title: string, about: string, source: Example['source'] = 'main.ts'): Example => ({
@@ -30,5 +30,6 @@ export const EXAMPLES: readonly Example[] = [
   example('postprocessing-library', 'The postprocessing package', 'Chalk on a board, with dust and a darker rim.'),
   example('import-map', 'No build step', 'A plain page with an import map.', 'page.html'),
   example('web-component', 'A web component', 'Three drawings without a line of code.', 'page.html'),
+  example('react', 'React', 'Components for React Three Fiber, and a choice of presets.', 'main.tsx'),
   example('strict-csp', 'A strict policy', 'A Content-Security-Policy that forbids inlined workers.'),
 ];

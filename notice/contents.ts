@@ -14,6 +14,10 @@ export interface Part {
   from?: string;
 }
 
+/** Its package has no file with the licence that it names. */
+const MIT_OF_FIBER =
+  'Copyright (c) 2019-2025 Poimandres. Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the "Software"), to deal in the Software without restriction, including without limitation the rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do so, subject to the following conditions: The above copyright notice and this permission notice shall be included in all copies or substantial portions of the Software. THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.';
+
 /** Everything that others have made and that is in the built page: code, then models. A build with anything else fails. */
 export const PARTS: readonly Part[] = [
   {
@@ -87,6 +91,87 @@ export const PARTS: readonly Part[] = [
     licence: 'Zlib',
     licenceFile: 'node_modules/postprocessing/LICENSE.md',
     from: 'postprocessing',
+  },
+  {
+    name: 'react',
+    use: 'part of the example with React components',
+    by: 'Meta Platforms, Inc. and affiliates',
+    address: 'https://react.dev',
+    licence: 'MIT',
+    licenceFile: 'node_modules/react/LICENSE',
+    from: 'react',
+  },
+  {
+    name: 'react-dom',
+    use: 'part of the example with React components',
+    by: 'Meta Platforms, Inc. and affiliates',
+    address: 'https://react.dev',
+    licence: 'MIT',
+    licenceFile: 'node_modules/react-dom/LICENSE',
+    from: 'react-dom',
+  },
+  {
+    name: 'scheduler',
+    use: 'part of the example with React components',
+    by: 'Meta Platforms, Inc. and affiliates',
+    address: 'https://react.dev',
+    licence: 'MIT',
+    licenceFile: 'node_modules/scheduler/LICENSE',
+    from: 'scheduler',
+  },
+  {
+    name: 'use-sync-external-store',
+    use: 'part of the example with React components',
+    by: 'Meta Platforms, Inc. and affiliates',
+    address: 'https://react.dev',
+    licence: 'MIT',
+    licenceFile: 'node_modules/use-sync-external-store/LICENSE',
+    from: 'use-sync-external-store',
+  },
+  {
+    name: '@react-three/fiber',
+    use: 'part of the example with React components',
+    by: 'Poimandres',
+    address: 'https://github.com/pmndrs/react-three-fiber',
+    licence: 'MIT',
+    terms: MIT_OF_FIBER,
+    from: '@react-three/fiber',
+  },
+  {
+    name: 'its-fine',
+    use: 'part of the example with React components',
+    by: 'Poimandres',
+    address: 'https://github.com/pmndrs/its-fine',
+    licence: 'MIT',
+    licenceFile: 'node_modules/its-fine/LICENSE',
+    from: 'its-fine',
+  },
+  {
+    name: 'react-use-measure',
+    use: 'part of the example with React components',
+    by: 'Poimandres',
+    address: 'https://github.com/pmndrs/react-use-measure',
+    licence: 'MIT',
+    licenceFile: 'node_modules/react-use-measure/LICENSE',
+    from: 'react-use-measure',
+  },
+  {
+    name: 'suspend-react',
+    use: 'part of the example with React components',
+    by: 'Poimandres',
+    address: 'https://github.com/pmndrs/suspend-react',
+    licence: 'MIT',
+    licenceFile: 'node_modules/suspend-react/LICENSE',
+    from: 'suspend-react',
+  },
+  {
+    name: 'zustand',
+    use: 'part of the example with React components',
+    by: 'Paul Henschel',
+    address: 'https://github.com/pmndrs/zustand',
+    licence: 'MIT',
+    licenceFile: 'node_modules/zustand/LICENSE',
+    from: 'zustand',
   },
   {
     name: 'Stanford dragon',

@@ -2,7 +2,10 @@
 import { EXAMPLES } from '../examples.js';
 import { highlight } from './highlight.js';
 
-const SOURCES = import.meta.glob<string>(['../*/main.ts', '../*/page.html'], { query: '?raw', import: 'default' });
+const SOURCES = import.meta.glob<string>(['../*/main.{ts,tsx}', '../*/page.html'], {
+  query: '?raw',
+  import: 'default',
+});
 
 const folder = location.pathname.split('/').at(-2);
 const at = EXAMPLES.findIndex((example) => example.folder === folder);

@@ -39,7 +39,7 @@ export default defineConfig({
       { text: 'Playground', link: '/playground/index.html', target: '_self' },
     ],
     sidebar: [
-      group('Start', 'first-picture', 'examples', 'lights-and-tone', 'choosing', 'presets', 'element'),
+      group('Start', 'first-picture', 'examples', 'lights-and-tone', 'choosing', 'presets', 'react', 'element'),
       group(
         'Guides',
         'material',
@@ -52,7 +52,7 @@ export default defineConfig({
         'gltf',
         'performance',
       ),
-      group('Help', 'troubleshooting', 'migrating', 'webgpu', 'versions', 'changelog'),
+      group('Help', 'troubleshooting', 'migrating', 'webgpu', 'versions', 'support', 'changelog'),
       group(
         'Behind it',
         'paper',

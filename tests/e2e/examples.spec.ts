@@ -4,6 +4,7 @@ import { PNG } from 'pngjs';
 import { buildExamples } from '../../examples/build.mjs';
 import { EXAMPLES } from '../../examples/examples.js';
 import { expect, test } from '../browser/test.js';
+import { toleratedMessages } from '../browser/toleratedMessages.js';
 import { serveFolders } from '../consumers/serveFolders.js';
 import { changedShare } from './pictures.js';
 
@@ -53,7 +54,9 @@ async function drawn(place: Locator): Promise<PNG> {
 /** Notes what a page says and where it asks, which should be nothing, and nowhere else. */
 function listen(page: Page): string[] {
   const heard: string[] = [];
-  page.on('console', (message) => heard.push(message.text()));
+  page.on('console', (message) => {
+    if (!toleratedMessages.some(({ pattern }) => pattern.test(message.text()))) heard.push(message.text());
+  });
   page.on('request', (request) => {
     if (!request.url().startsWith(server.url) && !/^(blob|data):/.test(request.url())) heard.push(request.url());
   });

@@ -44,7 +44,11 @@ function completed(sample: string): string {
     `import { ${lacking(classes).join(', ')} } from 'three';`,
     `import { ${lacking([...Object.keys(hatching), ...TYPES]).join(', ')} } from 'three-hatching';`,
     `import { ${lacking(['GLTFLoader']).join(', ')} } from 'three/addons/loaders/GLTFLoader.js';`,
-    sample,
+    `import { ${lacking(['useMemo']).join(', ')} } from 'react';`,
+    `import { ${lacking(['Canvas']).join(', ')} } from '@react-three/fiber';`,
+    `import { ${lacking(['Hatched']).join(', ')} } from 'three-hatching/react';`,
+    // Elements alone, without a component around them.
+    sample.startsWith('<') ? `export const elements = <>${sample}</>;` : sample,
     'export {};',
   ].join('\n');
 }
@@ -54,8 +58,8 @@ test('every sample of README and guides compiles', () => {
   mkdirSync(folder, { recursive: true });
   const names: string[] = [];
   for (const [path, text] of Object.entries(DOCUMENTS)) {
-    for (const [i, [, sample]] of [...text.matchAll(/^```ts\n([\s\S]*?)^```/gm)].entries()) {
-      const name = `${path.replace(/^docs\//, '').replace('.md', '')}-${i + 1}.ts`;
+    for (const [i, [, kind, sample]] of [...text.matchAll(/^```(tsx?)\n([\s\S]*?)^```/gm)].entries()) {
+      const name = `${path.replace(/^docs\//, '').replace('.md', '')}-${i + 1}.${kind}`;
       writeFileSync(join(folder, name), completed(sample));
       names.push(name);
     }
@@ -63,7 +67,7 @@ test('every sample of README and guides compiles', () => {
   expect(names.length).toBeGreaterThan(30);
   writeFileSync(join(folder, 'around.d.ts'), AROUND);
   const compilerOptions = { verbatimModuleSyntax: false, noUnusedLocals: false, noUnusedParameters: false };
-  const config = { extends: '../../../tsconfig.json', compilerOptions, include: ['*.ts'], exclude: [] };
+  const config = { extends: '../../../tsconfig.json', compilerOptions, include: ['*.ts', '*.tsx'], exclude: [] };
   writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify(config));
   const typescript = dirname(createRequire(import.meta.url).resolve('typescript/package.json'));
   let output = '';
