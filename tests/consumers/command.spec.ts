@@ -73,8 +73,8 @@ test('the command says how it is used, and names the styles', () => {
 
 test('the command draws the map of a preset', () => {
   const small = ['--size', '64', '--tones', '4', '--levels', '1'];
-  expect(run('tam', '--preset', 'woodcut', ...small, '--out', 'a').status).toBe(0);
-  expect(run('tam', '--style', 'woodcut', ...small, '--out', 'b').status).toBe(0);
+  expect(run('tam', '--preset', 'crossHatching', ...small, '--out', 'a').status).toBe(0);
+  expect(run('tam', '--style', 'contours', ...small, '--out', 'b').status).toBe(0);
   for (const name of readdirSync(join(work, 'b'))) {
     expect(readFileSync(join(work, 'a', name)).equals(readFileSync(join(work, 'b', name))), name).toBe(true);
   }
