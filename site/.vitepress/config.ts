@@ -20,6 +20,13 @@ export default defineConfig({
   title: 'three-hatching',
   description: 'Real-time hatching for three.js: strokes that lie in the surface and turn with the light.',
   cleanUrls: true,
+  markdown: {
+    // Double braces in code are code, and nothing to be filled in.
+    config: ({ renderer }) => {
+      const { code_inline: inline } = renderer.rules;
+      renderer.rules.code_inline = (...rest) => (inline?.(...rest) ?? '').replace('<code', '<code v-pre');
+    },
+  },
   // The examples and the playground are built beside the pages.
   ignoreDeadLinks: [/^\/(playground|live)\//],
   head: [['link', { rel: 'icon', type: 'image/svg+xml', href: `${process.env.SITE_BASE ?? '/'}lamp.svg` }]],
