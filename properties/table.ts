@@ -19,7 +19,7 @@ export const PROPERTIES = {
     group: 'Strokes',
     default: null,
     sentence:
-      'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the surface stays blank paper.',
+      'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all.',
   },
   technique: {
     kind: 'choice',

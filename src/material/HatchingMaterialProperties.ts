@@ -25,7 +25,7 @@ import {
 export interface HatchingMaterialOptions {
   /**
    * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
-   * surface stays blank paper. Default `null`.
+   * surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all. Default `null`.
    */
   tonalArtMap: TonalArtMap | null;
   /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
@@ -273,7 +273,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
-   * surface stays blank paper. Default `null`.
+   * surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all. Default `null`.
    */
   get tonalArtMap(): TonalArtMap | null {
     return this.hatchImages;
