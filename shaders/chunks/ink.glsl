@@ -1,11 +1,7 @@
 // From a field of thresholds to what is printed: ink, or what a dry medium leaves.
 uniform float edgePixels; // width of the edge of a stroke
 
-// Φ, the standard normal distribution, to 2e-4, and its slope.
-vec2 normalDistribution(const in float g) {
-  float h = 1.0 / (1.0 + exp(-1.5957691216 * (g + 0.044715 * g * g * g)));
-  return vec2(h, h * (1.0 - h) * 1.5957691216 * (1.0 + 0.134145 * g * g));
-}
+#include "normalDistribution"
 
 // The mix of two skewed fields is not normal. This puts h right again; fitted to what generated maps show between levels,
 // where the tone would be up to 0.04 too light.

@@ -11,6 +11,9 @@ uniform float opacity;
 #ifdef WOBBLE
   #include "lines/wobble"
 #endif // WOBBLE
+#ifdef TOOTH
+  #include "lines/dryLine"
+#endif // TOOTH
 
 // Where on the piece a pixel lies beside: 0 at the start, 1 at the end, beyond outside of these.
 float placeOf(const in vec2 pixel) {
@@ -37,6 +40,9 @@ void main() {
   float fringe = place == t ? 0.5 : 0.0;
   // Lines below a pixel fade instead of breaking.
   float coverage = clamp(max(halfWidth, 0.5) + fringe - away, 0.0, 1.0) * min(2.0 * halfWidth, 1.0);
+  #ifdef TOOTH
+    coverage *= dryInk(min(away / max(halfWidth, 0.5), 1.0));
+  #endif // TOOTH
   vec4 diffuseColor = vec4(ink, opacity * coverage);
 
   vec3 viewPosition = mix(vStart.xyz, vEnd.xyz, alongLine(t));

@@ -8,6 +8,7 @@ import {
   Vector2,
 } from 'three';
 import { checkNumber } from '../material/checkNumber.js';
+import { toothMap } from '../tam/toothMap.js';
 import { HATCHING_LINE_DEFAULTS, LINE_NUMBER_NAMES, LINE_NUMBERS, type LineNumberName } from './lineProperties.js';
 import { lineShaders } from './lineShaders.js';
 import { createLineUniforms } from './lineUniforms.js';
@@ -24,7 +25,7 @@ export type HatchingLineParameters = MaterialParameters &
 
 /**
  * How `HatchingLines` are drawn. Takes the scene's lights, fog and clipping planes. Every property may be set at any time and
- * counts from the next frame on; `wobble` builds another program when it becomes 0 or more. Several `HatchingLines` may share
+ * counts from the next frame on; `wobble` and `tooth` build another program when they become 0 or more. Several `HatchingLines` may share
  * one.
  */
 export class HatchingLineMaterial extends ShaderMaterial {
@@ -56,6 +57,10 @@ export class HatchingLineMaterial extends ShaderMaterial {
   declare wobble: number;
   /** How far a hand runs on past the corners of creases and borders, in pixels. Default 0. */
   declare overshoot: number;
+  /** How much the paper counts against lines of a dry medium, in [0, 1]: 0, the default, is ink. See docs/media.md. */
+  declare tooth: number;
+  /** Size of the bumps of the paper, in pixels, more than 0. Default 2.5. */
+  declare toothSize: number;
   /** Colour of the lines. Default black. */
   ink: Color = new Color(HATCHING_LINE_DEFAULTS.ink);
   /** Weights on the lit side and in the shade, by all lights of the scene. Default (0.5, 1.4). */
@@ -106,6 +111,7 @@ export class HatchingLineMaterial extends ShaderMaterial {
     this.uniforms.ink.value = this.ink;
     this.uniforms.shadeWeights.value = this.shadeWeights;
     this.uniforms.opacity.value = this.opacity;
+    if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
     this.setDefine('DEFORMED', isDeformed);
     this.uniformsNeedUpdate = true;
   }
@@ -124,7 +130,7 @@ export class HatchingLineMaterial extends ShaderMaterial {
       set: (value: number) => {
         current = checkNumber(name, value, LINE_NUMBERS[name], 'HatchingLineMaterial');
         // At once, so that `renderer.compile` builds the program that frames use.
-        if (name === 'wobble') this.setDefine('WOBBLE', current > 0);
+        if (name === 'wobble' || name === 'tooth') this.setDefine(name.toUpperCase(), current > 0);
       },
       enumerable: true,
     });

@@ -10,6 +10,7 @@ import {
   type PerspectiveCamera,
   type Scene,
   Sphere,
+  type Vector2,
   Vector3,
   type Vector4,
   type WebGLRenderer,
@@ -18,6 +19,7 @@ import { type LineData, lineDataOf } from '../geometry/LineData.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
 import { canDeform, deforms } from '../material/bindVertices.js';
 import { deformationOf } from '../material/deformationOf.js';
+import { writePictureOffset } from '../material/pictureOffset.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { ContourList } from './ContourList.js';
 import { HatchingLineMaterial, type HatchingLineParameters } from './HatchingLineMaterial.js';
@@ -239,6 +241,7 @@ export class HatchingLines extends Object3D {
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) (uniforms.viewport.value as Vector4).copy(viewport);
     else renderer.getCurrentViewport(uniforms.viewport.value as Vector4);
+    writePictureOffset(uniforms.toothOffset.value as Vector2, camera, uniforms.viewport.value as Vector4);
   }
 
   private listFor(camera: Camera, data: LineData, mesh: Mesh): ContourList | null {

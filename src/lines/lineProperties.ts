@@ -11,6 +11,8 @@ export const HATCHING_LINE_DEFAULTS = {
   taper: 0.8,
   wobble: 0,
   overshoot: 0,
+  tooth: 0,
+  toothSize: 2.5,
   ink: 0x000000,
   shadeWeights: [0.5, 1.4],
 } as const;
@@ -26,6 +28,8 @@ export const LINE_NUMBERS = {
   taper: { from: 0 },
   wobble: { from: 0 },
   overshoot: { from: 0 },
+  tooth: { from: 0, to: 1 },
+  toothSize: { above: 0 },
 } as const satisfies Partial<Record<keyof typeof HATCHING_LINE_DEFAULTS, NumberRange>>;
 
 export type LineNumberName = keyof typeof LINE_NUMBERS;

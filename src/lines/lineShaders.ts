@@ -5,7 +5,11 @@ import { lineConventionsChunk } from './lineConventions.js';
 
 /** The files of shaders/lines and what they share with those of the material, as text. */
 const files: Readonly<Record<string, string>> = import.meta.glob(
-  ['../../shaders/lines/*', '../../shaders/chunks/lightLuminance.glsl', '../../shaders/perTriangle/turns.glsl'],
+  [
+    '../../shaders/lines/*',
+    '../../shaders/chunks/{lightLuminance,normalDistribution,tooth}.glsl',
+    '../../shaders/perTriangle/turns.glsl',
+  ],
   { query: '?raw', import: 'default', eager: true },
 );
 

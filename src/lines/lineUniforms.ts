@@ -1,4 +1,4 @@
-import { type IUniform, UniformsLib, UniformsUtils, Vector4 } from 'three';
+import { type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'three';
 import { keptFromProxies } from '../material/hatchingUniforms.js';
 import { LINE_NUMBER_NAMES } from './lineProperties.js';
 
@@ -13,6 +13,7 @@ export const createLineUniforms = (): Record<string, IUniform> =>
         ink: { value: null },
         opacity: { value: 1 },
         shadeWeights: { value: null },
+        toothMap: { value: null },
         // of the geometry and the mesh that is drawn
         linePoints: { value: null },
         linePrimitives: { value: null },
@@ -27,6 +28,7 @@ export const createLineUniforms = (): Record<string, IUniform> =>
         nearDistance: { value: 0 },
         objectScale: { value: 1 },
         viewport: { value: new Vector4() },
+        toothOffset: { value: new Vector2() },
       },
     ]),
   );

@@ -194,7 +194,7 @@ const makePresets = () =>
         ink: '#34343a',
         paper: '#fbfaf6',
       },
-      lines: { lineWidth: 1.3, wobble: 1, ink: '#34343a' },
+      lines: { lineWidth: 1.3, wobble: 1, tooth: 0.4, toothSize: 1.6, ink: '#34343a' },
       tonalArtMap: { style: 'hatching' },
     },
     charcoal: {
@@ -215,7 +215,7 @@ const makePresets = () =>
         ink: '#1d1a19',
         paper: '#e6dccb',
       },
-      lines: { lineWidth: 4, wobble: 1, ink: '#1d1a19' },
+      lines: { lineWidth: 4, wobble: 1, tooth: 0.5, toothSize: 2.6, ink: '#1d1a19' },
       tonalArtMap: { style: 'hatching' },
     },
     chalk: {
@@ -236,7 +236,7 @@ const makePresets = () =>
         ink: '#f4f1e6',
         paper: '#2f3a38',
       },
-      lines: { lineWidth: 2.6, wobble: 1, ink: '#f4f1e6' },
+      lines: { lineWidth: 2.6, wobble: 1, tooth: 0.55, toothSize: 2.4, ink: '#f4f1e6' },
       tonalArtMap: { style: 'hatching' },
     },
   }) as const satisfies Record<PresetName, HatchingPreset>;

@@ -85,8 +85,8 @@ export function materialParameters(settings: Settings, isScene: boolean): string
 
 /** The parameters of lines that are not at their defaults, and those in pixels. */
 export function lineParameters(settings: Settings): string[] {
-  const { lineWidth, wobble, overshoot, ink, shadeWeights, ...weights } = lineLook(settings, 1);
-  const inPixels = { lineWidth, wobble, overshoot };
+  const { lineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = lineLook(settings, 1);
+  const inPixels = { lineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };
   return [
     ...Object.entries(inPixels)
       .filter(([, value]) => value > 0)

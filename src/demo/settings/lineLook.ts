@@ -29,6 +29,9 @@ export function lineLook(settings: Settings, pixelRatio: number) {
     shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
     wobble: settings.lineHand * pixelRatio,
     overshoot: OVERSHOOT * Math.max(0, settings.lineHand - LIGHT_HAND) * pixelRatio,
+    // Lines are drawn with what strokes are drawn with.
+    tooth: settings.medium === 'dry' && settings.technique === 'anchored' ? settings.tooth / 100 : 0,
+    toothSize: settings.toothSize * pixelRatio,
     ink: settings.ink,
   };
 }

@@ -16,6 +16,8 @@ const changed = {
   taper: 0,
   wobble: 1.5,
   overshoot: 4,
+  tooth: 0.5,
+  toothSize: 3,
   ink: '#123456',
   shadeWeights: [0.1, 3],
   opacity: 0.5,
@@ -54,6 +56,8 @@ describe('HatchingLineMaterial', () => {
       taper: 0.8,
       wobble: 0,
       overshoot: 0,
+      tooth: 0,
+      toothSize: 2.5,
     });
   });
 
@@ -127,8 +131,9 @@ describe.each(LINE_NUMBER_NAMES)('%s', (name) => {
   });
 });
 
-test('only lineWidth may not be 0', () => {
-  for (const name of LINE_NUMBER_NAMES.filter((other) => other !== 'lineWidth')) {
+test('only sizes may not be 0', () => {
+  for (const name of LINE_NUMBER_NAMES) {
+    if (name === 'lineWidth' || name === 'toothSize') continue;
     expect(new HatchingLineMaterial({ [name]: 0 })[name]).toBe(0);
   }
 });

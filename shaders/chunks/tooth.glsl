@@ -1,0 +1,32 @@
+// The tooth of paper: it lies on the screen, and in the tiles of a larger picture by the whole of it.
+uniform sampler2D toothMap; // a standard normal field, low where the paper stands up (src/tam/toothMap.ts)
+uniform vec2 toothOffset; // of this picture within a larger one, pixels
+uniform float toothSize; // pixels to a bump
+
+// What variance neighbouring texels of the map do not share.
+#define TOOTH_UNSHARED (3.0 / 19.0)
+
+// Where bumps are so many pixels large, as in a print, smaller ones lie on them, as strong as this in the end: else one would see how
+// the map is interpolated.
+#define DETAIL_FROM 3.0
+#define DETAIL_TO 9.0
+#define DETAIL 0.6
+#define DETAIL_FINER 3.7
+
+// size: pixels to a bump.
+float toothOf(const in float size) {
+  vec2 texel = (gl_FragCoord.xy + toothOffset) / size * TOOTH_MAP_BUMP;
+  float encoded = textureLod(toothMap, texel / TOOTH_MAP_SIZE, 0.0).r;
+  // Gives back the variance that interpolation takes.
+  vec2 between = fract(texel - 0.5);
+  vec2 variance = 1.0 - 2.0 * between * (1.0 - between) * TOOTH_UNSHARED;
+  return (6.0 * encoded - 3.0) * inversesqrt(variance.x * variance.y);
+}
+
+float toothField() {
+  float detail = DETAIL * smoothstep(DETAIL_FROM, DETAIL_TO, toothSize);
+  float coarse = toothOf(toothSize);
+  if (detail == 0.0) return coarse;
+  // At another size the map is as good as another one: variances add.
+  return (coarse + detail * toothOf(toothSize / DETAIL_FINER)) * inversesqrt(1.0 + detail * detail);
+}
