@@ -96,8 +96,11 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   // Nothing is there to be saved.
   await page.goto(`./#model=dragon4&${LOOK}`);
   await expect(status).toHaveText(/^Fetching the dragon/);
-  await page.locator('#save-png').click();
-  await expect(status).toHaveText('There is no drawing to save yet.');
+  // Until the map is there too, its progress may take the place of the sentence.
+  await expect(async () => {
+    await page.locator('#save-png').click();
+    await expect(status).toHaveText('There is no drawing to save yet.', { timeout: 1000 });
+  }).toPass();
   release();
   await ready(page);
 
