@@ -1,5 +1,5 @@
 import type { TonalArtMap } from 'three-hatching';
-import type { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
+import { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
 import type { ModelFile } from '../files/readModel.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import { needsMap } from '../settings/settingValues.js';
@@ -12,8 +12,7 @@ type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed
 export class MapLoader {
   /** What the user's own map was read from. */
   ownFiles: readonly ModelFile[] | undefined;
-  /** Fetched with the first map: the page begins with an engraving, which needs none. */
-  private cache: TonalArtMapCache | undefined;
+  private readonly cache = new TonalArtMapCache();
   /** The settings of the map that is drawn with. */
   private shown: MapSettings | undefined;
 
@@ -38,9 +37,7 @@ export class MapLoader {
     if (!isWanted) return;
     const end = await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
-      const cache = await this.fetchCache();
-      signal.throwIfAborted();
-      const map = await cache.get(this.settings, { signal, onProgress }, this.scene.tonalArtMap);
+      const map = await this.cache.get(this.settings, { signal, onProgress }, this.scene.tonalArtMap);
       if (!signal.aborted) this.use(map);
     });
     if (end !== 'failed' || !this.shown) return;
@@ -52,14 +49,14 @@ export class MapLoader {
   async showFiles(files: readonly ModelFile[], isRestored = false): Promise<void> {
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
-      const [cache, { loadMapFiles }] = await Promise.all([this.fetchCache(), import('./mapFiles.js')]);
+      const { loadMapFiles } = await import('./mapFiles.js');
       signal.throwIfAborted();
       const map = await loadMapFiles(files, { signal, onProgress });
       signal.throwIfAborted();
       this.settings.mapStyle = 'file';
       this.ownFiles = files;
       this.use(map);
-      cache.keep(map);
+      this.cache.keep(map);
       this.onOwnMap(isRestored);
     });
   }
@@ -71,13 +68,7 @@ export class MapLoader {
 
   /** To be called while the graphics context is lost. */
   releaseGraphics(): void {
-    this.cache?.releaseGraphics();
-  }
-
-  private async fetchCache(): Promise<TonalArtMapCache> {
-    const { TonalArtMapCache } = await import('../drawing/TonalArtMapCache.js');
-    this.cache ??= new TonalArtMapCache();
-    return this.cache;
+    this.cache.releaseGraphics();
   }
 
   private use(map: TonalArtMap): void {

@@ -196,7 +196,7 @@ export const SETTINGS = {
   handmade: { kind: 'number', label: 'Handmade', group: 'More', default: 40, unit: '%', min: 0, max: 100, step: 1 },
   carved: {
     kind: 'choice',
-    label: 'Lines',
+    label: 'Line work',
     group: 'More',
     default: 'no',
     choices: { no: 'Ink on paper', yes: 'Cut white out of black' },
