@@ -42,10 +42,12 @@ async function play(page: Page, content: Buffer, times: readonly number[]) {
       };
       keep();
       for (const time of seconds) {
-        // Sought is sooner than shown.
-        const isThere = new Promise((resolve) => video.requestVideoFrameCallback(resolve));
+        // Sought is sooner than shown; and what is shown already is told of by nobody.
+        const isShown = new Promise((resolve) => video.requestVideoFrameCallback(resolve));
+        const isSought = when('seeked');
         video.currentTime = time;
-        await isThere;
+        await isSought;
+        await Promise.race([isShown, new Promise((resolve) => setTimeout(resolve, 1000))]);
         keep();
       }
       return { width, height, duration, pictures };
@@ -125,6 +127,11 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   await expect(error).toContainText('This model does not move by itself just now; choose another motion');
   expect((await error.boundingBox())!.width).toBeGreaterThan(200);
   await page.getByRole('combobox', { name: 'Motion' }).selectOption('The light swings');
+  // Long enough to be cancelled on any machine.
+  await page.getByRole('combobox', { name: 'Frames', exact: true }).selectOption('60 a second');
+  const length = page.getByLabel('Length', { exact: true });
+  await length.fill('30');
+  await length.press('Enter');
 
   const downloads: unknown[] = [];
   page.on('download', (one) => downloads.push(one));
