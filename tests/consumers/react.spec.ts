@@ -1,4 +1,4 @@
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import react from '@vitejs/plugin-react';
 import { createServer, type ViteDevServer } from 'vite';
@@ -124,11 +124,16 @@ test('hot reload: an edited component is hatched anew, and the page and what it 
   await expect.poll(() => page.evaluate(() => window.page.meshes().edited?.triangles)).toBe(12);
   const file = join(projectFolder, 'ReactModel.tsx');
   const text = readFileSync(file, 'utf8');
-  writeFileSync(file, text.replace('<boxGeometry args={[0.6, 0.6, 0.6]} />', '<sphereGeometry args={[0.4, 8, 6]} />'));
+  // At once: a server that read half of it would reload the page.
+  const write = (edited: string) => {
+    writeFileSync(`${file}.new`, edited);
+    renameSync(`${file}.new`, file);
+  };
+  write(text.replace('<boxGeometry args={[0.6, 0.6, 0.6]} />', '<sphereGeometry args={[0.4, 8, 6]} />'));
   try {
     await expect.poll(() => page.evaluate(() => window.page.meshes().edited?.triangles)).toBe(8 * 6 * 2 - 2 * 8);
   } finally {
-    writeFileSync(file, text);
+    write(text);
   }
   expect(await page.evaluate(() => [Reflect.get(window, 'stays'), window.page.flashes])).toEqual([true, 0]);
   expect((await page.evaluate(() => window.page.meshes())).first.material).toBe('HatchingMaterial');
