@@ -19,7 +19,8 @@ const run = (program, ...args) =>
   execFileSync(process.execPath, [join(site, 'node_modules', program), ...args], { cwd: site, stdio: 'inherit' });
 
 if (!existsSync(join(site, 'node_modules'))) {
-  execFileSync('npm', ['ci', '--no-audit', '--no-fund'], {
+  // Not `npm ci`: npm leaves packages for other systems out of a lock, and then refuses it.
+  execFileSync('npm', ['install', '--no-save', '--no-audit', '--no-fund'], {
     cwd: site,
     stdio: 'inherit',
     shell: process.platform === 'win32',
