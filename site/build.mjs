@@ -13,14 +13,20 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 const site = join(root, 'site');
 const pages = join(site, 'pages');
 const out = join(root, 'dist-site');
+/** Pages that are made of files beside the README. */
+const ROOT_PAGES = {
+  'README.md': 'index.md',
+  'CHANGELOG.md': 'changelog.md',
+  'CONTRIBUTING.md': 'contributing.md',
+  'SECURITY.md': 'security.md',
+};
 
 /** Runs a program of the generator's package, which has a Vite of its own. */
 const run = (program, ...args) =>
   execFileSync(process.execPath, [join(site, 'node_modules', program), ...args], { cwd: site, stdio: 'inherit' });
 
 if (!existsSync(join(site, 'node_modules'))) {
-  // Not `npm ci`: npm leaves packages for other systems out of a lock, and then refuses it.
-  execFileSync('npm', ['install', '--no-save', '--no-audit', '--no-fund'], {
+  execFileSync('npm', ['ci', '--no-audit', '--no-fund'], {
     cwd: site,
     stdio: 'inherit',
     shell: process.platform === 'win32',
@@ -59,11 +65,9 @@ function gatherPages() {
     .replace(/^# .*\n/, '')
     .replaceAll('](docs/', '](');
   writeFileSync(join(pages, 'index.md'), `${home}\n${readme}`);
-  for (const [from, to] of [
-    ['CHANGELOG.md', 'changelog.md'],
-    ['CONTRIBUTING.md', 'contributing.md'],
-  ]) {
-    writeFileSync(join(pages, to), readFileSync(join(root, from), 'utf8').replaceAll('](docs/', ']('));
+  for (const [from, to] of Object.entries(ROOT_PAGES)) {
+    if (from !== 'README.md')
+      writeFileSync(join(pages, to), readFileSync(join(root, from), 'utf8').replaceAll('](docs/', ']('));
   }
   for (const name of readdirSync(pages).filter((file) => file.endsWith('.md'))) {
     const path = join(pages, name);
@@ -71,12 +75,11 @@ function gatherPages() {
   }
 }
 
-/** Links between files of the project, as links between pages. */
+/** Links between files of the project, as links between pages. What is no page is named without a link. */
 function withSiteLinks(text) {
   return text
-    .replaceAll('](../README.md', '](index.md')
-    .replaceAll('](CONTRIBUTING.md', '](contributing.md')
-    .replaceAll('](CHANGELOG.md', '](changelog.md')
+    .replace(/\]\((?:\.\.\/)?(\w+\.md)/g, (link, name) => (ROOT_PAGES[name] ? `](${ROOT_PAGES[name]}` : link))
     .replace(/\]\(\.\.\/examples\/([\w-]+)\/page\.html\)/g, '](./examples.md#$1)')
-    .replaceAll('](examples)', '](examples.md)');
+    .replaceAll('](examples)', '](examples.md)')
+    .replace(/\[([^\]]*)\]\(\.\.\/[^)]*\)/g, '$1');
 }
