@@ -2,8 +2,7 @@ import { type BufferGeometry, Mesh, MeshPhongMaterial } from 'three';
 import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
-
-const WARM_UP_TURNS = 2;
+import { timeTurns } from '../timeTurns.js';
 
 /** Times in milliseconds, one per turn, of everything that can draw the model. */
 export interface FrameTimes {
@@ -33,14 +32,6 @@ export async function measureFrames(model: string, turns: number, size: number):
   };
 
   const stage = new Stage(size);
-  const order = Object.keys(meshes);
-  const times = Object.fromEntries(order.map((name) => [name, [] as number[]]));
-  for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
-    // Every other turn backwards: what is drawn before may make a difference.
-    for (const name of turn % 2 === 0 ? order : order.toReversed()) {
-      const time = await stage.timeFrame(meshes[name]);
-      if (turn >= 0) times[name].push(time);
-    }
-  }
+  const times = await timeTurns(stage, meshes, turns);
   return { triangles: plain.index!.count / 3, times };
 }

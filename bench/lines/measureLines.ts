@@ -12,8 +12,8 @@ import {
 import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
+import { timeTurns } from '../timeTurns.js';
 
-const WARM_UP_TURNS = 2;
 /** Degrees that the camera turns by from one frame to the next while the script is timed. */
 const STEP = 1;
 
@@ -52,16 +52,8 @@ export async function measureLines(model: string, turns: number, size: number, i
   }
 
   const stage = new Stage(size);
-  const order = Object.keys(meshes);
-  const times = Object.fromEntries(order.map((name) => [name, [] as number[]]));
   await listReady(stage, lined);
-  for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
-    // Every other turn backwards: what is drawn before may make a difference.
-    for (const name of turn % 2 === 0 ? order : order.toReversed()) {
-      const time = await stage.timeFrame(meshes[name]);
-      if (turn >= 0) times[name].push(time);
-    }
-  }
+  const times = await timeTurns(stage, meshes, turns);
   const listed = linesOf(lined).geometry.drawRange.count / 3;
   const primitives = linesOf(tested).geometry.drawRange.count / 3;
   const script = await timeScript(stage, lined);

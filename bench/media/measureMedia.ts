@@ -7,8 +7,7 @@ import {
 } from 'three-hatching';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
-
-const WARM_UP_TURNS = 2;
+import { timeTurns } from '../timeTurns.js';
 
 /** Times in milliseconds, one per turn, of every medium. */
 export interface MediumTimes {
@@ -31,14 +30,6 @@ export async function measureMedia(model: string, turns: number, size: number): 
   };
 
   const stage = new Stage(size);
-  const order = Object.keys(meshes) as (keyof typeof meshes)[];
-  const times = Object.fromEntries(order.map((name) => [name, [] as number[]]));
-  for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
-    // Every other turn backwards: what is drawn before may make a difference.
-    for (const name of turn % 2 === 0 ? order : order.toReversed()) {
-      const time = await stage.timeFrame(meshes[name]);
-      if (turn >= 0) times[name].push(time);
-    }
-  }
+  const times = await timeTurns(stage, meshes, turns);
   return { triangles: plain.index!.count / 3, times };
 }

@@ -8,8 +8,8 @@ import {
 } from 'three-hatching';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
+import { timeTurns } from '../timeTurns.js';
 
-const WARM_UP_TURNS = 2;
 const TECHNIQUES: readonly HatchingTechnique[] = ['adjacency', 'anchored', 'engraved'];
 
 export interface ShadowTimes {
@@ -52,14 +52,6 @@ export async function measureShadows(model: string, turns: number, size: number)
   }
 
   const stage = new Stage(size, true);
-  const order = Object.keys(objects);
-  const times = Object.fromEntries(order.map((name) => [name, [] as number[]]));
-  for (let turn = -WARM_UP_TURNS; turn < turns; turn++) {
-    // Every other turn backwards: what is drawn before may make a difference.
-    for (const name of turn % 2 === 0 ? order : order.toReversed()) {
-      const time = await stage.timeFrame(objects[name]);
-      if (turn >= 0) times[name].push(time);
-    }
-  }
+  const times = await timeTurns(stage, objects, turns);
   return { triangles: plain.index!.count / 3, times, against };
 }

@@ -1,26 +1,21 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, testOnOnePage } from '../browser/test.js';
 import { type AnchoredSettings, anchoredExcess } from '../reference/anchoredReference.js';
-import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
 import { interpolated } from '../reference/interpolated.js';
-import { type PlainMesh, torus, trianglesOf } from '../reference/meshes.js';
+import { trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
 import { analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
+import { type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
 import {
   ambient,
   blocked,
   crossed,
-  defaults,
   directional,
-  eye,
   hemisphere,
-  identity,
   leaning,
   mirrored,
-  orthographic,
-  perspective,
   placed,
   point,
   redSide,
@@ -29,21 +24,11 @@ import {
   wall,
 } from './referenceScenes.js';
 
-const SIZE = 192;
-
-interface Case {
-  name: string;
-  /** Default: a torus. */
-  mesh?: PlainMesh;
-  lights?: ReferenceLight[];
-  matrixWorld?: number[];
-  isOrthographic?: boolean;
-  material?: Partial<ReferenceMaterial>;
+interface AnchoredCase extends ReferenceCase {
   anchorSpacing?: number;
-  screenConstancy?: number;
 }
 
-const cases: Case[] = [
+const cases: AnchoredCase[] = [
   { name: 'directional light' },
   { name: 'point light', lights: [point] },
   { name: 'spot light', lights: [spot] },
@@ -136,44 +121,15 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
-for (const {
-  name,
-  mesh: drawn,
-  lights,
-  matrixWorld,
-  isOrthographic,
-  material,
-  anchorSpacing,
-  screenConstancy,
-} of cases) {
-  test(`anchored equals the double-precision reference: ${name}`, async ({ page }) => {
-    const mesh = (drawn ?? torus) as Required<PlainMesh>;
-    const spec: HatchingSpec = {
-      width: SIZE,
-      height: SIZE,
-      ...mesh,
-      matrixWorld: matrixWorld ?? identity,
-      camera: isOrthographic ? orthographic : perspective,
-      orthographic: !!isOrthographic,
-      lights: lights ?? [directional],
-      material: { ...defaults, ...material, technique: 'anchored', toneNormal: 'smooth' },
-      map: 'smooth',
-      anchorSpacing: anchorSpacing ?? 0.35,
-      screenConstancy: screenConstancy ?? 0,
-    };
+for (const { anchorSpacing = 0.35, screenConstancy = 0, ...rest } of cases) {
+  test(`anchored equals the double-precision reference: ${rest.name}`, async ({ page }) => {
+    const spec: HatchingSpec = { ...specOf({ ...rest, screenConstancy }, 'anchored'), anchorSpacing };
+    const { positions, indices } = spec;
+    const normals = spec.normals!;
     const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
 
-    const triangles = trianglesOf(mesh);
-    const fragments = rasterizeReference(triangles, spec.matrixWorld, spec.camera, SIZE, SIZE, false);
-    const reference = new HatchingReference({
-      matrixWorld: spec.matrixWorld,
-      eye,
-      orthographic: !!isOrthographic,
-      lights: spec.lights,
-      material: spec.material as ReferenceMaterial,
-      tones: 2,
-      image: () => 0,
-    });
+    const fragments = rasterizeReference(trianglesOf(spec), spec.matrixWorld, spec.camera, SIZE, SIZE, false);
+    const reference = referenceOf(spec);
     const settings: AnchoredSettings = {
       strokeScale: spec.material.strokeScale,
       strokeRotation: spec.material.strokeRotation,
@@ -194,11 +150,11 @@ for (const {
     let wrong = 0;
     let grey = 0;
     for (const pixel of interior) {
-      const position = interpolated(mesh.positions, mesh.indices, fragments[pixel]!);
-      const normal = interpolated(mesh.normals, mesh.indices, fragments[pixel]!);
+      const position = interpolated(positions, indices, fragments[pixel]!);
+      const normal = interpolated(normals, indices, fragments[pixel]!);
       const length = Math.hypot(...normal);
       const unit = normal.map((x) => x / length) as Vec3;
-      const depth = isOrthographic
+      const depth = spec.orthographic
         ? 1
         : -vec3.transformMat4([0, 0, 0], reference.toWorld(position), spec.camera.view as unknown as mat4)[2];
       const excess = anchoredExcess(reference, position, unit, normal, depth * unitsPerPixel, settings);

@@ -1,27 +1,20 @@
-import { expect, testOnOnePage } from '../browser/test.js';
+import { testOnOnePage } from '../browser/test.js';
 import { EngravedReference } from '../reference/engravedReference.js';
-import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
-import { interpolated } from '../reference/interpolated.js';
-import { type PlainMesh, toFloat, torus, trianglesOf } from '../reference/meshes.js';
-import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
+import type { ReferenceLight } from '../reference/hatchingReference.js';
+import { torus } from '../reference/meshes.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
 import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
-import { describeError, expectEqualPictures, pictureError } from './pictureError.js';
+import { expectDarkness, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
 import {
   ambient,
   blocked,
   crossed,
-  defaults,
   directional,
-  eye,
   hemisphere,
-  identity,
   leaning,
   mirrored,
   moved,
   movedBack,
-  orthographic,
-  perspective,
   placed,
   redSide,
   rotated,
@@ -29,18 +22,8 @@ import {
   wall,
 } from './referenceScenes.js';
 
-const SIZE = 192;
-
-interface Case {
-  name: string;
-  /** Default: a torus. */
-  mesh?: PlainMesh;
-  lights?: ReferenceLight[];
-  matrixWorld?: number[];
-  isOrthographic?: boolean;
-  material?: Partial<ReferenceMaterial>;
+interface EngravedCase extends ReferenceCase {
   lines?: Partial<LineSettings>;
-  screenConstancy?: number;
 }
 
 const fromAbove: ReferenceLight = { ...directional, position: [0.2, 3, 0.3] };
@@ -57,7 +40,7 @@ const spot: ReferenceLight = {
   penumbra: 0.3,
 };
 
-const cases: Case[] = [
+const cases: EngravedCase[] = [
   { name: 'tangent to the light' },
   { name: 'tangent to the light, a ruling machine', lines: { handmade: 0 } },
   { name: 'towards the light', lines: { lineField: 'towards' } },
@@ -130,83 +113,39 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
-/** Linear RGB per pixel that is wholly inside the picture of the mesh. */
-function expected(spec: HatchingSpec, subpixelBits: number): Map<number, Vec3> {
-  const { positions, normals, indices, matrixWorld, camera, lights, lines, screenConstancy } = spec;
-  const material = spec.material as ReferenceMaterial;
-  const reference = new HatchingReference({
-    matrixWorld,
-    eye,
-    orthographic: !!spec.orthographic,
-    lights,
-    material,
-    tones: 2,
-    image: () => 0,
-  });
-  const engraved = new EngravedReference({
-    reference,
-    settings: {
-      ...lines!,
-      strokeRotation: material.strokeRotation,
-      strokeScale: material.strokeScale,
-      screenConstancy: screenConstancy!,
-      shadowStrokes: material.shadowStrokes,
-    },
-    lights,
-    matrixWorld,
-    camera,
-    size: SIZE,
-    centre: [0, 1, 2].map((axis) => {
-      const along = positions.filter((_, i) => i % 3 === axis);
-      return (Math.min(...along) + Math.max(...along)) / 2;
-    }) as Vec3,
-  });
-  // three turns normals of vertices, and brings them to a length of 1, before it interpolates them.
-  const worldNormals = Array.from({ length: normals!.length / 3 }, (_, i) =>
-    reference.normalToWorld(normals!.slice(3 * i, 3 * i + 3) as Vec3),
-  ).flat();
-  const fragments = rasterizeReference(trianglesOf(spec), matrixWorld, camera, SIZE, SIZE, false, subpixelBits);
-  return new Map(
-    interiorPixels(fragments, SIZE, SIZE).map((pixel) => {
-      const fragment = fragments[pixel]!;
-      const [place, normal, toneNormal] = [positions, normals!, worldNormals].map((values) =>
-        interpolated(values, indices, fragment),
-      ) as [Vec3, Vec3, Vec3];
-      const blank = 1 - engraved.darkness(place, normal, toneNormal);
-      return [pixel, [blank, blank, blank]];
-    }),
-  );
-}
-
-for (const { name, mesh = torus, ...rest } of cases) {
-  test(`engraved equals the double-precision reference: ${name}`, async ({ page }) => {
+for (const { lines, ...rest } of cases) {
+  test(`engraved equals the double-precision reference: ${rest.name}`, async ({ page }) => {
     const spec: HatchingSpec = {
-      width: SIZE,
-      height: SIZE,
-      positions: toFloat(mesh.positions),
-      normals: mesh.normals!,
-      indices: mesh.indices,
-      matrixWorld: rest.matrixWorld ?? identity,
-      camera: rest.isOrthographic ? orthographic : perspective,
-      orthographic: !!rest.isOrthographic,
-      lights: rest.lights ?? [directional],
-      material: { ...defaults, ...rest.material, technique: 'engraved', toneNormal: 'smooth' },
-      map: 'smooth',
-      screenConstancy: rest.screenConstancy ?? 1,
+      ...specOf(rest, 'engraved'),
       lines: {
         lineField: 'light',
         lineSpacing: 7,
         crossFrom: 0.52,
         crossAngle: Math.PI / 3,
         handmade: 0.4,
-        ...rest.lines,
+        ...lines,
       },
     };
-    const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
-    const reference = expected(spec, await page.evaluate(() => window.subpixelBits));
-    expect(reference.size, 'interior pixels').toBeGreaterThan(3000);
-    const error = pictureError(pixels, reference);
-    test.info().annotations.push(describeError(error));
-    expectEqualPictures(error);
+    const { positions, matrixWorld, camera, lights, material, screenConstancy } = spec;
+    const reference = referenceOf(spec);
+    const engraved = new EngravedReference({
+      reference,
+      settings: {
+        ...spec.lines!,
+        strokeRotation: material.strokeRotation,
+        strokeScale: material.strokeScale,
+        screenConstancy: screenConstancy!,
+        shadowStrokes: material.shadowStrokes,
+      },
+      lights,
+      matrixWorld,
+      camera,
+      size: SIZE,
+      centre: [0, 1, 2].map((axis) => {
+        const along = positions.filter((_, i) => i % 3 === axis);
+        return (Math.min(...along) + Math.max(...along)) / 2;
+      }) as Vec3,
+    });
+    await expectDarkness(page, spec, reference, (...at) => engraved.darkness(...at));
   });
 }

@@ -8,6 +8,8 @@ HatchingParameters turnedLayer(const in HatchingParameters h, const in float lay
   turned.point = h.point + layer * LAYER_SHIFT * anchorSpacing / strokeScale;
   turned.uAxis = turn.x * h.uAxis - turn.y * h.vAxis;
   turned.vAxis = turn.y * h.uAxis + turn.x * h.vAxis;
-  turned.lean = vec3(turn.x * h.lean.x - turn.y * h.lean.y, turn.y * h.lean.x + turn.x * h.lean.y, h.lean.z);
+  #if MEDIUM != MEDIUM_STIPPLE
+    turned.lean = vec3(turn.x * h.lean.x - turn.y * h.lean.y, turn.y * h.lean.x + turn.x * h.lean.y, h.lean.z);
+  #endif // MEDIUM
   return turned;
 }

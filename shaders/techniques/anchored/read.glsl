@@ -7,7 +7,11 @@ uniform vec2 strokeDirection; // cosine and sine of the strokes' rotation
 struct HatchingParameters {
   vec3 point; // object space
   vec3 uAxis, vAxis; // the strokes' u and v in the surface, object space
-  vec3 lean; // of u, v and the normal towards the viewer: proportional to their cosines
+  #if MEDIUM == MEDIUM_STIPPLE
+    vec3 normal; // object space
+  #else
+    vec3 lean; // of u, v and the normal towards the viewer: proportional to their cosines
+  #endif // MEDIUM
   float crossing; // how far the lights disagree
 };
 
@@ -20,7 +24,7 @@ HatchingParameters readHatchingParameters() {
   h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;
   h.vAxis = strokeDirection.y * tangent + strokeDirection.x * bitangent;
   #if MEDIUM == MEDIUM_STIPPLE
-    h.lean = n;
+    h.normal = n;
   #else
     h.lean = vToViewer * mat3(h.uAxis, h.vAxis, n);
   #endif // MEDIUM

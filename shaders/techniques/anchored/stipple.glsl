@@ -94,7 +94,7 @@ ScreenMap roundScreenMap(const in vec3 n) {
 float hatchLayer(const in HatchingParameters h, const in float tone) {
   vec3 toViewer = normalize(readViewToAnchor() * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition));
   // The back of a sheet looks the other way.
-  vec3 front = dot(h.lean, toViewer) < -0.5 ? -h.lean : h.lean;
+  vec3 front = dot(h.normal, toViewer) < -0.5 ? -h.normal : h.normal;
   vec3 n = normalize(front + toViewer);
   // Ranks of the axes by how near the normal is to them; ties go the same way in all components.
   vec3 towards = abs(n);

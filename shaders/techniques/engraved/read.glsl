@@ -44,7 +44,8 @@ HatchingParameters readHatchingParameters() {
   float acrossB = dot(normal, h.sideC);
   float acrossC = dot(normal, h.sideB);
   float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
-  h.alongFirst = vec3(dot(h.point, h.sideB), dot(h.point, h.sideC), smoothstep(-0.35, 0.35, between));
-  h.shareB = mix(1.0, smoothstep(-0.35, 0.35, between), h.has);
+  float shareB = smoothstep(-0.35, 0.35, between);
+  h.alongFirst = vec3(dot(h.point, h.sideB), dot(h.point, h.sideC), shareB);
+  h.shareB = mix(1.0, shareB, h.has);
   return h;
 }

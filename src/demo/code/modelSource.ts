@@ -58,9 +58,15 @@ const DRAGONS = {
 /** The code that loads or makes the model that the page shows. */
 export function modelSource(model: CodeModel): ModelSource {
   const source = sourceOf(model);
-  return { ...source, hasGeometry: source.code.endsWith(MAKE_MESH) };
+  if (!source.hasGeometry) return source;
+  return {
+    ...source,
+    classes: [...source.classes, 'Mesh', 'MeshStandardMaterial'],
+    code: `${source.code}\nconst model = new Mesh(geometry, new MeshStandardMaterial());`,
+  };
 }
 
+/** As {@link modelSource}, but where there is a geometry its mesh is not made yet. */
 function sourceOf({ model, title }: CodeModel): ModelSource {
   if (model === 'file') return fileSource(title);
   switch (model) {
@@ -72,11 +78,11 @@ function sourceOf({ model, title }: CodeModel): ModelSource {
     case 'bunny':
       return {
         imports: ["import * as bunny from 'bunny';"],
-        classes: ['BufferGeometry', 'Float32BufferAttribute', ...MESH],
+        classes: ['BufferGeometry', 'Float32BufferAttribute'],
         code: `const { positions, cells } = bunny.default ?? bunny;
 const geometry = new BufferGeometry().setIndex(cells.flat());
-geometry.setAttribute('position', new Float32BufferAttribute(positions.flat(), 3));
-${MAKE_MESH}`,
+geometry.setAttribute('position', new Float32BufferAttribute(positions.flat(), 3));`,
+        hasGeometry: true,
       };
     case 'suzanne': {
       const source = loaderSource('suzanne', GLTF);
@@ -89,8 +95,9 @@ ${MAKE_MESH}`,
     case 'cube':
       return {
         imports: [],
-        classes: ['BoxGeometry', ...MESH],
-        code: `const geometry = new BoxGeometry(1, 1, 1);\n${MAKE_MESH}`,
+        classes: ['BoxGeometry'],
+        code: 'const geometry = new BoxGeometry(1, 1, 1);',
+        hasGeometry: true,
       };
     case 'sphere':
       return shapeSource('new IcosahedronGeometry(1, 12)', [], ['IcosahedronGeometry']);
@@ -104,14 +111,14 @@ ${MAKE_MESH}`,
           "import * as bust from 'snowden/lo.js';",
           "import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';",
         ],
-        classes: ['BufferGeometry', 'Float32BufferAttribute', ...MESH],
+        classes: ['BufferGeometry', 'Float32BufferAttribute'],
         code: `const { positions, cells } = bust.default ?? bust;
 // Two stray triangles hang far below it.
 const corners = cells.filter((cell) => cell.every((i) => positions[i][1] >= ${BUST_FOOT})).flat();
 const shape = new BufferGeometry();
 shape.setAttribute('position', new Float32BufferAttribute(corners.flatMap((i) => positions[i]), 3));
-const geometry = mergeVertices(shape, 1e-6);
-${MAKE_MESH}`,
+const geometry = mergeVertices(shape, 1e-6);`,
+        hasGeometry: true,
       };
     case 'hand':
       return {
@@ -131,18 +138,15 @@ model.quaternion.set(Math.SQRT1_2, 0, Math.SQRT1_2, 0); // its fingers up, its b
   }
 }
 
-const MESH = ['Mesh', 'MeshStandardMaterial'];
-const MAKE_MESH = 'const model = new Mesh(geometry, new MeshStandardMaterial());';
-
 /** A shape of three.js with the vertices merged that are doubled for texture coordinates, as the page draws it. */
 function shapeSource(made: string, imports: string[], classes: string[] = []): ModelSource {
   return {
     imports: [...imports, "import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';"],
-    classes: [...classes, ...MESH],
+    classes,
     code: `const shape = ${made};
 shape.deleteAttribute('uv').deleteAttribute('normal');
-const geometry = mergeVertices(shape, 1e-4);
-${MAKE_MESH}`,
+const geometry = mergeVertices(shape, 1e-4);`,
+    hasGeometry: true,
   };
 }
 
@@ -206,5 +210,5 @@ function taken(loader: Loader, given: string): ModelSource {
   const imports = [importOf(loader)];
   if (loader.gives === 'object') return { imports, classes: [], code: `const model = ${given};` };
   if (loader.gives === 'scene') return { imports, classes: [], code: `const { scene: model } = ${given};` };
-  return { imports, classes: [...MESH], code: `const geometry = ${given};\n${MAKE_MESH}` };
+  return { imports, classes: [], code: `const geometry = ${given};`, hasGeometry: true };
 }

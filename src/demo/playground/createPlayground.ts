@@ -30,6 +30,7 @@ import type { Status } from './Status.js';
 import { sortDrop } from './sortDrop.js';
 import { TaskRunner } from './TaskRunner.js';
 import { TurnHint } from './TurnHint.js';
+import { viewSize } from './viewSize.js';
 
 declare global {
   interface Window {
@@ -139,10 +140,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
           if (MAP_SETTINGS.includes(key)) void mapLoader.showChosen();
           recordChange(key);
         },
-        () => {
-          const { clientWidth: width, clientHeight: height } = page.viewport;
-          return { width, height };
-        },
+        viewSize,
       );
     },
     (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),

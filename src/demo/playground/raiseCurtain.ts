@@ -42,9 +42,3 @@ export function raiseCurtain(scene: HatchingScene, paper: string): Curtain {
     },
   };
 }
-
-/** Size of the page's view, in CSS pixels. */
-export function viewSize(): { width: number; height: number } {
-  const { clientWidth: width, clientHeight: height } = page.viewport;
-  return { width, height };
-}

@@ -1,8 +1,9 @@
 import { cutToDrawing, describePrint, drawPicture, planPrint, ZipWriter } from '../print/print.js';
 import { LAYERS } from '../stage/layers.js';
 import { download } from './download.js';
-import { raiseCurtain, viewSize } from './raiseCurtain.js';
+import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';
+import { viewSize } from './viewSize.js';
 
 /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
 export const savePicture: SaveDrawing = async (scene, settings, name, report, signal) => {

@@ -1,7 +1,8 @@
 import { recordVideo } from '../video/recordVideo.js';
 import { download } from './download.js';
-import { raiseCurtain, viewSize } from './raiseCurtain.js';
+import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';
+import { viewSize } from './viewSize.js';
 
 /** Records the video that the settings ask for, and shows its frames meanwhile. */
 export const saveVideo: SaveDrawing = async (scene, settings, name, report, signal) => {

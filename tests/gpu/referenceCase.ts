@@ -1,0 +1,91 @@
+import { type Page, test } from '@playwright/test';
+import { expect } from '../browser/test.js';
+import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
+import { interpolated } from '../reference/interpolated.js';
+import { type PlainMesh, toFloat, torus, trianglesOf } from '../reference/meshes.js';
+import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
+import type { Vec3 } from '../reference/referenceAdjacency.js';
+import type { HatchingSpec } from './hatchingSpec.js';
+import { describeError, expectEqualPictures, pictureError } from './pictureError.js';
+import { defaults, directional, eye, identity, orthographic, perspective } from './referenceScenes.js';
+
+/** Pixels per side of the pictures that are compared with a reference in double precision. */
+export const SIZE = 192;
+
+/** What differs from a torus under one light, seen in perspective. */
+export interface ReferenceCase {
+  name: string;
+  mesh?: PlainMesh;
+  lights?: ReferenceLight[];
+  matrixWorld?: number[];
+  isOrthographic?: boolean;
+  material?: Partial<ReferenceMaterial>;
+  screenConstancy?: number;
+}
+
+/** What the page is to draw for a case. */
+export function specOf(
+  { mesh = torus, lights, matrixWorld, isOrthographic, material, screenConstancy = 1 }: ReferenceCase,
+  technique: 'anchored' | 'engraved',
+): HatchingSpec {
+  return {
+    width: SIZE,
+    height: SIZE,
+    positions: toFloat(mesh.positions),
+    normals: mesh.normals!,
+    indices: mesh.indices,
+    matrixWorld: matrixWorld ?? identity,
+    camera: isOrthographic ? orthographic : perspective,
+    orthographic: !!isOrthographic,
+    lights: lights ?? [directional],
+    material: { ...defaults, ...material, technique, toneNormal: 'smooth' },
+    map: 'smooth',
+    screenConstancy,
+  };
+}
+
+/** The reference of what all techniques share: lights and tone. */
+export const referenceOf = ({ matrixWorld, orthographic, lights, material }: HatchingSpec): HatchingReference =>
+  new HatchingReference({
+    matrixWorld,
+    eye,
+    orthographic: !!orthographic,
+    lights,
+    material: material as ReferenceMaterial,
+    tones: 2,
+    image: () => 0,
+  });
+
+/** Says how dark a place is, by its normal in the object and that which lights are reckoned with. */
+export type DarknessOf = (place: Vec3, normal: Vec3, toneNormal: Vec3) => number;
+
+/** Draws on the page, and compares every pixel that is wholly inside the mesh with its darkness. */
+export async function expectDarkness(
+  page: Page,
+  spec: HatchingSpec,
+  reference: HatchingReference,
+  darknessOf: DarknessOf,
+): Promise<void> {
+  const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
+  const { positions, indices, matrixWorld, camera } = spec;
+  const normals = spec.normals!;
+  // three turns normals of vertices, and brings them to a length of 1, before it interpolates them.
+  const worldNormals = Array.from({ length: normals.length / 3 }, (_, i) =>
+    reference.normalToWorld(normals.slice(3 * i, 3 * i + 3) as Vec3),
+  ).flat();
+  const subpixelBits = await page.evaluate(() => window.subpixelBits);
+  const fragments = rasterizeReference(trianglesOf(spec), matrixWorld, camera, SIZE, SIZE, false, subpixelBits);
+  const expected = new Map(
+    interiorPixels(fragments, SIZE, SIZE).map((pixel) => {
+      const [place, normal, toneNormal] = [positions, normals, worldNormals].map((values) =>
+        interpolated(values, indices, fragments[pixel]!),
+      ) as [Vec3, Vec3, Vec3];
+      const blank = 1 - darknessOf(place, normal, toneNormal);
+      return [pixel, [blank, blank, blank] as Vec3];
+    }),
+  );
+  expect(expected.size, 'interior pixels').toBeGreaterThan(3000);
+  const error = pictureError(pixels, expected);
+  test.info().annotations.push(describeError(error));
+  expectEqualPictures(error);
+}
