@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Plugin } from 'vite';
 
-/** Shaders without comments and indentation: three.js shows a program's text where it fails, and ships it everywhere else. */
+/** Shaders without comments, indentation and most spaces: three.js shows a program's text where it fails, and ships it everywhere else. */
 export const shortShaders: Plugin = {
   name: 'short-shaders',
   enforce: 'pre',
@@ -9,7 +9,11 @@ export const shortShaders: Plugin = {
   async load(id) {
     const [path, query] = id.split('?');
     if (query !== 'raw' || !/\.(glsl|vert|frag)$/.test(path)) return null;
-    const text = (await readFile(path, 'utf8')).replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '').replace(/^\s+|[ \t]+$/gm, '');
+    const text = (await readFile(path, 'utf8'))
+      .replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '')
+      .replace(/^\s+|[ \t]+$/gm, '')
+      // Not in directives, where a space after a macro's name counts, and not beside + and −, of which two may meet.
+      .replace(/^[^#].*/gm, (line) => line.replace(/ ?([=*/<>,;(){}?:&|]) ?/g, '$1'));
     return `export default ${JSON.stringify(text)};`;
   },
 };

@@ -21,6 +21,16 @@ const STANDING = { ...PRINT, ground: 'shadow', occlusion: 0.6, material: { shado
 /** Places of a light that is dragged from the left to the right, in degrees from the front. */
 const LIGHT_STEPS = [-80, -40, 0, 40, 80];
 const lightAt = (degrees) => [Math.sin((degrees * Math.PI) / 180), 1.35, Math.cos((degrees * Math.PI) / 180)];
+/** The media that are neither pen nor graver. */
+const MEDIA = ['pencil', 'charcoal', 'chalk', 'stipple', 'woodcut'];
+/** Places of a camera that goes round a little, and of a light that goes round while the camera rests. */
+const CAMERA_STEPS = [-8, -4, 0];
+const MOVED_LIGHTS = [-10, 20, 50];
+const viewAt = (degrees) => [
+  Math.sin(((30 + degrees) * Math.PI) / 180),
+  0.15,
+  Math.cos(((30 + degrees) * Math.PI) / 180),
+];
 const FILLS = [
   { light: [1, 1.1, 0.5], strength: 0.3 },
   { light: [0.2, 0.8, 1], strength: 0.15 },
@@ -44,12 +54,31 @@ export const PLANS = {
       { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 0.8], zoom: 0.95 },
       { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 },
     ].flatMap((subject) =>
-      ['pencil', 'charcoal', 'chalk', 'stipple', 'woodcut'].map((preset) => ({
+      MEDIA.map((preset) => ({
         ...subject,
         preset,
         width: 460,
         height: 460,
         pixelRatio: 1.1,
+        shadows: true,
+        occlusion: 0.6,
+      })),
+    ),
+  },
+  motion: {
+    columns: CAMERA_STEPS.length + MOVED_LIGHTS.length,
+    pictures: MEDIA.flatMap((preset) =>
+      [
+        ...CAMERA_STEPS.map((degrees) => ({ view: viewAt(degrees), light: lightAt(-40) })),
+        ...MOVED_LIGHTS.map((degrees) => ({ view: viewAt(0), light: lightAt(degrees) })),
+      ].map((moved) => ({
+        ...moved,
+        preset,
+        subject: 'nefertiti',
+        width: 300,
+        height: 300,
+        pixelRatio: 1,
+        zoom: 2,
         shadows: true,
         occlusion: 0.6,
       })),

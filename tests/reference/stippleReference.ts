@@ -94,7 +94,8 @@ export class StippleReference {
     const n = unit(normal);
     const toViewer = unit(reference.toViewer(reference.toWorld(place)));
     // None of the scenes shows the back of a surface.
-    const between = unit([n[0] + toViewer[0], n[1] + toViewer[1], n[2] + toViewer[2]]);
+    const pull = Math.max(dot(n, toViewer), 0.5);
+    const between = unit(n.map((x, i) => pull * x + toViewer[i]) as Vec3);
     const { toScreen, lie } = this.screenMap(place, n);
     const blank = { black: 1, white: 1 };
     for (const { axis, share } of planesOf(between)) {

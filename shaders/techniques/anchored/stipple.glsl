@@ -15,6 +15,8 @@ uniform float edgePixels; // width of the edge of a dot
 #define DOT_SHARE 0.8
 // Dots per tile at a screenConstancy of 0, along each side.
 #define DOTS_PER_TILE 64.0
+// How much the surface counts in the choice of the plane, at least; the screen counts 1.
+#define LEAST_PULL 0.5
 // How far a plane's tilt may differ from that of the best one, as a cosine, where dots of both stand side by side.
 #define PLANE_FADE 0.03
 // Shares of the surface too small to be told apart.
@@ -95,7 +97,9 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
   vec3 toViewer = normalize(readViewToAnchor() * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition));
   // The back of a sheet looks the other way.
   vec3 front = dot(h.normal, toViewer) < -0.5 ? -h.normal : h.normal;
-  vec3 n = normalize(front + toViewer);
+  // Half way to the viewer, or nearer to the viewer where the surface leans away: there the screen needs it more. How far is bounded,
+  // so that needles never lie along the surface.
+  vec3 n = normalize(front * max(dot(front, toViewer), LEAST_PULL) + toViewer);
   // Ranks of the axes by how near the normal is to them; ties go the same way in all components.
   vec3 towards = abs(n);
   vec3 greater = step(towards.yzx, towards.xyz);

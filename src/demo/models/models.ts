@@ -7,7 +7,6 @@ import { loadModelFiles } from '../files/loadModelFiles.js';
 import { ModelError } from '../files/ModelError.js';
 import type { PlainMesh } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
-import { dataOf } from '../files/readUri.js';
 import type { BuiltInScene } from './BuiltInScene.js';
 
 interface BuiltIn {
@@ -37,7 +36,10 @@ const builtIn = {
   suzanne: {
     title: 'Suzanne',
     async load(options) {
-      const { default: dataUri } = await import('@pmndrs/assets/models/suzi.glb.js');
+      const [{ default: dataUri }, { dataOf }] = await Promise.all([
+        import('@pmndrs/assets/models/suzi.glb.js'),
+        import('../files/readUri.js'),
+      ]);
       const content = dataOf(dataUri);
       if (!content) throw new ModelError('Suzanne is damaged.');
       return loadModelFiles([{ name: 'Suzanne.glb', content: new Blob([content]) }], options);
