@@ -1,3 +1,8 @@
+/**
+ * Hatching for three.js: materials, lines, maps and presets, and what prepares a scene for them.
+ *
+ * @module three-hatching
+ */
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { LineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';

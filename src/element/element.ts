@@ -1,4 +1,8 @@
-/** The entry `three-hatching/element`: importing it makes browsers know `<hatched-model>`. On a server it does nothing. */
+/**
+ * Importing it makes browsers know `<hatched-model>`. On a server it does nothing.
+ *
+ * @module three-hatching/element
+ */
 import { HatchedModelElement } from './HatchedModelElement.js';
 
 export { HatchedModelElement };

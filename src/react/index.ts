@@ -1,3 +1,8 @@
+/**
+ * Components and hooks for React Three Fiber.
+ *
+ * @module three-hatching/react
+ */
 export { Hatched } from './Hatched.js';
 export type { HatchedProps } from './HatchedProps.js';
 export { HatchingLines, type HatchingLinesProps } from './HatchingLines.js';
