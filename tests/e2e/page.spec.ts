@@ -225,6 +225,13 @@ test('only settings of the techniques in use are offered', async ({ page }) => {
   await page.getByLabel('Technique').selectOption('Per triangle');
   await expect(anchors).toBeHidden();
   await expect(shift).toBeVisible();
+  // Dots come from no map and have no direction.
+  const [style, direction] = [page.getByLabel('Style'), page.getByLabel('Direction')];
+  await expect(style).toBeVisible();
+  await page.getByRole('button', { name: 'Stipple', exact: true }).click();
+  for (const hidden of [anchors, shift, style, direction]) await expect(hidden).toBeHidden();
+  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  for (const shown of [anchors, style, direction]) await expect(shown).toBeVisible();
 });
 
 test.describe('a lost graphics context', () => {

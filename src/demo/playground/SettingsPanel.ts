@@ -3,6 +3,7 @@ import { millimetresPerPixel } from '../print/printPlan.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
+import { needsMap } from '../settings/settingValues.js';
 
 /** The settings of lines, which have no effect without lines. */
 const LINE_KEYS = SETTING_KEYS.filter((key) => SETTINGS[key].group === 'Lines' && key !== 'lines');
@@ -77,10 +78,14 @@ export class SettingsPanel {
     const isPaper = ['adjacency', 'adjacencyCrisp', 'triangle'].some((one) => (techniques as string[]).includes(one));
     this.show('screenConstancy', isAnchored || isEngraved);
     for (const key of ['lineField', 'lineSpacing', 'handmade', 'carved'] as const) this.show(key, isEngraved);
-    for (const key of ['mapStyle', 'strokeDirection', 'strokeLayers'] as const) this.show(key, hasStrokes);
+    this.show('strokeLayers', hasStrokes);
+    // Dots have no direction and come from no map.
+    const isMapped = needsMap(settings);
+    for (const key of ['mapStyle', 'strokeDirection'] as const) this.show(key, isMapped);
     const isCrossing = isEngraved || (hasStrokes && settings.strokeLayers === 'tone');
     for (const key of ['crossFrom', 'crossAngle'] as const) this.show(key, isCrossing);
-    for (const key of ['anchorSpacing', 'medium'] as const) this.show(key, isAnchored);
+    this.show('medium', isAnchored);
+    this.show('anchorSpacing', isAnchored && isMapped);
     const isDry = isAnchored && settings.medium === 'dry';
     for (const key of ['tooth', 'toothSize', 'softness', 'smudge'] as const) this.show(key, isDry);
     this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
@@ -108,7 +113,7 @@ export class SettingsPanel {
       element.textContent = `${width.toFixed(2)} mm ${where}`;
     }
     for (const key of LINE_KEYS) this.show(key, settings.lines === 'on');
-    this.show('strokeAngle', hasStrokes && settings.strokeDirection === 'angle');
+    this.show('strokeAngle', isMapped && settings.strokeDirection === 'angle');
     this.show('toneSteps', settings.toneModel === 'toon');
     this.show('shininess', settings.toneModel === 'phong');
     this.show('lightDistance', isLocal);
