@@ -21,6 +21,8 @@ uniform float edgePixels; // width of the edge of a dot
 #define PLANE_FADE 0.03
 // Shares of the surface too small to be told apart.
 #define LEAST_SHARE 0.02
+// Cells on either side of a place whose dots are looked at, at the most.
+#define MOST_REACH 1.5
 // The share of an octave in which a dot grows to its full size.
 #define GROWTH 0.35
 // Covering less than this share, dots fade instead of lying farther apart.
@@ -67,18 +69,28 @@ float dotsOfPlane(
   float squared = discArea(share, into) * RECIPROCAL_PI / (max(abs(area), 1e-20) * cells * cells * perCell * edge * edge);
   mat2 toScreen = mat2(gradientV.y, -gradientV.x, -gradientU.y, gradientU.x) / (area * cells * edge);
   vec2 place = at * cells;
-  vec2 first = floor(place - 0.5) - 1.0;
+  // Rows of cells whose dots may reach this place.
+  float largest = sqrt(max(squared - 1.0 / 12.0, 0.25)) + 0.5;
+  float reach = min(largest * edge * cells * length(gradientV), MOST_REACH);
+  float left = floor(place.x - MOST_REACH);
+  float lowest = floor(place.y - reach);
+  float highest = floor(place.y + reach);
   float covered = 0.0;
-  for (int i = 0; i < 16; i++) {
-    vec2 cell = first + vec2(float(i & 3), float(i >> 2));
-    vec3 texel = texelFetch(stippleMap, ivec2(cell) & (STIPPLE_MAP_SIZE - 1), 0).rgb;
-    vec2 away = toScreen * (cell + texel.xy - place);
-    float grown = clamp((into - texel.z * (1.0 - GROWTH)) / GROWTH, step(texel.z, 0.0), 1.0);
-    float full = squared * grown;
-    // A soft edge makes a disc larger: by as much as it is drawn smaller. Below its width a dot keeps its ink and loses its darkness.
-    float radius = sqrt(max(full - 1.0 / 12.0, 0.25));
-    // Two that meet in a pixel each have a part of it.
-    covered += clamp(radius - length(away) + 0.5, 0.0, 1.0) * min(3.0 * full, 1.0);
+  // Bounded, whatever numbers a broken mesh may bring.
+  for (int row = 0; row < 4; row++) {
+    if (lowest + float(row) > highest) break;
+    for (int column = 0; column < 4; column++) {
+      vec2 cell = vec2(left + float(column), lowest + float(row));
+      vec3 texel = texelFetch(stippleMap, ivec2(cell) & (STIPPLE_MAP_SIZE - 1), 0).rgb;
+      vec2 away = toScreen * (cell + texel.xy - place);
+      float grown = clamp((into - texel.z * (1.0 - GROWTH)) / GROWTH, step(texel.z, 0.0), 1.0);
+      float full = squared * grown;
+      // A soft edge makes a disc larger: by as much as it is drawn smaller. Below its width a dot keeps its ink and loses its
+      // darkness.
+      float radius = sqrt(max(full - 1.0 / 12.0, 0.25));
+      // Two that meet in a pixel each have a part of it.
+      covered += clamp(radius - length(away) + 0.5, 0.0, 1.0) * min(3.0 * full, 1.0);
+    }
   }
   return min(covered, 1.0);
 }
