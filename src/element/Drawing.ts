@@ -13,6 +13,7 @@ import {
 } from 'three';
 import { applyHatching, type HatchedScene, type HatchingPreset, scalePreset } from 'three-hatching';
 import { disposeModel, loadModel } from './loadModel.js';
+import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
 import { borrowMap, returnMap } from './sharedMaps.js';
 
@@ -59,12 +60,12 @@ export class Drawing {
    * @throws Error with a sentence for the reader of the page; the signal's reason if it aborts
    */
   static async load(
-    address: string,
+    source: ModelSource,
     preset: HatchingPreset,
     pixelRatio: number,
     signal: AbortSignal,
   ): Promise<Drawing> {
-    const model = await loadModel(address);
+    const model = await loadModel(source);
     const { tonalArtMap: strokes } = preset;
     let borrowed = false;
     try {

@@ -4,7 +4,18 @@ import { Painter } from './Painter.js';
 import { readControls, readLight, readPreset } from './readAttributes.js';
 import { type Arrangement, ViewControls } from './ViewControls.js';
 
-const ATTRIBUTES = ['src', 'preset', 'light', 'controls', 'alt', 'poster'] as const;
+const PROPERTIES = {
+  src: 'src',
+  preset: 'preset',
+  light: 'light',
+  controls: 'controls',
+  alt: 'alt',
+  poster: 'poster',
+  'draco-path': 'dracoPath',
+  'ktx2-path': 'ktx2Path',
+} as const;
+/** Those of what is loaded. */
+const OF_MODEL: readonly string[] = ['src', 'preset', 'draco-path', 'ktx2-path'];
 /** How far from the visible part of the page a model is loaded, in pixels. */
 const LOAD_MARGIN = '300px';
 /** More pixels than this per CSS pixel cost much and show little. */
@@ -26,12 +37,14 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | `controls` | lets visitors turn the model and its light; `controls="light"` the light alone |
  * | `alt` | what is to be seen, in words; empty for mere decoration |
  * | `poster` | address of a picture that is shown until the drawing is there |
+ * | `draco-path` | address of a folder with three.js's decoder of Draco, for models packed with it |
+ * | `ktx2-path` | address of a folder with three.js's decoder of KTX2, for models with such pictures |
  *
  * It loads when it comes near the visible part of the page, and draws when something changes. The events `load` and `error` (an
  * `ErrorEvent` with a sentence as message) say how loading ended. `::part(poster)` and `::part(error)` can be styled.
  */
 export class HatchedModelElement extends Base {
-  static readonly observedAttributes: readonly string[] = ATTRIBUTES;
+  static readonly observedAttributes: readonly string[] = Object.keys(PROPERTIES);
 
   declare src: string;
   declare preset: string;
@@ -39,6 +52,8 @@ export class HatchedModelElement extends Base {
   declare controls: string;
   declare alt: string;
   declare poster: string;
+  declare dracoPath: string;
+  declare ktx2Path: string;
 
   private readonly canvas = document.createElement('canvas');
   private readonly image = document.createElement('img');
@@ -95,12 +110,11 @@ export class HatchedModelElement extends Base {
     });
   }
 
-  attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
+  attributeChangedCallback(name: keyof typeof PROPERTIES): void {
     // What is set before the element stands in a page is read then.
     if (!this.near) return;
-    if (name === 'src' || name === 'preset') {
-      this.askForModel();
-    } else if (name === 'light') this.showLight();
+    if (OF_MODEL.includes(name)) this.askForModel();
+    else if (name === 'light') this.showLight();
     else if (name === 'controls') this.showControls();
     else if (name === 'alt') this.showAlt();
     else this.showPoster();
@@ -139,7 +153,11 @@ export class HatchedModelElement extends Base {
       readLight(this.getAttribute('light'));
       this.painter ??= Painter.acquire(this.onRestored);
       const drawing = await Drawing.load(
-        new URL(this.src, document.baseURI).href,
+        {
+          address: resolve(this.src),
+          folders: { draco: folderOf(this.dracoPath), ktx2: folderOf(this.ktx2Path) },
+          renderer: this.painter.renderer,
+        },
         preset,
         pixelRatio(),
         loading.signal,
@@ -261,8 +279,8 @@ export class HatchedModelElement extends Base {
   }
 }
 
-for (const name of ATTRIBUTES) {
-  Object.defineProperty(HatchedModelElement.prototype, name, {
+for (const [name, property] of Object.entries(PROPERTIES)) {
+  Object.defineProperty(HatchedModelElement.prototype, property, {
     get(this: HTMLElement) {
       return this.getAttribute(name) ?? '';
     },
@@ -274,6 +292,11 @@ for (const name of ATTRIBUTES) {
     configurable: true,
   });
 }
+
+const resolve = (address: string): string => new URL(address, document.baseURI).href;
+
+/** With a slash at its end, written or not. */
+const folderOf = (path: string): string | undefined => (path ? resolve(path.replace(/\/*$/, '/')) : undefined);
 
 const pixelRatio = (): number => Math.min(devicePixelRatio, MOST_PIXEL_RATIO);
 

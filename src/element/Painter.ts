@@ -9,7 +9,7 @@ export class Painter {
   private readonly users = new Set<() => void>();
   private readonly buffer: HTMLCanvasElement;
   private readonly context: WebGL2RenderingContext;
-  private readonly renderer: WebGLRenderer;
+  readonly renderer: WebGLRenderer;
 
   /**
    * The painter of the page.

@@ -1,39 +1,39 @@
-import type { Material, Mesh, Object3D, SkinnedMesh, Texture } from 'three';
+import {
+  FileLoader,
+  LoaderUtils,
+  type Material,
+  type Mesh,
+  type Object3D,
+  type SkinnedMesh,
+  type Texture,
+} from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import type { ModelSource } from './ModelSource.js';
+import { readExtensions } from './readExtensions.js';
 
-/** What the loader says of files that it needs a further decoder for, and what they are packed with. */
-const PACKED: readonly [message: RegExp, what: string][] = [
-  [
-    /DRACOLoader/,
-    'It is packed with Draco, which <hatched-model> does not read. Save it without, or packed with Meshopt.',
-  ],
-  [
-    /KTX2Loader/,
-    'Its pictures are packed as KTX2, which <hatched-model> does not read. Save them as PNG, JPEG or WebP.',
-  ],
-];
+/** Extensions that need decoders. These are large, and WebAssembly, which strict policies forbid, used or not. */
+const PACKED = /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_texture_basisu)$/;
 
 /**
  * Loads a glTF or GLB file.
  *
  * @throws Error with a sentence for the reader of the page
  */
-export async function loadModel(address: string): Promise<Object3D> {
+export async function loadModel(source: ModelSource): Promise<Object3D> {
+  const { address } = source;
+  let giveBack: (() => void) | undefined;
   try {
-    return await read(address, new GLTFLoader());
+    const content = (await new FileLoader().setResponseType('arraybuffer').loadAsync(address)) as ArrayBuffer;
+    const loader = new GLTFLoader();
+    const extensions = readExtensions(content);
+    if (extensions.used.some((name) => PACKED.test(name))) {
+      giveBack = await (await import('./addDecoders.js')).addDecoders(loader, extensions, source);
+    }
+    return (await loader.parseAsync(content, LoaderUtils.extractUrlBase(address))).scene;
   } catch (cause) {
     throw new Error(sentenceOf(address, cause), { cause });
-  }
-}
-
-/** Fetches the decoder of Meshopt where a file needs it: it is WebAssembly, which strict policies forbid, used or not. */
-async function read(address: string, loader: GLTFLoader): Promise<Object3D> {
-  try {
-    return (await loader.loadAsync(address)).scene;
-  } catch (error) {
-    if (!/setMeshoptDecoder/.test(String(error))) throw error;
-    const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
-    return (await loader.setMeshoptDecoder(MeshoptDecoder).loadAsync(address)).scene;
+  } finally {
+    giveBack?.();
   }
 }
 
@@ -61,13 +61,16 @@ const isTexture = (value: unknown): value is Texture =>
   typeof value === 'object' && value !== null && 'isTexture' in value;
 
 function sentenceOf(address: string, cause: unknown): string {
-  const message = cause instanceof Error ? cause.message : String(cause);
+  const message = messageOf(cause);
   const name = address.startsWith('data:') ? 'of the page' : `"${address.split(/[?#]/)[0].split('/').at(-1)}"`;
   const status = /responded with (\d+)/.exec(message)?.[1];
   if (status) return `The model ${name} could not be fetched: the server answered ${status}.`;
   if (/failed to fetch|networkerror|load failed/i.test(message)) {
     return `The model ${name} could not be fetched: the server does not answer, or forbids it.`;
   }
-  const packed = PACKED.find(([pattern]) => pattern.test(message))?.[1];
-  return packed ? `The model ${name} could not be read. ${packed}` : `The model ${name} could not be read: ${message}`;
+  return `The model ${name} could not be read: ${message}`;
 }
+
+/** Workers of Draco give plain objects. */
+const messageOf = (cause: unknown): string =>
+  cause instanceof Error ? cause.message : String((cause as { error?: unknown } | undefined)?.error ?? cause);

@@ -46,6 +46,7 @@ const LIKE = 0.9;
 const PACKED = [
   ...['LICENSE', 'README.md'],
   ...[
+    'addDecoders',
     'bake.worker',
     'command',
     'element',
@@ -68,8 +69,9 @@ test.beforeAll(() => {
 /** The smallest bundles that a page with a build of its own can have, in bytes after gzip: what it loads at once. */
 const MOST_BYTES = { HatchingMaterial: 35_000, 'HatchingMaterial, prepareHatchingGeometry, TonalArtMap': 49_000 };
 
-/** Of the components of React alone. */
+/** Of the components of React alone, and of the web component alone, with what it loads at once. */
 const MOST_BYTES_OF_REACT = 5_000;
+const MOST_BYTES_OF_ELEMENT = 7_500;
 
 test.describe('the tarball', () => {
   test('holds the library and its declarations, and nothing else', () => {
@@ -129,24 +131,32 @@ test.describe('the tarball', () => {
   for (const [names, most] of Object.entries(MOST_BYTES)) {
     test(`is small: ${names}`, async () => {
       const chunks = await bundle(`export { ${names} } from 'three-hatching';`);
-      const byName = new Map(chunks.map((chunk) => [chunk.fileName, chunk]));
-      const atOnce = new Set(chunks.filter(({ isEntry }) => isEntry));
-      for (const { imports } of atOnce) {
-        for (const name of imports) if (byName.has(name)) atOnce.add(byName.get(name)!);
-      }
-      const bytes = [...atOnce].reduce((sum, { code }) => sum + gzipSync(code).length, 0);
+      const atOnce = loadedAtOnce(chunks);
+      const bytes = sizeOf(atOnce);
       test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });
       expect(bytes).toBeLessThanOrEqual(most);
-      expect([...atOnce].map(({ code }) => code).join('')).not.toContain('// N_t, which');
+      expect(atOnce.map(({ code }) => code).join('')).not.toContain('// N_t, which');
     });
   }
 
   test('is small: the components of React, without what they import', async () => {
     const others = /^(three|react|@react-three|three-hatching)($|\/(?!react$))/;
     const chunks = await bundle(`export * from '${libraryFolder}/dist/react.js';`, others);
-    const bytes = chunks.reduce((sum, { code }) => sum + gzipSync(code).length, 0);
+    const bytes = sizeOf(chunks);
     test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });
     expect(bytes).toBeLessThanOrEqual(MOST_BYTES_OF_REACT);
+  });
+
+  test('is small: the web component, whose decoders come when they are needed', async () => {
+    const others = /^three($|\/)|dist\/index\.js$/;
+    const chunks = await bundle(`export * from '${libraryFolder}/dist/element.js';`, others);
+    const atOnce = loadedAtOnce(chunks);
+    const bytes = sizeOf(atOnce);
+    test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });
+    expect(bytes).toBeLessThanOrEqual(MOST_BYTES_OF_ELEMENT);
+    expect(chunks.filter((chunk) => !atOnce.includes(chunk)).map(({ name }) => name)).toEqual(['addDecoders']);
+    const own = readFileSync(join(libraryFolder, 'dist/element.js'), 'utf8');
+    expect(own).not.toMatch(/(DRACO|KTX2)Loader|meshopt_decoder/);
   });
 
   for (const moduleResolution of ['bundler', 'node16', 'nodenext']) {
@@ -367,6 +377,20 @@ async function bundle(entry: string, external = /^three($|\/)/): Promise<Rolldow
   });
   return (result as Rolldown.RolldownOutput).output.filter((file) => file.type === 'chunk');
 }
+
+/** The entries of a bundle and all that they import. */
+function loadedAtOnce(chunks: readonly Rolldown.OutputChunk[]): Rolldown.OutputChunk[] {
+  const byName = new Map(chunks.map((chunk) => [chunk.fileName, chunk]));
+  const atOnce = new Set(chunks.filter(({ isEntry }) => isEntry));
+  for (const { imports } of atOnce) {
+    for (const name of imports) if (byName.has(name)) atOnce.add(byName.get(name)!);
+  }
+  return [...atOnce];
+}
+
+/** In bytes after gzip. */
+const sizeOf = (chunks: readonly Rolldown.OutputChunk[]): number =>
+  chunks.reduce((sum, { code }) => sum + gzipSync(code).length, 0);
 
 function importsOf(file: string): string[] {
   const text = readFileSync(join(libraryFolder, 'dist', file), 'utf8');

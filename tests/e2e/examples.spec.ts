@@ -6,16 +6,20 @@ import { EXAMPLES } from '../../examples/examples.js';
 import { expect, test } from '../browser/test.js';
 import { toleratedMessages } from '../browser/toleratedMessages.js';
 import { serveFolders } from '../consumers/serveFolders.js';
+import { columnGlb } from './columnModel.js';
+import { ktx2Picture } from './ktx2Picture.js';
+import { octahedronDracoGlb, octahedronMeshoptGlb } from './modelFiles.js';
 import { changedShare } from './pictures.js';
 
 const folder = fileURLToPath(new URL('../output/examples', import.meta.url));
+const three = fileURLToPath(new URL('../../node_modules/three', import.meta.url));
 
 let server: Awaited<ReturnType<typeof serveFolders>>;
 
 // As they are deployed: built, and in a folder of a host.
 test.beforeAll(async () => {
   await buildExamples(folder);
-  server = await serveFolders({ '/some/folder/': folder });
+  server = await serveFolders({ '/some/folder/': folder, '/three/': three });
 });
 test.afterAll(() => server.close());
 
@@ -129,6 +133,10 @@ test.describe('<hatched-model>', () => {
   test('turns by keys and by hand, and draws only then', async ({ page }) => {
     const first = await openElements(page);
     expect(await contexts(page)).toEqual(['there']);
+    const fetched = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
+    expect(fetched.filter((address) => /element\.js|decoder/i.test(address))).toEqual([
+      expect.stringMatching(/\/element\.js$/),
+    ]);
     const canvas = page.getByRole('img', { name: 'A jug and fruit in pen and ink' });
     await canvas.focus();
     const home = await pixels(canvas);
@@ -251,4 +259,150 @@ test.describe('<hatched-model>', () => {
     await expect(late.locator('canvas[data-drawn]')).toHaveCount(1, { timeout: 60_000 });
     await expect(late.locator('img')).toBeHidden();
   });
+
+  const libs = '/three/examples/jsm/libs';
+
+  /** Opens a page with models, each packed in another way, and says what it asks for. */
+  async function openPacked(page: Page, headers: Record<string, string> = {}): Promise<string[]> {
+    const basisu = { extensionsUsed: ['KHR_texture_basisu'], extensionsRequired: ['KHR_texture_basisu'] };
+    const files: Record<string, Buffer> = {
+      'draco.glb': await octahedronDracoGlb(),
+      'damaged.glb': Buffer.from((await octahedronDracoGlb()).toString('latin1').replace('DRACO', 'Draco'), 'latin1'),
+      'meshopt.glb': await octahedronMeshoptGlb(),
+      'ktx2.glb': columnGlb({
+        still: true,
+        picture: ktx2Picture([
+          [255, 0, 0],
+          [0, 0, 255],
+        ]),
+        changes: ({ images }) => ({
+          ...basisu,
+          images: [{ ...(images as object[])[0], mimeType: 'image/ktx2' }],
+          textures: [{ sampler: 0, extensions: { KHR_texture_basisu: { source: 0 } } }],
+        }),
+      }),
+    };
+    const imports = {
+      three: '/three/build/three.module.js',
+      'three/addons/': '/three/examples/jsm/',
+      'three-hatching/element': '/some/folder/lib/three-hatching/dist/element.js',
+    };
+    const html = `<!doctype html><title>Packed</title><link rel="icon" href="data:," />
+      <style>hatched-model { width: 200px; height: 150px }</style>
+      <script type="importmap">${JSON.stringify({ imports })}</script>
+      <script type="module">import 'three-hatching/element';</script>
+      ${['draco', 'draco', 'ktx2', 'meshopt'].map((name) => `<hatched-model src="${name}.glb" alt="${name}"></hatched-model>`).join('')}`;
+    await page.route(`${server.url}/packed/**`, (route) => {
+      const name = new URL(route.request().url()).pathname.replace('/packed/', '');
+      // As hosts of single pages do: what is not there is the page.
+      return name in files
+        ? route.fulfill({ body: files[name] })
+        : route.fulfill({ contentType: 'text/html; charset=utf-8', headers, body: html });
+    });
+    await page.addInitScript(() => {
+      const decoders: Decoders = { started: [], running: 0 };
+      Object.assign(window, { decoders });
+      const own = new WeakSet<Worker>();
+      const { postMessage, terminate } = Worker.prototype;
+      Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
+        const [message] = args as [{ type?: string; decoderConfig?: object }];
+        if (message.type === 'init') {
+          own.add(this);
+          decoders.running++;
+          decoders.started.push(message.decoderConfig ? 'draco' : 'ktx2');
+        }
+        postMessage.apply(this, args as Parameters<typeof postMessage>);
+      };
+      Worker.prototype.terminate = function (this: Worker) {
+        if (own.has(this)) decoders.running--;
+        terminate.call(this);
+      };
+    });
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(request.url().replace(server.url, '')));
+    await page.goto(`${server.url}/packed/`);
+    return asked;
+  }
+
+  /** The shares of red and of blue paper in a picture. */
+  function hues({ data }: PNG): { red: number; blue: number } {
+    const counts = { red: 0, blue: 0 };
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i] - data[i + 2] > 100) counts.red++;
+      if (data[i + 2] - data[i] > 100) counts.blue++;
+    }
+    return { red: (4 * counts.red) / data.length, blue: (4 * counts.blue) / data.length };
+  }
+
+  test('reads models that are packed, with decoders of its own host, which are fetched for them and end with the loading', async ({
+    page,
+    pageProblems,
+  }) => {
+    const asked = await openPacked(page);
+    const [draco, , ktx2, meshopt] = await elements(page).all();
+    const alert = page.getByRole('alert');
+    await expect(alert).toHaveText([
+      ...Array(2).fill(
+        'The model "draco.glb" could not be read: it is packed with Draco, and the attribute draco-path must name the folder of its decoder.',
+      ),
+      'The model "ktx2.glb" could not be read: its pictures are packed as KTX2, and the attribute ktx2-path must name the folder of its decoder.',
+    ]);
+    await expect(meshopt.locator('canvas[data-drawn]')).toHaveCount(1, { timeout: 60_000 });
+    expect(measure(await read(meshopt)).edges).toBeGreaterThan(0.01);
+    expect(asked.filter((address) => /DRACO|KTX2|ktx-parse|\/(draco|basis)\//.test(address))).toEqual([]);
+
+    // With a slash at its end and without it, it is one folder.
+    await elements(page).evaluateAll((all, path) => {
+      Object.assign(all[0], { dracoPath: `${path}/draco/gltf` });
+      all[1].setAttribute('draco-path', `${path}/draco/gltf/`);
+      all[2].setAttribute('ktx2-path', `${path}/basis/`);
+    }, libs);
+    await expect(page.locator('hatched-model canvas[data-drawn]')).toHaveCount(4, { timeout: 60_000 });
+    await expect(alert).toHaveCount(0);
+    expect(hues(await read(draco)).red).toBeGreaterThan(0.05);
+    const { red, blue } = hues(await read(ktx2));
+    expect(Math.min(red, blue)).toBeGreaterThan(0.02);
+    const decoders = await page.evaluate(() => (window as unknown as { decoders: Decoders }).decoders);
+    expect(decoders).toEqual({ started: expect.arrayContaining(['draco', 'ktx2']), running: 0 });
+    // Looked for and loaded, once for both.
+    expect(asked.filter((address) => address === `${libs}/draco/gltf/draco_decoder.wasm`)).toHaveLength(2);
+    expect(await draco.evaluate((element) => element.getAttribute('draco-path'))).toBe(`${libs}/draco/gltf`);
+
+    await draco.evaluate((element) => element.setAttribute('draco-path', 'nowhere'));
+    await expect(alert).toHaveText(
+      /^The model "draco\.glb" could not be read: it is packed with Draco, and its decoder was not found at http.*\/packed\/nowhere\/draco_.*\.$/,
+    );
+    await draco.evaluate(
+      (element, dracoPath) => Object.assign(element, { dracoPath, src: 'damaged.glb' }),
+      `${libs}/draco`,
+    );
+    await expect(alert).toHaveText(/^The model "damaged\.glb" could not be read: .* Not a Draco file\.$/);
+    expect(pageProblems.splice(0).join()).toContain('Not a Draco file');
+  });
+
+  test('runs its decoders where a policy allows them, and says so where it forbids one', async ({
+    page,
+    pageProblems,
+  }) => {
+    const policy = "script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:";
+    await openPacked(page, { 'Content-Security-Policy': policy });
+    await elements(page).evaluateAll((all, path) => {
+      all[0].setAttribute('draco-path', `${path}/draco/gltf/`);
+      all[2].setAttribute('ktx2-path', `${path}/basis/`);
+    }, libs);
+    const [draco, , ktx2, meshopt] = await elements(page).all();
+    await expect(ktx2.getByRole('alert')).toHaveText(
+      "The model \"ktx2.glb\" could not be read: its pictures are packed as KTX2, and its decoder may not run: the page's Content-Security-Policy must allow worker-src blob: and script-src 'unsafe-eval'.",
+    );
+    for (const one of [draco, meshopt]) {
+      await expect(one.locator('canvas[data-drawn]')).toHaveCount(1, { timeout: 60_000 });
+    }
+    expect(pageProblems.filter((problem) => !/Content[ -]Security[ -]Policy/i.test(problem))).toEqual([]);
+    pageProblems.splice(0);
+  });
 });
+
+interface Decoders {
+  started: string[];
+  running: number;
+}

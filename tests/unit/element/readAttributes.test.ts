@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { presets } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
 import { readControls, readLight, readPreset } from '../../../src/element/readAttributes.js';
@@ -46,8 +47,11 @@ test('controls turn the model, or the light alone', () => {
   ]);
 });
 
-test('the entry can be imported where there is no browser', async () => {
+test('the entry can be imported where there is no browser, and has the attributes of its guide', async () => {
   expect('HTMLElement' in globalThis).toBe(false);
   const { HatchedModelElement } = await import('three-hatching/element');
-  expect(HatchedModelElement.observedAttributes).toEqual(['src', 'preset', 'light', 'controls', 'alt', 'poster']);
+  const guide = readFileSync(new URL('../../../docs/element.md', import.meta.url), 'utf8');
+  const table = guide.slice(guide.indexOf('| attribute |'), guide.indexOf('\n\nAll can be changed'));
+  const listed = [...table.matchAll(/^\| `(.+?)` \|/gm)].map(([, name]) => name);
+  expect(HatchedModelElement.observedAttributes).toEqual(listed);
 });

@@ -1,0 +1,131 @@
+import type { WebGLRenderer } from 'three';
+import type { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
+
+/** The decoders of three.js that are files in a folder of the page, by what they unpack. */
+export interface Decoders {
+  draco: DRACOLoader;
+  ktx2: KTX2Loader;
+}
+
+interface Recipe<Decoder> {
+  files: readonly string[];
+  /** Resolves when all files are there: a decoder that is disposed of earlier would start workers afterwards. */
+  make(folder: string, renderer: WebGLRenderer): Promise<Decoder>;
+  /** What a worker of it must be allowed to do. */
+  probe: string;
+  /** How a Content-Security-Policy allows it. */
+  policy: string;
+}
+
+/** The smallest module there is. */
+const COMPILE = 'new WebAssembly.Module(new Uint8Array([0,97,115,109,1,0,0,0]));';
+
+const RECIPES: { [Kind in keyof Decoders]: Recipe<Decoders[Kind]> } = {
+  draco: {
+    files: ['draco_wasm_wrapper.js', 'draco_decoder.wasm'],
+    async make(folder) {
+      const { DRACOLoader } = await import('three/addons/loaders/DRACOLoader.js');
+      const decoder = new DRACOLoader().setDecoderPath(folder).preload();
+      await (decoder as { decoderPending?: Promise<unknown> }).decoderPending;
+      return decoder;
+    },
+    probe: COMPILE,
+    policy: "'wasm-unsafe-eval'",
+  },
+  ktx2: {
+    files: ['basis_transcoder.js', 'basis_transcoder.wasm'],
+    async make(folder, renderer) {
+      const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js');
+      const decoder = new KTX2Loader().setTranscoderPath(folder).detectSupport(renderer);
+      await decoder.init();
+      return decoder;
+    },
+    // Its script makes functions of text.
+    probe: `${COMPILE}new Function('');`,
+    policy: "'unsafe-eval'",
+  },
+};
+
+interface SharedDecoder {
+  decoder: Promise<DRACOLoader | KTX2Loader>;
+  users: number;
+}
+
+/** By kind and folder. */
+const shared = new Map<string, SharedDecoder>();
+
+/**
+ * A decoder for all models that are being loaded with it. To be given back with {@link returnDecoder}, also where it failed.
+ *
+ * @param folder its address, with a slash at its end
+ * @param renderer what draws the pictures: they are unpacked to what its graphics card reads
+ * @throws Error with what to say of it after "Its decoder "
+ */
+export function borrowDecoder<Kind extends keyof Decoders>(
+  kind: Kind,
+  folder: string,
+  renderer: WebGLRenderer,
+): Promise<Decoders[Kind]> {
+  const key = `${kind} ${folder}`;
+  let entry = shared.get(key);
+  if (!entry) {
+    entry = { decoder: start(RECIPES[kind], folder, renderer), users: 0 };
+    shared.set(key, entry);
+  }
+  entry.users++;
+  return entry.decoder as Promise<Decoders[Kind]>;
+}
+
+/** Ends the workers of a decoder when its last user gives it back. */
+export function returnDecoder(kind: keyof Decoders, folder: string): void {
+  const key = `${kind} ${folder}`;
+  const entry = shared.get(key);
+  if (!entry || --entry.users > 0) return;
+  shared.delete(key);
+  entry.decoder.then(
+    (decoder) => decoder.dispose(),
+    () => {
+      // Whoever borrowed it has heard of that.
+    },
+  );
+}
+
+/** Looks first whether a decoder can work here: where it cannot, it never answers. */
+async function start<Decoder>(
+  { files, make, probe, policy }: Recipe<Decoder>,
+  folder: string,
+  renderer: WebGLRenderer,
+): Promise<Decoder> {
+  await Promise.all([...files.map((file) => findFile(folder + file)), tryWorker(probe, policy)]);
+  return make(folder, renderer);
+}
+
+async function findFile(address: string): Promise<void> {
+  const enough = new AbortController();
+  const response = await fetch(address, { signal: enough.signal }).catch(() => undefined);
+  // Many servers answer with a page where there is no file.
+  const isThere = response?.ok && !response.headers.get('Content-Type')?.includes('html');
+  enough.abort();
+  if (!isThere) throw new Error(`was not found at ${address}.`);
+}
+
+/** Whether a worker of text starts, and may do what a decoder does. */
+async function tryWorker(probe: string, policy: string): Promise<void> {
+  const address = URL.createObjectURL(new Blob([`${probe}postMessage(0)`], { type: 'text/javascript' }));
+  let worker: Worker | undefined;
+  try {
+    await new Promise<unknown>((resolve, reject) => {
+      worker = new Worker(address);
+      worker.onmessage = resolve;
+      worker.onerror = reject;
+    });
+  } catch {
+    throw new Error(
+      `may not run: the page's Content-Security-Policy must allow worker-src blob: and script-src ${policy}.`,
+    );
+  } finally {
+    worker?.terminate();
+    URL.revokeObjectURL(address);
+  }
+}

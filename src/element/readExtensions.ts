@@ -1,0 +1,22 @@
+/** The extensions that a glTF file names. */
+export interface GltfExtensions {
+  used: readonly string[];
+  /** Those without which it cannot be read. */
+  required: readonly string[];
+}
+
+const MAGIC = 0x46546c67;
+const HEADER = 20;
+
+/** The extensions of a glTF or GLB file. None where it cannot be read: its loader says why. */
+export function readExtensions(content: ArrayBuffer): GltfExtensions {
+  try {
+    const view = new DataView(content);
+    const isBinary = view.getUint32(0, true) === MAGIC;
+    const text = isBinary ? new Uint8Array(content, HEADER, view.getUint32(HEADER - 8, true)) : content;
+    const { extensionsUsed = [], extensionsRequired = [] } = JSON.parse(new TextDecoder().decode(text));
+    return { used: extensionsUsed, required: extensionsRequired };
+  } catch {
+    return { used: [], required: [] };
+  }
+}
