@@ -265,6 +265,11 @@ test.describe('<hatched-model>', () => {
   /** Opens a page with models, each packed in another way, and says what it asks for. */
   async function openPacked(page: Page, headers: Record<string, string> = {}): Promise<string[]> {
     const basisu = { extensionsUsed: ['KHR_texture_basisu'], extensionsRequired: ['KHR_texture_basisu'] };
+    const texture = (ktx2: number, other?: number): object => ({
+      sampler: 0,
+      source: other,
+      extensions: { KHR_texture_basisu: { source: ktx2 } },
+    });
     const files: Record<string, Buffer> = {
       'draco.glb': await octahedronDracoGlb(),
       'damaged.glb': Buffer.from((await octahedronDracoGlb()).toString('latin1').replace('DRACO', 'Draco'), 'latin1'),
@@ -278,7 +283,16 @@ test.describe('<hatched-model>', () => {
         changes: ({ images }) => ({
           ...basisu,
           images: [{ ...(images as object[])[0], mimeType: 'image/ktx2' }],
-          textures: [{ sampler: 0, extensions: { KHR_texture_basisu: { source: 0 } } }],
+          textures: [texture(0)],
+        }),
+      }),
+      // With another picture beside the one that is not there.
+      'both.glb': columnGlb({
+        still: true,
+        changes: ({ images }) => ({
+          extensionsUsed: ['KHR_texture_basisu'],
+          images: [...(images as object[]), { uri: 'none.ktx2', mimeType: 'image/ktx2' }],
+          textures: [texture(1, 0)],
         }),
       }),
     };
@@ -367,6 +381,15 @@ test.describe('<hatched-model>', () => {
     // Looked for and loaded, once for both.
     expect(asked.filter((address) => address === `${libs}/draco/gltf/draco_decoder.wasm`)).toHaveLength(2);
     expect(await draco.evaluate((element) => element.getAttribute('draco-path'))).toBe(`${libs}/draco/gltf`);
+
+    await meshopt.evaluate(
+      (element) =>
+        new Promise((resolve) => {
+          element.addEventListener('load', resolve);
+          element.setAttribute('src', 'both.glb');
+        }),
+    );
+    await expect.poll(async () => hues(await read(meshopt)).red).toBeGreaterThan(0.02);
 
     await draco.evaluate((element) => element.setAttribute('draco-path', 'nowhere'));
     await expect(alert).toHaveText(
