@@ -148,7 +148,11 @@ const texture = orNothing(
   record({
     source: indexIn('images'),
     sampler: orNothing(indexIn('samplers')),
-    extensions: record({ EXT_texture_webp: record({ source: indexIn('images') }) }),
+    extensions: record({
+      EXT_texture_webp: record({ source: indexIn('images') }),
+      EXT_texture_avif: record({ source: indexIn('images') }),
+      KHR_texture_basisu: record({ source: indexIn('images') }),
+    }),
   }),
 );
 

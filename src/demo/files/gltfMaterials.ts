@@ -3,10 +3,15 @@ import type { GltfDocument, GltfMaterial, GltfTextureUse } from './gltfDocument.
 /** The uses of textures in a material that can be drawn. */
 const TEXTURES = ['normalTexture', 'occlusionTexture', 'emissiveTexture'] as const;
 
-/** The index of a texture's image. */
+/** The index of a texture's image: of one that can be read, if there is any. */
 export function textureSource({ textures }: GltfDocument, texture: number | undefined): number | undefined {
   const { source, extensions } = textures[texture ?? -1] ?? {};
-  return extensions?.EXT_texture_webp?.source ?? source;
+  return (
+    extensions?.EXT_texture_webp?.source ??
+    source ??
+    extensions?.EXT_texture_avif?.source ??
+    extensions?.KHR_texture_basisu?.source
+  );
 }
 
 /** The images that the materials of a document use, by their index. */

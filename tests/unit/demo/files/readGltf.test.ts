@@ -462,6 +462,22 @@ describe('pictures', () => {
     ]);
   });
 
+  test.each(['KHR_texture_basisu', 'EXT_texture_avif'])(
+    'of a kind that is not read are counted, and the picture beside them is drawn: %s',
+    async (extension) => {
+      const builder = tetrahedron();
+      const { json } = builder;
+      const unread = { bufferView: builder.view(Uint8Array.from({ length: 64 }, (_, i) => i)) };
+      json.images = [unread, { bufferView: builder.view(picture(4)) }];
+      json.textures = [{ extensions: { [extension]: { source: 0 } } }];
+      json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+      json.meshes[0].primitives[0].material = 0;
+      expect(await read(builder)).toMatchObject({ notes: ['1 picture left out: not PNG, JPEG or WebP'] });
+      Object.assign(json.textures[0], { source: 1 });
+      expect(await read(builder)).toMatchObject({ kind: 'parts', notes: [] });
+    },
+  );
+
   test('of the older extension for gloss', async () => {
     const builder = tetrahedron();
     const { json } = builder;
