@@ -14,9 +14,12 @@ export function readExtensions(content: ArrayBuffer): GltfExtensions {
     const view = new DataView(content);
     const isBinary = view.getUint32(0, true) === MAGIC;
     const text = isBinary ? new Uint8Array(content, HEADER, view.getUint32(HEADER - 8, true)) : content;
-    const { extensionsUsed = [], extensionsRequired = [] } = JSON.parse(new TextDecoder().decode(text));
-    return { used: extensionsUsed, required: extensionsRequired };
+    const { extensionsUsed, extensionsRequired } = JSON.parse(new TextDecoder().decode(text));
+    return { used: names(extensionsUsed), required: names(extensionsRequired) };
   } catch {
     return { used: [], required: [] };
   }
 }
+
+const names = (list: unknown): string[] =>
+  Array.isArray(list) ? list.filter((name): name is string => typeof name === 'string') : [];

@@ -15,7 +15,14 @@ test('the extensions of a file are read, in both forms of glTF', () => {
 test('there are none where none are named, and in what is no glTF', () => {
   const none = { used: [], required: [] };
   const glb = packGlb(json({ extensionsUsed: ['A'] }), Buffer.alloc(0));
-  for (const content of [Buffer.from(json({})), Buffer.alloc(0), Buffer.from('<!doctype html>'), glb.subarray(0, 30)]) {
+  const damaged = Buffer.from(json({ extensionsUsed: 5, extensionsRequired: [null] }));
+  for (const content of [
+    Buffer.from(json({})),
+    damaged,
+    Buffer.alloc(0),
+    Buffer.from('<!doctype html>'),
+    glb.subarray(0, 30),
+  ]) {
     expect(readExtensions(bytesOf(content))).toEqual(none);
   }
 });
