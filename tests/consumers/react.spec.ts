@@ -10,9 +10,12 @@ type Shown = Record<string, unknown>;
 
 /** A React app in StrictMode on a development server with hot reload, with the packed library. */
 let server: ViteDevServer;
+const environment = process.env.NODE_ENV;
 
 test.beforeAll(async () => {
   installPackedLibrary();
+  // A build by Vite, as in the tests before, leaves "production" here, and then there is no hot reload.
+  process.env.NODE_ENV = 'development';
   server = await createServer({
     configFile: false,
     root: projectFolder,
@@ -31,7 +34,11 @@ test.beforeAll(async () => {
   await server.listen();
 });
 
-test.afterAll(() => server.close());
+test.afterAll(async () => {
+  if (environment === undefined) delete process.env.NODE_ENV;
+  else process.env.NODE_ENV = environment;
+  await server.close();
+});
 
 test.beforeEach(async ({ page }) => {
   await page.goto(`${server.resolvedUrls!.local[0]}react.html`);
