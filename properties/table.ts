@@ -47,7 +47,7 @@ export const PROPERTIES = {
     uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
     sentence:
-      "Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
+      "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
   },
   strokeOffset: {
     kind: 'vector2',

@@ -33,9 +33,9 @@ export interface HatchingMaterialOptions {
   /** Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`. */
   strokeScale: number;
   /**
-   * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
-   * (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
-   * `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
+   * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
+   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -302,9 +302,9 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Direction of the strokes, counter-clockwise about the normal: 0 draws them tangent to the light, π/2 towards it
-   * (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
-   * `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
+   * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
+   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
    */
   get strokeRotation(): number {
     return this.numbers.strokeRotation;
