@@ -18,6 +18,9 @@ const PRINT = { preset: 'engraving', width: 640, height: 640, pixelRatio: 1.6, s
 /** A print of something that stands on the sheet, with dark hollows. */
 const STANDING = { ...PRINT, ground: 'shadow', occlusion: 0.6, material: { shadowStrokes: 'cross' } };
 
+const BUST = { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 0.8], zoom: 0.95 };
+const DRAGON = { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 };
+
 /** Places of a light that is dragged from the left to the right, in degrees from the front. */
 const LIGHT_STEPS = [-80, -40, 0, 40, 80];
 const lightAt = (degrees) => [Math.sin((degrees * Math.PI) / 180), 1.35, Math.cos((degrees * Math.PI) / 180)];
@@ -48,12 +51,15 @@ export const PLANS = {
     columns: 3,
     pictures: PRESET_NAMES.map((preset) => ({ ...HAND, preset, width: 400, height: 500, pixelRatio: 1.5 })),
   },
+  presetsByModel: {
+    columns: PRESET_NAMES.length,
+    pictures: [BUST, DRAGON, { subject: 'bunny', view: [0, 0.2, 1], light: [-0.8, 1.2, 0.6] }].flatMap((subject) =>
+      PRESET_NAMES.map((preset) => ({ ...subject, preset, width: 220, height: 220, pixelRatio: 0.6, shadows: true })),
+    ),
+  },
   media: {
     columns: 5,
-    pictures: [
-      { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 0.8], zoom: 0.95 },
-      { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 },
-    ].flatMap((subject) =>
+    pictures: [BUST, DRAGON].flatMap((subject) =>
       MEDIA.map((preset) => ({
         ...subject,
         preset,
