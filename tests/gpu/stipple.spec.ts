@@ -27,85 +27,90 @@ interface Stage {
 }
 
 const SIDE = 256;
+/** The same wall, but it lies in each object in another way. */
+const WALLS = [0, 1, 2, 3, 4];
 
 test.beforeEach(async ({ page }) => {
-  await page.evaluate(async (side) => {
-    const { THREE, hatchedMesh, makeRenderer, sceneOf } = window.toolkit;
-    // The same wall, but it lies in each object in another way.
-    const walls = await Promise.all(
-      [0, 1, 2, 3, 4].map(async (n) => {
-        const turned = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.9 * n, 2.3 * n, 1.7 * n));
-        const mesh = await hatchedMesh(new THREE.PlaneGeometry(200, 200).applyQuaternion(turned), {
-          technique: 'anchored',
-          medium: 'stipple',
-          tonalArtMap: null,
-          screenConstancy: 1,
-        });
-        return { mesh, upright: turned.invert() };
-      }),
-    );
-    const light = new THREE.AmbientLight();
-    const scene = sceneOf(...walls.map(({ mesh }) => mesh), light);
-    const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 600);
-    camera.position.z = 300;
-    const renderer = makeRenderer();
-    renderer.setSize(side, side, false);
-    const gl = renderer.getContext();
-    const pixels = new Uint8Array(4 * side * side);
-    const draw: Stage['draw'] = ({ tone = 0.2, slant = 0, wall = 0, x = 0, zoom = 1, dot = 16 } = {}) => {
-      for (const [n, { mesh, upright }] of walls.entries()) {
-        mesh.visible = n === wall;
-        mesh.material.strokeWidth = dot;
-        mesh.quaternion.setFromAxisAngle(mesh.up.set(1, 0, 0), (-slant * Math.PI) / 180).multiply(upright);
-      }
-      light.intensity = Math.PI * (1 - tone);
-      camera.position.x = x;
-      camera.zoom = zoom;
-      camera.updateProjectionMatrix();
-      renderer.render(scene, camera);
-      gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      return Float32Array.from({ length: side * side }, (_, i) => 1 - pixels[4 * i] / 255);
-    };
-    const dotsOf: Stage['dotsOf'] = (darkness) => {
-      const seen = new Uint8Array(darkness.length);
-      const dots: Dot[] = [];
-      for (let start = 0; start < darkness.length; start++) {
-        if (seen[start] || darkness[start] < 0.4) continue;
-        const queue = [start];
-        seen[start] = 1;
-        let isCut = false;
-        let [area, sx, sy, xx, xy, yy] = [0, 0, 0, 0, 0, 0];
-        while (queue.length > 0) {
-          const i = queue.pop()!;
-          const [px, py] = [i % side, Math.floor(i / side)];
-          if (px === 0 || py === 0 || px === side - 1 || py === side - 1) {
-            isCut = true;
-            continue;
-          }
-          const w = darkness[i];
-          area += w;
-          sx += w * px;
-          sy += w * py;
-          xx += w * px * px;
-          xy += w * px * py;
-          yy += w * py * py;
-          for (const next of [i - 1, i + 1, i - side, i + side]) {
-            if (seen[next] || darkness[next] < 0.4) continue;
-            seen[next] = 1;
-            queue.push(next);
-          }
+  await page.evaluate(
+    async ([side, ways]) => {
+      const { THREE, hatchedMesh, makeRenderer, sceneOf } = window.toolkit;
+      const walls = await Promise.all(
+        ways.map(async (n) => {
+          const turned = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.9 * n, 2.3 * n, 1.7 * n));
+          const mesh = await hatchedMesh(new THREE.PlaneGeometry(200, 200).applyQuaternion(turned), {
+            technique: 'anchored',
+            medium: 'stipple',
+            tonalArtMap: null,
+            screenConstancy: 1,
+          });
+          return { mesh, upright: turned.invert() };
+        }),
+      );
+      const light = new THREE.AmbientLight();
+      const scene = sceneOf(...walls.map(({ mesh }) => mesh), light);
+      const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 600);
+      camera.position.z = 300;
+      const renderer = makeRenderer();
+      renderer.setSize(side, side, false);
+      const gl = renderer.getContext();
+      const pixels = new Uint8Array(4 * side * side);
+      const sideways = new THREE.Vector3(1, 0, 0);
+      const draw: Stage['draw'] = ({ tone = 0.2, slant = 0, wall = 0, x = 0, zoom = 1, dot = 16 } = {}) => {
+        for (const [n, { mesh, upright }] of walls.entries()) {
+          mesh.visible = n === wall;
+          mesh.material.strokeWidth = dot;
+          mesh.quaternion.setFromAxisAngle(sideways, (-slant * Math.PI) / 180).multiply(upright);
         }
-        if (isCut || area < 4) continue;
-        const [x, y] = [sx / area, sy / area];
-        const [vxx, vxy, vyy] = [xx / area - x * x, xy / area - x * y, yy / area - y * y];
-        const half = Math.hypot((vxx - vyy) / 2, vxy);
-        const mean = (vxx + vyy) / 2;
-        dots.push({ x, y, area, aspect: Math.sqrt((mean + half) / Math.max(mean - half, 1e-6)) });
-      }
-      return dots;
-    };
-    Object.assign(window, { stage: { draw, dotsOf } });
-  }, SIDE);
+        light.intensity = Math.PI * (1 - tone);
+        camera.position.x = x;
+        camera.zoom = zoom;
+        camera.updateProjectionMatrix();
+        renderer.render(scene, camera);
+        gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        return Float32Array.from({ length: side * side }, (_, i) => 1 - pixels[4 * i] / 255);
+      };
+      const dotsOf: Stage['dotsOf'] = (darkness) => {
+        const seen = new Uint8Array(darkness.length);
+        const dots: Dot[] = [];
+        for (let start = 0; start < darkness.length; start++) {
+          if (seen[start] || darkness[start] < 0.4) continue;
+          const queue = [start];
+          seen[start] = 1;
+          let isCut = false;
+          let [area, sx, sy, xx, xy, yy] = [0, 0, 0, 0, 0, 0];
+          while (queue.length > 0) {
+            const i = queue.pop()!;
+            const [px, py] = [i % side, Math.floor(i / side)];
+            if (px === 0 || py === 0 || px === side - 1 || py === side - 1) {
+              isCut = true;
+              continue;
+            }
+            const w = darkness[i];
+            area += w;
+            sx += w * px;
+            sy += w * py;
+            xx += w * px * px;
+            xy += w * px * py;
+            yy += w * py * py;
+            for (const next of [i - 1, i + 1, i - side, i + side]) {
+              if (seen[next] || darkness[next] < 0.4) continue;
+              seen[next] = 1;
+              queue.push(next);
+            }
+          }
+          if (isCut || area < 4) continue;
+          const [x, y] = [sx / area, sy / area];
+          const [vxx, vxy, vyy] = [xx / area - x * x, xy / area - x * y, yy / area - y * y];
+          const half = Math.hypot((vxx - vyy) / 2, vxy);
+          const mean = (vxx + vyy) / 2;
+          dots.push({ x, y, area, aspect: Math.sqrt((mean + half) / Math.max(mean - half, 1e-6)) });
+        }
+        return dots;
+      };
+      Object.assign(window, { stage: { draw, dotsOf } });
+    },
+    [SIDE, WALLS] as const,
+  );
 });
 
 declare global {
@@ -129,17 +134,15 @@ function evenness(dots: readonly Dot[]): number {
 }
 
 test('dots are round and even at any slant, and do not merge below half tone', async ({ page }, testInfo) => {
-  const found = await page.evaluate(() => {
+  const found = await page.evaluate((walls) => {
     const { draw, dotsOf } = window.stage;
     return [0, 45, 60, 70].map((slant) => ({
       slant,
       // At two places between octaves, on walls that lie in the object in five ways.
-      light: [0, 1, 2, 3, 4].flatMap((wall) =>
-        [1, 1.3].map((zoom) => dotsOf(draw({ tone: 0.12, slant, wall, dot: 12, zoom }))),
-      ),
-      mid: [0, 1, 2, 3, 4].flatMap((wall) => dotsOf(draw({ tone: 0.35, slant, wall, dot: 10 }))),
+      light: walls.flatMap((wall) => [1, 1.3].map((zoom) => dotsOf(draw({ tone: 0.12, slant, wall, dot: 12, zoom })))),
+      mid: walls.flatMap((wall) => dotsOf(draw({ tone: 0.35, slant, wall, dot: 10 }))),
     }));
-  });
+  }, WALLS);
   for (const { slant, light, mid } of found) {
     const aspects = light.flat().map(({ aspect }) => aspect);
     const even = light.map(evenness);

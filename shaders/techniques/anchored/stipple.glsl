@@ -55,6 +55,12 @@ float discArea(const in float covered, const in float octave) {
   return covered + overlap * beyond * beyond * inversesqrt(max(1.0 - covered, 1e-3));
 }
 
+// The radius that a disc with a soft edge is drawn with, in units of the edge: the edge makes it larger, by as much as it is drawn
+// smaller. Of discs below that width the radius stays.
+float softRadius(const in float squared) {
+  return sqrt(max(squared - 1.0 / 12.0, 0.25));
+}
+
 // How much of this fragment the dots of one plane cover, of which all together cover a share. at: in the plane. gradients: of its two
 // coordinates on the screen. octave: cells of the set per unit, as a logarithm.
 float dotsOfPlane(
@@ -70,7 +76,7 @@ float dotsOfPlane(
   mat2 toScreen = mat2(gradientV.y, -gradientV.x, -gradientU.y, gradientU.x) / (area * cells * edge);
   vec2 place = at * cells;
   // Rows of cells whose dots may reach this place.
-  float largest = sqrt(max(squared - 1.0 / 12.0, 0.25)) + 0.5;
+  float largest = softRadius(squared) + 0.5;
   float reach = min(largest * edge * cells * length(gradientV), MOST_REACH);
   float left = floor(place.x - MOST_REACH);
   float lowest = floor(place.y - reach);
@@ -85,11 +91,8 @@ float dotsOfPlane(
       vec2 away = toScreen * (cell + texel.xy - place);
       float grown = clamp((into - texel.z * (1.0 - GROWTH)) / GROWTH, step(texel.z, 0.0), 1.0);
       float full = squared * grown;
-      // A soft edge makes a disc larger: by as much as it is drawn smaller. Below its width a dot keeps its ink and loses its
-      // darkness.
-      float radius = sqrt(max(full - 1.0 / 12.0, 0.25));
-      // Two that meet in a pixel each have a part of it.
-      covered += clamp(radius - length(away) + 0.5, 0.0, 1.0) * min(3.0 * full, 1.0);
+      // Two that meet in a pixel each have a part of it. Below the width of the edge a dot keeps its ink and loses its darkness.
+      covered += clamp(softRadius(full) - length(away) + 0.5, 0.0, 1.0) * min(3.0 * full, 1.0);
     }
   }
   return min(covered, 1.0);
