@@ -123,6 +123,8 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   // The system's sheet gets what the address would be.
   await page.getByRole('button', { name: 'Picture', exact: true }).click();
   await page.getByRole('button', { name: 'Share this drawing' }).click();
-  const shared = await page.evaluate(() => (window as unknown as { shared: ShareData }).shared);
-  expect(shared).toEqual({ title: 'Cube, hatched', url: expect.stringContaining('#model=cube&') });
+  // What shares is fetched with the first click.
+  await expect
+    .poll(() => page.evaluate(() => (window as unknown as { shared?: ShareData }).shared))
+    .toEqual({ title: 'Cube, hatched', url: expect.stringContaining('#model=cube&') });
 });
