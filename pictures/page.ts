@@ -109,7 +109,7 @@ async function drawPicture(picture: Picture, content: string): Promise<string> {
   const camera = createCamera();
   camera.aspect = width / height;
   camera.updateProjectionMatrix();
-  fitCamera(camera, outline, new Vector3(...picture.view), picture.zoom);
+  fitCamera(camera, outline, new Vector3(...picture.view), { zoom: picture.zoom });
   renderer.render(scene, camera);
   // Once more, with the lists of contours that were made meanwhile.
   renderer.render(scene, camera);

@@ -39,7 +39,7 @@ async function drawPlain(files: PlainFiles, side: number): Promise<string> {
   const scene = new Scene().add(holder, sun, new HemisphereLight('white', '#776655', 1.2));
   const camera = createCamera();
   const radius = fitted(holder);
-  fitCamera(camera, outlineOf(holder), new Vector3(...DEFAULT_VIEW), 1, FILL);
+  fitCamera(camera, outlineOf(holder), new Vector3(...DEFAULT_VIEW), { fill: FILL });
   Object.assign(camera, { near: radius / 50, far: radius * 100 });
   camera.updateProjectionMatrix();
   renderer.render(scene, camera);

@@ -32,6 +32,8 @@ test('opens with the dragon, hatched, without a layout shift and without request
   const picture = await readDrawing(page);
   expect(meanInk(picture)).toBeGreaterThan(0.03);
   expect(meanInk(picture)).toBeLessThan(0.4);
+  // Its shadow is not cut by the edge of the sheet.
+  expect(meanInk(picture, { left: 0.99, top: 0, right: 1, bottom: 0.85 })).toBeLessThan(0.001);
   const notice = page.getByRole('link', { name: 'Credits and licences' });
   await expect(notice).toBeVisible();
   const { origin, href } = new URL(page.url());

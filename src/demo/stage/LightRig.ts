@@ -1,6 +1,7 @@
 import { type Camera, DirectionalLight, MathUtils, PointLight, type Scene, SpotLight, Vector3 } from 'three';
 import type { Settings } from '../settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
+import { shadowOnGround } from './shadowOnGround.js';
 
 /** Distance of a directional light, in radii of the model: outside of what casts shadows. */
 export const SUN_DISTANCE = 1.45;
@@ -93,6 +94,19 @@ export class LightRig {
       if (shadow !== this.main.point.shadow) shadow.mapSize.setScalar(mapSize);
     }
     return this.second.castShadow;
+  }
+
+  /**
+   * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells. One that stays with the viewer
+   * is taken to stay where it is.
+   *
+   * @returns undefined if it casts none
+   */
+  shadowOf(points: ArrayLike<number>, height: number): number[] | undefined {
+    const { directional, point, spot } = this.main;
+    const light = [directional, point, spot].find(({ visible }) => visible);
+    if (!light?.castShadow) return undefined;
+    return shadowOnGround(points, this.isWithViewer ? this.position : this.settled, light === directional, height);
   }
 
   /**

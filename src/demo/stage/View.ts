@@ -2,7 +2,7 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { DEFAULT_VIEW } from './createCamera.js';
-import { fitCamera } from './framing.js';
+import { type Framing, fitCamera } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 
 /** From what it turns around, in radii of the model: near enough to look into a room. */
@@ -23,12 +23,17 @@ export class View {
   private isPlacing = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
   private outline: ArrayLike<number> = NO_OUTLINE;
+  private shadow: ArrayLike<number> | undefined;
 
-  /** @param onChange called when a frame must be drawn */
+  /**
+   * @param onChange called when a frame must be drawn
+   * @param measure calls {@link setOutline}, with the shadow as it is by now
+   */
   constructor(
     canvas: HTMLCanvasElement,
     private readonly camera: PerspectiveCamera,
     private readonly onChange: () => void,
+    private readonly measure: () => void,
   ) {
     this.controls = new OrbitControls(camera, canvas);
     this.controls.minDistance = MIN_DISTANCE;
@@ -47,6 +52,7 @@ export class View {
 
   /** As {@link frame}, because the user has asked for it. */
   readonly frameForUser = (): void => {
+    this.measure();
     this.frame();
     this.onMoved();
   };
@@ -66,10 +72,11 @@ export class View {
     return this.framed;
   }
 
-  /** Places the camera so that the whole model is in the picture. */
+  /** Places the camera so that the whole model is in the picture, and its shadow if that is not long. */
   readonly frame = (): void => {
     this.isPlacing = true;
-    this.controls.target.copy(fitCamera(this.camera, this.outline, this.first, 1, FILL));
+    const { outline, first, ...framing } = this.framing;
+    this.controls.target.copy(fitCamera(this.camera, outline, first, framing));
     this.controls.update();
     this.isPlacing = false;
     this.framed = true;
@@ -77,18 +84,24 @@ export class View {
   };
 
   /** What the model is framed by, as {@link fitCamera} takes it. */
-  get framing(): { outline: ArrayLike<number>; first: Vector3; fill: number } {
-    return { outline: this.outline, first: this.first, fill: FILL };
+  get framing(): Framing & { outline: ArrayLike<number>; first: Vector3 } {
+    return { outline: this.outline, first: this.first, fill: FILL, shadow: this.shadow };
   }
 
   /**
    * Sets the outline of a new model, or of one that was turned.
    *
    * @param outline xyz of points of it, enough to tell where it ends
+   * @param shadow xyz of points of its shadow; undefined without one
    * @param first direction to the eye when the model is framed; undefined keeps the current one
    */
-  setOutline(outline: ArrayLike<number>, first?: readonly [number, number, number]): void {
+  setOutline(
+    outline: ArrayLike<number>,
+    shadow: ArrayLike<number> | undefined,
+    first?: readonly [number, number, number],
+  ): void {
     this.outline = outline;
+    this.shadow = shadow;
     if (first) this.first.set(...first);
     if (this.framed) this.frame();
   }

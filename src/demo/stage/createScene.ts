@@ -117,10 +117,15 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     },
   });
   const timeListeners: (() => void)[] = [];
-  const view = new View(canvas, camera, () => {
-    isOutdated = true;
-    scheduler.invalidate();
-  });
+  const view = new View(
+    canvas,
+    camera,
+    () => {
+      isOutdated = true;
+      scheduler.invalidate();
+    },
+    () => measureBounds(),
+  );
   const crossFade = new CrossFade(canvas);
   const lastPicture = new LastPicture(canvas, () => {
     const { clientWidth: width, clientHeight: height } = viewport;
@@ -283,7 +288,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (!model) return;
     const bounds = model.bounds.clone().applyMatrix4(upright.matrix);
     ground.height = bounds.min.y;
-    view.setOutline(turned(model.outline, upright.matrix), first);
+    const outline = turned(model.outline, upright.matrix);
+    const shadow = settings && settings.ground !== 'none' ? lights.shadowOf(outline, ground.height) : undefined;
+    view.setOutline(outline, shadow, first);
   }
 
   /** Applies the settings to the lights, the model and what it stands on. Shadows stay as they are. */

@@ -1,57 +1,110 @@
 import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
 
-/** The share of the picture that {@link fitCamera} fills, of its width or its height. */
+/** The share of the picture that points fill unless asked otherwise, of its width or its height. */
 const POINTS_FILL = 0.94;
+/** A model may go as far towards the edges as this, to leave room for its shadow. */
+const BESIDE_SHADOW_FILL = 0.88;
+/** A shadow may go as far towards the edges as this. */
+const SHADOW_FILL = 0.96;
+/** A model is drawn smaller by at most this factor to leave room for its shadow. A long shadow is cut. */
+const MOST_ROOM = 1.2;
+
+export interface Framing {
+  /** How many times larger the picture is than one that the points just fill; 1 by default. */
+  zoom?: number;
+  /** The share of the picture that the points fill, of its width or its height; 0.94 by default. */
+  fill?: number;
+  /** xyz of points that are in the picture as well, as far as that leaves the others large enough. */
+  shadow?: ArrayLike<number>;
+}
 
 /**
  * Places a camera so that points just fill its picture, seen from a given direction.
  *
  * @param positions xyz of each point
  * @param view direction from the points to the eye, of any length
- * @param zoom how many times larger the picture is than one that the points just fill
- * @param fill the share of the picture that they fill, of its width or its height
  * @returns what the camera looks at: of its line of sight, the point nearest to the origin
  */
 export function fitCamera(
   camera: PerspectiveCamera,
   positions: ArrayLike<number>,
   view: Vector3,
-  zoom = 1,
-  fill = POINTS_FILL,
+  { zoom = 1, fill = POINTS_FILL, shadow }: Framing = {},
 ): Vector3 {
-  const { toEye, right, up, slopeX, slopeY } = frustumAxes(camera, view, fill);
-  // A point is in the picture if |x − x₀| ≤ slope · (distance − depth). For each side, only the point
-  // that is farthest out counts.
-  const sides = { left: -Infinity, right: -Infinity, below: -Infinity, above: -Infinity };
-  const point = new Vector3();
-  for (let i = 0; i < positions.length; i += 3) {
-    point.fromArray(positions, i);
-    const x = point.dot(right);
-    const y = point.dot(up);
-    const depth = point.dot(toEye);
-    sides.left = Math.max(sides.left, -x + slopeX * depth);
-    sides.right = Math.max(sides.right, x + slopeX * depth);
-    sides.below = Math.max(sides.below, -y + slopeY * depth);
-    sides.above = Math.max(sides.above, y + slopeY * depth);
+  const axes = frustumAxes(camera, view);
+  const model = spansOf(positions, axes, fill);
+  let distance = Math.max(...model.map((span) => nearest(span, span)));
+  let middle = model.map(({ low, high }) => (high - low) / 2);
+  if (shadow && shadow.length > 0) {
+    const aside = spansOf(positions, axes, BESIDE_SHADOW_FILL);
+    const cast = spansOf(shadow, axes, SHADOW_FILL);
+    const forBoth = [0, 1].flatMap((axis) => [
+      nearest(cast[axis], cast[axis]),
+      nearest(cast[axis], aside[axis]),
+      nearest(aside[axis], cast[axis]),
+    ]);
+    distance = Math.min(Math.max(distance, ...forBoth), MOST_ROOM * distance);
+    middle = middle.map((place, axis) => within(aside[axis], distance, within(cast[axis], distance, place)));
   }
-  const distance = Math.max((sides.left + sides.right) / (2 * slopeX), (sides.below + sides.above) / (2 * slopeY));
-  const middle = right
-    .multiplyScalar((sides.right - sides.left) / 2)
-    .addScaledVector(up, (sides.above - sides.below) / 2);
-  camera.position.copy(middle).addScaledVector(toEye, distance / zoom);
-  camera.lookAt(middle);
-  return middle;
+  const target = axes.right.clone().multiplyScalar(middle[0]).addScaledVector(axes.up, middle[1]);
+  camera.position.copy(target).addScaledVector(axes.toEye, distance / zoom);
+  camera.lookAt(target);
+  return target;
 }
 
-/**
- * The axes of a camera that looks against `view`, and how fast its frustum widens along them.
- *
- * @param fill share of the frustum that counts
- */
-function frustumAxes(camera: PerspectiveCamera, view: Vector3, fill: number) {
+/** The axes of a camera that looks against `view`, and how fast its frustum widens along two of them. */
+interface FrustumAxes {
+  toEye: Vector3;
+  right: Vector3;
+  up: Vector3;
+  slopes: readonly [number, number];
+}
+
+function frustumAxes(camera: PerspectiveCamera, view: Vector3): FrustumAxes {
   const toEye = view.clone().normalize();
   const right = new Vector3(0, 1, 0).cross(toEye).normalize();
   const up = toEye.clone().cross(right);
-  const slopeY = Math.tan(MathUtils.degToRad(camera.fov) / 2) * fill;
-  return { toEye, right, up, slopeX: slopeY * camera.aspect, slopeY };
+  const slope = Math.tan(MathUtils.degToRad(camera.fov) / 2);
+  return { toEye, right, up, slopes: [slope * camera.aspect, slope] };
+}
+
+/**
+ * How far points reach along one axis of the picture. A point is in the picture if |x − x₀| ≤ slope · (distance − depth), where
+ * x₀ is what the camera looks at. For each side, only the point that is farthest out counts.
+ */
+interface Span {
+  /** The largest of −x + slope · depth. */
+  low: number;
+  /** The largest of x + slope · depth. */
+  high: number;
+  slope: number;
+}
+
+/** The spans of points along the axes to the right and up. @param fill share of the picture that they may fill */
+function spansOf(positions: ArrayLike<number>, { toEye, right, up, slopes }: FrustumAxes, fill: number): Span[] {
+  const point = new Vector3();
+  const axes = [right, up];
+  const spans = slopes.map((slope) => ({ low: -Infinity, high: -Infinity, slope: slope * fill }));
+  for (let i = 0; i < positions.length; i += 3) {
+    point.fromArray(positions, i);
+    const depth = point.dot(toEye);
+    for (const [axis, span] of spans.entries()) {
+      const x = point.dot(axes[axis]);
+      span.low = Math.max(span.low, -x + span.slope * depth);
+      span.high = Math.max(span.high, x + span.slope * depth);
+    }
+  }
+  return spans;
+}
+
+/** From how near the one span is in the picture at its high side and the other at its low side. */
+function nearest({ high, slope }: Span, other: Span): number {
+  return (high + other.low) / (slope + other.slope);
+}
+
+/** What the camera may look at from a distance so that a span is in the picture, next to `place`; its middle where it has no room. */
+function within({ low, high, slope }: Span, distance: number, place: number): number {
+  const least = high - slope * distance;
+  const most = slope * distance - low;
+  return least > most ? (least + most) / 2 : MathUtils.clamp(place, least, most);
 }

@@ -73,8 +73,11 @@ export class FramePoser {
 
 /** @returns what the camera looks at */
 function frame({ view }: HatchingScene, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
-  const { outline, first, fill } = view.framing;
+  const { first, outline, ...framing } = view.framing;
   camera.aspect = aspect;
   camera.updateProjectionMatrix();
-  return fitCamera(camera, turns ? turnedOutlines(outline) : outline, first, 1, fill);
+  // In all turns together, a shadow would reach to every side.
+  return turns
+    ? fitCamera(camera, turnedOutlines(outline), first, { fill: framing.fill })
+    : fitCamera(camera, outline, first, framing);
 }
