@@ -7,7 +7,9 @@ const BESIDE_SHADOW_FILL = 0.88;
 /** A shadow may go as far towards the edges as this. */
 const SHADOW_FILL = 0.96;
 /** A model is drawn smaller by at most this factor to leave room for its shadow. A long shadow is cut. */
-const MOST_ROOM = 1.2;
+const MOST_ROOM = 1.25;
+/** The middle of a model goes aside by at most this share of the way to the edge. */
+const MOST_ASIDE = 0.4;
 
 export interface Framing {
   /** How many times larger the picture is than one that the points just fill; 1 by default. */
@@ -44,7 +46,11 @@ export function fitCamera(
       nearest(aside[axis], cast[axis]),
     ]);
     distance = Math.min(Math.max(distance, ...forBoth), MOST_ROOM * distance);
-    middle = middle.map((place, axis) => within(aside[axis], distance, within(cast[axis], distance, place)));
+    middle = middle.map((place, axis) => {
+      const most = MOST_ASIDE * axes.slopes[axis] * distance;
+      const balanced = MathUtils.clamp(within(cast[axis], distance, place), place - most, place + most);
+      return within(aside[axis], distance, balanced);
+    });
   }
   const target = axes.right.clone().multiplyScalar(middle[0]).addScaledVector(axes.up, middle[1]);
   camera.position.copy(target).addScaledVector(axes.toEye, distance / zoom);

@@ -40,13 +40,13 @@ describe.each([0.5, 1, 2.5])('a picture with the aspect %s', (aspect) => {
 
   const aside = new Vector3(-1, 1.2, 0.4);
 
-  test('holds a shadow as well, and the points are smaller for it by a fifth at most', () => {
+  test('holds a shadow as well, and the points are smaller for it by a quarter at most', () => {
     const shadow = shadowOnGround(points, aside, true, -1.5);
     const alone = camera.position.distanceTo(fitCamera(camera, points, VIEW, { fill: FILL }));
     // Only a wide picture has room for it without any doing.
     expect(Math.max(...seen(camera, shadow).high) > 0.97).toBe(aspect < 2);
     const target = fitCamera(camera, points, VIEW, { fill: FILL, shadow });
-    expect(camera.position.distanceTo(target)).toBeLessThanOrEqual(1.2 * alone);
+    expect(camera.position.distanceTo(target)).toBeLessThanOrEqual(1.25 * alone);
     for (const { low, high } of [seen(camera, points), seen(camera, shadow)]) {
       expect(Math.min(...low)).toBeGreaterThan(-0.97);
       expect(Math.max(...high)).toBeLessThan(0.97);
@@ -57,13 +57,15 @@ describe.each([0.5, 1, 2.5])('a picture with the aspect %s', (aspect) => {
     const shadow = shadowOnGround(points, new Vector3(-1, 0.1, 0.4), true, -1.5);
     const alone = camera.position.distanceTo(fitCamera(camera, points, VIEW, { fill: FILL }));
     const aimed = fitCamera(camera, points, VIEW, { fill: FILL, shadow });
-    expect(camera.position.distanceTo(aimed) / alone).toBeCloseTo(1.2, 5);
+    expect(camera.position.distanceTo(aimed) / alone).toBeCloseTo(1.25, 5);
     expect(seen(camera, shadow).high[0]).toBeGreaterThan(1);
     const { low, high } = seen(camera, points);
     expect(Math.min(...low)).toBeGreaterThan(-0.9);
     expect(Math.max(...high)).toBeLessThan(0.9);
-    // They have gone aside for it.
-    expect(low[0]).toBeLessThan(-0.8);
+    // They have gone aside for it, but not out of balance.
+    const middle = (low[0] + high[0]) / 2;
+    expect(middle).toBeLessThan(-0.2);
+    expect(middle).toBeGreaterThan(-0.45);
   });
 
   test('is as before where a shadow is in the picture anyway', () => {
