@@ -1,9 +1,12 @@
+import { availableParallelism } from 'node:os';
 import { defineConfig } from '@playwright/test';
+import { BUILT } from './tests/browser/builtPlayground.js';
 import { launchOptions } from './tests/browser/launchOptions.mjs';
 import type { ThreeOptions } from './tests/browser/ThreeOptions.js';
 
 /** An uncommon port, so that a playground somebody left open is never mistaken for the code under test. */
 const port = Number(process.env.HATCH_PORT ?? 41730);
+const pages = `http://127.0.0.1:${port}/`;
 
 /** What must hold with every version of three.js, by file and title; the other tests run with the newest only. */
 const core = [
@@ -24,14 +27,14 @@ export default defineConfig<object, ThreeOptions>({
   outputDir: 'tests/output/playwright',
   globalSetup: './tests/browser/globalSetup.ts',
   forbidOnly: !!process.env.CI,
-  // Software rendering uses every core by itself; more browsers at once only wait for each other.
-  workers: 1,
+  // Software rendering uses every core, but pages and compilers one at a time: two browsers at once take two thirds of the time.
+  workers: Math.min(2, availableParallelism()),
   retries: 0,
   timeout: 120_000,
   expect: { timeout: 15_000 },
   reporter: [['list'], ['json', { outputFile: 'tests/output/playwright.json' }]],
   use: {
-    baseURL: `http://127.0.0.1:${port}/`,
+    baseURL: pages,
     viewport: { width: 1000, height: 700 },
     deviceScaleFactor: 1,
     launchOptions: await launchOptions(),
@@ -39,12 +42,17 @@ export default defineConfig<object, ThreeOptions>({
     trace: 'off',
   },
   projects: [
-    ...['gpu', 'visual', 'e2e', 'consumers'].map((name) => ({ name, testDir: `tests/${name}` })),
+    ...['gpu', 'visual'].map((name) => ({ name, testDir: `tests/${name}` })),
+    { name: 'e2e', testDir: 'tests/e2e', use: { baseURL: new URL(BUILT, pages).href } },
+    // All of them build into one folder.
+    { name: 'consumers', testDir: 'tests/consumers', workers: 1 },
     ...['three-oldest', 'three-middle'].map((name) => ({
       name,
       testDir: 'tests/gpu',
       grep: core,
       use: { three: name },
+      // The server of each worker would prepare the same dependencies.
+      workers: 1,
     })),
   ],
   webServer: {

@@ -6,6 +6,7 @@ import { formSources } from './building/formSources.js';
 import { libraryEntries } from './building/libraryEntries.js';
 import { shortShaders } from './building/shortShaders.js';
 import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
+import { builtPlayground } from './tests/browser/builtPlayground.js';
 
 const page = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -30,7 +31,10 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
-    plugins: [shortShaders, formSources, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
+    plugins: [
+      ...[shortShaders, formSources, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
+      mode === 'test' && builtPlayground,
+    ],
     resolve: {
       // Named in both cases: left alone, the names would be resolved by the paths in tsconfig.json, to the source again.
       alias: mode === 'use-build' ? libraryEntries('./dist/', 'js') : libraryEntries('./src/', 'ts'),

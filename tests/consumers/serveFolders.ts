@@ -1,5 +1,5 @@
 import { createReadStream, existsSync, statSync } from 'node:fs';
-import { createServer } from 'node:http';
+import { createServer, type RequestListener } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize, sep } from 'node:path';
 
@@ -8,6 +8,7 @@ const types: Record<string, string> = {
   '.js': 'text/javascript; charset=utf-8',
   '.css': 'text/css; charset=utf-8',
   '.json': 'application/json',
+  '.svg': 'image/svg+xml',
 };
 
 /**
@@ -17,19 +18,7 @@ const types: Record<string, string> = {
  * @param headers - sent with every file
  */
 export async function serveFolders(folders: Record<string, string>, headers: Record<string, string> = {}) {
-  const prefixes = Object.keys(folders).sort((a, b) => b.length - a.length);
-  const server = createServer((request, response) => {
-    const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
-    const prefix = prefixes.find((candidate) => path.startsWith(candidate)) ?? '';
-    const folder = normalize(`${folders[prefix] ?? ''}${sep}`);
-    const file = join(folder, path.slice(prefix.length));
-    if (prefix === '' || !file.startsWith(folder) || !existsSync(file) || !statSync(file).isFile()) {
-      response.writeHead(404).end();
-      return;
-    }
-    response.writeHead(200, { 'Content-Type': types[extname(file)] ?? 'application/octet-stream', ...headers });
-    createReadStream(file).pipe(response);
-  });
+  const server = createServer(answerFrom(folders, headers));
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   return {
     url: `http://127.0.0.1:${(server.address() as AddressInfo).port}`,
@@ -38,5 +27,28 @@ export async function serveFolders(folders: Record<string, string>, headers: Rec
         server.close(() => resolve());
         server.closeAllConnections();
       }),
+  };
+}
+
+/** Answers requests with the files of folders, as {@link serveFolders} does: like a host of static files, with its pages of folders. */
+export function answerFrom(folders: Record<string, string>, headers: Record<string, string> = {}): RequestListener {
+  const prefixes = Object.keys(folders).sort((a, b) => b.length - a.length);
+  return (request, response) => {
+    const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
+    const prefix = prefixes.find((candidate) => path.startsWith(candidate)) ?? '';
+    const folder = normalize(`${folders[prefix] ?? ''}${sep}`);
+    const place = join(folder, path.slice(prefix.length));
+    const isFolder = place.startsWith(folder) && existsSync(place) && statSync(place).isDirectory();
+    if (prefix !== '' && isFolder && !path.endsWith('/')) {
+      response.writeHead(301, { Location: `${path}/` }).end();
+      return;
+    }
+    const file = isFolder ? join(place, 'index.html') : place;
+    if (prefix === '' || !file.startsWith(folder) || !existsSync(file) || !statSync(file).isFile()) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.writeHead(200, { 'Content-Type': types[extname(file)] ?? 'application/octet-stream', ...headers });
+    createReadStream(file).pipe(response);
   };
 }

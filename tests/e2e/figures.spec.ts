@@ -1,12 +1,7 @@
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { build } from 'vite';
 import { FIGURES, type Figure } from '../../src/demo/figures/figures.js';
 import { expect, test } from '../browser/test.js';
-import { serveFolders } from '../consumers/serveFolders.js';
 import { angleBetween, changedShare, strokeDirection } from './pictures.js';
 import { openPlayground, ready } from './playground.js';
 
@@ -187,15 +182,4 @@ test('a browser without WebGL 2 gets a message, and the captions', async ({ page
   await page.goto('./figures/');
   await expect(page.locator('#status')).toHaveText(/^The figures need WebGL 2/);
   await expect(page.getByRole('figure')).toHaveCount(FIGURES.length);
-});
-
-test('the built pages work in any folder of a server', async ({ page }) => {
-  const folder = mkdtempSync(join(tmpdir(), 'playground-'));
-  await build({ logLevel: 'error', build: { outDir: folder, emptyOutDir: true } });
-  const server = await serveFolders({ '/some/folder/': folder });
-  await page.goto(`${server.url}/some/folder/figures/index.html`);
-  await settled(page);
-  expect(isBlank(await readPanel(page, panelOf(11, 'left')))).toBe(false);
-  await server.close();
-  rmSync(folder, { recursive: true });
 });

@@ -66,6 +66,7 @@ test('PNG images of the user become the map; invalid ones leave it unchanged', a
   const own = await readDrawing(page);
   expect(own.data.equals(before.data)).toBe(false);
   await page.getByRole('button', { name: 'Show the map' }).click();
+  await expect(page.locator('#contact-sheet')).toBeVisible();
   await drop(page, [await tile('a.png', 0.5), await tile('b.png', 0.8, 32)]);
   await expect(page.getByRole('status')).toContainText(
     /[ab]\.png has \d+ pixels per side, but [ab]\.png has \d+; give every tone the same/,
@@ -100,6 +101,7 @@ test('the contact sheet fits a small screen and scrolls', async ({ page }) => {
   await openPlayground(page, PLAIN);
   await page.getByRole('button', { name: 'Settings' }).first().click();
   await page.getByRole('button', { name: 'Show the map' }).click();
+  await expect(page.locator('#contact-sheet')).toBeVisible();
   const box = (await page.locator('#contact-sheet').boundingBox())!;
   expect(box.x).toBeGreaterThanOrEqual(0);
   expect(box.x + box.width).toBeLessThanOrEqual(360);

@@ -84,7 +84,7 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   await expect(page.locator('.curtain')).toHaveCount(0);
 
   const player = await context.newPage();
-  await player.goto('./tests/browser/blank.html');
+  await player.goto('/tests/browser/blank.html');
   const film = await play(player, content, [0.26, 0.51, 0.97]);
   expect([film.width, film.height]).toEqual([size.width, size.height]);
   expect(film.duration).toBeCloseTo(1, 2);
