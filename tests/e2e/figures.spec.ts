@@ -37,9 +37,25 @@ async function readPanel(page: Page, selector: string): Promise<PNG> {
   return PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
 }
 
-const isBlank = ({ data }: PNG) => new Set(new Uint32Array(new Uint8Array(data).buffer)).size === 1;
+/** Turns the light by 45°, by keys. */
+async function turnLight(page: Page): Promise<void> {
+  await page.getByRole('slider', { name: 'Turn the light' }).focus();
+  for (let i = 0; i < 9; i++) await page.keyboard.press('ArrowRight');
+  await expect(page.locator('#turn-value')).toHaveText('45°');
+}
 
-test('every figure has a caption and every panel of it is drawn, in one graphics context', async ({ page }) => {
+/** Whether a panel in view is of one colour. Asked of the page: encoding every panel takes longer than drawing it. */
+const isBlank = (page: Page, selector: string): Promise<boolean> =>
+  page.locator(selector).evaluate((canvas: HTMLCanvasElement) => {
+    const small = document.createElement('canvas').getContext('2d')!;
+    small.drawImage(canvas, 0, 0, small.canvas.width, small.canvas.height);
+    const { data } = small.getImageData(0, 0, small.canvas.width, small.canvas.height);
+    return new Set(new Uint32Array(data.buffer)).size === 1;
+  });
+
+test('every figure has a caption, and every panel of it is drawn, in one graphics context; light and technique change what they should', async ({
+  page,
+}) => {
   test.setTimeout(300_000);
   const addresses: string[] = [];
   page.on('request', (request) => addresses.push(request.url()));
@@ -59,10 +75,38 @@ test('every figure has a caption and every panel of it is drawn, in one graphics
     await expect(caption).toContainText(figure.inThePaper ?? figure.here);
     await expect(caption).toContainText(figure.here);
     for (const { name } of figure.rows.flatMap(({ panels }) => panels)) {
-      const picture = await readPanel(page, panelOf(figure.number, name));
-      expect(isBlank(picture), `figure ${figure.number}, ${name}`).toBe(false);
+      const selector = panelOf(figure.number, name);
+      await scrollTo(page, selector);
+      expect(await isBlank(page, selector), selector).toBe(false);
     }
   }
+  const lastPanels = FIGURES.map(({ number, rows }) => panelOf(number, rows.at(-1)!.panels.at(-1)!.name));
+  const blending: [string, boolean][] = [
+    [panelOf(4, 'a'), false],
+    [panelOf(4, 'b'), true],
+    [panelOf(8, 'all'), false],
+    [panelOf(14, 'tangent'), true],
+  ];
+  const before = new Map<string, PNG>();
+  for (const selector of [...lastPanels, ...blending.map(([selector]) => selector)])
+    before.set(selector, await readPanel(page, selector));
+  const changeOf = async (selector: string) => changedShare(before.get(selector)!, await readPanel(page, selector));
+
+  // The light turns the strokes of every figure, by key and by touch.
+  const lamp = page.getByRole('slider', { name: 'Turn the light' });
+  await turnLight(page);
+  for (const selector of lastPanels) expect(await changeOf(selector), selector).toBeGreaterThan(0.02);
+  const { x, y, width, height } = (await lamp.boundingBox())!;
+  await page.mouse.click(x + width / 2, y + height / 2);
+  await expect(page.locator('#turn-value')).toHaveText('0°');
+  for (const selector of lastPanels.slice(0, 2)) expect(await changeOf(selector), selector).toBe(0);
+
+  // The technique changes the panels that blend, and no others.
+  await page.getByRole('radio', { name: 'as in the paper' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('radio', { name: 'anchored' })).toBeChecked();
+  for (const [selector, isChanged] of blending) expect((await changeOf(selector)) > 0.02, selector).toBe(isChanged);
+
   expect(await page.evaluate(() => window.__webglContexts?.length)).toBe(1);
   expect(await page.evaluate(() => (window as unknown as { __moved: string[] }).__moved)).toEqual([]);
   const { origin } = new URL(page.url());
@@ -72,46 +116,16 @@ test('every figure has a caption and every panel of it is drawn, in one graphics
 test.describe('on a screen of high resolution, where strokes are wide enough to measure', () => {
   test.use({ deviceScaleFactor: 2 });
 
-  test('the light turns the strokes of every figure, by key and by touch', async ({ page }) => {
-    test.setTimeout(300_000);
+  test('strokes of a flat triangle that faces the viewer follow a light that turns about the line of sight', async ({
+    page,
+  }) => {
     await openFigures(page);
-    const selectors = FIGURES.map(({ number, rows }) => panelOf(number, rows.at(-1)!.panels.at(-1)!.name));
-    const before: PNG[] = [];
-    for (const selector of selectors) before.push(await readPanel(page, selector));
     const direction = strokeDirection(await readPanel(page, panelOf(4, 'a')), MIDDLE_TRIANGLE);
-
-    const lamp = page.getByRole('slider', { name: 'Turn the light' });
-    await lamp.focus();
-    for (let i = 0; i < 9; i++) await page.keyboard.press('ArrowRight');
-    await expect(page.locator('#turn-value')).toHaveText('45°');
+    await turnLight(page);
     const turned = strokeDirection(await readPanel(page, panelOf(4, 'a')), MIDDLE_TRIANGLE);
-    // Strokes of a flat triangle that faces the viewer follow a light that turns about the line of sight.
     expect(angleBetween(turned, direction)).toBeGreaterThan(35);
     expect(angleBetween(turned, direction + 45)).toBeLessThan(10);
-    for (const [i, selector] of selectors.entries()) {
-      expect(changedShare(before[i], await readPanel(page, selector)), selector).toBeGreaterThan(0.02);
-    }
-
-    const { x, y, width, height } = (await lamp.boundingBox())!;
-    await page.mouse.click(x + width / 2, y + height / 2);
-    await expect(page.locator('#turn-value')).toHaveText('0°');
-    for (const [i, selector] of selectors.entries()) {
-      expect(changedShare(before[i], await readPanel(page, selector)), selector).toBe(0);
-    }
   });
-});
-
-test('the choice of technique changes the panels that blend, and no others', async ({ page }) => {
-  await openFigures(page);
-  const names = [panelOf(4, 'a'), panelOf(4, 'b'), panelOf(8, 'all'), panelOf(14, 'tangent')];
-  const before: PNG[] = [];
-  for (const name of names) before.push(await readPanel(page, name));
-  await page.getByRole('radio', { name: 'as in the paper' }).focus();
-  await page.keyboard.press('ArrowRight');
-  await expect(page.getByRole('radio', { name: 'anchored' })).toBeChecked();
-  const changed = [];
-  for (const [i, name] of names.entries()) changed.push(changedShare(before[i], await readPanel(page, name)) > 0.02);
-  expect(changed).toEqual([false, true, false, true]);
 });
 
 test('draws nothing while nothing changes, and only what is in view when something does', async ({ page }) => {
