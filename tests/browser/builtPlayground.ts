@@ -3,7 +3,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import type { Plugin } from 'vite';
-import { answerFrom } from '../consumers/serveFolders.js';
+import { answerFrom } from './serveFolders.js';
 
 /** Where the test server has the built playground. */
 export const BUILT = '/built/';

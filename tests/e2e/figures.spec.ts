@@ -172,6 +172,8 @@ test('the pages link to each other', async ({ page }) => {
   await page.getByRole('link', { name: 'Playground' }).click();
   await expect(page.locator('#drawing')).toBeVisible();
   await ready(page);
+  // On the development server, too.
+  expect((await page.request.get('/figures')).url()).toMatch(/\/figures\/$/);
 });
 
 test('a lost graphics context is reported, and the figures come back', async ({ page }) => {

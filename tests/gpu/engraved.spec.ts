@@ -48,7 +48,7 @@ test('the mean darkness is the tone, at every distance between octaves, with and
 test('carved lines are white wedges that end in points, and their mean is the tone', async ({ page }) => {
   const found = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene } = window.lining;
-    const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
+    const { HatchingMaterial, prepareHatchingGeometry, wholePieces } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2), { layout: 'indexed' });
     const material = new HatchingMaterial({
       technique: 'engraved',
@@ -79,29 +79,11 @@ test('carved lines are white wedges that end in points, and their mean is the to
     // Wide enough apart for their forms to be measured. Widths of each white piece, column by column.
     material.lineSpacing = 14;
     const ink = drawn(0.75, 0);
-    const seen = new Uint8Array(ink.length);
     const pieces: { length: number; mean: number; most: number; ends: number }[] = [];
-    for (let start = 0; start < ink.length; start++) {
-      if (seen[start] || ink[start] > 0.5) continue;
-      const queue = [start];
-      seen[start] = 1;
+    for (const piece of wholePieces(size, (i) => ink[i] <= 0.5)) {
       const widths = new Map<number, number>();
-      let isCut = false;
-      while (queue.length > 0) {
-        const i = queue.pop()!;
-        const [x, y] = [i % size, Math.floor(i / size)];
-        if (x === 0 || y === 0 || x === size - 1 || y === size - 1) {
-          isCut = true;
-          continue;
-        }
-        widths.set(x, (widths.get(x) ?? 0) + 1 - ink[i]);
-        for (const next of [i - 1, i + 1, i - size, i + size]) {
-          if (seen[next] || ink[next] > 0.5) continue;
-          seen[next] = 1;
-          queue.push(next);
-        }
-      }
-      if (isCut || widths.size < 20) continue;
+      for (const i of piece) widths.set(i % size, (widths.get(i % size) ?? 0) + 1 - ink[i]);
+      if (widths.size < 20) continue;
       const row = [...widths.keys()].toSorted((a, b) => a - b).map((x) => widths.get(x)!);
       const most = Math.max(...row);
       const mean = row.reduce((sum, width) => sum + width, 0) / row.length;

@@ -33,7 +33,7 @@ const WALLS = [0, 1, 2, 3, 4];
 test.beforeEach(async ({ page }) => {
   await page.evaluate(
     async ([side, ways]) => {
-      const { THREE, hatchedMesh, makeRenderer, sceneOf } = window.toolkit;
+      const { THREE, hatchedMesh, makeRenderer, sceneOf, wholePieces } = window.toolkit;
       const walls = await Promise.all(
         ways.map(async (n) => {
           const turned = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.9 * n, 2.3 * n, 1.7 * n));
@@ -70,21 +70,11 @@ test.beforeEach(async ({ page }) => {
         return Float32Array.from({ length: side * side }, (_, i) => 1 - pixels[4 * i] / 255);
       };
       const dotsOf: Stage['dotsOf'] = (darkness) => {
-        const seen = new Uint8Array(darkness.length);
         const dots: Dot[] = [];
-        for (let start = 0; start < darkness.length; start++) {
-          if (seen[start] || darkness[start] < 0.4) continue;
-          const queue = [start];
-          seen[start] = 1;
-          let isCut = false;
+        for (const piece of wholePieces(side, (i) => darkness[i] >= 0.4)) {
           let [area, sx, sy, xx, xy, yy] = [0, 0, 0, 0, 0, 0];
-          while (queue.length > 0) {
-            const i = queue.pop()!;
+          for (const i of piece) {
             const [px, py] = [i % side, Math.floor(i / side)];
-            if (px === 0 || py === 0 || px === side - 1 || py === side - 1) {
-              isCut = true;
-              continue;
-            }
             const w = darkness[i];
             area += w;
             sx += w * px;
@@ -92,13 +82,8 @@ test.beforeEach(async ({ page }) => {
             xx += w * px * px;
             xy += w * px * py;
             yy += w * py * py;
-            for (const next of [i - 1, i + 1, i - side, i + side]) {
-              if (seen[next] || darkness[next] < 0.4) continue;
-              seen[next] = 1;
-              queue.push(next);
-            }
           }
-          if (isCut || area < 4) continue;
+          if (area < 4) continue;
           const [x, y] = [sx / area, sy / area];
           const [vxx, vxy, vyy] = [xx / area - x * x, xy / area - x * y, yy / area - y * y];
           const half = Math.hypot((vxx - vyy) / 2, vxy);

@@ -84,6 +84,37 @@ function pixelsOf(
   return [...pixels];
 }
 
+/**
+ * The pieces of a square picture whose pixels touch side by side, as lists of pixels; but none that the picture cuts.
+ *
+ * @param side of the picture, in pixels
+ * @param isIn whether a pixel belongs to a piece
+ */
+function wholePieces(side: number, isIn: (pixel: number) => boolean): number[][] {
+  const seen = new Uint8Array(side * side);
+  const pieces: number[][] = [];
+  for (let start = 0; start < seen.length; start++) {
+    if (seen[start] || !isIn(start)) continue;
+    seen[start] = 1;
+    const piece = [start];
+    let isCut = false;
+    for (const i of piece) {
+      const [x, y] = [i % side, Math.floor(i / side)];
+      if (x === 0 || y === 0 || x === side - 1 || y === side - 1) {
+        isCut = true;
+        continue;
+      }
+      for (const next of [i - 1, i + 1, i - side, i + side]) {
+        if (seen[next] || !isIn(next)) continue;
+        seen[next] = 1;
+        piece.push(next);
+      }
+    }
+    if (!isCut) pieces.push(piece);
+  }
+  return pieces;
+}
+
 const toolkit = {
   THREE,
   GLTFLoader,
@@ -105,6 +136,7 @@ const toolkit = {
   sceneOf,
   hatchedMesh,
   pixelsOf,
+  wholePieces,
 };
 
 declare global {

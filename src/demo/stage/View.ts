@@ -27,13 +27,13 @@ export class View {
 
   /**
    * @param onChange called when a frame must be drawn
-   * @param measure calls {@link setOutline}, with the shadow as it is by now
+   * @param shadowOf xyz of points of the shadow that an outline casts by now; undefined without one
    */
   constructor(
     canvas: HTMLCanvasElement,
     private readonly camera: PerspectiveCamera,
     private readonly onChange: () => void,
-    private readonly measure: () => void,
+    private readonly shadowOf: (outline: ArrayLike<number>) => ArrayLike<number> | undefined,
   ) {
     this.controls = new OrbitControls(camera, canvas);
     this.controls.minDistance = MIN_DISTANCE;
@@ -52,7 +52,7 @@ export class View {
 
   /** As {@link frame}, because the user has asked for it. */
   readonly frameForUser = (): void => {
-    this.measure();
+    this.shadow = this.shadowOf(this.outline);
     this.frame();
     this.onMoved();
   };
@@ -92,16 +92,11 @@ export class View {
    * Sets the outline of a new model, or of one that was turned.
    *
    * @param outline xyz of points of it, enough to tell where it ends
-   * @param shadow xyz of points of its shadow; undefined without one
    * @param first direction to the eye when the model is framed; undefined keeps the current one
    */
-  setOutline(
-    outline: ArrayLike<number>,
-    shadow: ArrayLike<number> | undefined,
-    first?: readonly [number, number, number],
-  ): void {
+  setOutline(outline: ArrayLike<number>, first?: readonly [number, number, number]): void {
     this.outline = outline;
-    this.shadow = shadow;
+    this.shadow = this.shadowOf(outline);
     if (first) this.first.set(...first);
     if (this.framed) this.frame();
   }

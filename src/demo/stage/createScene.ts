@@ -124,7 +124,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       isOutdated = true;
       scheduler.invalidate();
     },
-    () => measureBounds(),
+    (outline) => (settings && settings.ground !== 'none' ? lights.shadowOf(outline, ground.height) : undefined),
   );
   const crossFade = new CrossFade(canvas);
   const lastPicture = new LastPicture(canvas, () => {
@@ -288,9 +288,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (!model) return;
     const bounds = model.bounds.clone().applyMatrix4(upright.matrix);
     ground.height = bounds.min.y;
-    const outline = turned(model.outline, upright.matrix);
-    const shadow = settings && settings.ground !== 'none' ? lights.shadowOf(outline, ground.height) : undefined;
-    view.setOutline(outline, shadow, first);
+    view.setOutline(turned(model.outline, upright.matrix), first);
   }
 
   /** Applies the settings to the lights, the model and what it stands on. Shadows stay as they are. */

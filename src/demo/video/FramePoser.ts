@@ -73,11 +73,10 @@ export class FramePoser {
 
 /** @returns what the camera looks at */
 function frame({ view }: HatchingScene, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
-  const { first, outline, ...framing } = view.framing;
+  const { outline, first, fill, shadow } = view.framing;
   camera.aspect = aspect;
   camera.updateProjectionMatrix();
+  if (!turns) return fitCamera(camera, outline, first, { fill, shadow });
   // In all turns together, a shadow would reach to every side.
-  return turns
-    ? fitCamera(camera, turnedOutlines(outline), first, { fill: framing.fill })
-    : fitCamera(camera, outline, first, framing);
+  return fitCamera(camera, turnedOutlines(outline), first, { fill });
 }
