@@ -1,9 +1,24 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../browser/test.js';
+import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../unit/demo/files/sceneWriters.js';
 import { columnGlb } from './columnModel.js';
-import { file, octahedronBin, octahedronGltf } from './modelFiles.js';
+import {
+  file,
+  octahedronAsciiStl,
+  octahedronBin,
+  octahedronBinaryStl,
+  octahedronGltf,
+  octahedronMeshoptGlb,
+  octahedronMtl,
+  octahedronObj,
+  octahedronPly,
+  skyPng,
+  squareMtl,
+  squareObj,
+  type TestFile,
+} from './modelFiles.js';
 import { changedShare } from './pictures.js';
-import { drop, openPlayground, readDrawing } from './playground.js';
+import { drop, idle, openPlayground, readDrawing } from './playground.js';
 
 test.use({ viewport: { width: 400, height: 300 }, contextOptions: { reducedMotion: 'reduce' } });
 
@@ -50,11 +65,33 @@ test('files are read and drawn where a page may use neither blob: nor data:, and
     expect(await page.evaluate(() => fetch('data:,x').then(String, () => 'forbidden'))).toBe('forbidden');
     expect(pageProblems.splice(0).length).toBeGreaterThan(0);
   }
+  // Without workers all of them are read on the main thread.
+  const formats: TestFile[][] = [
+    [file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)],
+    [file('square.obj', squareObj), file('square.mtl', squareMtl), file('sky.png', skyPng())],
+    [file('moving.fbx', fbx(7300, true))],
+    [file('box.dae', dae())],
+    [file('box.3ds', Buffer.from(tds()))],
+    [file('box.3mf', Buffer.from(threeMf()))],
+    [file('box.usda', usda())],
+    [file('box.usdz', Buffer.from(zip({ 'box.usda': usda() }, 0)))],
+    [file('box.wrl', wrl())],
+    [file('octahedron.ply', octahedronPly)],
+    [file('ascii.stl', octahedronAsciiStl)],
+    [file('binary.stl', octahedronBinaryStl())],
+    [file('meshopt.glb', await octahedronMeshoptGlb())],
+  ];
+  for (const files of formats) {
+    await drop(page, files);
+    await idle(page);
+    await expect(status).toHaveText('');
+    await expect(name).toHaveText(files[0].name);
+  }
   // Packed with Draco, whose unpacker is a worker of its own.
   await page.evaluate(() => {
     location.hash = 'model=suzanne';
   });
   await expect(status).toHaveText(/^The model is packed with Draco, .* forbids it \(worker-src\)\.$/);
-  await expect(name).toHaveText('column.glb');
+  await expect(name).toHaveText('meshopt.glb');
   pageProblems.splice(0);
 });

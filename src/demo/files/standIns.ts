@@ -21,6 +21,8 @@ export interface PictureLink {
 export function withStandIns<Result>(parse: () => Result): Result {
   const blobs = new Map<string, Blob>();
   const link = (url: string): PictureLink => ({ url, content: blobs.get(url), width: 1, height: 1 });
+  // That of a page cannot be replaced.
+  const isPage = 'window' in globalThis;
   const restore = [
     replace(ImageLoader.prototype, {
       load: (url: string, onLoad?: (picture: PictureLink) => void) => {
@@ -39,10 +41,7 @@ export function withStandIns<Result>(parse: () => Result): Result {
       },
     }),
     replace(console, { debug: () => {}, log: () => {}, info: () => {}, warn: () => {}, error: () => {} }),
-    replace(globalThis, {
-      DOMParser: XmlParser,
-      window: (globalThis as { window?: unknown }).window ?? { innerWidth: 1, innerHeight: 1 },
-    }),
+    replace(globalThis, { DOMParser: XmlParser, ...(isPage ? {} : { window: { innerWidth: 1, innerHeight: 1 } }) }),
   ];
   try {
     return parse();
