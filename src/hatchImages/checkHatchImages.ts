@@ -1,5 +1,6 @@
 import { findLostInk } from './findLostInk.js';
 import { DEFAULT_STROKE_WIDTH, type HatchImages } from './HatchImages.js';
+import { excessOf, MAX_SIDE } from './mapLimits.js';
 
 /** How well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
 export interface HatchImageReport {
@@ -31,10 +32,10 @@ export function assertHatchImages(hatchImages: HatchImages): void {
     fail(TypeError, `expected { size, images }, but got ${String(hatchImages)}.`);
   }
   const { size, images, strokeWidth = DEFAULT_STROKE_WIDTH } = hatchImages;
-  if (!Number.isInteger(size) || size < 1 || size > 4096 || (size & (size - 1)) !== 0) {
+  if (!Number.isInteger(size) || size < 1 || size > MAX_SIDE || (size & (size - 1)) !== 0) {
     fail(
       RangeError,
-      `size is ${String(size)}, but must be a power of two from 1 to 4096 (texels per side of level 0).`,
+      `size is ${String(size)}, but must be a power of two from 1 to ${MAX_SIDE} (texels per side of level 0).`,
     );
   }
   if (!(strokeWidth > 0 && strokeWidth < Infinity)) {
@@ -43,6 +44,8 @@ export function assertHatchImages(hatchImages: HatchImages): void {
   if (!Array.isArray(images) || images.length < 2) {
     fail(TypeError, 'images must be an array with at least two tones, the lightest first: images[tone][level].');
   }
+  const excess = excessOf(images.length, size);
+  if (excess) fail(RangeError, `the map ${excess}.`);
   const levels = Array.isArray(images[0]) ? images[0].length : 0;
   const allLevels = Math.log2(size) + 1;
   for (const [tone, row] of images.entries()) {

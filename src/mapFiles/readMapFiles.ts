@@ -1,17 +1,12 @@
 import { meanInk } from '../hatchImages/checkHatchImages.js';
 import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
-import { decodePng } from './decodePng.js';
+import { excessOf, excessOfTones, MAX_SIDE } from '../hatchImages/mapLimits.js';
+import { fail, withFileName } from './fileFaults.js';
 import { MAP_FORMAT, MAP_VERSION, type MapDescription, THRESHOLD_STEP } from './mapFiles.js';
-import type { Pixels } from './Pixels.js';
-
-/** Longest side of an image, in pixels. */
-const MAX_SIDE = 4096;
+import { PictureReader, type ReadFile } from './PictureReader.js';
 
 /** Mean ink up to which an image counts as the blank paper of tone 0. */
 const BLANK = 0.002;
-
-/** Reads a file by its name. Error messages continue a sentence that begins with the name. */
-export type ReadFile = (name: string) => Promise<Uint8Array>;
 
 /** What the files of a map hold. */
 export interface ReadMap extends HatchImages {
@@ -29,43 +24,46 @@ export interface ReadMap extends HatchImages {
  */
 export async function readMap(name: string, read: ReadFile, onProgress: (done: number) => void): Promise<ReadMap> {
   const description = parseDescription(name, new TextDecoder().decode(await withFileName(name, read(name))));
+  const { size, strokeWidth } = description;
   const lacksLevels = typeof description.images[0] === 'string';
   const names = description.images.map((row) => (typeof row === 'string' ? [row] : row));
-  const files = [...names.flat(), ...(description.thresholds ?? [])];
-  const countFile = progressCounter(files.length, onProgress);
-  const { size } = description;
-  const open = async (file: string, level: number): Promise<Pixels> => {
-    const pixels = await readImage(file, read);
-    const side = size >> level;
-    if (pixels.width !== side || pixels.height !== side) {
-      fail(
-        file,
-        `has ${pixels.width} × ${pixels.height} pixels, but level ${level} of size ${size} needs ${side} × ${side}`,
-      );
+  const pictures = new PictureReader([...names.flat(), ...(description.thresholds ?? [])], read, onProgress);
+  const images: Uint8Array[][] = [];
+  for (const row of names) {
+    const levels: Uint8Array[] = [];
+    for (const [level, file] of row.entries()) {
+      const { image, ...sides } = await pictures.grey(file);
+      assertLevel(file, sides, size, level);
+      levels.push(image);
     }
-    countFile();
-    return pixels;
-  };
-  const images = await Promise.all(
-    names.map((row) => Promise.all(row.map(async (file, level) => greyOf(await open(file, level))))),
-  );
-  const thresholds =
-    description.thresholds &&
-    (await Promise.all(
-      description.thresholds.map(async (file, level) => {
-        const { channels, data } = await open(file, level);
-        if (channels !== 3) fail(file, 'holds no thresholds: it is grey; save the map again');
-        return thresholdsFromRgb(data);
-      }),
-    ));
+    images.push(levels);
+  }
+  const thresholds: Float32Array[] = [];
+  for (const [level, file] of (description.thresholds ?? []).entries()) {
+    const { channels, data, ...sides } = await pictures.colours(file);
+    assertLevel(file, sides, size, level);
+    if (channels !== 3) fail(file, 'holds no thresholds: it is grey; save the map again');
+    thresholds.push(thresholdsFromRgb(data));
+  }
   if (lacksLevels) assertLightToDark(names.flat(), images);
   return {
     size,
-    strokeWidth: description.strokeWidth,
+    strokeWidth,
     images: lacksLevels ? withBlankTone(images) : images,
     lacksLevels,
-    thresholds,
+    thresholds: description.thresholds && thresholds,
   };
+}
+
+function assertLevel(
+  name: string,
+  { width, height }: { width: number; height: number },
+  size: number,
+  level: number,
+): void {
+  const side = size >> level;
+  if (width === side && height === side) return;
+  fail(name, `has ${width} × ${height} pixels, but level ${level} of size ${size} needs ${side} × ${side}`);
 }
 
 /**
@@ -81,46 +79,33 @@ export async function readImages(
   sort: boolean,
   onProgress: (done: number) => void,
 ): Promise<ReadMap> {
-  const countFile = progressCounter(names.length, onProgress);
-  const files = await Promise.all(
-    names.map(async (name) => {
-      const { width, height, ...pixels } = await readImage(name, read);
-      if (width !== height || (width & (width - 1)) !== 0) {
-        fail(name, `has ${width} × ${height} pixels, but a tile must be square with a power of two, such as 256 × 256`);
-      }
-      countFile();
-      return { name, size: width, image: greyOf(pixels) };
-    }),
-  );
-  if (sort) files.sort((a, b) => meanInk(a.image) - meanInk(b.image));
-  const [{ name, size }] = files;
-  const mismatched = files.find((file) => file.size !== size);
-  if (mismatched) {
-    fail(mismatched.name, `has ${mismatched.size} pixels per side, but ${name} has ${size}; give every tone the same`);
+  assertAllowed('the list of images', excessOfTones(names.length));
+  const pictures = new PictureReader(names, read, onProgress);
+  const files: { name: string; size: number; image: Uint8Array }[] = [];
+  for (const name of names) {
+    const { width, height, image } = await pictures.grey(name);
+    if (width !== height || (width & (width - 1)) !== 0) {
+      fail(name, `has ${width} × ${height} pixels, but a tile must be square with a power of two, such as 256 × 256`);
+    }
+    files.push({ name, size: width, image });
+    const [first] = files;
+    if (width !== first.size) {
+      fail(name, `has ${width} pixels per side, but ${first.name} has ${first.size}; give every tone the same`);
+    }
+    assertAllowed('the list of images', excessOf(names.length, width));
   }
+  if (sort) files.sort((a, b) => meanInk(a.image) - meanInk(b.image));
   const images = files.map(({ image }) => [image]);
   assertLightToDark(
     files.map((file) => file.name),
     images,
   );
-  return { size, images: withBlankTone(images), lacksLevels: true, thresholds: undefined };
+  return { size: files[0].size, images: withBlankTone(images), lacksLevels: true, thresholds: undefined };
 }
 
-function fail(name: string, fault: string): never {
-  throw new Error(`TonalArtMap.load: ${name} ${fault}.`);
+function assertAllowed(name: string, excess: string | undefined): void {
+  if (excess) fail(name, excess);
 }
-
-/** Waits for work on a file. Puts the file's name before the message of an error. */
-async function withFileName<Result>(name: string, work: Promise<Result>): Promise<Result> {
-  try {
-    return await work;
-  } catch (error) {
-    fail(name, error instanceof Error ? error.message : String(error));
-  }
-}
-
-const readImage = async (name: string, read: ReadFile): Promise<Pixels> =>
-  withFileName(name, decodePng(await withFileName(name, read(name)), MAX_SIDE));
 
 function parseDescription(name: string, text: string): MapDescription {
   let found: Partial<MapDescription>;
@@ -158,26 +143,11 @@ function parseDescription(name: string, text: string): MapDescription {
   if (Array.isArray(images![0]) && (levels.size > 1 || images![0].length > Math.log2(size!) + 1)) {
     fail(name, `must name as many levels for every tone, and at most ${Math.log2(size!) + 1} at size ${size}`);
   }
+  assertAllowed(name, excessOf(images!.length, size!));
   if (thresholds !== undefined && (!isRow(thresholds) || thresholds.length !== images[0].length)) {
     fail(name, 'must name as many "thresholds" as levels, or none');
   }
   return found as MapDescription;
-}
-
-/** Returns a function to call after each of `count` steps; it reports the finished part to `onProgress`. */
-function progressCounter(count: number, onProgress: (done: number) => void): () => void {
-  let done = 0;
-  return () => onProgress(++done / count);
-}
-
-/** The luminance of each pixel, computed from the bytes without linearising them. */
-function greyOf({ channels, data }: Pick<Pixels, 'channels' | 'data'>): Uint8Array {
-  if (channels === 1) return data;
-  const grey = new Uint8Array(data.length / 3);
-  for (let i = 0; i < grey.length; i++) {
-    grey[i] = Math.round(0.2126 * data[3 * i] + 0.7152 * data[3 * i + 1] + 0.0722 * data[3 * i + 2]);
-  }
-  return grey;
 }
 
 /** The inverse of `rgbFromThresholds`. */

@@ -99,7 +99,8 @@ export class TonalArtMap {
    * Makes a map from your own images. They are copied.
    *
    * @param hatchImages `images[tone][level]`, the lightest tone and the finest level first; (size / 2^level)² bytes each
-   *   in rows of growing v, 255 = paper, 0 = ink. At least two tones; one level is enough. `size` is a power of two.
+   *   in rows of growing v, 255 = paper, 0 = ink. Two to 64 tones, with up to 2²⁶ texels of the finest level together; one
+   *   level is enough. `size` is a power of two up to 4096.
    * @throws TypeError or RangeError if their shape is not that of a map. Images that break the constraints of a map (nesting,
    *   order of means) are accepted; see `report`.
    */
@@ -111,7 +112,8 @@ export class TonalArtMap {
 
   /**
    * Loads a map written by `save`, or images that an artist has drawn, one PNG per tone. To the latter, blank paper is added
-   * as the lightest tone if it is missing, and the other levels are made (see docs/maps.md).
+   * as the lightest tone if it is missing, and the other levels are made (see docs/maps.md). Up to 64 tones, with up to 2²⁶
+   * texels of the finest level together.
    *
    * @param source the address of the JSON file of a map; or addresses of images, lightest first; or files, for example
    *   dropped ones: all files of a map, or images in any order, which are then sorted by darkness

@@ -1,3 +1,4 @@
+import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { encodePng } from '../../../src/mapFiles/encodePng.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
@@ -294,6 +295,92 @@ describe('TonalArtMap.load refuses', () => {
     serve(files);
     await expect(TonalArtMap.load(files.map(({ name }) => `http://maps.test/set/${name}`))).rejects.toThrow(
       /7\.png is the darkest image but comes first; list the lightest first/,
+    );
+  });
+});
+
+describe('TonalArtMap.load stays within bounds', () => {
+  /** 4096 × 4096 pixels of one bit, all ink: 2 kB. */
+  const huge = async (name: string): Promise<File> => {
+    const small = Buffer.from(await encodePng({ width: 1, height: 1, channels: 1, data: Uint8Array.of(0) }));
+    const header = Buffer.from(small.subarray(0, 33));
+    header.writeUInt32BE(4096, 16);
+    header.writeUInt32BE(4096, 20);
+    header.writeUInt8(1, 24);
+    const data = deflateSync(Buffer.alloc(4096 * (4096 / 8 + 1)));
+    const chunk = Buffer.alloc(12 + data.length);
+    chunk.writeUInt32BE(data.length);
+    chunk.write('IDAT', 4, 'latin1');
+    data.copy(chunk, 8);
+    return new File([Buffer.concat([header, chunk, small.subarray(-12)])], name);
+  };
+  const describing = (size: number, images: unknown): File =>
+    new File([JSON.stringify({ format: 'three-hatching tonal art map', version: 1, size, images })], 'map.json');
+
+  /** Serves files, and counts what is fetched and what is decoded. */
+  function counting(files: readonly File[]): { fetched: string[]; decoded(): number } {
+    serve(files);
+    const fetched: string[] = [];
+    const { fetch: served } = globalThis;
+    vi.stubGlobal('fetch', (url: URL) => {
+      fetched.push(url.href.split('/').at(-1)!);
+      return served(url);
+    });
+    const decoders = vi.fn(function (this: unknown, format: CompressionFormat) {
+      return new Native(format);
+    });
+    const Native = DecompressionStream;
+    vi.stubGlobal('DecompressionStream', decoders);
+    return { fetched, decoded: () => decoders.mock.calls.length };
+  }
+  const address = (name: string): string => `http://maps.test/set/${name}`;
+
+  it('refuses forty tones of 4096 texels before it reads any, and a list of them after the first', async () => {
+    const picture = await huge('huge.png');
+    const says = /has 40 tones of 4096 × 4096 texels, but at most 4 of that size are allowed; make the images smaller/;
+    const many = counting([picture, describing(4096, Array(40).fill('huge.png'))]);
+    await expect(TonalArtMap.load(address('map.json'))).rejects.toThrow(says);
+    expect([many.fetched, many.decoded()]).toEqual([['map.json'], 0]);
+    await expect(TonalArtMap.load(Array(40).fill(address('huge.png')))).rejects.toThrow(says);
+    expect([many.fetched, many.decoded()]).toEqual([['map.json', 'huge.png'], 1]);
+  });
+
+  it('decodes no more pictures after one of a wrong size', async () => {
+    const names = Array.from({ length: 40 }, (_, i) => `${i}.png`);
+    const pictures = await Promise.all(names.map(huge));
+    const many = counting([...pictures, describing(64, names)]);
+    await expect(TonalArtMap.load(address('map.json'))).rejects.toThrow(
+      /0\.png has 4096 × 4096 pixels, but level 0 of size 64 needs 64 × 64/,
+    );
+    expect(many.decoded()).toBe(1);
+  });
+
+  it('refuses more than 64 tones of any size', async () => {
+    const names = Array.from({ length: 65 }, (_, i) => `${i}.png`);
+    const says = /has 65 tones, but at most 64 are allowed; leave some out/;
+    const none = counting([describing(1, names)]);
+    await expect(TonalArtMap.load(address('map.json'))).rejects.toThrow(says);
+    await expect(TonalArtMap.load(names.map(address))).rejects.toThrow(says);
+    expect(none.fetched).toEqual(['map.json']);
+    const images = names.map(() => [new Uint8Array(1)]);
+    expect(() => TonalArtMap.fromHatchImages({ size: 1, images })).toThrow(says);
+  });
+
+  it('decodes a picture once, however often it is named', async () => {
+    const [light, dark] = await artistsFiles();
+    const many = counting([
+      light,
+      dark,
+      describing(
+        64,
+        [light, light, dark, dark, dark].map(({ name }) => name),
+      ),
+    ]);
+    const map = await TonalArtMap.load(address('map.json'));
+    expect([many.fetched, many.decoded()]).toEqual([['map.json', light.name, dark.name], 2]);
+    // With the blank paper that was added.
+    expect([1, 3, 5].map((tone) => map.image(tone, 0))).toEqual(
+      [1, 2, 2].map((tone) => hatchImages({ style: 'hatching', size: 64, tones: 4 }).images[tone][0]),
     );
   });
 });
