@@ -26,12 +26,10 @@ export function chooseScene(document: GltfDocument, fileName: string): ChosenSce
   if (meshes.length === 0) throw new ModelError(`${fileName} holds no mesh, so there is nothing to draw.`);
   const hasNodes = nodes.length > 0;
   if (!hasNodes) nodes.push(...meshes.map((_, mesh) => ({ mesh })));
-  const tops = topmostNodes(document, fileName);
   const index = document.scene ?? 0;
   const scene = hasNodes ? scenes[index] : undefined;
-  const isTop = new Set(tops);
-  // What lies below another node is drawn there.
-  const roots = scene ? [...new Set(scene.nodes)].filter((node) => isTop.has(node)) : tops;
+  const { roots, others } = topmostNodes(document, scene?.nodes ?? [], fileName);
+  if (!scene) roots.push(...others);
   const notes: string[] = [];
   if (!scene) notes.push(`it has no scene: all its ${hasNodes ? 'nodes' : 'meshes'} are shown`);
   else if (scenes.length > 1) {
@@ -40,21 +38,55 @@ export function chooseScene(document: GltfDocument, fileName: string): ChosenSce
   return { name: scene?.name, roots, visible: visibleNodes(document, roots), notes };
 }
 
-/** The nodes without a parent. Leaves every node with one parent at most. */
-function topmostNodes({ nodes }: GltfDocument, fileName: string): number[] {
+/**
+ * Leaves every node with one parent at most: the loader would wait for ever for one that lies below itself. Nodes of the scene
+ * keep one that is in the scene too; a parent outside of it does not take them away.
+ *
+ * @param listed the nodes of the scene
+ * @returns the nodes without a parent: those of the scene, and all others
+ */
+function topmostNodes(
+  { nodes }: GltfDocument,
+  listed: readonly number[],
+  fileName: string,
+): { roots: number[]; others: number[] } {
   if (nodes.length > MAX_NODES) {
     throw new ModelError(`${fileName} has ${nodes.length.toLocaleString('en')} nodes, too many for a page.`);
   }
-  const hasParent = new Uint8Array(nodes.length);
-  for (const one of nodes) {
-    // A node has one parent. The loader would wait for ever for one that lies below itself.
-    one.children = one.children?.filter((child) => {
-      const isNew = hasParent[child] === 0;
-      hasParent[child] = 1;
+  const isTaken = new Uint8Array(nodes.length);
+  const takeChildren = (node: number): void => {
+    nodes[node].children = nodes[node].children?.filter((child) => {
+      const isNew = isTaken[child] === 0;
+      isTaken[child] = 1;
       return isNew;
     });
+  };
+  const free = (among: Iterable<number>): number[] => [...among].filter((node) => isTaken[node] === 0);
+  const inScene = nodesBelow(nodes, listed);
+  for (const node of inScene) takeChildren(node);
+  // What lies below another node of the scene is drawn there.
+  const roots = free(new Set(listed));
+  for (const node of roots) isTaken[node] = 1;
+  for (const node of nodes.keys()) if (!inScene.has(node)) takeChildren(node);
+  const others = free(nodes.keys());
+  checkNesting(nodes, [...roots, ...others], fileName);
+  return { roots, others };
+}
+
+/** Some nodes and all below them, each once. */
+function nodesBelow(nodes: GltfDocument['nodes'], from: readonly number[]): Set<number> {
+  const found = new Set<number>();
+  const pending = [...from];
+  for (let node = pending.pop(); node !== undefined; node = pending.pop()) {
+    if (found.has(node)) continue;
+    found.add(node);
+    for (const child of nodes[node].children ?? []) pending.push(child);
   }
-  const tops = [...nodes.keys()].filter((node) => hasParent[node] === 0);
+  return found;
+}
+
+/** @throws ModelError unless all nodes lie below the topmost ones, and not too deep */
+function checkNesting(nodes: GltfDocument['nodes'], tops: readonly number[], fileName: string): void {
   const pending = tops.map((node) => ({ node, depth: 0 }));
   let count = 0;
   for (let next = pending.pop(); next; next = pending.pop()) {
@@ -64,7 +96,6 @@ function topmostNodes({ nodes }: GltfDocument, fileName: string): number[] {
     for (const child of nodes[node].children ?? []) pending.push({ node: child, depth: depth + 1 });
   }
   if (count < nodes.length) throw new ModelError(`${fileName} is damaged: some of its nodes contain themselves.`);
-  return tops;
 }
 
 function visibleNodes({ nodes }: GltfDocument, roots: readonly number[]): number[] {

@@ -364,6 +364,26 @@ describe('scenes', () => {
     await expect(read(changed((json) => Object.assign(json, { nodes: loop })))).rejects.toThrow('contain themselves');
   });
 
+  test.each([
+    ['that is also a child of one outside of it', [{ children: [1] }, { mesh: 0 }]],
+    ['whose child is also one of a node outside', [{ children: [2] }, { children: [2] }, { mesh: 0 }]],
+  ])('a node of the scene %s', async (_, nodes) => {
+    const model = await read(changed((json) => Object.assign(json, { nodes, scenes: [{ nodes: [1] }] })));
+    expect(model.kind === 'mesh' && model.mesh.indices!.length).toBe(12);
+  });
+
+  test('a node that the scene lists beside its parent is drawn once, in its place', async () => {
+    const nodes = [{ children: [1], scale: [2, 2, 2] }, { mesh: 0, translation: [9, 0, 0] }, { mesh: 0 }];
+    const model = await read(changed((json) => Object.assign(json, { nodes, scenes: [{ nodes: [1, 0, 2] }] })));
+    if (model.kind !== 'mesh') throw new Error('no mesh');
+    expect(model.mesh.indices!.length).toBe(2 * 12);
+    const xs = [...model.mesh.positions].filter((_, i) => i % 3 === 0);
+    const [low, high] = [Math.min(...xs), Math.max(...xs)];
+    // From -1 to 1, and twice as large from 16 to 20.
+    const places = new Set(xs.map((x) => Math.round(((x - low) / (high - low)) * 21 - 1)));
+    expect(places).toEqual(new Set([-1, 1, 16, 20]));
+  });
+
   test('hidden nodes', async () => {
     const hidden = { extensions: { KHR_node_visibility: { visible: false } }, children: [2] };
     const nodes = [{ mesh: 0 }, hidden, { mesh: 0, translation: [3, 0, 0] }];
