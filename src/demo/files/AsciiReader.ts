@@ -4,7 +4,6 @@ const PLUS = 0x2b;
 const DOT = 0x2e;
 const ZERO = 0x30;
 const NINE = 0x39;
-const HASH = 0x23;
 const LINE_FEED = 0x0a;
 const CARRIAGE_RETURN = 0x0d;
 /** Integers below this are exact as doubles, and so is their product with or quotient by a power of ten in the table. */
@@ -75,9 +74,11 @@ export class AsciiReader {
     while (this.at < bytes.length && bytes[this.at] !== LINE_FEED && bytes[this.at] !== CARRIAGE_RETURN) this.at++;
   }
 
-  /** Whether the next word begins a comment. */
-  get isAtComment(): boolean {
-    return !this.isAtEnd && this.bytes[this.at] === HASH;
+  /** Whether the next word begins with a text in ASCII. */
+  isAt(text: string): boolean {
+    if (this.isAtEnd) return false;
+    for (let i = 0; i < text.length; i++) if (this.bytes[this.at + i] !== text.charCodeAt(i)) return false;
+    return true;
   }
 
   private skipWord(): void {

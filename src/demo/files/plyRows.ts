@@ -1,8 +1,13 @@
 import { AsciiReader } from './AsciiReader.js';
 import { PLY_BYTES, type PlyElement, type PlyHeader, type PlyType } from './plyHeader.js';
 
+/** What begins a line that is none of data. The format allows them in the header alone, but they are written between rows, too. */
+const COMMENTS = ['comment', 'obj_info', '#'];
+
 /** Reads the numbers of a PLY file, one after the other. */
 export interface PlyNumbers {
+  /** To be called before each row. */
+  startRow(): void;
   next(type: PlyType): number;
   /** Bytes that are left. */
   readonly bytesLeft: number;
@@ -27,6 +32,10 @@ class AsciiNumbers implements PlyNumbers {
     this.reader = new AsciiReader(bytes, at);
   }
 
+  startRow(): void {
+    while (COMMENTS.some((comment) => this.reader.isAt(comment))) this.reader.skipLine();
+  }
+
   next(): number {
     return this.reader.number();
   }
@@ -46,6 +55,8 @@ class BinaryNumbers implements PlyNumbers {
   ) {
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   }
+
+  startRow(): void {}
 
   get bytesLeft(): number {
     return Math.max(this.view.byteLength - this.at, 0);

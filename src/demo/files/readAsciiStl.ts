@@ -21,7 +21,7 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
     loop = [];
   };
   while (!reader.isAtEnd) {
-    if (reader.isAtComment) {
+    if (reader.isAt('#')) {
       reader.skipLine();
       continue;
     }

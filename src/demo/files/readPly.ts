@@ -24,7 +24,7 @@ const CORNERS = /^vertex_?(indices|indexes|index)$/;
 
 /**
  * Reads a PLY file: ASCII or binary of either byte order, its elements in any order, faces with any number of corners, triangle
- * strips, and colours of vertices or faces. three's own loader leaves out faces of more than four corners and triangle strips,
+ * strips, and colours of vertices or, before these, of faces. three's own loader leaves out faces of more than four corners and triangle strips,
  * without a word.
  *
  * @throws ModelError if it holds points or splats only, or is cut short
@@ -45,7 +45,7 @@ export function readPly(bytes: Uint8Array, name: string): PlainMesh {
   }
   checkTriangleCount(indices.length / 3);
   const mesh: PlainMesh = { ...points!, indices: indices.values() };
-  return faceColors && !mesh.colors ? withFaceColors(mesh, faceColors) : mesh;
+  return faceColors ? withFaceColors(mesh, faceColors) : mesh;
 }
 
 type Points = Pick<PlainMesh, 'positions' | 'normals' | 'colors'>;
@@ -88,6 +88,7 @@ function readPoints({ count, properties }: PlyElement, numbers: PlyNumbers, name
   const isDouble = properties.some(({ type }, i) => slots[i] === 0 && type === 'float64');
   const origin = [0, 0, 0];
   for (let vertex = 0; vertex < count; vertex++) {
+    numbers.startRow();
     for (let i = 0; i < properties.length; i++) {
       const property = properties[i];
       if (property.countType) skipList(property, numbers, name);
@@ -123,6 +124,7 @@ function readFaces(
   const color = [0, 0, 0];
   for (let face = 0; face < count; face++) {
     const before = indices.length;
+    numbers.startRow();
     properties.forEach((property, i) => {
       if (i === corners) readPolygon(property, numbers, indices, name);
       else if (property.countType) skipList(property, numbers, name);
@@ -155,6 +157,7 @@ function readStrips(
 ): void {
   const corners = cornerList(properties);
   for (let row = 0; row < count; row++) {
+    numbers.startRow();
     properties.forEach((property, i) => {
       if (i !== corners) {
         if (property.countType) skipList(property, numbers, name);
@@ -182,6 +185,7 @@ function skipRows({ count, properties }: PlyElement, numbers: PlyNumbers, name: 
   // Rows without properties take no bytes, however many are announced.
   if (properties.length === 0) return;
   for (let row = 0; row < count; row++) {
+    numbers.startRow();
     for (const property of properties) {
       if (property.countType) skipList(property, numbers, name);
       else numbers.next(property.type);

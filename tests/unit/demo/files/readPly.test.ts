@@ -109,6 +109,26 @@ describe.each(FORMATS)('PLY, %s', (format) => {
       [0, 0, 40, 40, 80, 80, 120, 120, 160, 160, 200, 200].map((red) => `${red},0,255`),
     );
     expect(measure(ofFaces).volume).toBeCloseTo(BOX_VOLUME, 4);
+    // As in three's loader, what a face says of itself counts for more than what its corners say.
+    const ofBoth = await read([
+      'box.ply',
+      ply(
+        [
+          {
+            ...boxVertices,
+            properties: [...XYZ, ...colours],
+            rows: BOX_CORNERS.map((corner) => [...corner, 255, 255, 255]),
+          },
+          {
+            ...boxFaces,
+            properties: [CORNER_LIST, ...colours],
+            rows: BOX_FACES.map((face, i) => [face, 40 * i, 0, 0]),
+          },
+        ],
+        format,
+      ),
+    ]);
+    expect(new Set(colorsOf(ofBoth))).toEqual(new Set([0, 40, 80, 120, 160, 200].map((red) => `${red},0,0`)));
   });
 
   test('colours as floats, from 0 to 1 or to 255', async () => {
@@ -198,6 +218,15 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     const header = (text: string): string => text.replace('element face', 'element nothing 4000000000\nelement face');
     expect(triangles(await read(['prism.ply', prismPly(format, header)]))).toBe(20);
   });
+});
+
+test('comments between rows, also where a row is a number alone', async () => {
+  const text = new TextDecoder().decode(prismPly('ascii'));
+  const [head, body] = text.split(/(?<=end_header\n)/);
+  const commented = `${head}comment 1 2 3\n\n${body!.replace(/\n/g, '\n  comment of a row, 7 8 9\r\n# 7\nobj_info 1\n')}`;
+  const prism = await read(['prism.ply', commented]);
+  expect(measure(prism)).toEqual(measure(await read(['prism.ply', text])));
+  expect(prism.notes).toEqual([]);
 });
 
 describe('PLY files that hold no surface', () => {
