@@ -3,19 +3,30 @@
  * The loader takes words of a comment for corners, faces beside lines or points for lines, and minutes for many groups.
  */
 export function cleanObj(text: string): string {
-  return (
+  return withAllColors(
     withLineFeeds(text)
       .replace(/\\[ \t]*\n/g, ' ')
       // Names of materials may hold a "#".
       .replace(/^([ \t]*(?:v[tn]?|f)[ \t][^#\n]*)#.*$/gm, '$1')
       .replace(/^[ \t]*usemtl[ \t]+/gm, 'usemtl ')
-      .replace(/^(?![ \t]*(?:v[tn]?|f)[ \t]|usemtl ).+$/gm, '')
+      .replace(/^(?![ \t]*(?:v[tn]?|f)[ \t]|usemtl ).+$/gm, ''),
   );
 }
 
-/** The files of materials that an OBJ file names, in its order. A line may name several, and names may hold spaces. */
+/** Makes vertices without a colour white where others have one. The loader would give their colours to other vertices. */
+function withAllColors(text: string): string {
+  if (!/^[ \t]*v(?:[ \t]+\S+){6}/m.test(text)) return text;
+  return text.replace(/^([ \t]*v(?:[ \t]+\S+){3})(?:[ \t]+\S+){0,2}[ \t]*$/gm, '$1 1 1 1');
+}
+
+/** What an OBJ file says of its files of materials, in its order. A line may name several, see {@link namesIn}. */
 export function materialLibraries(text: string): string[] {
   return [...withLineFeeds(text).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*$/gm)].map(([, names]) => names ?? '');
+}
+
+/** The names in a line of several, as far as can be told: they may hold spaces, and end as such files do. */
+export function namesIn(line: string): string[] {
+  return line.match(/\S.*?\.mtl(?=\s|$)|\S.*/gi) ?? [];
 }
 
 /** Leaves of an MTL file what a hatched surface shows: colours and their pictures, and where these are cut out. */

@@ -1,6 +1,6 @@
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
-import { cleanMtl, cleanObj, materialLibraries } from './cleanObj.js';
+import { cleanMtl, cleanObj, materialLibraries, namesIn } from './cleanObj.js';
 import type { FindFile } from './FindFile.js';
 import { baseName } from './fileName.js';
 import type { LoadedScene } from './LoadedScene.js';
@@ -32,9 +32,16 @@ async function findMaterials(
     if (found) texts.push(new TextDecoder().decode(toUtf8(found)));
     return found !== undefined;
   };
+  /** A name with spaces that is not there is one name, unless one of its words is. */
+  const missingOf = async (name: string): Promise<string[]> => {
+    const words = name.split(/\s+/);
+    const absent: string[] = [];
+    for (const word of words) if (!(await read(word))) absent.push(word);
+    return (absent.length < words.length ? absent : [name]).map(baseName);
+  };
   for (const line of new Set(libraries)) {
     if (await read(line)) continue;
-    for (const library of line.split(/\s+/)) if (!(await read(library))) missing.push(baseName(library));
+    for (const name of namesIn(line)) if (!(await read(name))) missing.push(...(await missingOf(name)));
   }
   return { materials: texts.join('\n'), missing };
 }

@@ -33,6 +33,36 @@ describe('OBJ', () => {
     expect(box.notes).toEqual(['without blue.mtl: drop it along']);
   });
 
+  test('a name of materials with spaces is one name, also where its file is missing', async () => {
+    const named = (names: string): string => colouredBoxObj.replace('mtllib box.mtl', `mtllib ${names}`);
+    const missing = async (names: string, ...files: [string, string][]): Promise<string[]> =>
+      (await read(['box.obj', named(names)], ...files)).missing;
+    expect(await missing('my red  box.mtl')).toEqual(['my red  box.mtl']);
+    expect(await missing('my red.mtl materials/my green.MTL')).toEqual(['my red.mtl', 'my green.MTL']);
+    expect(await missing('my red.mtl my green.mtl', ['my green.mtl', 'newmtl green'])).toEqual(['my red.mtl']);
+    expect(await missing('no extension')).toEqual(['no extension']);
+    // Two names after all.
+    expect(await missing('a b.mtl', ['b.mtl', 'newmtl green'])).toEqual(['a']);
+    const colours = await read(['box.obj', named('my box.mtl')], ['My Box.mtl', colouredBoxMtl]);
+    expect(colorsOf(colours)).toEqual(rgb);
+  });
+
+  test.each(['', ' 1', ' 0.5'])('colours of a part of its vertices, the others (%s) white', async (weight) => {
+    const corners = BOX_CORNERS.map((corner, i) => `v ${corner.join(' ')}${i < 4 ? ' 1 0 0' : `${weight} `}`).join(
+      '\n',
+    );
+    const faces = BOX_FACES.map((face) => `f ${face.map((v) => v + 1).join(' ')}`).join('\n');
+    const box = await read(['box.obj', `${corners}\n${faces}`]);
+    expect(new Set(colorsOf(box))).toEqual(new Set([RED, '255,255,255']));
+    expect(triangles(box)).toBe(12);
+    const { positions, colors } = box.mesh;
+    for (let vertex = 0; vertex < positions.length / 3; vertex++) {
+      expect([...colors!.subarray(3 * vertex, 3 * vertex + 3)]).toEqual(
+        positions[3 * vertex + 2] < 0 ? [1, 0, 0] : [1, 1, 1],
+      );
+    }
+  });
+
   test('a colour of one number is grey, one that is no number is white', async () => {
     const box = await read(
       ['box.obj', colouredBoxObj],
