@@ -1,5 +1,8 @@
 import type { BufferGeometry } from 'three';
+import type { BakeRequest } from '../bake/bake.js';
 import type { LineRequest } from '../bake/bakeLines.js';
+import type { VertexWords } from '../bake/expandPerCorner.js';
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
@@ -12,9 +15,10 @@ import { applyIndexed } from './indexedGeometry.js';
 import { lineDataOf } from './LineData.js';
 import { startGeometry } from './preparedGeometry.js';
 import { applyPull } from './pulledGeometry.js';
-import { countUnusableNormals, zeroBadValues } from './repairValues.js';
+import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
+import { rememberSource } from './sourceState.js';
 import { triangleGroups } from './triangleGroups.js';
-import { extractWords, keptAttributes } from './vertexAttributes.js';
+import { extractWords, type KeptAttribute, keptAttributes } from './vertexAttributes.js';
 
 /** Options of `prepareHatchingGeometry`. */
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
@@ -118,8 +122,10 @@ const MANY_TRIANGLES = 200_000;
  *
  * Rejects with a TypeError or RangeError that says what to repair, for: something that is not a BufferGeometry; no
  * `position`; no triangles; a count that is not a multiple of three; an index out of range; a position that is not
- * finite; memory that is gone; an attribute shorter than `position`; an option that is unknown or out of its range. Rejects with the signal's reason when aborted, and
- * with an Error when the worker dies or is disposed of meanwhile.
+ * finite; memory that is gone; an attribute shorter than `position`; an option that is unknown or out of its range. Rejects
+ * with the signal's reason when aborted, and with an Error when the worker is disposed of meanwhile. When the worker dies, the
+ * bake starts once more in a new one, then on the main thread, each with a warning in the console; if `geometry` was changed
+ * since, it rejects with an Error instead.
  */
 export async function prepareHatchingGeometry(
   geometry: BufferGeometry,
@@ -134,38 +140,62 @@ export async function prepareHatchingGeometry(
   const kept = keptAttributes(geometry);
   const position = geometry.attributes.position;
   const prepared = startGeometry(geometry, range);
-  const mesh = extractMesh(geometry, range);
-  const computedNormals = countUnusableNormals(geometry, mesh.indices);
+  const source = extractSource(geometry, range, kept);
+  const { mesh, copied, ...repairs } = source;
   const request = {
     label,
-    mesh,
     creaseAngle,
     smoothingRadius: options.smoothingRadius,
     weldTolerance: options.weldTolerance,
-    wantsNormals: computedNormals > 0,
+    wantsNormals: repairs.computedNormals > 0,
     lines: lineRequest(options.lines, range),
   };
-
   const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
-  const repairs = { computedNormals, zeroedValues: 0 };
-  const copied = kept.map((entry) => {
-    const copy = extractWords(entry.attribute, position.count);
-    repairs.zeroedValues += zeroBadValues(geometry, entry, copy);
-    return copy;
-  });
+  const isUnchanged = rememberSource(geometry);
+  const extractAgain = () => {
+    if (!isUnchanged()) throw new Error(`${label} was changed while it was being prepared.`);
+    return extractSource(geometry, range, kept);
+  };
+
   if (layout === 'indexed') {
     const place = { name: 'position', isMorphTarget: false, attribute: position };
     const attributes = [
       { ...place, ...extractWords(position, position.count) },
       ...kept.map((entry, i) => ({ ...entry, ...copied[i] })),
     ];
-    applyIndexed(prepared, attributes, { ...(await runTask('bakeIndexed', request, options)), ...repairs });
+    const result = await runTask('bakeIndexed', { ...request, mesh }, options, () => ({
+      ...request,
+      mesh: extractAgain().mesh,
+    }));
+    applyIndexed(prepared, attributes, { ...result, ...repairs });
     return withWorker(prepared, options);
   }
-  const baking = { ...request, attributes: copied };
-  if (layout === 'pull') applyPull(prepared, kept, { ...(await runTask('bakePull', baking, options)), ...repairs });
-  else applyCorners(prepared, kept, { ...(await runTask('bake', baking, options)), ...repairs });
+  const baking = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
+  const bakeAgain = (): BakeRequest => baking(extractAgain());
+  if (layout === 'pull') {
+    applyPull(prepared, kept, { ...(await runTask('bakePull', baking(source), options, bakeAgain)), ...repairs });
+  } else {
+    applyCorners(prepared, kept, { ...(await runTask('bake', baking(source), options, bakeAgain)), ...repairs });
+  }
   return withWorker(prepared, options);
+}
+
+/** What is copied out of a geometry, with its repairs. */
+interface ExtractedSource extends Repairs {
+  mesh: TriangleMesh;
+  /** Of every kept attribute. */
+  copied: VertexWords[];
+}
+
+function extractSource(geometry: BufferGeometry, range: CornerRange, kept: readonly KeptAttribute[]): ExtractedSource {
+  const mesh = extractMesh(geometry, range);
+  let zeroedValues = 0;
+  const copied = kept.map((entry) => {
+    const copy = extractWords(entry.attribute, geometry.attributes.position.count);
+    zeroedValues += zeroBadValues(geometry, entry, copy);
+    return copy;
+  });
+  return { mesh, copied, computedNormals: countUnusableNormals(geometry, mesh.indices), zeroedValues };
 }
 
 /** Lets lines search for contours in the worker that the options name. */

@@ -49,8 +49,8 @@ const START_SHARE = 0.05;
  * - It is as fine as the mesh: a wide floor of two triangles has no place to keep a shade in. Details are lost that are
  *   smaller than about 1/250 of the size of the scene.
  *
- * Rejects with the signal's reason when aborted, and takes back what was shown; with an Error if no mesh is prepared; with a
- * TypeError or RangeError for a wrong option; and with an Error when the worker dies.
+ * Rejects with the signal's reason when aborted, and takes back what was shown; with an Error if no mesh is prepared; and
+ * with a TypeError or RangeError for a wrong option. When the worker dies, it begins anew.
  */
 export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOptions = {}): Promise<OcclusionBake> {
   checkOptions('bakeOcclusion', options, OWN_OPTIONS);
@@ -65,7 +65,7 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
   if (!root?.isObject3D) throw new TypeError('bakeOcclusion: expected a THREE.Object3D, such as a scene or a mesh.');
   root.updateWorldMatrix(true, false);
   root.updateMatrixWorld();
-  const { meshes, receivers, skipped } = readMeshes(root);
+  const { readers, receivers, skipped } = readersOf(root);
   if (receivers.length === 0) {
     throw new Error(
       'bakeOcclusion: no mesh here has a geometry of prepareHatchingGeometry() to keep occlusion in. Prepare them, or call applyHatching() first.',
@@ -78,7 +78,9 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
     onProgress: onProgress && ((progress) => onProgress(from + (to - from) * progress)),
   });
   try {
-    let scene = await runTask('startOcclusion', { meshes }, phase(0, START_SHARE));
+    const readAll = () => ({ meshes: readers.map((read) => read()) });
+    const start = (options: TaskOptions) => runTask('startOcclusion', readAll(), options, readAll);
+    let scene = await start(phase(0, START_SHARE));
     const goals = [...EARLY_DIRECTIONS.filter((early) => early < directions), directions].map((goal) =>
       Math.ceil(goal / 2),
     );
@@ -90,6 +92,8 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
         'addDirections',
         { scene, pairs: goal - pairs },
         phase(progressAt(pairs), progressAt(goal)),
+        // What was looked at before is lost with the worker.
+        async () => ({ scene: await start({ signal, createWorker }), pairs: goal }),
       );
       scene = result.scene;
       bake.write(result.occlusions, 2 * goal);
@@ -103,38 +107,42 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
   }
 }
 
-/** Copies all meshes that take part, those that get occlusion first. */
-function readMeshes(root: Object3D): { meshes: OcclusionMesh[]; receivers: Mesh[]; skipped: SkippedMesh[] } {
+/** Copies a mesh as it was found. */
+type MeshReader = () => OcclusionMesh;
+
+/** Checks all meshes that take part and could be read. */
+function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; skipped: SkippedMesh[] } {
   const receivers: Mesh[] = [];
   const skipped: SkippedMesh[] = [];
-  const meshes: OcclusionMesh[] = [];
+  const readers: MeshReader[] = [];
   for (const mesh of surfaceMeshes(root)) {
     if (isMany(mesh)) continue;
     const receives = hasRoom(mesh.geometry) && mesh.geometry.attributes.normal !== undefined;
     const hides = isShown(mesh, root) && materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent);
     if (!receives && !hides) continue;
     try {
-      meshes.push(readMesh(mesh, receives, hides));
+      readers.push(readerOf(mesh, receives, hides));
     } catch (error) {
       skipped.push({ mesh, error: error as Error });
       continue;
     }
     if (receives) receivers.push(mesh);
   }
-  return { meshes, receivers, skipped };
+  return { readers, receivers, skipped };
 }
 
-function readMesh(mesh: Mesh, receives: boolean, hides: boolean): OcclusionMesh {
+function readerOf(mesh: Mesh, receives: boolean, hides: boolean): MeshReader {
   const { geometry } = mesh;
-  const { positions, indices } = extractMesh(geometry, cornerRange(geometry, checkGeometry(geometry)));
-  return {
-    positions,
-    indices,
+  const range = cornerRange(geometry, checkGeometry(geometry));
+  const toWorld = worldMatrices(mesh)[0].toArray();
+  const isInsideOut = materialsOf(mesh).every(({ side }) => side === BackSide);
+  return () => ({
+    ...extractMesh(geometry, range),
     normals: receives ? copyVectors(geometry.attributes.normal) : null,
-    toWorld: worldMatrices(mesh)[0].toArray(),
-    isInsideOut: materialsOf(mesh).every(({ side }) => side === BackSide),
+    toWorld,
+    isInsideOut,
     hides,
-  };
+  });
 }
 
 /** Whether a mesh is drawn at several places. */

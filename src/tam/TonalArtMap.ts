@@ -84,14 +84,22 @@ export class TonalArtMap {
     const request: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
     resolveHatchImageOptions(request);
     const { onProgress } = taskOptions;
-    const images = await runTask('generateHatchImages', request, {
-      ...taskOptions,
-      onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE * progress)),
-    });
-    const thresholds = await runTask('generateThresholds', request, {
-      ...taskOptions,
-      onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE + (1 - IMAGES_SHARE) * progress)),
-    });
+    const makeRequest = (): HatchImageOptions => request;
+    const images = await runTask(
+      'generateHatchImages',
+      request,
+      { ...taskOptions, onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE * progress)) },
+      makeRequest,
+    );
+    const thresholds = await runTask(
+      'generateThresholds',
+      request,
+      {
+        ...taskOptions,
+        onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE + (1 - IMAGES_SHARE) * progress)),
+      },
+      makeRequest,
+    );
     return new TonalArtMap(images, thresholds, true);
   }
 
@@ -137,6 +145,7 @@ export class TonalArtMap {
       'completeHatchImages',
       { ...read, lacksLevels },
       { ...options, onProgress: onProgress && ((done) => onProgress(READING_SHARE + (1 - READING_SHARE) * done)) },
+      async () => ({ ...(await readSource(source, signal, () => {})), lacksLevels }),
     );
     return new TonalArtMap({ ...images, strokeWidth: read.strokeWidth }, levels, false);
   }

@@ -1,4 +1,5 @@
 import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
+import { awaitEnd } from './lifeLock.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { requestBuffers } from './requestBuffers.js';
 import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';
@@ -10,11 +11,22 @@ const IDLE_MS = 10_000;
 /** Milliseconds to wait for a new worker's `ready` before falling back to the main thread. */
 const START_MS = 15_000;
 
+/** With so many workers a task may die. Then it runs on the main thread. */
+const MOST_DEATHS = 2;
+
+/** Makes a request anew, once its buffers are lost with a worker. */
+export type MakeAgain<Request> = () => Request | Promise<Request>;
+
 /** A request whose promise is pending. */
 interface Pending {
   id: number;
   task: TaskName;
   request: unknown;
+  makeAgain: MakeAgain<unknown> | undefined;
+  /** `lost`: its buffers are gone, and are being made anew. */
+  place: 'waiting' | 'worker' | 'mainThread' | 'lost';
+  /** How many workers have died with it. */
+  deaths: number;
   /** Highest progress reported so far. */
   progress: number;
   options: SlicedOptions;
@@ -34,8 +46,9 @@ type State = 'none' | 'starting' | 'ready' | 'unavailable';
  * - Without a worker, the tasks run in slices on the main thread. That is so where there is no `Worker`, and where a
  *   Content-Security-Policy forbids it, by an exception or by an error event. Requests are posted only after the worker has
  *   reported `ready`, so a worker that never starts loses nothing.
- * - When a running worker dies, or gives no sign of life for long, the pending promises are rejected, because their buffers are
- *   lost with it. The next request starts a new worker.
+ * - When a running worker dies, the buffers of its requests are lost with it. Requests that can be made anew start once more in a
+ *   new worker, and if that dies too, on the main thread; the others are rejected. That it has died is told by an event, by the
+ *   lock that it held, or by its silence.
  */
 export class TaskClient {
   private worker: Worker | null = null;
@@ -44,6 +57,8 @@ export class TaskClient {
   private readonly pending = new Map<number, Pending>();
   /** While starting: the limit for `ready`. While idle: the time until the worker is ended. */
   private timer: ReturnType<typeof setTimeout> | undefined;
+  /** Stops waiting for the end of the worker. */
+  private forgetLock: () => void = () => {};
   /** Watches over a worker that has work to do. */
   private readonly watch = new SilenceWatch(
     () => this.send({ type: 'ping' }),
@@ -53,7 +68,7 @@ export class TaskClient {
   /**
    * @param createWorker makes the worker, or returns null if there is none; may throw.
    * @param onIdle called after an idle worker has been ended.
-   * @param warn says that no worker could be started.
+   * @param warn says that no worker could be started, or that one has died and what becomes of its tasks.
    */
   constructor(
     private readonly createWorker: () => Worker | null,
@@ -73,13 +88,17 @@ export class TaskClient {
 
   /**
    * Runs a task. The buffers of `request` are transferred: pass copies of what you want to keep. Rejects with the signal's
-   * reason when aborted, with the task's error, with an Error when the worker dies or is disposed of, or with a TypeError when
+   * reason when aborted, with the task's error, with an Error when the worker is disposed of, or with a TypeError when
    * `createWorker` makes no Worker.
+   *
+   * @param makeAgain makes the same request once more. Without it, or if it fails, the promise is rejected with an Error when
+   *   the worker dies.
    */
   run<Name extends TaskName>(
     task: Name,
     request: TaskRequest<Name>,
     options: SlicedOptions = {},
+    makeAgain?: MakeAgain<TaskRequest<Name>>,
   ): Promise<TaskResult<Name>> {
     const { signal } = options;
     if (signal?.aborted) return Promise.reject(signal.reason);
@@ -93,10 +112,21 @@ export class TaskClient {
       };
       signal?.addEventListener('abort', onAbort);
       const release = () => signal?.removeEventListener('abort', onAbort);
-      const entry: Pending = { id, task, request, progress: 0, options, resolve, reject, release };
+      const entry: Pending = {
+        id,
+        task,
+        request,
+        makeAgain,
+        place: 'waiting',
+        deaths: 0,
+        progress: 0,
+        options,
+        resolve,
+        reject,
+        release,
+      };
       this.pending.set(id, entry);
-      if (this.state === 'ready') this.dispatch(entry);
-      else if (this.state === 'unavailable') this.runOnMainThread(entry);
+      this.begin(entry);
     }) as Promise<TaskResult<Name>>;
   }
 
@@ -148,7 +178,8 @@ export class TaskClient {
     if (message.type === 'ready') {
       clearTimeout(this.timer);
       this.state = 'ready';
-      for (const entry of this.pending.values()) this.dispatch(entry);
+      if (message.lock) this.forgetLock = awaitEnd(message.lock, () => this.onWorkerError('it has ended'));
+      this.beginAll();
       this.startIdleTimer();
     } else if (message.type === 'alive') {
       // It was heard; there is no more to it.
@@ -178,7 +209,22 @@ export class TaskClient {
     this.settle(id)?.resolve(result);
   }
 
-  private dispatch({ id, task, request }: Pending): void {
+  private beginAll(): void {
+    for (const entry of this.pending.values()) this.begin(entry);
+  }
+
+  /** Lets a request run that waits, unless it must wait for a worker that is starting. */
+  private begin(entry: Pending): void {
+    if (entry.place !== 'waiting') return;
+    if (this.state === 'unavailable' || entry.deaths >= MOST_DEATHS) this.runOnMainThread(entry);
+    else if (this.state === 'ready') this.dispatch(entry);
+  }
+
+  private dispatch(entry: Pending): void {
+    const { id, task, request } = entry;
+    entry.place = 'worker';
+    // They are given away. What is left of them need not be kept.
+    entry.request = undefined;
     this.watch.start();
     try {
       this.send({ type: 'run', id, task, request }, requestBuffers(task, request));
@@ -189,6 +235,7 @@ export class TaskClient {
 
   private runOnMainThread(entry: Pending): void {
     const { id, task, request, release } = entry;
+    entry.place = 'mainThread';
     const controller = new AbortController();
     entry.release = () => {
       release();
@@ -211,7 +258,7 @@ export class TaskClient {
       `three-hatching: the worker could not be started (${text}). The main thread computes instead, in slices; under a Content-Security-Policy pass createWorker.`,
     );
     this.end('unavailable');
-    for (const entry of this.pending.values()) this.runOnMainThread(entry);
+    this.beginAll();
   }
 
   private onWorkerError(reason: string): void {
@@ -219,11 +266,34 @@ export class TaskClient {
       this.fallBack(reason);
       return;
     }
-    this.fail(
-      new Error(
-        `The hatching worker died (${reason}) before this request was finished. Ask again; a new worker will be started.`,
-      ),
+    this.end('none');
+    const lost = [...this.pending.values()].filter(({ place }) => place === 'worker');
+    const death = new Error(
+      `The hatching worker died (${reason}) before this request was finished. Ask again; a new worker will be started.`,
     );
+    for (const entry of lost) this.startAgain(entry, death);
+    if (!lost.some(({ makeAgain }) => makeAgain)) return;
+    const isLast = lost.some(({ deaths }) => deaths >= MOST_DEATHS);
+    this.warn(
+      `three-hatching: the worker died (${reason}). ${isLast ? 'The main thread computes once more what it was doing, in slices.' : 'A new worker starts once more what it was doing.'}`,
+    );
+  }
+
+  /** Makes a request anew that was lost with a worker, and lets it run where no worker has died with it yet. */
+  private async startAgain(entry: Pending, death: Error): Promise<void> {
+    entry.place = 'lost';
+    entry.deaths++;
+    try {
+      if (!entry.makeAgain) throw death;
+      entry.request = await entry.makeAgain();
+      if (!this.pending.has(entry.id)) return;
+      if (entry.deaths < MOST_DEATHS) this.start();
+      entry.place = 'waiting';
+      this.begin(entry);
+    } catch (cause) {
+      if (cause !== death) death.cause ??= cause;
+      this.settle(entry.id)?.reject(death);
+    }
   }
 
   /** Ends the worker and rejects all pending requests. */
@@ -235,6 +305,8 @@ export class TaskClient {
   private end(state: State): void {
     clearTimeout(this.timer);
     this.watch.stop();
+    this.forgetLock();
+    this.forgetLock = () => {};
     if (this.worker) {
       // Messages of the ended worker may still arrive.
       this.worker.onmessage = this.worker.onmessageerror = this.worker.onerror = null;

@@ -1,5 +1,5 @@
 import type { SlicedOptions } from '../slices/runSliced.js';
-import { TaskClient } from './TaskClient.js';
+import { type MakeAgain, TaskClient } from './TaskClient.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 
 /** More workers than this at once hold more memory than they save time. */
@@ -17,7 +17,7 @@ export function mostWorkers(): number {
  */
 export class WorkerPool {
   private readonly clients: TaskClient[] = [];
-  private hasWarned = false;
+  private readonly warnings = new Set<string>();
 
   /**
    * @param createWorker makes a worker, or returns null if there is none; may throw.
@@ -33,8 +33,9 @@ export class WorkerPool {
     task: Name,
     request: TaskRequest<Name>,
     options: SlicedOptions = {},
+    makeAgain?: MakeAgain<TaskRequest<Name>>,
   ): Promise<TaskResult<Name>> {
-    return this.choose().run(task, request, options);
+    return this.choose().run(task, request, options, makeAgain);
   }
 
   /** Ends all workers and rejects all pending requests. */
@@ -53,10 +54,10 @@ export class WorkerPool {
     return client;
   }
 
-  /** Several may have been started before the first was refused. */
+  /** Several may have been started before the first was refused, or die one after another. */
   private readonly warnOnce = (sentence: string): void => {
-    if (!this.hasWarned) console.warn(sentence);
-    this.hasWarned = true;
+    if (!this.warnings.has(sentence)) console.warn(sentence);
+    this.warnings.add(sentence);
   };
 
   private remove(client: TaskClient): void {

@@ -1,4 +1,5 @@
 import { runSliced } from '../slices/runSliced.js';
+import { holdLifeLock } from './lifeLock.js';
 import { type FromWorker, packError, type ToWorker } from './protocol.js';
 import { taskNamed } from './tasks.js';
 
@@ -36,4 +37,4 @@ async function run({ id, task: name, request }: Extract<ToWorker, { type: 'run' 
   }
 }
 
-scope.postMessage({ type: 'ready' });
+holdLifeLock().then((lock) => scope.postMessage({ type: 'ready', lock }));

@@ -10,8 +10,8 @@ export type ToWorker =
 
 /** What the worker sends to the client. */
 export type FromWorker =
-  /** The first message: the script has loaded. Requests are posted only after it. */
-  | { type: 'ready' }
+  /** The first message: the script has loaded. Requests are posted only after it. `lock` is what it holds as long as it lives. */
+  | { type: 'ready'; lock?: string | undefined }
   /** The answer to `ping`, between two slices of work. */
   | { type: 'alive' }
   | { type: 'progress'; id: number; progress: number }

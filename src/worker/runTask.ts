@@ -1,3 +1,4 @@
+import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 import { WorkerPool } from './WorkerPool.js';
@@ -35,14 +36,17 @@ function poolFor(createWorker: CreateWorker): WorkerPool {
 /**
  * Runs a task in a worker of the page, or in one of `options.createWorker`; without workers, in slices on the main
  * thread. The buffers of `request` are transferred: pass copies of what you want to keep.
+ *
+ * @param makeAgain makes the same request once more, with which the task starts again if its worker dies
  */
 export function runTask<Name extends TaskName>(
   name: Name,
   request: TaskRequest<Name>,
   options: TaskOptions = {},
+  makeAgain?: MakeAgain<TaskRequest<Name>>,
 ): Promise<TaskResult<Name>> {
   const run = (createWorker: CreateWorker): Promise<TaskResult<Name>> =>
-    poolFor(createWorker).run(name, request, options);
+    poolFor(createWorker).run(name, request, options, makeAgain);
   if (options.createWorker) return run(options.createWorker);
   return typeof Worker === 'undefined' ? run(createNoWorker) : loadInlineWorker().then(run);
 }

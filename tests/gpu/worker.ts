@@ -162,44 +162,18 @@ const workerTests = {
   async death() {
     const torus = largeTorus();
     const before = await digest(torus);
-    const error = await prepareHatchingGeometry(torus, { createWorker: () => new DyingWorker() }).then(
-      () => 'resolved',
-      (reason: Error) => reason.message,
-    );
-    const after = await digest(torus);
-    const again = await prepareHatchingGeometry(torus);
-    return { before, error, after, triangles: again.userData.hatching.triangles };
+    const expected = await prepareAndDigest({}, torus);
+    const died = await prepareAndDigest({ createWorker: () => new DyingWorker() }, torus);
+    return { before, after: await digest(torus), expected, died };
   },
 
-  /** Begins a request in a worker that closes itself while it works. */
+  /** A request in a worker that closes itself while it works, then one in the worker that has taken its place. */
   async closing() {
-    const workers: Worker[] = [];
-    let onClosing: () => void = () => {};
-    const closing = new Promise<void>((resolve) => {
-      onClosing = resolve;
-    });
-    const createWorker = () => {
-      const worker = workers.length === 0 ? new ClosingWorker() : new BakeWorker();
-      workers.push(worker);
-      worker.addEventListener('message', ({ data }) => data.type === 'alive' && onClosing());
-      return worker;
-    };
-    const silenced = prepareHatchingGeometry(largeTorus(), { createWorker }).then(
-      () => 'resolved',
-      (reason: Error) => reason.message,
-    );
-    await closing;
-    Object.assign(workerTests, {
-      async closed() {
-        const error = await silenced;
-        const next = await prepareHatchingGeometry(new BoxGeometry(), { createWorker });
-        return { error, triangles: next.userData.hatching.triangles as number, workers: workers.length };
-      },
-    });
-  },
-
-  async closed(): Promise<{ error: string; triangles: number; workers: number }> {
-    throw new Error('call closing() first');
+    let workers = 0;
+    const createWorker = () => (workers++ === 0 ? new ClosingWorker() : new BakeWorker());
+    const prepared = await prepareHatchingGeometry(largeTorus(), { createWorker });
+    const next = await prepareHatchingGeometry(new BoxGeometry(), { createWorker });
+    return { triangles: [prepared, next].map(({ userData }) => userData.hatching.triangles as number), workers };
   },
 
   async turns() {

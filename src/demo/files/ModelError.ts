@@ -14,6 +14,11 @@ export class ModelError extends Error {
 export function toModelError(name: string, error: unknown, part = 'it'): ModelError {
   if (error instanceof ModelError) return error;
   const message = errorMessage(error);
+  if (/^The hatching worker /.test(message)) {
+    return new ModelError(
+      `${name} was not prepared to the end: the browser has ended the worker that did it, most often for want of memory. Open it again, or a smaller one.`,
+    );
+  }
   if (/allocation failed|out of memory|invalid (array|string) length/i.test(message)) {
     return new ModelError(`${name} needs more memory than this page can get, or ${part} is damaged.`);
   }

@@ -251,6 +251,139 @@ describe('death of the worker', () => {
   });
 });
 
+describe('a request that can be made anew', () => {
+  let warn: ReturnType<typeof vi.spyOn>;
+  beforeEach(() => {
+    warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+  });
+  const warnings = () => warn.mock.calls.map(([sentence]: unknown[]) => sentence);
+  const settled = async () => {
+    for (let i = 0; i < 5; i++) await Promise.resolve();
+  };
+  const remake = (label = 'again') => vi.fn(() => request(label));
+
+  test('starts once more in a new worker when its own dies', async () => {
+    const worker = started();
+    const makeAgain = remake();
+    const promise = client.run('bake', request('first'), {}, makeAgain);
+    expect(makeAgain).not.toHaveBeenCalled();
+    worker.onerror!({ message: 'out of memory' });
+    await settled();
+    expect(workers).toHaveLength(2);
+    workers[1].say({ type: 'ready' });
+    expect(workers[1].received).toMatchObject([{ type: 'run', id: 1, request: { label: 'again' } }]);
+    workers[1].say({ type: 'done', id: 1, result: result(1) });
+    expect(await promise).toEqual({ id: 1 });
+    expect(warnings()).toEqual([
+      'three-hatching: the worker died (out of memory). A new worker starts once more what it was doing.',
+    ]);
+  });
+
+  test('runs on the main thread when the second worker dies too, and its progress goes on rising', async () => {
+    const progress: number[] = [];
+    const onProgress = (value: number) => void progress.push(value);
+    const promise = client.run('bake', request('first'), { onProgress }, remake());
+    for (const i of [0, 1]) {
+      workers[i].say({ type: 'ready' });
+      workers[i].say({ type: 'progress', id: 0, progress: 0.3 + 0.1 * i });
+      workers[i].onerror!({ message: 'out of memory' });
+      await settled();
+    }
+    expect([...(await promise).positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    expect(workers).toHaveLength(2);
+    expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+    expect(warnings()).toEqual([
+      'three-hatching: the worker died (out of memory). A new worker starts once more what it was doing.',
+      'three-hatching: the worker died (out of memory). The main thread computes once more what it was doing, in slices.',
+    ]);
+    // The next request has a worker again.
+    client.run('bake', request());
+    expect(workers).toHaveLength(3);
+  });
+
+  test('runs on the main thread when no second worker starts', async () => {
+    const worker = started();
+    const promise = client.run('bake', request('first'), {}, remake());
+    worker.onerror!({ message: 'out of memory' });
+    await settled();
+    workers[1].onerror!({});
+    expect([...(await promise).positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  });
+
+  test('is rejected with the death, and why it could not be made anew, if it could not', async () => {
+    const worker = started();
+    const cause = new Error('changed');
+    const promise = client.run('bake', request(), {}, () => Promise.reject(cause));
+    worker.onerror!({ message: 'out of memory' });
+    const error = await promise.catch((reason) => reason);
+    expect(error.message).toMatch(/worker died \(out of memory\)/);
+    expect(error.cause).toBe(cause);
+  });
+
+  test('can be aborted while it is made anew, and then needs no worker', async () => {
+    const worker = started();
+    const controller = new AbortController();
+    let made: (value: BakeRequest) => void = () => {};
+    const makeAgain = () => new Promise<BakeRequest>((resolve) => (made = resolve));
+    const promise = client.run('bake', request(), { signal: controller.signal }, makeAgain);
+    worker.onerror!({ message: 'out of memory' });
+    controller.abort(new Error('stop'));
+    await expect(promise).rejects.toThrow('stop');
+    made(request());
+    await settled();
+    expect(workers).toHaveLength(1);
+  });
+
+  test('starts again although another one, which cannot be made anew, is rejected', async () => {
+    const worker = started();
+    const both = [client.run('bake', request(), {}, remake()), client.run('bake', request())];
+    worker.onerror!({ message: 'out of memory' });
+    await expect(both[1]).rejects.toThrow(/worker died/);
+    workers[1].say({ type: 'ready' });
+    await settled();
+    workers[1].say({ type: 'done', id: 1, result: result(1) });
+    expect(await both[0]).toEqual({ id: 1 });
+  });
+});
+
+describe('a worker that holds a lock', () => {
+  /** The locks of a page: what waits for each. */
+  let waiting: Map<string, () => void>;
+  beforeEach(() => {
+    waiting = new Map();
+    vi.stubGlobal('navigator', {
+      locks: {
+        request: (name: string, { signal }: { signal: AbortSignal }, onGranted: () => void) =>
+          new Promise((_, reject) => {
+            waiting.set(name, onGranted);
+            signal.addEventListener('abort', () => {
+              waiting.delete(name);
+              reject(signal.reason);
+            });
+          }),
+      },
+    });
+  });
+  afterEach(() => vi.unstubAllGlobals());
+
+  test('is known to be gone as soon as the lock is free', async () => {
+    const promise = client.run('bake', request());
+    workers[0].say({ type: 'ready', lock: 'of worker 0' });
+    workers[0].isAlive = false;
+    waiting.get('of worker 0')!();
+    await expect(promise).rejects.toThrow(/The hatching worker died \(it has ended\)/);
+    expect(vi.getTimerCount()).toBe(0);
+  });
+
+  test('is not waited for once it is ended here', async () => {
+    client.run('bake', request()).catch(() => {});
+    workers[0].say({ type: 'ready', lock: 'of worker 0' });
+    expect([...waiting.keys()]).toEqual(['of worker 0']);
+    client.dispose();
+    expect(waiting.size).toBe(0);
+  });
+});
+
 describe('a worker that ends without a word', () => {
   const silent = (): FakeWorker => {
     const worker = started();

@@ -131,4 +131,19 @@ describe('the pool', () => {
     for (const { images } of await Promise.all(both)) expect(images).toHaveLength(4);
     expect(warn).toHaveBeenCalledOnce();
   });
+
+  test('says once of several workers that they died, and lets each start again', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const both = [1, 2].map((seed) => pool.run('generateHatchImages', request(seed), {}, () => request(seed)));
+    for (const worker of workers) worker.say({ type: 'ready' });
+    for (const worker of workers) worker.onerror!({ message: 'out of memory' });
+    for (let i = 0; i < 5; i++) await Promise.resolve();
+    expect(workers).toHaveLength(4);
+    for (const i of [2, 3]) {
+      workers[i].say({ type: 'ready' });
+      workers[i].say({ type: 'done', id: 0, result: result(i) });
+    }
+    expect(await Promise.all(both)).toEqual([{ id: 2 }, { id: 3 }]);
+    expect(warn).toHaveBeenCalledOnce();
+  });
 });

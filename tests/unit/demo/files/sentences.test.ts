@@ -38,6 +38,13 @@ describe('the sentence of an error', () => {
     );
   });
 
+  test('blames no file for a worker that died', () => {
+    const death = new Error('The hatching worker died (out of memory) before this request was finished. Ask again.');
+    expect(toModelError('Bunny', death, 'its mesh').message).toBe(
+      'Bunny was not prepared to the end: the browser has ended the worker that did it, most often for want of memory. Open it again, or a smaller one.',
+    );
+  });
+
   test('tells memory that is gone', () => {
     expect(toModelError('a.glb', new RangeError('Array buffer allocation failed')).message).toBe(
       'a.glb needs more memory than this page can get, or it is damaged.',
