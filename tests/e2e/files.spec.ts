@@ -213,16 +213,16 @@ test('a large model is drawn at once, before it is baked, and stays where it was
   await expect(page.locator('#model-statistics')).toHaveText(/^\d+,\d+ triangles$/);
   await expect(page.locator('.earlier-picture')).toBeHidden();
 });
-test('a model that lies on its side is turned upright when asked to, and lies down again with Undo', async ({
+test('a model that is the wrong way up is turned when asked to, and turned back with Undo', async ({
   page,
 }) => {
   await openPlayground(page, 'model=cube&lines=off');
   await drop(page, [file('cone.obj', lyingConeObj())]);
   await expect(page.locator('#model-name')).toHaveText('cone.obj');
-  const hint = page.getByText('It seems to lie on its side.');
+  const hint = page.getByText('It seems to be the wrong way up.');
   await expect(hint).toBeVisible();
   await ready(page);
-  await page.getByRole('button', { name: 'Turn upright' }).click();
+  await page.getByRole('button', { name: 'Turn it' }).click();
   await expect(hint).toBeHidden();
   await expect.poll(() => page.evaluate(() => location.hash)).toContain('upAxis=z');
   const standing = await readDrawing(page);

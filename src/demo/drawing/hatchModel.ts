@@ -45,12 +45,13 @@ async function hatch(
     const scene =
       read.kind === 'scene' ? read.scene : await (await import('../files/parseGltf.js')).parseGltf(read.parts);
     signal.throwIfAborted();
+    const usual = read.kind === 'parts' ? read.usual : undefined;
     let stage = 'joining triangles';
     const onProgress = (progress: number): void => report(stage, progress);
     const onGeometry = (done: number, total: number): void => {
       if (total > 1) stage = `joining triangles, ${done} of ${total} meshes are done`;
     };
-    const { model, notes } = await hatchScene(scene, { signal, onProgress, onGeometry });
+    const { model, notes } = await hatchScene(scene, { usual, signal, onProgress, onGeometry });
     return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
   } catch (error) {
     signal.throwIfAborted();

@@ -2,7 +2,7 @@ import { type AnimationClip, Box3, Group, type InstancedMesh, MathUtils, type Ob
 import { applyHatching, type HatchingStatistics } from 'three-hatching';
 import { checkTriangleCount } from '../files/checkTriangleCount.js';
 import { counted } from '../files/counted.js';
-import { findUpAxis, type UpAxis } from '../files/findUpAxis.js';
+import { findUpAxis, type UsualUp } from '../files/findUpAxis.js';
 import { measureExtent } from '../files/fitModel.js';
 import type { ModelScene } from '../files/parseGltf.js';
 import { placements } from '../files/placements.js';
@@ -22,13 +22,18 @@ const MAX_POINTS = 20_000;
  * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines and points are hidden, and
  * so are lights, because the page has its own.
  *
+ * @param options of which `usual` is what to tell from which axis of it points up; undefined if its own is believed
  * @returns the model, and what the caption is to say of the meshes and clips that were left out, because of values that are not
  *   numbers, say
  * @throws ModelError with one sentence for the user
  */
 export async function hatchScene(
   { root, animations }: ModelScene,
-  options: {
+  {
+    usual,
+    ...options
+  }: {
+    usual?: UsualUp | undefined;
     signal: AbortSignal;
     onProgress: (progress: number) => void;
     onGeometry: (done: number, total: number) => void;
@@ -40,7 +45,7 @@ export async function hatchScene(
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
   const outline = fitScene(holder, motion);
-  const stands = standsOf(root);
+  const stands = usual && findUpAxis(someTriangles(root), null, usual);
 
   // One tile per world unit. The settings scale it.
   const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
@@ -110,8 +115,8 @@ function fitScene(holder: Group, motion: Motion): Float32Array {
   return outline;
 }
 
-/** Which axis of a scene points up, told from some of its triangles. */
-function standsOf(root: Object3D): UpAxis | undefined {
+/** Some of the triangles of a scene, as xyz of their corners, spread over all of it. */
+function someTriangles(root: Object3D): number[] {
   const parts = meshesOf(root).map((mesh) => {
     const { index, attributes } = mesh.geometry;
     return { mesh, index, corners: index?.count ?? attributes.position?.count ?? 0, matrices: placements(mesh) };
@@ -133,7 +138,7 @@ function standsOf(root: Object3D): UpAxis | undefined {
       }
     }
   }
-  return findUpAxis(points, null);
+  return points;
 }
 
 /** Adds the world position of every `step`th vertex of all meshes, in the current pose. */

@@ -1,3 +1,7 @@
+import { boundsOf } from './boundsOf.js';
+import { standsFirmly } from './standsFirmly.js';
+import { forEachTriangle } from './triangleAreas.js';
+
 /** Which axis of a model points up. */
 export type UpAxis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
 
@@ -9,51 +13,61 @@ const STAND_SHARE = 0.25;
 const DISTINCTNESS = 3;
 /** What would be so much lower than it is wide may as well hang on a wall: a relief or a board. */
 const LOWEST = 0.4;
+/** What is so much thinner than it is long and wide is a plate, though its edges are flat, too. */
+const PLATE = 0.25;
+
+/** What the format of a model says of its axes. */
+export interface UsualUp {
+  /** The axis that usually points up. */
+  up: 'y' | 'z';
+  /** Whether models lie flat on the bed of a printer, so that none of them hangs on a wall or stands on its edge. */
+  liesFlat: boolean;
+}
 
 /**
- * Tells which axis of a model points up from the flat side that it stands on.
+ * Tells which axis of a model points up from the flat side that it stands on, unless it stands firmly already, as a vehicle does on
+ * its wheels, however flat another side of it is.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one
- * @returns undefined if no side is flat, or more than one pair of sides is, so that nothing can be said
+ * @returns undefined if it stands firmly, if no side is flat, or if more than one pair of sides is, so that nothing can be said
  */
-export function findUpAxis(positions: ArrayLike<number>, indices: ArrayLike<number> | null): UpAxis | undefined {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    const axis = i % 3;
-    low[axis] = Math.min(low[axis], positions[i]);
-    high[axis] = Math.max(high[axis], positions[i]);
-  }
+export function findUpAxis(
+  positions: ArrayLike<number>,
+  indices: ArrayLike<number> | null,
+  { up, liesFlat }: UsualUp,
+): UpAxis | undefined {
+  if (standsFirmly(positions, indices, up)) return undefined;
+  const { low, high } = boundsOf(positions);
   const size = AXES.map((_, axis) => high[axis] - low[axis]);
   const tolerance = FLATNESS * Math.max(...size);
-  const count = indices?.length ?? positions.length / 3;
   const sides = outerSides(positions, low, high, tolerance);
   /** Area that lies on the lower and on the upper side across each axis. */
   const areas = AXES.map(() => [0, 0] as [number, number]);
-  for (let corner = 0; corner + 2 < count; corner += 3) {
-    const [a, b, c] = indices
-      ? [indices[corner], indices[corner + 1], indices[corner + 2]]
-      : [corner, corner + 1, corner + 2];
-    const side = sides[a] & sides[b] & sides[c];
-    if (side === 0) continue;
+  forEachTriangle(positions, indices, (a, b, c) => {
+    const side = sides[a / 3] & sides[b / 3] & sides[c / 3];
+    if (side === 0) return;
     for (let axis = 0; axis < 3; axis++) {
       const ofAxis = (side >> (2 * axis)) & 3;
       if (ofAxis === 0) continue;
       const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-      const from = (vertex: number, across: number): number =>
-        positions[3 * vertex + across] - positions[3 * a + across];
+      const from = (at: number, across: number): number => positions[at + across] - positions[a + across];
       const area = from(b, u) * from(c, v) - from(c, u) * from(b, v);
       areas[axis][ofAxis & 1 ? 0 : 1] += Math.abs(area) / 2;
     }
-  }
+  });
   const across = (axis: number): number => size[(axis + 1) % 3] * size[(axis + 2) % 3];
   const shares = areas.map((pair, axis) => (across(axis) > 0 ? Math.max(...pair) / across(axis) : 0));
-  const best = shares.indexOf(Math.max(...shares));
-  const others = shares.filter((_, axis) => axis !== best);
-  const width = Math.max(size[(best + 1) % 3], size[(best + 2) % 3]);
-  if (shares[best] < STAND_SHARE || shares[best] < DISTINCTNESS * Math.max(...others)) return undefined;
-  if (size[best] < LOWEST * width) return undefined;
+  const [thinnest, next] = [0, 1, 2].sort((a, b) => size[a] - size[b]);
+  const isPlate = liesFlat && size[thinnest] < PLATE * size[next];
+  const best = isPlate ? thinnest : shares.indexOf(Math.max(...shares));
+  if (shares[best] < STAND_SHARE) return undefined;
+  if (!isPlate) {
+    const others = shares.filter((_, axis) => axis !== best);
+    const width = Math.max(...size.filter((_, axis) => axis !== best));
+    if (shares[best] < DISTINCTNESS * Math.max(...others)) return undefined;
+    if (!liesFlat && size[best] < LOWEST * width) return undefined;
+  }
   const [below, above] = areas[best];
   // A column has two such sides: it is left the way it is.
   return above > 1.1 * below ? `-${AXES[best]}` : AXES[best];

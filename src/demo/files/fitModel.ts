@@ -1,3 +1,4 @@
+import { boundsOf } from './boundsOf.js';
 import { ModelError } from './ModelError.js';
 import type { PlainMesh } from './PlainMesh.js';
 
@@ -32,14 +33,7 @@ export function fitModel({ positions }: PlainMesh): void {
  * @throws ModelError if all points lie at one place
  */
 export function measureExtent(positions: ArrayLike<number>): Extent {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    const axis = i % 3;
-    const value = positions[i];
-    if (value < low[axis]) low[axis] = value;
-    if (value > high[axis]) high[axis] = value;
-  }
+  const { low, high } = boundsOf(positions);
   const centre = [0, 1, 2].map((axis) => low[axis] / 2 + high[axis] / 2) as [number, number, number];
   const [x, y, z] = centre;
   let radius = 0;

@@ -4,7 +4,7 @@ import { counted } from './counted.js';
 import { dropDuplicates } from './dropDuplicates.js';
 import type { FindFile } from './FindFile.js';
 import { baseName, extensionOf, withoutGz } from './fileName.js';
-import { findUpAxis, type UpAxis } from './findUpAxis.js';
+import { findUpAxis, type UpAxis, type UsualUp } from './findUpAxis.js';
 import { fitModel } from './fitModel.js';
 import { gunzip } from './gunzip.js';
 import type { LoadedScene } from './LoadedScene.js';
@@ -52,12 +52,14 @@ export interface ReadMesh extends Read {
   pictures: (MeshPicture | undefined)[];
   /** Those of a stand-in until the mesh is baked; null if it needs none. */
   plainNormals: Float32Array | null;
-  /** Which of its axes points up, where its flat side tells. */
+  /** Which of its axes points up, where its flat side tells so against its format. */
   stands: UpAxis | undefined;
 }
 
 export interface ReadParts extends Read {
   kind: 'parts';
+  /** What to tell from which of its axes points up; undefined if its own is believed. */
+  usual: UsualUp | undefined;
   parts: GltfParts;
 }
 
@@ -100,10 +102,11 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
   const { content, upAxis, ...parsed } = await parse(format, bytes, main.name, findFile);
+  const usual = usualUp(format, upAxis);
   if ('arrays' in content) {
     const { missing } = parsed;
     const notes = [...brokenNote(parsed.broken), ...parsed.notes, ...missingNote(missing)];
-    return { kind: 'parts', name, upAxis, notes, missing, parts: content };
+    return { kind: 'parts', name, upAxis, usual, notes, missing, parts: content };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
@@ -122,7 +125,7 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     mesh,
     pictures,
     plainNormals: plainNormals(mesh),
-    stands: findUpAxis(mesh.positions, mesh.indices),
+    stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     missing,
     notes: [
       ...brokenNote(parsed.broken + broken),
@@ -153,6 +156,12 @@ const brokenNote = (triangles: number): string[] =>
 
 const duplicateNote = (triangles: number): string[] =>
   triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
+
+/** What is usual for a format; undefined for glTF, which says that y points up, as programs that write it heed. */
+function usualUp(format: ModelFormat, up: 'y' | 'z'): UsualUp | undefined {
+  if (format === 'glb' || format === 'gltf') return undefined;
+  return { up, liesFlat: format === 'stl' || format === '3mf' };
+}
 
 /** What the reader of a format makes of a file. */
 interface Parsed extends Omit<ReadGltf, 'content'> {

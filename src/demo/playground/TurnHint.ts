@@ -1,7 +1,7 @@
 import type { UpAxis } from '../files/findUpAxis.js';
 import type { Settings } from '../settings/settings.js';
 
-/** Asks whether a model lies on its side, where its flat side says so, and turns it upright. */
+/** Asks whether a model is the wrong way up, where its flat side says so, and turns it. */
 export class TurnHint {
   /** The axis that points up by the model's flat side; undefined if nothing is known, or the user has looked at it. */
   private stands: UpAxis | undefined;

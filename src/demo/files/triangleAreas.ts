@@ -1,0 +1,38 @@
+/**
+ * Calls back with every triangle of a mesh: the places of its corners among the positions, and its area.
+ *
+ * @param positions xyz of each vertex
+ * @param indices three per triangle, or null if every three vertices make one
+ */
+export function forEachTriangle(
+  positions: ArrayLike<number>,
+  indices: ArrayLike<number> | null,
+  visit: (a: number, b: number, c: number, area: number) => void,
+): void {
+  const count = indices?.length ?? positions.length / 3;
+  for (let corner = 0; corner + 2 < count; corner += 3) {
+    const a = 3 * (indices ? indices[corner] : corner);
+    const b = 3 * (indices ? indices[corner + 1] : corner + 1);
+    const c = 3 * (indices ? indices[corner + 2] : corner + 2);
+    visit(a, b, c, areaOf(positions, a, b, c));
+  }
+}
+
+/** The area of all triangles together. */
+export function surfaceArea(positions: ArrayLike<number>, indices: ArrayLike<number> | null): number {
+  let sum = 0;
+  forEachTriangle(positions, indices, (_a, _b, _c, area) => {
+    sum += area;
+  });
+  return sum;
+}
+
+function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
+  const ux = positions[b] - positions[a];
+  const uy = positions[b + 1] - positions[a + 1];
+  const uz = positions[b + 2] - positions[a + 2];
+  const vx = positions[c] - positions[a];
+  const vy = positions[c + 1] - positions[a + 1];
+  const vz = positions[c + 2] - positions[a + 2];
+  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+}
