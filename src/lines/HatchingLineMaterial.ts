@@ -8,6 +8,7 @@ import {
   Vector2,
 } from 'three';
 import { checkNumber } from '../material/checkNumber.js';
+import { checkColor } from '../material/checkValues.js';
 import { toothMap } from '../tam/toothMap.js';
 import { HATCHING_LINE_DEFAULTS, LINE_NUMBER_NAMES, LINE_NUMBERS, type LineNumberName } from './lineProperties.js';
 import { lineShaders } from './lineShaders.js';
@@ -66,7 +67,7 @@ export class HatchingLineMaterial extends ShaderMaterial {
   /** Weights on the lit side and in the shade, by all lights of the scene. Default (0.5, 1.4). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_LINE_DEFAULTS.shadeWeights);
 
-  /** @throws RangeError if a number is out of its range */
+  /** @throws RangeError if a number is out of its range; TypeError for an ink that is no colour */
   // React Three Fiber gives an attribute that is taken away its default only if the constructor counts no parameters.
   constructor(parameters: HatchingLineParameters | undefined = undefined) {
     super();
@@ -83,9 +84,14 @@ export class HatchingLineMaterial extends ShaderMaterial {
     this.writeUniforms(false, false);
   }
 
-  /** Sets properties by name, as three's own. */
+  /**
+   * Sets properties by name, as three's own.
+   *
+   * @throws RangeError for a number out of its range; TypeError for an ink that is no colour
+   */
   override setValues(values?: HatchingLineParameters): void {
     if (!values) return;
+    if (values.ink !== undefined) checkColor('HatchingLineMaterial.ink', values.ink);
     const { shadeWeights, ...others } = values;
     super.setValues(others as MaterialParameters);
     if (shadeWeights !== undefined) this.shadeWeights.set(...checkPair(shadeWeights));

@@ -22,7 +22,7 @@ import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bin
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
-import { checkValueTypes } from './checkValueTypes.js';
+import { checkChoice, checkValues } from './checkValues.js';
 import { defaultOf } from './defaultOf.js';
 import { environmentAround } from './environmentAround.js';
 import { writeFieldFrame } from './fieldFrame.js';
@@ -98,7 +98,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /** Meshes announced before the first program was built. */
   private announced: Mesh[] = [];
 
-  /** @throws Error if a choice is none of the known names, or `toneCurve` no curve. */
+  /** @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range */
   // React Three Fiber gives an attribute that is taken away its default only if the constructor counts no parameters.
   constructor(parameters: HatchingMaterialParameters | undefined = undefined) {
     super();
@@ -147,11 +147,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /**
    * Sets properties by name, as three's own. Warns of one that does not count for the technique.
    *
-   * @throws TypeError for a texture or vector that is none, before anything is set
+   * @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range, before anything is set
    */
   override setValues(values?: HatchingMaterialParameters): void {
     const { defines } = this;
-    if (values) checkValueTypes(values);
+    if (values) checkValues(values);
     super.setValues(values);
     if (!values) return;
     if (this.defines !== defines) {
@@ -164,10 +164,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * Gives the material what `toJSON` wrote, but for the tonal art map. Called by three's own loaders, which find the class
-   * after `MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial)`.
+   * Gives the material what `toJSON` wrote, but for the tonal art map; anything else in the JSON is passed over. Called by
+   * three's own loaders, which find the class after `MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial)`.
    *
    * @param textures by uuid
+   * @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range, before anything is set
    */
   override fromJSON(json: HatchingMaterialJSON, textures: Readonly<Record<string, Texture>> = {}): this {
     setFromJSON(this, json, textures);
@@ -338,14 +339,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   protected override choose(name: HatchingPropertyName, value: string | boolean): void {
-    const property = propertyOf(name);
-    if (property.kind === 'choice' && property.defaultFor && value === 'auto') {
+    checkChoice(name, value);
+    if (value === 'auto') {
       delete this.chosen[name];
       this.writeProgram();
       return;
-    }
-    if (property.kind === 'choice' && !property.choices.includes(value as string)) {
-      throw new Error(`HatchingMaterial.${name}: "${value}" is not known; use one of ${property.choices.join(', ')}.`);
     }
     this.chosen[name] = value;
     this.writeProgram();

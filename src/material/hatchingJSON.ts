@@ -1,5 +1,6 @@
-import type { Material, Texture, Vector2 } from 'three';
+import { type Material, Plane, type Texture, Vector2, Vector3 } from 'three';
 import { isDefault } from './defaultOf.js';
+import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 import { plainValue } from './plainValue.js';
@@ -23,24 +24,108 @@ export function propertiesToJSON(material: HatchingMaterialProperties): Record<s
 
 /**
  * Gives a material what `toJSON` wrote. three.js writes every property by its name, so this needs none of its loaders, whose
- * ways changed over the versions. Textures are looked up by their uuid; one that is not there is left out.
+ * ways changed over the versions. Textures are looked up by their uuid; one that is not there is left out. JSON may come from
+ * anywhere: what is no known property is passed over, and nothing is set if a value is of the wrong kind.
  */
 export function setFromJSON(
   material: HatchingMaterialProperties,
   json: HatchingMaterialJSON,
   textures: Readonly<Record<string, Texture>>,
 ): void {
-  if (json.uuid !== undefined) Object.assign(material, { uuid: json.uuid });
-  if (json.userData !== undefined) material.userData = json.userData;
+  const values: Record<string, unknown> = {};
   for (const [name, value] of Object.entries(json)) {
-    if (NOT_SET.has(name) || !(name in material)) continue;
-    const kind = HATCHING_PROPERTIES[name as HatchingPropertyName]?.kind;
-    if (kind === 'texture') Object.assign(material, { [name]: textures[value as string] ?? null });
-    else if (kind === 'vector2')
-      (material[name as HatchingPropertyName] as Vector2).fromArray(value as [number, number]);
-    else material.setValues({ [name]: value });
+    const expected = Object.entries(PLAIN_PROPERTIES).find(([, names]) => names.includes(name))?.[0];
+    if (expected) {
+      check(name, typeof value === expected || (value === null && NULLABLE.has(name)), value, expected);
+      // Older versions of three.js have not all of them.
+      if (name in material) values[name] = value;
+    } else if (name === 'clippingPlanes') values[name] = planesFrom(value);
+    else if (Object.hasOwn(HATCHING_PROPERTIES, name)) {
+      const { kind } = HATCHING_PROPERTIES[name as HatchingPropertyName];
+      if (kind === 'tonalArtMap') continue;
+      if (kind === 'texture') values[name] = textureFrom(name, value, textures);
+      else values[name] = kind === 'vector2' && Array.isArray(value) ? new Vector2().fromArray(value) : value;
+    }
   }
+  const { uuid, userData } = json;
+  check('uuid', uuid === undefined || typeof uuid === 'string', uuid, 'string');
+  check('userData', userData === undefined || (typeof userData === 'object' && userData !== null), userData, 'object');
+  material.setValues(values as HatchingMaterialParameters);
+  if (uuid !== undefined) Object.assign(material, { uuid });
+  if (userData !== undefined) material.userData = userData;
 }
 
-/** What is set apart, or says what the JSON is. */
-const NOT_SET: ReadonlySet<string> = new Set(['metadata', 'type', 'uuid', 'userData', 'textures', 'images']);
+/** The properties that are read beside those of the table, most of them three's own, by the type of their values in JSON. */
+const PLAIN_PROPERTIES: Readonly<Record<string, readonly string[]>> = {
+  string: ['name'],
+  boolean: [
+    'allowOverride',
+    'alphaHash',
+    'alphaToCoverage',
+    'clipIntersection',
+    'clipShadows',
+    'colorWrite',
+    'depthTest',
+    'depthWrite',
+    'dithering',
+    'fog',
+    'forceSinglePass',
+    'polygonOffset',
+    'premultipliedAlpha',
+    'secondLayer',
+    'stencilWrite',
+    'toneMapped',
+    'transparent',
+    'vertexColors',
+    'visible',
+    'wireframe',
+  ],
+  number: [
+    'alphaTest',
+    'blendAlpha',
+    'blendColor',
+    'blendDst',
+    'blendDstAlpha',
+    'blendEquation',
+    'blendEquationAlpha',
+    'blending',
+    'blendSrc',
+    'blendSrcAlpha',
+    'depthFunc',
+    'normalMapType',
+    'opacity',
+    'polygonOffsetFactor',
+    'polygonOffsetUnits',
+    'shadowSide',
+    'side',
+    'stencilFail',
+    'stencilFunc',
+    'stencilFuncMask',
+    'stencilRef',
+    'stencilWriteMask',
+    'stencilZFail',
+    'stencilZPass',
+    'wireframeLinewidth',
+  ],
+};
+const NULLABLE: ReadonlySet<string> = new Set(['blendDstAlpha', 'blendEquationAlpha', 'blendSrcAlpha', 'shadowSide']);
+
+function textureFrom(name: string, uuid: unknown, textures: Readonly<Record<string, Texture>>): Texture | null {
+  check(name, uuid === null || typeof uuid === 'string', uuid, 'uuid of a texture');
+  return Object.hasOwn(textures, String(uuid)) ? textures[String(uuid)] : null;
+}
+
+function planesFrom(value: unknown): Plane[] {
+  const planes = Array.isArray(value) ? value : [undefined];
+  return planes.map((plane) => {
+    const numbers: unknown[] = [...(Array.isArray(plane?.normal) ? plane.normal : []), plane?.constant];
+    check('clippingPlanes', numbers.length === 4 && numbers.every(Number.isFinite), value, 'list of planes');
+    const [x, y, z, constant] = numbers as number[];
+    return new Plane(new Vector3(x, y, z), constant);
+  });
+}
+
+function check(name: string, isRight: boolean, value: unknown, expected: string): void {
+  if (isRight) return;
+  throw new TypeError(`HatchingMaterial.fromJSON: ${name} is ${JSON.stringify(value)}, but must be a ${expected}.`);
+}

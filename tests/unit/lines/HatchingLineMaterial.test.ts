@@ -82,6 +82,14 @@ describe('HatchingLineMaterial', () => {
     expect(warn.mock.calls.flat().join(' ')).toContain('linewidths');
   });
 
+  test('refuses an ink that is no colour, before anything is set', () => {
+    const material = new HatchingLineMaterial();
+    expect(() => material.setValues({ lineWidth: 5, ink: 'nonsense' })).toThrow(
+      'HatchingLineMaterial.ink: expected a THREE.Color',
+    );
+    expect(material.lineWidth).toBe(HATCHING_LINE_DEFAULTS.lineWidth);
+  });
+
   test('setValues takes shadeWeights as an array or a vector, which it copies', () => {
     const material = new HatchingLineMaterial();
     const own = material.shadeWeights;

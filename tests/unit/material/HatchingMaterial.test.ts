@@ -290,6 +290,8 @@ describe('HatchingMaterial', () => {
 
 describe('values of the wrong kind', () => {
   test('are refused before anything is set', () => {
+    // three.js names the colours that it cannot read.
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingMaterial();
     for (const [wrong, message] of [
       [{ strokeScale: 7, map: { image: {} } }, 'HatchingMaterial.map: expected a THREE.Texture or null.'],
@@ -299,11 +301,42 @@ describe('values of the wrong kind', () => {
         { strokeScale: 7, normalScale: { x: 1, y: Number.NaN } },
         'HatchingMaterial.normalScale: expected a THREE.Vector2',
       ],
+      [{ strokeScale: 7, strokeWidth: '1.9' }, 'HatchingMaterial.strokeWidth: 1.9 is not a number in (0, ∞).'],
+      [{ strokeScale: 7, texelPixels: null }, 'HatchingMaterial.texelPixels: null is not a number'],
+      [{ strokeScale: 7, medium: 'constructor' }, 'HatchingMaterial.medium: "constructor" is not known'],
+      [{ strokeScale: 7, inkBlend: 'auto' }, 'HatchingMaterial.inkBlend: "auto" is not known'],
+      [{ strokeScale: 7, crisp: 'yes' }, 'HatchingMaterial.crisp: expected true or false.'],
+      [{ strokeScale: 7, toneCurve: [[0, 0]] }, 'HatchingMaterial.toneCurve: '],
+      [{ strokeScale: 7, tonalArtMap: {} }, 'HatchingMaterial.tonalArtMap: '],
+      ...['nonsense', 'constructor', '#12', 'rgb(red)', '', null, Number.NaN, {}, true].map(
+        (ink) => [{ strokeScale: 7, ink }, 'HatchingMaterial.ink: expected a THREE.Color, a number'] as const,
+      ),
+      [JSON.parse('{ "strokeScale": 7, "__proto__": { "isMaterial": false } }'), '"__proto__" is no parameter'],
     ] as const) {
       expect(() => material.setValues(wrong as never)).toThrow(message);
       expect(() => new HatchingMaterial(wrong as never)).toThrow(message);
     }
     expect(material.strokeScale).not.toBe(7);
-    material.setValues({ map: null });
+    expect(material).toBeInstanceOf(HatchingMaterial);
+    expect(() => Object.assign(material, { crisp: 'yes' })).toThrow('expected true or false');
+    expect(warn.mock.calls.every(([message]) => /Color/.test(message))).toBe(true);
+  });
+
+  test('are not those that three.js takes', () => {
+    const warn = vi.spyOn(console, 'warn');
+    for (const ink of [
+      'navy',
+      'NAVY',
+      '#abc',
+      '#A1b2C3',
+      'rgb(1, 2, 3)',
+      'hsl(120, 50%, 50%)',
+      0xff0000,
+      new Color(),
+    ]) {
+      expect(new HatchingMaterial({ ink }).ink.getHex()).toBe(new Color(ink).getHex());
+    }
+    new HatchingMaterial({ map: null, strokeWidth: null, toneNormal: 'auto', tonalArtMap: null, crisp: false });
+    expect(warn).not.toHaveBeenCalled();
   });
 });

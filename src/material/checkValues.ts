@@ -1,0 +1,86 @@
+import { Color, type Texture, type Vector2 } from 'three';
+import { checkNumber } from './checkNumber.js';
+import { checkTonalArtMap } from './checkTonalArtMap.js';
+import { fitToneCurve, type ToneCurvePoint } from './fitToneCurve.js';
+import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import type { HatchingProperty } from './HatchingProperty.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
+
+/**
+ * Checks parameters before any of them is set, so that a wrong one changes nothing. Properties of three's own are left to three.
+ *
+ * @throws TypeError, RangeError or Error naming the first property of ours whose value is of the wrong kind or out of its range
+ */
+export function checkValues(parameters: HatchingMaterialParameters): void {
+  // Of an object that was read from JSON it is an own property, and three.js would put it in the place of the prototype.
+  if (Object.hasOwn(parameters, '__proto__')) throw new TypeError('HatchingMaterial: "__proto__" is no parameter.');
+  for (const [name, value] of Object.entries(parameters)) {
+    // three.js warns of undefined, and keeps what it has.
+    if (value !== undefined && Object.hasOwn(HATCHING_PROPERTIES, name))
+      checkValue(name as HatchingPropertyName, value);
+  }
+}
+
+function checkValue(name: HatchingPropertyName, value: unknown): void {
+  const property: HatchingProperty = HATCHING_PROPERTIES[name];
+  switch (property.kind) {
+    case 'number':
+      if (value !== null || HATCHING_DEFAULTS[name] !== null) checkNumber(name, value, property.range);
+      break;
+    case 'choice':
+    case 'switch':
+      checkChoice(name, value);
+      break;
+    case 'color':
+      checkColor(`HatchingMaterial.${name}`, value);
+      break;
+    case 'texture':
+      check(name, value === null || (value as Partial<Texture>).isTexture === true, 'a THREE.Texture or null');
+      break;
+    case 'vector2':
+      check(name, isVector(value), 'a THREE.Vector2 of finite numbers');
+      break;
+    case 'curve':
+      if (value !== 'linear' && value !== 'perceptual') fitToneCurve(value as readonly ToneCurvePoint[]);
+      break;
+    case 'tonalArtMap':
+      checkTonalArtMap(value as Parameters<typeof checkTonalArtMap>[0]);
+  }
+}
+
+/** @throws Error unless `value` is one of the choices of a property, TypeError if it is no boolean for one that is on or off */
+export function checkChoice(name: HatchingPropertyName, value: unknown): void {
+  const property: HatchingProperty = HATCHING_PROPERTIES[name];
+  if (property.kind === 'switch') check(name, typeof value === 'boolean', 'true or false');
+  if (property.kind !== 'choice' || property.choices.includes(value as string)) return;
+  if (value === 'auto' && property.defaultFor) return;
+  throw new Error(
+    `HatchingMaterial.${name}: "${String(value)}" is not known; use one of ${property.choices.join(', ')}.`,
+  );
+}
+
+/**
+ * @param owner the property, as the error names it
+ * @throws TypeError unless three.js knows `value` as a colour
+ */
+export function checkColor(owner: string, value: unknown): void {
+  if (isColor(value)) return;
+  throw new TypeError(`${owner}: expected a THREE.Color, a number such as 0xff0000, or a CSS colour such as 'navy'.`);
+}
+
+function check(name: string, isRight: boolean, expected: string): void {
+  if (!isRight) throw new TypeError(`HatchingMaterial.${name}: expected ${expected}.`);
+}
+
+function isColor(value: unknown): boolean {
+  if (typeof value !== 'string') return Number.isFinite(value) || (value as Partial<Color> | null)?.isColor === true;
+  if (/^\w+$/.test(value)) return Object.hasOwn(Color.NAMES, value.toLowerCase());
+  // three.js leaves a colour as it is where it cannot read another.
+  const { r } = Object.assign(new Color(), { r: Number.NaN }).set(value);
+  return Number.isFinite(r);
+}
+
+function isVector(value: unknown): boolean {
+  const { x, y } = (value ?? {}) as Partial<Vector2>;
+  return Number.isFinite(x) && Number.isFinite(y);
+}

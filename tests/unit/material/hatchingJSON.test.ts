@@ -1,0 +1,90 @@
+import { Color, DoubleSide, Plane, Texture, Vector3 } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialJSON } from '../../../src/material/hatchingJSON.js';
+
+afterEach(() => vi.restoreAllMocks());
+
+/** What is read from a text, as from a file of somebody's. */
+const read = (text: string, textures?: Record<string, Texture>): HatchingMaterial =>
+  HatchingMaterial.fromJSON(JSON.parse(text) as HatchingMaterialJSON, textures);
+
+describe('JSON of a material, from anywhere', () => {
+  test('gives known properties and no others', () => {
+    const warn = vi.spyOn(console, 'warn');
+    const material = read(`{
+      "__proto__": { "isMaterial": false, "dispose": "mine" },
+      "dispose": "no function", "onBeforeCompile": 1, "customProgramCacheKey": null, "setValues": {}, "constructor": 5,
+      "isMaterial": false, "isHatchingMaterial": false, "type": "Other", "version": -1, "needsUpdate": false,
+      "vertexShader": "", "fragmentShader": "", "uniforms": {}, "defines": { "MINE": 1 }, "extensions": 1,
+      "tonalArtMap": "none", "roughness": 1, "strokeScale": 7, "opacity": 0.5
+    }`);
+    expect(Object.getPrototypeOf(material)).toBe(HatchingMaterial.prototype);
+    expect(material).toMatchObject({ isMaterial: true, isHatchingMaterial: true, type: 'HatchingMaterial' });
+    expect(Object.keys(material)).toEqual(Object.keys(new HatchingMaterial()));
+    expect(material).toMatchObject({ strokeScale: 7, opacity: 0.5, tonalArtMap: null });
+    const { defines, vertexShader, fragmentShader } = new HatchingMaterial();
+    expect(material).toMatchObject({ defines, vertexShader, fragmentShader });
+    for (const name of ['dispose', 'onBeforeCompile', 'customProgramCacheKey', 'setValues', 'constructor'] as const) {
+      expect(typeof material[name], name).toBe('function');
+    }
+    expect(warn).not.toHaveBeenCalled();
+  });
+
+  test.each([
+    ['{ "ink": "nonsense" }', 'HatchingMaterial.ink: expected a THREE.Color'],
+    ['{ "strokeWidth": "1.9" }', 'HatchingMaterial.strokeWidth: 1.9 is not a number'],
+    ['{ "strokeOffset": 3 }', 'HatchingMaterial.strokeOffset: expected a THREE.Vector2 of finite numbers.'],
+    ['{ "strokeOffset": [1, "2"] }', 'HatchingMaterial.strokeOffset: expected a THREE.Vector2 of finite numbers.'],
+    ['{ "technique": "toString" }', 'HatchingMaterial.technique: "toString" is not known'],
+    ['{ "crisp": 1 }', 'HatchingMaterial.crisp: expected true or false.'],
+    ['{ "map": 5 }', 'HatchingMaterial.fromJSON: map is 5, but must be a uuid of a texture.'],
+    ['{ "side": "double" }', 'HatchingMaterial.fromJSON: side is "double", but must be a number.'],
+    ['{ "side": null }', 'HatchingMaterial.fromJSON: side is null, but must be a number.'],
+    ['{ "transparent": 1 }', 'HatchingMaterial.fromJSON: transparent is 1, but must be a boolean.'],
+    ['{ "name": {} }', 'HatchingMaterial.fromJSON: name is {}, but must be a string.'],
+    ['{ "uuid": 5 }', 'HatchingMaterial.fromJSON: uuid is 5, but must be a string.'],
+    ['{ "userData": null }', 'HatchingMaterial.fromJSON: userData is null, but must be a object.'],
+    ['{ "clippingPlanes": [{ "normal": [0, 1], "constant": 2 }] }', 'must be a list of planes.'],
+    ['{ "clippingPlanes": 1 }', 'must be a list of planes.'],
+    ['{ "secondLayer": "yes" }', 'HatchingMaterial.fromJSON: secondLayer is "yes", but must be a boolean.'],
+  ])('is refused with a value of the wrong kind, and sets nothing: %s', (text, message) => {
+    vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const material = new HatchingMaterial();
+    const json = { strokeScale: 7, opacity: 0.5, ...JSON.parse(text) };
+    expect(() => material.fromJSON(json)).toThrow(message);
+    expect([material.strokeScale, material.opacity]).toEqual([3, 1]);
+  });
+
+  test('finds textures by their own names alone', () => {
+    const texture = new Texture();
+    expect(read(`{ "map": "${texture.uuid}" }`, { [texture.uuid]: texture }).map).toBe(texture);
+    expect(read('{ "map": "constructor", "alphaMap": "__proto__" }').map).toBe(null);
+    expect(read('{ "map": null }').map).toBe(null);
+  });
+
+  test("brings three's own back: planes, null and colours", () => {
+    const source = new HatchingMaterial({ side: DoubleSide });
+    source.clippingPlanes = [new Plane(new Vector3(0, 1, 0), 2)];
+    source.blendColor = new Color(0x123456);
+    source.shadowSide = null;
+    const made = read(
+      JSON.stringify({
+        ...source.toJSON(),
+        // Before 0.187 three.js writes no planes.
+        clippingPlanes: [{ normal: [0, 1, 0], constant: 2 }],
+        blendColor: 0x123456,
+        shadowSide: null,
+      }),
+    );
+    expect(made.clippingPlanes).toEqual(source.clippingPlanes);
+    expect(made.blendColor).toEqual(source.blendColor);
+    expect([made.side, made.shadowSide]).toEqual([DoubleSide, null]);
+  });
+
+  test('warns of what the technique does not use only once it knows the technique', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    read('{ "smudge": 0.5, "technique": "anchored" }');
+    expect(warn).not.toHaveBeenCalled();
+  });
+});
