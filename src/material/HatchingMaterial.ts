@@ -41,6 +41,7 @@ import {
 } from './hatchingProperties.js';
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
+import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
 import { isRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
@@ -106,8 +107,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.lights = true;
     this.fog = true;
     this.clipping = true;
-    this.hookBeforeRender();
-    this.hookProgramChoice();
+    keepHooks(this, HatchingMaterial.prototype);
     // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
     this.forceSinglePass = false;
     this.setValues(parameters);
@@ -180,48 +180,16 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     return new HatchingMaterial().fromJSON(json, textures);
   }
 
-  /** Keeps a function that is set as `onBeforeRender` and the material's own, which brings the properties to the shader. */
-  private hookBeforeRender(): void {
-    type Hook = Material['onBeforeRender'];
-    const after = (hook?: Hook): Hook => {
-      // The renderer may know the material by a proxy, whose textures would be proxies too, and others to the renderer.
-      const own = this;
-      // Named one by one: rest parameters would be an array for every mesh of every frame.
-      return function (this: HatchingMaterial, renderer, scene, camera, geometry, object, group) {
-        own.beforeRender(renderer, scene, camera, geometry, object, group);
-        hook?.call(this, renderer, scene, camera, geometry, object, group);
-      };
-    };
-    let current = after();
-    Object.defineProperty(this, 'onBeforeRender', {
-      get: () => current,
-      set: (hook: Hook) => {
-        current = after(hook);
-      },
-      configurable: true,
-    });
-  }
-
   /**
-   * Keeps a function that is set as `customProgramCacheKey`, and brings the program up to date before it is called: the renderer
-   * is about to choose a program, before a frame or for `compile`.
+   * Called by the renderer, which is about to choose a program, before a frame or for `compile`: brings the program up to date.
+   *
+   * @returns what tells it apart from programs of other hooks
    */
-  private hookProgramChoice(): void {
-    const own = this;
-    let current = this.customProgramCacheKey;
-    const hook = function (this: HatchingMaterial): string {
-      if (own.announced.some(environmentAround)) own.hasEnvironment = true;
-      own.writeProgram();
-      own.askForRenderer();
-      return current.call(this);
-    };
-    Object.defineProperty(this, 'customProgramCacheKey', {
-      get: () => hook,
-      set: (given: () => string) => {
-        current = given;
-      },
-      configurable: true,
-    });
+  override customProgramCacheKey(): string {
+    if (this.announced.some(environmentAround)) this.hasEnvironment = true;
+    this.writeProgram();
+    this.askForRenderer();
+    return super.customProgramCacheKey();
   }
 
   /**
@@ -229,7 +197,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    * comes so far.
    */
   private askForRenderer(): void {
-    if (this.isWithWebGL || this.onBeforeCompile !== HatchingMaterial.prototype.onBeforeCompile) return;
+    if (this.isWithWebGL) return;
     queueMicrotask(() => {
       if (!this.isWithWebGL) tellOfRenderer('HatchingMaterial');
     });
@@ -252,7 +220,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    */
   override onBeforeCompile(shader: ProgramParameters, renderer: WebGLRenderer): void {
     this.isWithWebGL = true;
-    if (isRigid(shader)) {
+    // A hook of a user may have called the one before it, which is this one too.
+    if (isRigid(shader) && !shader.vertexShader.includes(RIGID)) {
       shader.vertexShader = `${RIGID}${shader.vertexShader}`;
       shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
     }
@@ -263,7 +232,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     }
   }
 
-  private beforeRender(
+  /** Called by the renderer. Brings the properties to the shader. */
+  override onBeforeRender(
     renderer: WebGLRenderer,
     scene: Scene,
     camera: Camera,

@@ -104,12 +104,13 @@ test('what is set after a frame shows in the next: maps, vertex colours, sides, 
   expect(shown.doubleSided).toEqual([255, 255, 255]);
 });
 
-test('a hook of one’s own runs beside the material’s', async ({ page }) => {
-  const [pixels, calls] = await page.evaluate(async () => {
-    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
-    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2));
+test('hooks of one’s own run beside the material’s, in every frame and for compile', async ({ page }) => {
+  const [pixels, calls, sources] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2), { technique: 'anchored' });
     const renderer = makeRenderer();
     const calls: unknown[] = [];
+    const sources: string[] = [];
     const scene = sceneOf(mesh, sun(Math.PI, [0, 0, 1]));
     const { material } = mesh;
     const before = material.onBeforeRender;
@@ -117,11 +118,22 @@ test('a hook of one’s own runs beside the material’s', async ({ page }) => {
       before.apply(this, parameters);
       calls.push(this === material, parameters[0] === renderer, parameters[4] === mesh);
     };
+    // The usual decorators.
+    const key = material.customProgramCacheKey;
+    material.customProgramCacheKey = function () {
+      return `${key.call(this)} green`;
+    };
+    material.onBeforeCompile = (shader) => {
+      sources.push(shader.fragmentShader);
+      shader.fragmentShader = shader.fragmentShader.replace(/}\s*$/, 'gl_FragColor.g = 1.0;}');
+    };
     material.color.set(0xff0000);
-    return [pixelsOf(scene, renderer), calls] as const;
+    renderer.compile(scene, makeCamera());
+    return [pixelsOf(scene, renderer), calls, sources] as const;
   });
-  expect(centre([...pixels])).toEqual([255, 0, 0]);
+  expect(centre([...pixels])).toEqual([255, 255, 0]);
   expect(calls).toEqual([true, true, true]);
+  expect(sources.map((source) => source.split('#define RIGID').length)).toEqual([2]);
 });
 
 test('a map too large for the device leaves the paper blank and says so, once; one that fits is drawn', async ({
