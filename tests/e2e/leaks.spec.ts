@@ -5,6 +5,12 @@ import { countObjects, liveObjects } from './liveObjects.js';
 import { file, octahedronPly } from './modelFiles.js';
 import { drop, openPlayground, ready, savePicture } from './playground.js';
 
+declare global {
+  interface Window {
+    __kept?: Element[];
+  }
+}
+
 test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotion: 'reduce' } });
 
 const ROUNDS = 1;
@@ -25,12 +31,20 @@ async function follow(page: Page, hash: string): Promise<void> {
   await idle(page);
 }
 
+/** Keeps the controls of motion from being freed, as browsers do with some that were taken out of a page. */
+const keepControls = (page: Page) =>
+  page.evaluate(() => {
+    window.__kept ??= [];
+    window.__kept.push(...document.querySelectorAll('#motion :not(option)'));
+  });
+
 /** Everything that makes and frees: models with and without a skin, broken files, techniques, comparisons, maps, shadows, pictures. */
 async function oneRound(page: Page): Promise<void> {
   for (const name of ['a.glb', 'b.glb']) {
     await drop(page, [file(name, columnGlb())]);
     await expect(page.locator('#model-name')).toHaveText(name);
     await idle(page);
+    await keepControls(page);
   }
   await drop(page, [file('broken.ply', octahedronPly.slice(0, 60))]);
   await expect(page.locator('#status')).toHaveText(/^broken\.ply/);
