@@ -1,10 +1,11 @@
+import { shownName } from '../files/shownText.js';
 import { escapeHtml } from './escapeHtml.js';
 
 /** HTML that shows the playground, without its panel, in another page. */
 export function embedSample(address: string, title: string): string {
   return `<iframe
   src="${escapeHtml(address)}"
-  title="Hatched drawing: ${escapeHtml(title)}"
+  title="Hatched drawing: ${escapeHtml(shownName(title))}"
   width="800"
   height="600"
   style="max-width: 100%; border: 0"

@@ -1,5 +1,6 @@
 import forms from 'virtual:form-sources';
 import { baseName, extensionOf, withoutGz } from '../files/fileName.js';
+import { shownName } from '../files/shownText.js';
 import { BUST_FOOT } from '../models/models.js';
 import type { CodeModel } from './CodeModel.js';
 import { CDN } from './versions.js';
@@ -154,22 +155,28 @@ function fileSource(title: string): ModelSource {
   const name = baseName(title);
   const isPacked = withoutGz(name) !== name;
   const extension = extensionOf(withoutGz(name)) ?? '';
-  const note = `Put ${oneLine(name)} beside this file. A web server must serve both: browsers load no models from file:// addresses.`;
+  const note = `Put ${inComment(name)} beside this file. A web server must serve both: browsers load no models from file:// addresses.`;
   const loader = LOADERS[extension];
   if (!loader) {
-    const unpacked = `The model came in ${oneLine(name)}: unpack it, and write the name of the model below.`;
+    const unpacked = `The model came in ${inComment(name)}: unpack it, and write the name of the model below.`;
     return { ...loaderSource("'model.glb'", GLTF), note: unpacked };
   }
   if (isPacked) return { ...gzippedSource(name, extension), note };
   return { ...loaderSource(inQuotes(name), loader), note };
 }
 
-const oneLine = (text: string): string => text.replace(/\s+/g, ' ').replaceAll('*/', '* /');
+/** A name as it may stand in a comment. */
+const inComment = (name: string): string => shownName(name).replaceAll('*/', '* /');
+
+/** What would make code read otherwise than it runs: it turns the text round, or cannot be seen. */
+const UNSEEN = /[\p{Cc}\p{Cf}\p{Default_Ignorable_Code_Point}\u2028\u2029]/gu;
+
+const escapeCode = (character: string): string => `\\u{${character.codePointAt(0)!.toString(16)}}`;
 
 /** A string as source code that may also stand in an HTML page. */
 export function inQuotes(text: string): string {
   const escaped = JSON.stringify(text).slice(1, -1).replaceAll('\\"', '"').replaceAll("'", "\\'");
-  return `'${escaped.replaceAll('<', '\\x3c')}'`;
+  return `'${escaped.replaceAll('<', '\\x3c').replace(UNSEEN, escapeCode)}'`;
 }
 
 const importOf = ({ name, path = name }: Loader): string =>

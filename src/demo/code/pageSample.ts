@@ -1,3 +1,4 @@
+import { shownName } from '../files/shownText.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { drawingSample } from './drawingSample.js';
 import { escapeHtml } from './escapeHtml.js';
@@ -17,7 +18,7 @@ export const IMPORT_MAP = {
 /** A whole web page that shows the drawing as it is pasted, and can be turned. */
 export function pageSample(drawing: CodeDrawing): string {
   const { imports, code, note } = drawingSample(drawing);
-  const title = escapeHtml(drawing.model.title);
+  const title = escapeHtml(shownName(drawing.model.title));
   const entries = Object.entries(IMPORT_MAP)
     .filter(([name]) => imports.includes(`from '${name}`))
     .map(([name, address]) => `          ${JSON.stringify(name)}: ${JSON.stringify(address)}`);

@@ -1,4 +1,5 @@
 import { errorMessage } from './errorMessage.js';
+import { shownName } from './shownText.js';
 
 /** A model that cannot be drawn. The message is one sentence for the user. */
 export class ModelError extends Error {
@@ -9,11 +10,13 @@ export class ModelError extends Error {
  * A sentence for what was thrown while a file was read. A ModelError is returned as it is. What a loader says is passed on; what
  * JavaScript itself says (`Cannot read properties of undefined`) is not: it means nothing to who dropped the file.
  *
+ * @param file the name of what was dropped
  * @param part what was being read, as the subject of a sentence
  */
-export function toModelError(name: string, error: unknown, part = 'it'): ModelError {
+export function toModelError(file: string, error: unknown, part = 'it'): ModelError {
   if (error instanceof ModelError) return error;
   const message = errorMessage(error);
+  const name = shownName(file);
   if (/^The hatching worker /.test(message)) {
     return new ModelError(
       `${name} was not prepared to the end: the browser has ended the worker that did it, most often for want of memory. Open it again, or a smaller one.`,

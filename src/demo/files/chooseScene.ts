@@ -1,5 +1,6 @@
 import type { GltfDocument } from './gltfDocument.js';
 import { ModelError } from './ModelError.js';
+import { shownName } from './shownText.js';
 
 const MAX_NODES = 100_000;
 const MAX_DEPTH = 500;
@@ -33,7 +34,7 @@ export function chooseScene(document: GltfDocument, fileName: string): ChosenSce
   const notes: string[] = [];
   if (!scene) notes.push(`it has no scene: all its ${hasNodes ? 'nodes' : 'meshes'} are shown`);
   else if (scenes.length > 1) {
-    notes.push(`scene ${index + 1} of ${scenes.length}${scene.name ? `, “${scene.name.slice(0, 40)}”` : ''}`);
+    notes.push(`scene ${index + 1} of ${scenes.length}${scene.name ? `, “${shownName(scene.name)}”` : ''}`);
   }
   return { name: scene?.name, roots, visible: visibleNodes(document, roots), notes };
 }

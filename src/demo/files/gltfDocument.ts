@@ -15,6 +15,7 @@ import {
   whole,
 } from './gltfShape.js';
 import { ModelError } from './ModelError.js';
+import { shownName } from './shownText.js';
 
 export const COMPONENT_BYTES = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 } as const;
 export const TYPE_SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 } as const;
@@ -256,5 +257,6 @@ function checkVersion(json: Record<string, unknown> | null, fileName: string): v
   const unknown = Array.isArray(extensionsRequired)
     ? extensionsRequired.find((one) => typeof one === 'string' && !READABLE.test(one))
     : undefined;
-  if (unknown) throw new ModelError(`${fileName} needs the glTF extension ${unknown}, which this page does not read.`);
+  if (unknown)
+    throw new ModelError(`${fileName} needs the glTF extension ${shownName(unknown)}, which this page does not read.`);
 }

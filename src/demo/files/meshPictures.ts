@@ -5,6 +5,7 @@ import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';
 import { imageSize } from './imageSize.js';
 import type { WantedPicture } from './mergeScene.js';
 import { readUri } from './readUri.js';
+import { shownName } from './shownText.js';
 import type { PictureLink } from './standIns.js';
 
 /** A picture of a mesh, decoded and the right way up. */
@@ -103,12 +104,7 @@ const without = (names: readonly string[], why: string): string[] =>
 
 function list(names: readonly string[]): string {
   const more = names.length > NAMED ? ` and ${names.length - NAMED} more` : '';
-  return (
-    names
-      .slice(0, NAMED)
-      .map((name) => name.slice(0, 60))
-      .join(', ') + more
-  );
+  return names.slice(0, NAMED).map(shownName).join(', ') + more;
 }
 
 async function decode({ bytes, isTga, width, height, flipY }: Source): Promise<ImageBitmap | undefined> {

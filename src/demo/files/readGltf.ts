@@ -11,6 +11,7 @@ import { mergeScene } from './mergeScene.js';
 import type { PlainMesh } from './PlainMesh.js';
 import { type GltfParts, parseGltf } from './parseGltf.js';
 import { readUri } from './readUri.js';
+import { shownName } from './shownText.js';
 import { splitGlb } from './splitGlb.js';
 import { type PlainGltf, unpackGltf } from './unpackGltf.js';
 
@@ -110,9 +111,9 @@ async function collectBuffers(
     else if (uri === undefined) throw new ModelError(`${name} is cut short: its binary part is missing.`);
     else {
       const found = await readUri(uri, findFile);
-      if (!found) throw new ModelError(`${name} needs ${baseName(uri)}; drop both files together.`);
+      if (!found) throw new ModelError(`${name} needs ${shownName(baseName(uri))}; drop both files together.`);
       if (found.length < byteLength) {
-        const short = uri.startsWith('data:') ? name : baseName(uri);
+        const short = uri.startsWith('data:') ? name : shownName(baseName(uri));
         throw new ModelError(`${short} is cut short: ${name} expects more data in it.`);
       }
       collected.push(found);

@@ -23,6 +23,7 @@ import { readObj } from './readObj.js';
 import { readPly } from './readPly.js';
 import { readScene, type SceneFormat } from './readScene.js';
 import { readStl } from './readStl.js';
+import { shownName } from './shownText.js';
 import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
 import { toUtf8 } from './toUtf8.js';
 
@@ -78,7 +79,7 @@ export async function readModel(files: readonly ModelFile[], onStage: OnStage): 
     );
   }
   const main = chooseMain(files);
-  onStage(`reading ${main.name}`);
+  onStage(`reading ${shownName(main.name)}`);
   try {
     return await readMain(main, files, onStage);
   } catch (error) {
@@ -88,11 +89,12 @@ export async function readModel(files: readonly ModelFile[], onStage: OnStage): 
 
 async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: OnStage): Promise<ReadModel> {
   const name = withoutGz(main.name);
-  const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), main.name, MAX_BYTES));
-  onStage(`reading ${main.name}`, bytes.length);
-  let format = sniffFormat(name, bytes);
+  const shown = shownName(main.name);
+  const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
+  onStage(`reading ${shown}`, bytes.length);
+  let format = sniffFormat(withoutGz(shown), bytes);
   if (format === 'zip') {
-    const archive = await readArchive(bytes, main.name);
+    const archive = await readArchive(bytes, shown);
     if ('files' in archive) return readArchived(archive.files, name, files, onStage);
     ({ format } = archive);
   }
@@ -101,7 +103,7 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
     const file = files.find((one) => baseName(one.name).toLowerCase() === wanted);
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
-  const { content, upAxis, ...parsed } = await parse(format, bytes, main.name, findFile);
+  const { content, upAxis, ...parsed } = await parse(format, bytes, shown, findFile);
   const usual = usualUp(format, upAxis);
   if ('arrays' in content) {
     const { missing } = parsed;
@@ -145,10 +147,10 @@ async function readArchived(
   onStage: OnStage,
 ): Promise<ReadModel> {
   const main = chooseMain(archived);
-  onStage(`reading ${main.name}`);
+  onStage(`reading ${shownName(main.name)}`);
   const read = await readMain(main, [...archived, ...dropped], onStage);
   const count = archived.filter((file) => rankOf(file) < MODEL_EXTENSIONS.length).length;
-  return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${name}`, ...read.notes] };
+  return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${shownName(name)}`, ...read.notes] };
 }
 
 const brokenNote = (triangles: number): string[] =>

@@ -1,4 +1,5 @@
 import type { ModelFile } from '../files/readModel.js';
+import { shownName } from '../files/shownText.js';
 import type { KeptDrawing, KeptDrawings, KeptFiles } from '../kept/KeptDrawings.js';
 import type { CameraView } from '../settings/CameraView.js';
 import type { Status } from './Status.js';
@@ -70,10 +71,10 @@ export class Keeper {
     });
   }
 
-  /** Reads a kept drawing, which is going to be shown. Undefined if it is gone. */
-  async open(id: string): Promise<{ drawing: KeptDrawing; files: KeptFiles } | undefined> {
+  /** Reads a kept drawing, which is going to be shown, unless it is aborted. Undefined if it is gone. */
+  async open(id: string, signal: AbortSignal): Promise<{ drawing: KeptDrawing; files: KeptFiles } | undefined> {
     const found = await this.drawings.then((drawings) => drawings.read(id)).catch(() => undefined);
-    if (!found) return undefined;
+    if (!found || signal.aborted) return undefined;
     this.id = id;
     this.files = found.files;
     return found;
@@ -101,8 +102,8 @@ export class Keeper {
       const isFull = (error as Error | null)?.name === 'QuotaExceededError';
       this.status.say(
         isFull
-          ? `${title} is larger than what this browser keeps for a page: after a reload, open it again.`
-          : `This browser keeps nothing here, as in a private window: after a reload, open ${title} again.`,
+          ? `${shownName(title)} is larger than what this browser keeps for a page: after a reload, open it again.`
+          : `This browser keeps nothing here, as in a private window: after a reload, open ${shownName(title)} again.`,
       );
     });
   }

@@ -1,4 +1,5 @@
 import type { Motion } from '../drawing/Motion.js';
+import { shownName } from '../files/shownText.js';
 import { MotionSlider, type SliderValue } from './MotionSlider.js';
 
 /** Only the first morph targets of a model get sliders. */
@@ -48,7 +49,7 @@ export class MotionPanel {
     const names = motion?.clips ?? [];
     if (motion && names.length > 0) motion.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.row.hidden = names.length === 0;
-    this.clips.replaceChildren(...names.map((name, i) => new Option(name, String(i))));
+    this.clips.replaceChildren(...names.map((name, i) => new Option(shownName(name), String(i))));
     if (motion) this.clips.value = String(motion.clip);
     this.showClip();
     const morphs = motion?.morphs.slice(0, MAX_MORPH_SLIDERS) ?? [];
@@ -127,7 +128,7 @@ const speedValue = (motion: Motion): SliderValue => {
 };
 
 const morphValue = (motion: Motion, name: string): SliderValue => ({
-  name,
+  name: shownName(name),
   hint: 'Double-click to give it back to the clip',
   min: 0,
   max: 1,

@@ -1,3 +1,4 @@
+import { shownName } from '../files/shownText.js';
 import type { KeptDrawing } from '../kept/KeptDrawings.js';
 import { findElement } from '../page/findElement.js';
 import type { Keeper } from './Keeper.js';
@@ -32,7 +33,8 @@ export class RecentDialog {
   }
 
   private row({ id, title, at, bytes }: KeptDrawing): HTMLElement {
-    const open = button(title, () => {
+    const name = shownName(title);
+    const open = button(name, () => {
       this.dialog.close();
       this.onOpen(id);
     });
@@ -41,7 +43,7 @@ export class RecentDialog {
       await this.show();
       (this.rows.querySelector('button') ?? findElement('recent-close')).focus();
     });
-    forget.setAttribute('aria-label', `Forget ${title}`);
+    forget.setAttribute('aria-label', `Forget ${name}`);
     const facts = Object.assign(document.createElement('span'), { textContent: `${dayOf(at)}, ${inMegabytes(bytes)}` });
     const row = document.createElement('li');
     row.append(open, facts, forget);

@@ -1,3 +1,5 @@
+import { shownText } from '../files/shownText.js';
+
 /** The status line, with a progress bar and a button that cancels the task. */
 export class Status {
   private cancelTask: (() => void) | undefined;
@@ -74,8 +76,10 @@ export class Status {
     this.write(problem ?? text, problem !== undefined);
   }
 
-  private write(text: string, isError: boolean): void {
+  private write(sentence: string, isError: boolean): void {
     clearTimeout(this.clearTimer);
+    // What a reader or the browser says may hold words of a file.
+    const text = shownText(sentence);
     const { message } = this.elements;
     message.classList.toggle('is-error', isError);
     // Written only when it changes, because screen readers would read it again.

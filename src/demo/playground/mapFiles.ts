@@ -1,5 +1,6 @@
 import { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../files/readModel.js';
+import { shownName } from '../files/shownText.js';
 
 /** Reads dropped files as a map. @throws Error with a message for the user */
 export async function loadMapFiles(
@@ -13,7 +14,8 @@ export async function loadMapFiles(
     );
   } catch (error) {
     if (options.signal.aborted) throw error;
-    throw new Error((error as Error).message.replace(/^TonalArtMap\.\w+: /, ''));
+    const sentence = (error as Error).message.replace(/^TonalArtMap\.\w+: /, '');
+    throw new Error(files.reduce((text, { name }) => text.replaceAll(name, shownName(name)), sentence));
   }
 }
 

@@ -1,4 +1,5 @@
 import type { ModelStatistics } from '../drawing/HatchedModel.js';
+import { shownName, shownText } from '../files/shownText.js';
 
 /**
  * The caption of a model: its name, its statistics, and notes on what was left out. They are new elements, because new text in the old ones would count
@@ -9,7 +10,7 @@ export function modelCaption(
   statistics: ModelStatistics,
   notes: readonly string[],
 ): (HTMLElement | string)[] {
-  const nameElement = Object.assign(document.createElement('em'), { id: 'model-name', textContent: name });
+  const nameElement = Object.assign(document.createElement('em'), { id: 'model-name', textContent: shownName(name) });
   const factsElement = Object.assign(document.createElement('span'), {
     id: 'model-statistics',
     textContent: describeModel(statistics, notes),
@@ -25,7 +26,7 @@ function describeModel(statistics: ModelStatistics, notes: readonly string[]): s
     count(statistics.nonManifoldEdges, 'non-manifold edge'),
     statistics.degenerateTriangles > 0 ? `${statistics.degenerateTriangles.toLocaleString('en')} without area` : '',
   ];
-  return [parts.filter(Boolean).join(', '), ...notes].join('; ');
+  return [parts.filter(Boolean).join(', '), ...notes.map(shownText)].join('; ');
 }
 
 function count(number: number, noun: string): string {

@@ -138,5 +138,11 @@ describe('copied code', () => {
     expect(embed.code).not.toContain('<img');
     expect(embed.code).toContain('src="https://a.test/?embed#x=&#34;1&#34;&#38;y"');
     expect(embed.about).toContain('cannot carry');
+    // What turns text round would make code read otherwise than it runs.
+    const turned = 'a\u202e\u2066\u200b\u{e0041}.glb';
+    for (const code of [pageSample(drawing({ title: turned })), moduleSample(drawing({ title: turned }))]) {
+      expect(code).not.toMatch(/\p{Cf}/u);
+      expect(new Function(`return ${/loadAsync\(('.*')\)/.exec(code)![1]}`)()).toBe(turned);
+    }
   });
 });

@@ -4,6 +4,8 @@ import { cleanMesh } from '../../../../src/demo/files/cleanMesh.js';
 import { fitModel } from '../../../../src/demo/files/fitModel.js';
 import { ModelError, toModelError } from '../../../../src/demo/files/ModelError.js';
 import { mergeScene } from '../../../../src/demo/files/mergeScene.js';
+import { readModel } from '../../../../src/demo/files/readModel.js';
+import { shownText } from '../../../../src/demo/files/shownText.js';
 
 describe('the sentence of an error', () => {
   test('passes on what a loader says, without its name', () => {
@@ -49,6 +51,56 @@ describe('the sentence of an error', () => {
     expect(toModelError('a.glb', new RangeError('Array buffer allocation failed')).message).toBe(
       'a.glb needs more memory than this page can get, or it is damaged.',
     );
+  });
+});
+
+describe('a name that a file has, or has in it, cannot take over the sentence', () => {
+  const hostile = `start\u202e${'from trusted.test '.repeat(60)}\n\u0007end`;
+  const shown = /start[^\p{Cc}\p{Cf}]{1,30}…[^\p{Cc}\p{Cf}]{1,30}end/u;
+  const gltf = (rest: object) => JSON.stringify({ asset: { version: '2.0' }, ...rest });
+  const drawn = {
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    accessors: [{ componentType: 5126, count: 3, type: 'VEC3' }],
+  };
+
+  test.each([
+    ['.glb', 'no model'],
+    ['.ply', 'ply\nformat ascii 1.0\nend_header\n'],
+    ['.zip', 'PK\u0003\u0004'],
+    ['.fbx', '; FBX\nFBXHeaderExtension: {'],
+    ['.dae', '<COLLADA></COLLADA>'],
+    ['.stl.gz', '\u001f\u008b\u0008'],
+    ['.xyz', ''],
+  ])('the dropped file: *%s', async (extension, content) => {
+    const bytes = Uint8Array.from(content, (character) => character.charCodeAt(0));
+    const file = { name: hostile + extension, content: new Blob([bytes]) };
+    const stages: string[] = [];
+    const error: Error = await readModel([file], (stage) => void stages.push(stage)).catch((thrown) => thrown);
+    expect(error).toBeInstanceOf(ModelError);
+    for (const said of [error.message, stages[0]]) expect(said).toMatch(shown);
+  });
+
+  test.each([
+    ['a file beside it', gltf({ ...drawn, buffers: [{ uri: `${hostile}.bin`, byteLength: 4 }] })],
+    ['an extension', gltf({ ...drawn, extensionsRequired: [hostile] })],
+  ])('%s', async (_, content) => {
+    const file = { name: 'a.gltf', content: new Blob([content]) };
+    const error: Error = await readModel([file], () => {}).catch((thrown) => thrown);
+    expect(error.message).toMatch(shown);
+  });
+
+  test('the files that an OBJ asks for', async () => {
+    const obj = `mtllib ${hostile.replaceAll(/\s/g, '_')}.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n`;
+    const read = await readModel([{ name: 'a.obj', content: new Blob([obj]) }], () => {});
+    expect(read.notes.join()).toMatch(shown);
+    // They are looked for by the names that they have.
+    expect(read.missing[0]).toContain('\u202e');
+  });
+
+  test('any of a loader', () => {
+    const { message } = toModelError(hostile, new Error(`Unknown ${hostile}.`));
+    expect(shownText(message)).toMatch(/^start.*…end could not be read.*\.$|^start.*could not be read; it seems/);
+    expect(shownText(message)).not.toMatch(/[\p{Cc}\p{Cf}]/u);
   });
 });
 
