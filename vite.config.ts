@@ -87,6 +87,8 @@ export default defineConfig(
       outDir: 'dist-demo',
       target: 'es2022',
       chunkSizeWarningLimit: 1500,
+      // Browsers that fetch no modules ahead fetch them when they are imported.
+      modulePreload: { polyfill: false },
       rolldownOptions: { input: ['index.html', 'figures/index.html', 'fetch/index.html'].map(page) },
     },
     ...(mode === 'test' && {

@@ -30,7 +30,7 @@ test('a model by its address is fetched when the user has agreed, by the one pag
   });
   const name = page.locator('#model-name');
   const status = page.locator('#status');
-  const question = page.getByRole('dialog', { name: /another site: octahedron\.ply, from models\.test/ });
+  const question = page.getByRole('dialog', { name: /another site: models\.test File: octahedron\.ply Fetch it/ });
   const [yes, no] = [page.getByRole('button', { name: 'Fetch it' }), page.getByRole('button', { name: 'Leave it' })];
 
   await page.goto(`./#model=${modelAt('octahedron.ply')}&${LOOK}`);
@@ -75,6 +75,135 @@ test('a model by its address is fetched when the user has agreed, by the one pag
   expect(isForbidden).toBe(true);
   expect(asked).toHaveLength(3);
   expect(pageProblems.splice(0).join()).toMatch(/Content Security Policy/);
+});
+
+test('an agreement is to one model on one site, whatever a link, its sender or a visitor in haste does', async ({
+  page,
+  pageProblems,
+}) => {
+  const asked: string[] = [];
+  await page.route(/^https:/, (route) => {
+    const { host, pathname } = new URL(route.request().url());
+    asked.push(`${host}${pathname}`);
+    const headers = { 'Access-Control-Allow-Origin': '*' };
+    if (pathname === '/sent-on.ply') {
+      return route.fulfill({ status: 302, headers: { ...headers, Location: 'https://evil.test/elsewhere.ply' } });
+    }
+    return route.fulfill({ body: file('octahedron.ply', octahedronPly).buffer, headers });
+  });
+  page.on('request', (request) => {
+    if (request.redirectedFrom()) asked.push(request.url());
+  });
+  // A click that was on its way when the question came.
+  await page.addInitScript(() => {
+    const { showModal } = HTMLDialogElement.prototype;
+    HTMLDialogElement.prototype.showModal = function () {
+      showModal.call(this);
+      this.querySelector<HTMLButtonElement>('[value=yes]')?.click();
+    };
+  });
+  const ask = (address: string): Promise<void> => follow(page, `model=${encodeURIComponent(address)}&${LOOK}`);
+  const question = page.getByRole('dialog');
+  const [yes, no] = [page.getByRole('button', { name: 'Fetch it' }), page.getByRole('button', { name: 'Leave it' })];
+  const name = page.locator('#model-name');
+  const site = page.locator('.ask-site');
+
+  await page.goto(`./#model=${encodeURIComponent('https://evil.test/track.ply')}&${LOOK}`);
+  await expect(site).toHaveText('evil.test');
+  await expect(no).toBeFocused();
+  // A second question takes the place of the first: with "Yes" to it, nobody has agreed to the first.
+  await ask('https://trusted.test/%E2%80%AEbunny.ply');
+  await expect(site).toHaveText('trusted.test');
+  await expect(question).toHaveCount(1);
+  await expect(no).toBeFocused();
+  await yes.click();
+  await expect(name).toHaveText('bunny.ply');
+  expect(asked).toEqual(['trusted.test/%E2%80%AEbunny.ply']);
+  expect(await page.title()).toBe('bunny.ply, hatched');
+
+  // Where the address asks for something else by now, the question goes: by a link, and by Back.
+  await ask('https://evil.test/track.ply');
+  await expect(question).toBeVisible();
+  await follow(page, `model=cube&${LOOK}`);
+  await expect(question).toBeHidden();
+  await expect(name).toHaveText('Cube');
+  await ask('https://evil.test/track.ply');
+  await expect(question).toBeVisible();
+  await page.goBack();
+  await expect(question).toBeHidden();
+  // Two at once, before the first can have been asked.
+  await page.evaluate(
+    (links) => {
+      for (const link of links) location.hash = link;
+    },
+    [
+      `model=${encodeURIComponent('https://evil.test/1.ply')}`,
+      `model=${encodeURIComponent('https://evil.test/2.ply')}`,
+    ],
+  );
+  await expect(page.locator('.ask-file')).toHaveText('File: 2.ply');
+  await expect(question).toHaveCount(1);
+  // Enter and Escape are "No", and who comes back to the window reads first.
+  await page.evaluate(() => {
+    dispatchEvent(new Event('focus'));
+    document.querySelector<HTMLButtonElement>('#ask [value=yes]')?.click();
+  });
+  await page.keyboard.press('Enter');
+  await expect(question).toBeHidden();
+  await ask('https://evil.test/3.ply');
+  await expect(question).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(question).toBeHidden();
+  expect(asked).toHaveLength(1);
+
+  // The site is named as it is, on a line of its own; the file's name cannot speak for it.
+  const long = `${'a'.repeat(60)}.`.repeat(4);
+  for (const [address, shownSite, shownFile] of [
+    [
+      'https://xn--80ak6aa92e.com/%E2%80%AEmoc.elpmaxe%20morf%20,blg.nemow',
+      'xn--80ak6aa92e.com',
+      'moc.elpmaxe morf ,blg.nemow',
+    ],
+    ['https://аррӏе.com/a.glb', 'xn--80ak6aa92e.com', 'a.glb'],
+    ['https://trusted.test:x@evil.test:8443/a.glb', 'evil.test:8443', 'a.glb'],
+    ['https://trusted.test%2F@evil.test/a.glb', 'evil.test', 'a.glb'],
+    [`https://${long}test/a.glb`, `${long}test`, 'a.glb'],
+    [
+      `https://evil.test/women.glb%0A${'from%20trusted.test%20'.repeat(150)}.glb`,
+      'evil.test',
+      /^File: women\.glb from.{1,30}….{1,30}\.glb$/,
+    ],
+  ] as const) {
+    await ask(address);
+    await expect(site).toHaveText(shownSite);
+    await expect(page.locator('.ask-file')).toHaveText(
+      typeof shownFile === 'string' ? `File: ${shownFile}` : shownFile,
+    );
+    await expect(no).toBeInViewport({ ratio: 1 });
+  }
+  await no.click();
+  for (const address of [
+    'data:,x',
+    'blob:https://evil.test/1',
+    `https://${long.repeat(2)}test/a.glb`,
+    'http://evil.test/a',
+  ]) {
+    await ask(address);
+    await expect(name).toHaveText('Stanford dragon');
+    await expect(question).toHaveCount(0);
+    await follow(page, `model=cube&${LOOK}`);
+    await expect(name).toHaveText('Cube');
+  }
+  expect(asked).toHaveLength(1);
+
+  // A site that was agreed to cannot send the visitor on to another.
+  await ask('https://trusted.test/sent-on.ply');
+  await yes.click();
+  await expect(page.locator('#status')).toHaveText(
+    /^sent-on\.ply did not come: trusted\.test sends on to another site/,
+  );
+  expect(asked.slice(1)).toEqual(['trusted.test/sent-on.ply']);
+  expect(pageProblems.splice(0).filter((problem) => !/Content Security Policy|ERR_|CORS/.test(problem))).toEqual([]);
 });
 
 test('what was asked for and did not come leaves nothing behind: no style, no axis, no picture', async ({ page }) => {

@@ -5,6 +5,7 @@ import type { Report } from '../drawing/Report.js';
 import { standInFor } from '../drawing/standInFor.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
 import type { ModelFile, ReadModel } from '../files/readModel.js';
+import { shownName } from '../files/shownText.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { setPageState } from '../page/setPageState.js';
@@ -48,8 +49,8 @@ export class ModelLoader {
     | undefined;
   /** The value of the setting for the model that is shown. */
   private shownModel: Settings['model'];
-  /** The model that is shown or being loaded: its setting, and its files if it is the user's own. */
-  private wanted: WantedModel;
+  /** The model that is shown or being loaded, if one is: its setting, and its files if it is the user's own. */
+  private wanted: WantedModel | undefined;
   private readonly addresses = new WeakMap<readonly ModelFile[], string>();
 
   constructor(
@@ -60,7 +61,6 @@ export class ModelLoader {
     private readonly onChange: (end: ModelEnd) => void,
   ) {
     this.shownModel = settings.model;
-    this.wanted = { model: settings.model };
   }
 
   /** Shows the built-in model that the settings ask for. */
@@ -70,6 +70,11 @@ export class ModelLoader {
     if (settings.model !== 'file') void this.showBuiltIn(settings.model, false);
   }
 
+  /** As {@link showChosen}, where nothing is shown or being loaded: the page is not left empty. */
+  showSomething(): void {
+    if (!this.scene.model && !this.isLoading) this.showChosen();
+  }
+
   /**
    * Goes back to a model that was shown before, or that a link asks for, with the settings that are there already.
    *
@@ -77,7 +82,7 @@ export class ModelLoader {
    * @param isFramed whether the camera goes to where it sees the whole model
    */
   restore({ model, files }: WantedModel, isFramed: boolean): void {
-    if (model === this.wanted.model && files === this.wanted.files) return;
+    if (model === this.wanted?.model && files === this.wanted.files) return;
     if (model !== 'file') void this.showBuiltIn(model, isFramed);
     else if (files) void this.showOwn(files, { isFramed, isRestored: true });
   }
@@ -123,7 +128,7 @@ export class ModelLoader {
     const wanted: WantedModel = { model: 'file' };
     void this.show(wanted, { isFramed, isRestored: true }, async (report, signal) => {
       const { describeAddress, fetchModel } = await import('./fetchModel.js');
-      const stage = `fetching ${describeAddress(address).name}`;
+      const stage = `fetching ${shownName(describeAddress(address).name)}`;
       report(stage);
       const files = [await fetchModel(address, { signal, onProgress: (progress) => report(stage, progress) })];
       wanted.files = files;
@@ -246,6 +251,6 @@ export class ModelLoader {
 
   private name(title: string, { statistics }: HatchedModel, notes: readonly string[]): void {
     page.modelCaption.replaceChildren(...modelCaption(title, statistics, notes));
-    document.title = `${title}, hatched`;
+    document.title = `${shownName(title)}, hatched`;
   }
 }

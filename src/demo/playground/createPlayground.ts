@@ -5,18 +5,20 @@ import type { CameraView } from '../settings/CameraView.js';
 import { EditHistory } from '../settings/EditHistory.js';
 import { LIGHT_LOOKS } from '../settings/lightLooks.js';
 import { presetLook } from '../settings/presets.js';
-import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
+import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
 import type { CodeDialog } from './CodeDialog.js';
 import type { CompareDivider } from './CompareDivider.js';
 import type { ContactSheet } from './ContactSheet.js';
+import { type DrawingState, isSameState } from './DrawingState.js';
 import { dropFiles } from './dropFiles.js';
 import type { ExportActions } from './ExportActions.js';
 import { isFullScreenKey, toggleFullScreen } from './fullScreen.js';
 import type { Gallery } from './Gallery.js';
 import { Keeper } from './Keeper.js';
 import type { LightHandles } from './LightHandles.js';
+import type { LinkFollower } from './LinkFollower.js';
 import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
 import type { MotionPanel } from './MotionPanel.js';
@@ -41,20 +43,6 @@ declare global {
     __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
 }
-
-/** What Undo goes back to. */
-interface DrawingState {
-  settings: Settings;
-  /** Undefined if the model was framed. */
-  camera: CameraView | undefined;
-  /** Of the user's own model. */
-  files: readonly ModelFile[] | undefined;
-}
-
-const isSameState = (a: DrawingState, b: DrawingState): boolean =>
-  SETTING_KEYS.every((key) => a.settings[key] === b.settings[key]) &&
-  a.files === b.files &&
-  JSON.stringify(a.camera) === JSON.stringify(b.camera);
 
 /** Of some of them, whether there is a map at all depends. */
 const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed', 'technique', 'compare'];
@@ -152,7 +140,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         return scene.framesDrawn;
       },
       get isIdle() {
-        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && !isAwaiting && fetching === 0;
+        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && fetching === 0;
       },
     },
   });
@@ -165,12 +153,16 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   let fetching = 0;
 
   /** Opens what has to be fetched first. */
-  function whenFetched<Part>(part: Promise<Part>, open: (part: Part) => unknown): void {
+  function whenFetched<Part>(part: Promise<Part>, open: (part: Part) => unknown): Promise<void> {
     fetching++;
-    part
+    return part
       .then(open)
-      .catch((error) => status.fail(`A part of the page could not be fetched: ${errorMessage(error)}.`))
-      .finally(() => fetching--);
+      .catch(sayUnfetched)
+      .then(() => void fetching--);
+  }
+
+  function sayUnfetched(error: unknown): void {
+    status.fail(`A part of the page could not be fetched: ${errorMessage(error)}.`);
   }
 
   let lights: LightHandles | undefined;
@@ -237,8 +229,6 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // ── Settings ──
 
   let linkTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Whether a kept drawing is being read, or the user was asked about a model. */
-  let isAwaiting = false;
 
   /**
    * Applies settings that the user has changed, and keeps the earlier ones for Undo.
@@ -267,8 +257,14 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   /** Takes over settings and camera, and loads the model and the map that they ask for. */
   function showState({ settings: next, camera: place, files }: DrawingState): void {
     // Files that are gone cannot be shown again.
-    Object.assign(settings, next, next.model === 'file' && !files && { model: settings.model });
+    const { model } = settings;
+    showLook({ ...next, ...(next.model === 'file' && !files && { model }) }, place);
     modelLoader.restore({ model: settings.model, files }, place === undefined);
+  }
+
+  /** Takes over settings and camera, and loads the map that they ask for. */
+  function showLook(next: Settings, place: CameraView | undefined): void {
+    Object.assign(settings, next);
     void mapLoader.showChosen();
     if (place) scene.view.place = place;
     else scene.view.frame();
@@ -322,7 +318,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     clearTimeout(linkTimer);
     linkTimer = undefined;
     // Written when the model is there: until then, what is shown and what is asked for are two drawings.
-    if (isAwaiting || modelLoader.isLoading) return;
+    if (following > 0 || modelLoader.isLoading) return;
     const files = {
       model: settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: settings.mapStyle === 'file' ? mapLoader.ownFiles : undefined,
@@ -371,52 +367,32 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     page.home.href = `${location.pathname}#${currentLink()}`;
   });
 
-  /** Shows what the page's address asks for. */
+  let links: LinkFollower | undefined;
+  /** How many links are followed: the user is asked, or a kept drawing is read. */
+  let following = 0;
+  /** Shows a drawing that takes a while, and then lets the page's address be that of what is shown. */
+  async function follow(show: (links: LinkFollower) => Promise<void>): Promise<void> {
+    following++;
+    await whenFetched(import('./LinkFollower.js'), ({ LinkFollower }) => {
+      links ??= new LinkFollower({
+        ...{ settings, keeper, modelLoader, mapLoader, status },
+        ...{ showState, showLook, recordChange },
+      });
+      return show(links);
+    });
+    following--;
+    // Also where that could not be fetched.
+    if (following === 0) modelLoader.showSomething();
+    updateAddress();
+    showPageState();
+  }
+
   function followLink(): void {
-    if (keeper.asked !== undefined) void openKept(keeper.asked);
-    else {
-      const { address: asked, ...next } = readLink(location.hash);
-      // While a model from the web is asked about and fetched, the one that is shown stays.
-      if (asked !== undefined) next.settings.model = settings.model;
-      showState({ ...next, files: settings.model === 'file' ? modelLoader.ownFiles : undefined });
-      recordChange();
-      if (asked !== undefined) void showAddress(asked, next.camera === undefined);
-    }
+    void follow((links) => links.follow());
   }
 
-  /** Shows a model from another site, if the user agrees. */
-  async function showAddress(asked: string, isFramed: boolean): Promise<void> {
-    isAwaiting = true;
-    const { askToFetch } = await import('./ask.js');
-    const isAgreed = await askToFetch(asked);
-    isAwaiting = false;
-    if (isAgreed) modelLoader.showAddress(asked, isFramed);
-    else if (!scene.model) modelLoader.showChosen();
-    else updateAddress();
-  }
-
-  /** Shows a kept drawing. */
-  async function openKept(id: string): Promise<void> {
-    isAwaiting = true;
-    const kept = await keeper.open(id);
-    if (kept) {
-      const { settings: next, address: origin } = readLink(kept.drawing.link);
-      const { camera: place } = kept.drawing;
-      const { model: files, map } = kept.files;
-      if (files) next.model = 'file';
-      if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
-      showState({ settings: next, camera: place, files });
-      if (map) await mapLoader.showFiles(map, true);
-    } else {
-      status.say('That drawing is no longer kept.');
-      if (!scene.model) {
-        modelLoader.showChosen();
-        void mapLoader.showChosen();
-      }
-    }
-    isAwaiting = false;
-    recordChange();
-    if (tasks.isIdle) showPageState();
+  function openKept(id: string): Promise<void> {
+    return follow((links) => links.openKept(id));
   }
 
   /** Shows the way to kept drawings where there are any. */
@@ -460,7 +436,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   /** Shows that there is nothing to draw, and nothing that could still come. */
   function showPageState(): void {
-    if (tasks.isIdle && !isAwaiting && !scene.isComplete && !context.isContextLost()) setPageState('failed');
+    if (tasks.isIdle && following === 0 && !scene.isComplete && !context.isContextLost()) setPageState('failed');
   }
 
   // ── Files and buttons ──
@@ -468,7 +444,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   if (pageForm === 'playground')
     dropFiles(
       { overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
-      (files) => void showFiles(files),
+      (files) => void showFiles(files).catch(sayUnfetched),
       (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
     );
   page.savePng.addEventListener('click', exported('savePng'));
@@ -487,8 +463,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     const { kind, files } = sortDrop(dropped, modelLoader.shownFiles, !page.contactSheet.sheet.hidden);
     if (kind === 'model') await modelLoader.showFiles(files);
     else {
-      const { askForStrokes } = await import('./ask.js');
-      if (kind === 'map' || (await askForStrokes(files.map(({ name }) => name)))) await mapLoader.showFiles(files);
+      const isMap = kind === 'map' || (await (await import('./ask.js')).askForStrokes(files.map(({ name }) => name)));
+      if (isMap) await mapLoader.showFiles(files);
     }
   }
 
@@ -519,7 +495,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     void openKept(keeper.asked).then(() => history.clear());
   } else {
     if (address === undefined) modelLoader.showChosen();
-    else void showAddress(address, camera === undefined);
+    else void follow((links) => links.showAddress(address, camera === undefined));
     void mapLoader.showChosen();
   }
 }

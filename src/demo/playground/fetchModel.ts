@@ -2,17 +2,18 @@ import type { FetchMessage } from '../fetch/FetchMessage.js';
 import { baseName } from '../files/fileName.js';
 import { ModelError } from '../files/ModelError.js';
 import type { ModelFile } from '../files/readModel.js';
+import { shownName } from '../files/shownText.js';
 
-/** The name of the file at an address, and of the site where it lies. */
+/** The name of the file at an address, and of the site where it lies, in the ASCII form: there no letter looks like another. */
 export function describeAddress(address: string): { name: string; site: string } {
-  const { hostname, pathname } = new URL(address);
+  const { host, pathname } = new URL(address);
   let name = baseName(pathname);
   try {
     name = decodeURIComponent(name);
   } catch {
     // It stays as it is written.
   }
-  return { name: name || 'model', site: hostname };
+  return { name: name || 'model', site: host };
 }
 
 /**
@@ -25,6 +26,7 @@ export function fetchModel(
   { signal, onProgress }: { signal: AbortSignal; onProgress: (progress: number | undefined) => void },
 ): Promise<ModelFile> {
   const { name, site } = describeAddress(address);
+  const shown = shownName(name);
   const frame = document.createElement('iframe');
   frame.hidden = true;
   frame.src = new URL('fetch/', document.baseURI).href;
@@ -49,15 +51,22 @@ export function fetchModel(
           end(undefined, data.content);
           return;
         case 'refused':
-          end(new ModelError(`${site} has no such file: it answered ${data.status} for ${name}.`));
+          end(new ModelError(`${site} has no such file: it answered ${data.status} for ${shown}.`));
           return;
         case 'too large':
-          end(new ModelError(`${name} has more than 512 MB, which is too much for a page.`));
+          end(new ModelError(`${shown} has more than 512 MB, which is too much for a page.`));
+          return;
+        case 'sent on':
+          end(
+            new ModelError(
+              `${shown} did not come: ${site} sends on to another site, which you have not agreed to. Download it there, and drop it here.`,
+            ),
+          );
           return;
         case 'failed':
           end(
             new ModelError(
-              `${name} did not come: ${site} cannot be reached, or does not let other pages fetch its files (CORS). Download it there, and drop it here.`,
+              `${shown} did not come: ${site} cannot be reached, or does not let other pages fetch its files (CORS). Download it there, and drop it here.`,
             ),
           );
       }

@@ -43,12 +43,6 @@ export const page = {
   saveMap: findElement('save-map'),
   openMap: findElement('open-map'),
   drop: findElement('drop'),
-  ask: {
-    dialog: findElement('ask') as HTMLDialogElement,
-    question: findElement('ask-question'),
-    yes: findElement('ask-yes'),
-    no: findElement('ask-no'),
-  },
   fileInput: findElement('file-input') as HTMLInputElement,
   status: {
     message: findElement('status'),

@@ -61,9 +61,16 @@ export function readLink(hash: string): LinkedDrawing {
   };
 }
 
+/** As long as the name of a host can be in the domain name system. */
+const MAX_HOST = 253;
+
 /** An address that the page may ask for, whole; undefined for anything else. */
 function addressOf(text: string): string | undefined {
   if (!URL.canParse(text)) return undefined;
-  const { protocol, href } = new URL(text);
-  return protocol === 'https:' ? href : undefined;
+  const address = new URL(text);
+  if (address.protocol !== 'https:' || address.hostname.length > MAX_HOST) return undefined;
+  // `https://name:password@host`: no browser fetches that, and the name may be that of another host.
+  address.username = '';
+  address.password = '';
+  return address.href;
 }

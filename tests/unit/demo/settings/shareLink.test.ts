@@ -32,6 +32,14 @@ describe('a link', () => {
     }
   });
 
+  test('carries no name and password, which may look like a site, and no host that is none', () => {
+    const read = (address: string) => readLink(`model=${encodeURIComponent(address)}`).address;
+    expect(read('https://trusted.test:x@evil.test:8443/a.glb')).toBe('https://evil.test:8443/a.glb');
+    expect(read('https://trusted.test\\@evil.test/a.glb')).toBe('https://trusted.test/@evil.test/a.glb');
+    expect(read(`https://${'a.'.repeat(126)}t/a.glb`)).toBeDefined();
+    expect(read(`https://${'a.'.repeat(127)}t/a.glb`)).toBeUndefined();
+  });
+
   test.each([
     ['1', 'single'],
     ['2', 'lights'],
