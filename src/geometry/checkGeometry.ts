@@ -16,33 +16,31 @@ const NORMALIZABLE: ReadonlySet<string> = new Set([
 /**
  * Throws a TypeError or RangeError if the vertex data of `geometry` cannot be read. Returns the beginning of all further error
  * messages: the function and the name of the geometry.
+ *
+ * @param caller the function that the geometry was passed to
  */
-export function checkGeometry(geometry: BufferGeometry): string {
+export function checkGeometry(geometry: BufferGeometry, caller = 'prepareHatchingGeometry'): string {
   if (!geometry?.isBufferGeometry) {
     throw new TypeError(
-      `prepareHatchingGeometry: expected a THREE.BufferGeometry, got ${kindOf(geometry)}. For a mesh pass mesh.geometry.`,
+      `${caller}: expected a THREE.BufferGeometry, got ${kindOf(geometry)}. For a mesh pass mesh.geometry.`,
     );
   }
-  const label = `prepareHatchingGeometry: the geometry${geometry.name ? ` "${geometry.name}"` : ''}`;
+  const label = `${caller}: the geometry${geometry.name ? ` "${geometry.name}"` : ''}`;
   const { position } = geometry.attributes;
   if (!position) {
     throw new TypeError(`${label} has no attribute "position". Set one with three floats per vertex.`);
   }
-  for (const [name, attribute] of [...Object.entries(geometry.attributes), ...morphTargets(geometry)]) {
-    if (!attribute.array) {
-      throw new TypeError(
-        `${label}: the data of attribute "${name}" is not in memory (a GLBufferAttribute, or freed after upload). Pass a geometry whose arrays are still there.`,
-      );
-    }
-    checkMemory(label, `attribute "${name}"`, attribute);
+  for (const [name, attribute] of [...Object.entries(geometry.attributes), ...morphTargets(label, geometry)]) {
+    const what = `attribute "${name}"`;
+    checkMemory(label, what, attribute);
     if (attribute.normalized && !NORMALIZABLE.has(attribute.array.constructor.name)) {
       throw new TypeError(
-        `${label}: attribute "${name}" is normalized, but a ${attribute.array.constructor.name}, which three.js cannot normalize. Set normalized to false, or use another array.`,
+        `${label}: ${what} is normalized, but a ${attribute.array.constructor.name}, which three.js cannot normalize. Set normalized to false, or use another array.`,
       );
     }
     if (!isInstanced(attribute) && attribute.count < position.count) {
       throw new RangeError(
-        `${label}: attribute "${name}" has ${attribute.count} entries, but there are ${position.count} positions. Give each vertex one entry, or delete the attribute.`,
+        `${label}: ${what} has ${attribute.count} entries, but there are ${position.count} positions. Give each vertex one entry, or delete the attribute.`,
       );
     }
   }
@@ -50,20 +48,54 @@ export function checkGeometry(geometry: BufferGeometry): string {
   return label;
 }
 
-/** Throws a TypeError if the array is shorter than the entries: a buffer that was transferred has length 0. */
+/**
+ * Throws a TypeError if something is no attribute whose numbers can be read: of nothing, of numbers that WebGL has not, of memory
+ * that is gone, or of an array shorter than its entries, as one is whose buffer was transferred.
+ */
 function checkMemory(label: string, what: string, attribute: VertexAttribute): void {
-  const values =
-    'data' in attribute ? attribute.data.count * attribute.data.stride : attribute.count * attribute.itemSize;
-  if (attribute.array.length >= values) return;
-  throw new TypeError(
-    `${label}: the data of ${what} is gone: ${attribute.array.length} values for ${attribute.count} entries. Its buffer was transferred to a worker, say; pass a geometry whose arrays are still there.`,
+  const fail = (fault: string): never => {
+    throw new TypeError(`${label}: ${fault}`);
+  };
+  if (!isAttribute(attribute)) {
+    fail(`${what} is ${kindOf(attribute)}, but must be a THREE.BufferAttribute. Set one, or delete it.`);
+  }
+  const { array } = attribute;
+  if (!array) {
+    fail(
+      `the data of ${what} is not in memory (a GLBufferAttribute, or freed after upload). Pass a geometry whose arrays are still there.`,
+    );
+  }
+  if (typeof array.BYTES_PER_ELEMENT !== 'number' || /^Big/.test(array.constructor.name)) {
+    fail(
+      `${what} is of a ${array.constructor.name}, which WebGL cannot read. Use a Float32Array, or a Uint32Array for an index.`,
+    );
+  }
+  const { count, itemSize } = attribute;
+  if (!(count >= 0 && count < Infinity && itemSize > 0)) {
+    fail(`${what} has ${count} entries of ${itemSize} numbers each. Give it an itemSize of 1 to 4.`);
+  }
+  const values = 'data' in attribute ? attribute.data.count * attribute.data.stride : count * itemSize;
+  if (array.length >= values) return;
+  fail(
+    `the data of ${what} is gone: ${array.length} values for ${count} entries. Its buffer was transferred to a worker, say; pass a geometry whose arrays are still there.`,
   );
 }
 
-const morphTargets = ({ morphAttributes }: BufferGeometry) =>
-  Object.entries(morphAttributes).flatMap(([name, targets]) =>
-    (targets ?? []).map((target, i) => [`${name}, morph target ${i}`, target] as const),
-  );
+const isAttribute = (value: unknown): boolean =>
+  typeof value === 'object' &&
+  value !== null &&
+  ('isBufferAttribute' in value || 'isInterleavedBufferAttribute' in value || 'isGLBufferAttribute' in value);
+
+function morphTargets(label: string, { morphAttributes }: BufferGeometry): [string, VertexAttribute][] {
+  return Object.entries(morphAttributes).flatMap(([name, targets = []]) => {
+    if (!Array.isArray(targets)) {
+      throw new TypeError(
+        `${label}: morphAttributes.${name} is ${kindOf(targets)}, but must be a list of THREE.BufferAttribute. Set one, or delete it.`,
+      );
+    }
+    return targets.map((target, i): [string, VertexAttribute] => [`${name}, morph target ${i}`, target]);
+  });
+}
 
 function kindOf(value: unknown): string {
   if (value === null || typeof value !== 'object') return String(value);

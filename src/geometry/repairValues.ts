@@ -7,14 +7,14 @@ export interface Repairs {
   /** Vertices whose normal was computed: all if the source had none, else those in triangles where it was zero or not finite. */
   computedNormals: number;
   /**
-   * Values of colours, texture coordinates, tangents, skin weights and morph targets that were not finite. They became 0; in
+   * Values of colours, texture coordinates, tangents, skin indices and weights and morph targets that were not finite. They became 0; in
    * morph targets that are not relative, the value of the unmorphed vertex.
    */
   zeroedValues: number;
 }
 
 /** The attributes that three's shaders read. Others are one's own and are kept as they are. */
-const READ_BY_THREE = /^(color|uv\d?|tangent|skinWeight)$/;
+const READ_BY_THREE = /^(color|uv\d?|tangent|skinIndex|skinWeight)$/;
 
 /**
  * How many normals cannot be used: all if there are none, else those in `indices` that are zero or not finite. Scans have some

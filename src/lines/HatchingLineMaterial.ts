@@ -26,7 +26,7 @@ export type HatchingLineParameters = MaterialParameters &
 
 /**
  * How `HatchingLines` are drawn. Takes the scene's lights, fog and clipping planes. Every property may be set at any time and
- * counts from the next frame on; `wobble` and `tooth` build another program when they become 0 or more. Several `HatchingLines` may share
+ * counts from the next frame on; `wobble` and `tooth` build another program when they become 0, or more than 0. Several `HatchingLines` may share
  * one.
  */
 export class HatchingLineMaterial extends ShaderMaterial {

@@ -6,6 +6,7 @@ import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import { type MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { claimMeshes } from './claimMeshes.js';
 import { fieldFrames } from './fieldFrames.js';
@@ -64,7 +65,7 @@ const MAP_SHARE = 0.2;
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
  *   was filled with prepared geometries.
  *
- * Rejects with an Error if part of `root` is hatched already; with a RangeError for an unknown preset; with the signal's reason when aborted; with the first mesh's
+ * Rejects with an Error if part of `root` is hatched already, or below itself; with a RangeError for an unknown preset; with the signal's reason when aborted; with the first mesh's
  * error if none can be hatched; with a TypeError for an unknown option; and with the error of a map or a parameter.
  */
 export async function applyHatching(
@@ -79,6 +80,7 @@ export async function applyHatching(
   if (!root?.isObject3D) {
     throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
   }
+  assertTree('applyHatching', root);
   const { replaces } = options;
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
   let releaseMeshes = claimMeshes(meshes.filter((mesh) => !replaces?.holds(mesh)));

@@ -6,6 +6,7 @@ import type { OcclusionMesh } from '../occlusion/OcclusionScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
+import { assertTree } from './assertTree.js';
 import type { SkippedMesh } from './HatchedScene.js';
 import { hasRoom, OcclusionBake } from './OcclusionBake.js';
 import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
@@ -49,7 +50,7 @@ const START_SHARE = 0.05;
  * - It is as fine as the mesh: a wide floor of two triangles has no place to keep a shade in. Details are lost that are
  *   smaller than about 1/250 of the size of the scene.
  *
- * Rejects with the signal's reason when aborted, and takes back what was shown; with an Error if no mesh is prepared; and
+ * Rejects with the signal's reason when aborted, and takes back what was shown; with an Error if no mesh is prepared, or one is below itself; and
  * with a TypeError or RangeError for a wrong option. When the worker dies, it begins anew.
  */
 export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOptions = {}): Promise<OcclusionBake> {
@@ -63,6 +64,7 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
   }
   signal?.throwIfAborted();
   if (!root?.isObject3D) throw new TypeError('bakeOcclusion: expected a THREE.Object3D, such as a scene or a mesh.');
+  assertTree('bakeOcclusion', root);
   root.updateWorldMatrix(true, false);
   root.updateMatrixWorld();
   const { readers, receivers, skipped } = readersOf(root);
@@ -133,7 +135,7 @@ function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; 
 
 function readerOf(mesh: Mesh, receives: boolean, hides: boolean): MeshReader {
   const { geometry } = mesh;
-  const range = cornerRange(geometry, checkGeometry(geometry));
+  const range = cornerRange(geometry, checkGeometry(geometry, 'bakeOcclusion'));
   const toWorld = worldMatrices(mesh)[0].toArray();
   const isInsideOut = materialsOf(mesh).every(({ side }) => side === BackSide);
   return () => ({

@@ -176,16 +176,6 @@ export class TonalArtMap {
   }
 
   /**
-   * Whether a half turn leaves the thresholds unchanged: texel [i][j] = [size−1−i][size−1−j] on every level. Techniques that
-   * know the direction of strokes only up to its sign need that. True for every generated map.
-   */
-  get pointSymmetric(): boolean {
-    return this.thresholdMap().every(({ thresholds }) =>
-      thresholds.every((threshold, i) => threshold === thresholds[thresholds.length - 1 - i]),
-    );
-  }
-
-  /**
    * A copy of one hatch image: (size / 2^level)² bytes in rows of growing v, 255 = paper, 0 = ink.
    *
    * @throws RangeError if there is no such tone or level

@@ -1,5 +1,16 @@
-import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute, type TypedArray } from 'three';
-import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  InterleavedBuffer,
+  InterleavedBufferAttribute,
+  Mesh,
+  MeshBasicMaterial,
+  type Object3D,
+  type TypedArray,
+} from 'three';
+import { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterAll, describe, expect, test } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../src/material/hatchingProperties.js';
 import type { Random } from '../../Random.js';
@@ -10,7 +21,7 @@ const report: FuzzReport = {};
 
 /** What JavaScript and three.js say of their own accord. */
 const INTERNALS =
-  /Cannot |not a function|not iterable|not defined|Invalid (array|typed)|bounds|offset is|JSON at|Unexpected/;
+  /Cannot |call stack|Class constructor|not a function|not iterable|not defined|Invalid (array|typed)|bounds|offset is|JSON at|Unexpected/;
 
 /** A call that worked, or was refused with an error that names the function. @throws Error if it was neither */
 async function outcome(caller: RegExp, call: () => unknown): Promise<'good' | 'refused'> {
@@ -18,10 +29,14 @@ async function outcome(caller: RegExp, call: () => unknown): Promise<'good' | 'r
     await call();
     return 'good';
   } catch (error) {
-    const { message } = error as Error;
-    if (!caller.test(message) || INTERNALS.test(message)) throw error;
+    checkRefusal(caller, error as Error);
     return 'refused';
   }
+}
+
+/** @throws the error if it does not name the function, or is not in words of ours */
+function checkRefusal(caller: RegExp, error: Error): void {
+  if (!caller.test(error.message) || INTERNALS.test(error.message)) throw error;
 }
 
 const checkNumbers = (what: string, values: ArrayLike<number>): void => {
@@ -31,6 +46,15 @@ const checkNumbers = (what: string, values: ArrayLike<number>): void => {
 
 const NUMBERS = [0, 1, -1, 0.5, 1e-30, 1e30, Number.NaN, Infinity, -0, 3];
 const ARRAYS = [Float32Array, Float32Array, Float32Array, Float64Array, Uint8Array, Int16Array, Uint32Array];
+/** Arrays that no attribute may have. */
+const badArrays = (length: number) => [
+  new BigInt64Array(length),
+  new BigUint64Array(length),
+  new Array(length).fill(0),
+  new DataView(new ArrayBuffer(length)),
+];
+/** What may stand where an attribute should. */
+const NO_ATTRIBUTES = [null, undefined, 0, 'position', {}, [], { array: new Float32Array(9), count: 3 }, Infinity];
 
 function oddGeometry(random: Random): BufferGeometry {
   const geometry = new BufferGeometry();
@@ -38,7 +62,12 @@ function oddGeometry(random: Random): BufferGeometry {
   const isWild = random.chance(0.3);
   const value = (): number => (isWild && random.chance(0.05) ? random.pick(NUMBERS) : random.next());
   const attribute = (size: number, count = vertices): BufferAttribute | InterleavedBufferAttribute => {
-    const array = new (random.pick(ARRAYS))(Array.from({ length: size * count }, value)) as TypedArray;
+    const numbers = Array.from({ length: size * count + (random.chance(0.02) ? 1 : 0) }, value);
+    if (random.chance(0.01)) {
+      const array = random.pick(badArrays(numbers.length)) as never;
+      return Object.assign(new BufferAttribute(new Uint8Array(), size), { array, count });
+    }
+    const array = new (random.pick(ARRAYS))(numbers) as TypedArray;
     if (random.chance(0.1)) return new InterleavedBufferAttribute(new InterleavedBuffer(array, size), size, 0);
     return new BufferAttribute(array, size, random.chance(0.2));
   };
@@ -49,6 +78,7 @@ function oddGeometry(random: Random): BufferGeometry {
     ['uv', 2],
     ['color', random.pick([3, 4])],
     ['skinIndex', 4],
+    ['skinWeight', 4],
     ['mine', random.pick([1, 2, 3, 4])],
   ] as const) {
     if (!random.chance(name === 'position' ? 0.97 : 0.3)) continue;
@@ -60,6 +90,12 @@ function oddGeometry(random: Random): BufferGeometry {
     geometry.setIndex(Array.from({ length }, () => random.below(limit)));
   }
   if (random.chance(0.2)) geometry.morphAttributes.position = [attribute(3, count()) as BufferAttribute];
+  if (random.chance(0.03)) Reflect.set(geometry.morphAttributes, 'position', random.pick(NO_ATTRIBUTES));
+  if (random.chance(0.03)) Reflect.set(geometry.morphAttributes, 'normal', [random.pick(NO_ATTRIBUTES)]);
+  if (random.chance(0.03)) {
+    Reflect.set(geometry.attributes, random.pick(['position', 'uv', 'mine']), random.pick(NO_ATTRIBUTES));
+  }
+  if (random.chance(0.02)) Reflect.set(geometry, 'index', random.pick(NO_ATTRIBUTES));
   if (random.chance(0.2)) geometry.setDrawRange(random.below(9), random.pick([0, 3, 5, Infinity, -1, Number.NaN]));
   if (random.chance(0.2)) geometry.addGroup(random.below(9), random.pick([0, 3, 7, Infinity]), random.below(3));
   return geometry;
@@ -89,11 +125,43 @@ async function geometryCase(random: Random): Promise<'good' | 'refused'> {
   const options = oddOptions(random, Object.keys(PREPARE), PREPARE);
   return outcome(/^prepareHatchingGeometry: /, async () => {
     const prepared = await prepareHatchingGeometry(geometry, options);
-    for (const name of ['position', 'normal', 'uv', 'color', 'hatchNormal']) {
+    for (const name of ['position', 'normal', 'uv', 'color', 'skinIndex', 'skinWeight', 'hatchNormal']) {
       const { array } = (prepared.attributes[name] as BufferAttribute | undefined) ?? { array: [] };
       checkNumbers(name, array);
     }
   });
+}
+
+/** A few meshes below each other, perhaps in a circle. */
+function oddScene(random: Random): Object3D {
+  const root = new Group();
+  const objects: Object3D[] = [root];
+  for (let i = random.below(4); i >= 0; i--) {
+    const geometry = random.chance(0.5) ? oddGeometry(random) : new BoxGeometry();
+    const mesh = new Mesh(undefined, new MeshBasicMaterial({ transparent: random.chance(0.2) }));
+    // The constructor looks at morph targets, and knows no error of its own.
+    mesh.geometry = geometry;
+    if (random.chance(0.1)) mesh.position.setScalar(random.pick(NUMBERS));
+    random.pick(objects).add(mesh);
+    objects.push(mesh);
+  }
+  if (random.chance(0.1)) random.pick(objects).children.push(random.pick(objects));
+  return random.pick([root, root, ...objects]);
+}
+
+/** What is wrong with one mesh is told by whoever prepares it. */
+async function sceneCase(random: Random): Promise<'good' | 'refused'> {
+  const root = oddScene(random);
+  const hatched = await outcome(/^(applyHatching|prepareHatchingGeometry): /, async () => {
+    const { skipped } = await applyHatching(root, { tonalArtMap: null });
+    for (const { error } of skipped) checkRefusal(/^(applyHatching|prepareHatchingGeometry): /, error);
+  });
+  const occluded = await outcome(/^bakeOcclusion: /, async () => {
+    const { meshes, skipped } = await bakeOcclusion(root, { directions: 64 });
+    for (const { geometry } of meshes) checkNumbers('occlusion', geometry.attributes.hatchNormal.array);
+    for (const { error } of skipped) checkRefusal(/^bakeOcclusion: /, error);
+  });
+  return hatched === 'good' ? occluded : hatched;
 }
 
 const MAP = {
@@ -176,15 +244,16 @@ async function materialCase(random: Random): Promise<'good' | 'refused'> {
 }
 
 describe('odd calls of the library give a result of finite numbers, or an error that names the function', () => {
-  // How many of eight cases are of a kind: maps take the longest.
+  // Which of nine cases are of a kind: maps take the longest.
   const kinds = [
     ['geometry', geometryCase, [0, 1, 2]],
+    ['scene', sceneCase, [8]],
     ['map', mapCase, [3]],
     ['mapFiles', mapFilesCase, [4, 5]],
     ['material', materialCase, [6, 7]],
   ] as const;
   for (const [kind, run, shares] of kinds) {
-    const seeds = shares.flatMap((share) => seedsOf(share, 8));
+    const seeds = shares.flatMap((share) => seedsOf(share, 9));
     test(
       `${kind}: ${seeds.length} cases`,
       async () => {

@@ -45,16 +45,17 @@ const layoutOf = (geometry: BufferGeometry): number[][] =>
 
 /** Everything in a geometry that a caller could see change. */
 function snapshot(geometry: BufferGeometry) {
-  const bytes = ({ array }: { array: TypedArray }) => [
-    array.constructor.name,
-    array.byteLength,
+  // What is no attribute may stand in the place of one.
+  const bytes = (attribute: { array: TypedArray } | null | undefined) => {
+    const array = attribute?.array;
+    if (!array) return [String(attribute)];
     // The values of a buffer that was transferred cannot be asked for.
-    ...(array.byteLength > 0 ? array : []),
-  ];
+    return [array.constructor.name, array.byteLength, ...(array.byteLength > 0 ? array : [])];
+  };
   return structuredClone({
     index: geometry.index && bytes(geometry.index),
     attributes: Object.entries(geometry.attributes).map(([name, attribute]) => [name, ...bytes(attribute)]),
-    morphs: Object.values(geometry.morphAttributes).flatMap((targets) => (targets ?? []).map(bytes)),
+    morphs: Object.values(geometry.morphAttributes).flatMap((targets) => [targets ?? []].flat().map(bytes)),
     groups: geometry.groups,
     drawRange: geometry.drawRange,
     userData: geometry.userData,
@@ -467,6 +468,63 @@ describe('bad input is rejected', () => {
       `${beginning}: attribute "position, morph target 0" has 1 entries`,
       /delete/,
     ],
+    ...([BigInt64Array, BigUint64Array] as const).map((Big): [string, BufferGeometry, string, RegExp] => [
+      `positions of ${Big.name}`,
+      changed((g) => g.setAttribute('position', new BufferAttribute(new Big(12) as never, 3))),
+      `${beginning}: attribute "position" is of a ${Big.name}, which WebGL cannot read`,
+      /Use a Float32Array/,
+    ]),
+    [
+      'an attribute of BigInt64Array',
+      changed((g) => g.setAttribute('mine', new BufferAttribute(new BigInt64Array(4) as never, 1))),
+      `${beginning}: attribute "mine" is of a BigInt64Array`,
+      /Use a Float32Array/,
+    ],
+    [
+      'an index of BigUint64Array',
+      changed((g) => g.setIndex(new BufferAttribute(new BigUint64Array(6) as never, 1))),
+      `${beginning}: the index is of a BigUint64Array`,
+      /a Uint32Array for an index/,
+    ],
+    [
+      'interleaved numbers of a plain array',
+      changed((g) => {
+        const plain = new InterleavedBuffer(new Array(12).fill(0) as never, 3);
+        g.setAttribute('color', new InterleavedBufferAttribute(plain, 3, 0));
+      }),
+      `${beginning}: attribute "color" is of a Array, which WebGL cannot read`,
+      /Use a Float32Array/,
+    ],
+    [
+      'an index on the graphics card',
+      changed((g) => Reflect.set(g, 'index', { isGLBufferAttribute: true, count: 6, itemSize: 1 })),
+      `${beginning}: the data of the index is not in memory (a GLBufferAttribute`,
+      /Pass a geometry/,
+    ],
+    [
+      'an attribute without an itemSize',
+      changed((g) => g.setAttribute('uv', new BufferAttribute(new Float32Array(8), undefined as never))),
+      `${beginning}: attribute "uv" has NaN entries of undefined numbers each`,
+      /Give it an itemSize/,
+    ],
+    ...[null, undefined, 5, {}].map((nothing): [string, BufferGeometry, string, RegExp] => [
+      `an attribute that is ${nothing}`,
+      changed((g) => Reflect.set(g.attributes, 'uv', nothing)),
+      `${beginning}: attribute "uv" is ${typeof nothing === 'object' && nothing ? 'Object' : nothing}, but must be a THREE.BufferAttribute`,
+      /Set one, or delete it/,
+    ]),
+    [
+      'a morph target that is null',
+      changed((g) => Reflect.set(g.morphAttributes, 'position', [null])),
+      `${beginning}: attribute "position, morph target 0" is null, but must be a THREE.BufferAttribute`,
+      /Set one, or delete it/,
+    ],
+    [
+      'morph targets that are no list',
+      changed((g) => Reflect.set(g.morphAttributes, 'position', {})),
+      `${beginning}: morphAttributes.position is Object, but must be a list of THREE.BufferAttribute`,
+      /Set one, or delete it/,
+    ],
     [
       'group inside a triangle',
       changed((g) => g.addGroup(1, 5, 0)),
@@ -474,7 +532,7 @@ describe('bad input is rejected', () => {
       /multiples of three/,
     ],
   ])('%s', async (_, geometry, message, remedy) => {
-    const before = geometry?.isBufferGeometry && geometry.attributes.position?.array ? snapshot(geometry) : null;
+    const before = geometry?.isBufferGeometry ? snapshot(geometry) : null;
     const error: Error = await prepareHatchingGeometry(geometry).then(
       () => expect.fail('resolved'),
       (reason) => reason,

@@ -85,8 +85,10 @@ describe.each(layouts)('values that are not finite, layout %s', (layout) => {
       'tangent',
       new Float16BufferAttribute([0x7e00, 0x7c00, 0x3c00, ...new Array(13).fill(0x3c00)], 4),
     );
+    source.setAttribute('skinIndex', new Float32BufferAttribute([NOT_A_NUMBER, ...new Array(15).fill(0)], 4));
+    source.setAttribute('skinWeight', new Float32BufferAttribute([Infinity, ...new Array(15).fill(0)], 4));
     const prepared = await prepareHatchingGeometry(source, { layout });
-    expect(prepared.userData.hatching.zeroedValues).toBe(5);
+    expect(prepared.userData.hatching.zeroedValues).toBe(7);
     expect(finite(prepared)).toBe(true);
     expect(source.getAttribute('color').getX(0)).toBeNaN();
   });

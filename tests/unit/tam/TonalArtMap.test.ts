@@ -74,7 +74,6 @@ describe('TonalArtMap.fromHatchImages', () => {
     expect(thresholds.toSorted()).toEqual(new Float32Array([0.125, 0.375, 0.625, 0.875]));
     thresholds.fill(0);
     expect(map.thresholds(0)[0]).toBe(0.125);
-    expect(map.pointSymmetric).toBe(false);
     expect(() => map.thresholds(1)).toThrow(
       'TonalArtMap.thresholds: level is 1, but must be a whole number from 0 to 0.',
     );
@@ -97,7 +96,6 @@ describe('TonalArtMap.generate', () => {
     const map = await TonalArtMap.generate({ size: 64, tones: 4, onProgress: (value) => progress.push(value) });
     expect([map.size, map.tones, map.levels]).toEqual([64, 4, 3]);
     expect(map.report.consistent).toBe(true);
-    expect(map.pointSymmetric).toBe(true);
     expect(progress).toEqual([...progress].sort((a, b) => a - b));
   });
 

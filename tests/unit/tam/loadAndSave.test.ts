@@ -41,7 +41,6 @@ describe('TonalArtMap.save and load', () => {
     expect(thresholdsOf(again)).toEqual(thresholdsOf(map));
     expect(again.strokeWidth).toBe(map.strokeWidth);
     expect(again.thresholdTexture.mipmaps).toEqual(map.thresholdTexture.mipmaps);
-    expect(again.pointSymmetric).toBe(true);
   });
 
   it('give back every byte of a map of hand-drawn levels, through addresses', async () => {

@@ -1,0 +1,62 @@
+import { BoxGeometry, Group, Mesh, type Object3D } from 'three';
+import { applyHatching, bakeOcclusion } from 'three-hatching';
+import { describe, expect, test } from 'vitest';
+import { assertTree } from '../../../src/scene/assertTree.js';
+
+const named = (name: string): Group => Object.assign(new Group(), { name });
+
+describe('a scene that goes round', () => {
+  const scenes: [string, () => Object3D, string][] = [
+    [
+      'below the root',
+      () => {
+        const root = named('root').add(named('a').add(named('b')));
+        const [a] = root.children;
+        a.children[0].children.push(a);
+        return root;
+      },
+      'a',
+    ],
+    [
+      'of an object that is its own child',
+      () => {
+        const root = named('root');
+        root.children.push(root);
+        return root;
+      },
+      'root',
+    ],
+    [
+      'above the root',
+      () => {
+        const [outer, inner] = [named('outer'), named('inner')];
+        outer.add(inner.add(new Mesh(new BoxGeometry())));
+        inner.add(outer);
+        return inner.children[0];
+      },
+      'inner',
+    ],
+  ];
+  test.each(scenes)('%s is refused before anything follows it', async (_, make, name) => {
+    const says = (caller: string) =>
+      `${caller}: the Group "${name}" is below itself, so the scene has no end. Take it out of the children of what is below it.`;
+    expect(() => assertTree('test', make())).toThrow(says('test'));
+    await expect(applyHatching(make(), { tonalArtMap: null })).rejects.toThrow(says('applyHatching'));
+    await expect(bakeOcclusion(make())).rejects.toThrow(says('bakeOcclusion'));
+  });
+});
+
+test('an object that stands in two places is no circle, nor is a deep scene', () => {
+  const shared = named('shared');
+  const root = named('root').add(named('a'), named('b'));
+  for (const child of root.children) child.children.push(shared);
+  expect(() => assertTree('test', root)).not.toThrow();
+  let deepest: Object3D = root;
+  for (let i = 0; i < 20_000; i++) {
+    const child = new Group();
+    child.parent = deepest;
+    deepest.children.push(child);
+    deepest = child;
+  }
+  expect(() => assertTree('test', root)).not.toThrow();
+});
