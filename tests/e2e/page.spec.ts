@@ -3,6 +3,7 @@ import { PNG } from 'pngjs';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { expect, test } from '../browser/test.js';
 import { columnGlb } from './columnModel.js';
+import { loseContext, restoreContext } from './graphicsContext.js';
 import { file, octahedronPly } from './modelFiles.js';
 import { changedShare, largestDifference, meanInk } from './pictures.js';
 import { drop, framesDrawn, middleOf, openPlayground, readDrawing, ready, savePicture } from './playground.js';
@@ -306,16 +307,6 @@ test('after a crash of the graphics process the same drawing comes back, also as
   }
 });
 
-/** Takes the graphics context from the drawing. */
-async function loseContext(page: Page): Promise<void> {
-  await page.evaluate(() => {
-    const gl = (document.getElementById('drawing') as HTMLCanvasElement).getContext('webgl2')!;
-    const extension = gl.getExtension('WEBGL_lose_context')!;
-    (window as unknown as { __bringBack: () => void }).__bringBack = () => extension.restoreContext();
-    extension.loseContext();
-  });
-}
-
 /** What a page shows that has lost its context, without lamp and focus ring. */
 async function readLastPicture(page: Page): Promise<PNG> {
   const above = page.locator('.lamp, #drawing, #status');
@@ -328,9 +319,6 @@ async function readLastPicture(page: Page): Promise<PNG> {
   await show('');
   return PNG.sync.read(picture);
 }
-
-const restoreContext = (page: Page): Promise<void> =>
-  page.evaluate(() => (window as unknown as { __bringBack: () => void }).__bringBack());
 
 test('what is missing at the start is said, and not covered by what goes well', async ({ page, pageProblems }) => {
   const status = page.locator('#status');

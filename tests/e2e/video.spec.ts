@@ -3,8 +3,9 @@ import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
 import { expect, test } from '../browser/test.js';
+import { loseContext, restoreContext } from './graphicsContext.js';
 import { changedShare } from './pictures.js';
-import { openPlayground, readDrawing, ready } from './playground.js';
+import { openPlayground, readDrawing, ready, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 560, height: 420 }, contextOptions: { reducedMotion: 'reduce' } });
 
@@ -98,7 +99,7 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   await player.close();
 
   // Where nothing is encoded, the frames come as pictures. What was asked once is not asked again: of another size.
-  await page.setViewportSize({ width: 540, height: 420 });
+  await page.setViewportSize({ width: 540, height: 422 });
   await page.evaluate(() => {
     VideoEncoder.isConfigSupported = async (config) => ({ supported: false, config });
   });
@@ -117,6 +118,13 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   // No step is larger than the others: not the one from the last frame to the first, either.
   expect(Math.max(...steps)).toBeLessThan(3 * Math.min(...steps));
 
+  // Before anything moves, a frame is the picture of its size.
+  await page.getByRole('combobox', { name: 'Motion' }).selectOption('The light goes around');
+  const [start] = Object.values(unzipSync((await record(page)).content));
+  const [frame, picture] = [PNG.sync.read(Buffer.from(start)), await savePicture(page)];
+  expect([frame.width, frame.height]).toEqual([picture.width, picture.height]);
+  expect(changedShare(frame, picture)).toBeLessThan(0.01);
+
   await page.getByRole('button', { name: 'Settings' }).click();
   const shown = await readDrawing(page);
   await page.getByRole('button', { name: 'Settings' }).click();
@@ -133,8 +141,29 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   await length.fill('30');
   await length.press('Enter');
 
+  // It is lost with the film, which is no fault of its size, and offered again at once.
   const downloads: unknown[] = [];
   page.on('download', (one) => downloads.push(one));
+  const again = page.getByRole('button', { name: 'Record it again' });
+  await page.getByRole('button', { name: 'Record a video' }).press('Enter');
+  await expect(page.locator('#status')).toHaveText('Recording the video…');
+  await page.waitForFunction(
+    () => document.querySelector<HTMLElement>('#progress-line')!.style.transform !== 'scaleX(0.04)',
+  );
+  await loseContext(page);
+  await expect(page.locator('#status')).toHaveText(
+    /let go of the drawing after \d+ of 1800 frames, so there is no video\. Record it again when the drawing is back/,
+  );
+  await expect(again).toBeVisible();
+  await restoreContext(page);
+  await expect(page.locator('html')).toHaveAttribute('data-state', 'ready');
+  await test.info().attach('offered again', { body: await page.screenshot(), contentType: 'image/png' });
+  await again.press('Enter');
+  await expect(page.locator('#status')).toHaveText('Recording the video…');
+  await expect(again).toBeHidden();
+  await page.locator('#cancel').click();
+  await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
+
   await page.getByRole('button', { name: 'Record a video' }).press('Enter');
   await expect(page.locator('#status')).toHaveText('Recording the video…');
   await expect(page.locator('.curtain')).toBeVisible();

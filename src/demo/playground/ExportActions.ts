@@ -6,7 +6,7 @@ import { fileStem } from './fileStem.js';
 import type { ModelLoader } from './ModelLoader.js';
 import { zipMap } from './mapFiles.js';
 import type { SaveDrawing } from './SaveDrawing.js';
-import type { Status } from './Status.js';
+import type { Remedy, Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 import type { TaskRunner } from './TaskRunner.js';
 
@@ -22,13 +22,21 @@ export class ExportActions {
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
-  readonly savePng = (): Promise<void> => this.save(async () => (await import('./savePicture.js')).savePicture);
+  readonly savePng = (): Promise<void> =>
+    this.save(async () => (await import('./savePicture.js')).savePicture, {
+      label: 'Save it again',
+      run: this.savePng,
+    });
 
   /** Records the video that the settings ask for, frame by frame. */
-  readonly saveVideo = (): Promise<void> => this.save(async () => (await import('./saveVideo.js')).saveVideo);
+  readonly saveVideo = (): Promise<void> =>
+    this.save(async () => (await import('./saveVideo.js')).saveVideo, {
+      label: 'Record it again',
+      run: this.saveVideo,
+    });
 
   /** Draws and saves by what `fetchSave` fetches. Nothing else is saved meanwhile. */
-  private async save(fetchSave: () => Promise<SaveDrawing>): Promise<void> {
+  private async save(fetchSave: () => Promise<SaveDrawing>, again: Remedy): Promise<void> {
     const { scene, status } = this;
     if (this.tasks.isRunning('picture')) return;
     if (scene.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
@@ -36,11 +44,15 @@ export class ExportActions {
     else {
       const settings = { ...this.settings };
       let sentence = '';
-      const end = await this.tasks.run('picture', async (report, signal) => {
-        const save = await fetchSave();
-        signal.throwIfAborted();
-        sentence = await save(scene, settings, fileStem(this.modelLoader.title), report, signal);
-      });
+      const end = await this.tasks.run(
+        'picture',
+        async (report, signal) => {
+          const save = await fetchSave();
+          signal.throwIfAborted();
+          sentence = await save(scene, settings, fileStem(this.modelLoader.title), report, signal);
+        },
+        again,
+      );
       if (end === 'done') status.say(sentence);
     }
   }

@@ -1,11 +1,24 @@
 import { shownText } from '../files/shownText.js';
 
-/** The status line, with a progress bar and a button that cancels the task. */
+/** What users can do about a problem. */
+export interface Remedy {
+  /** Of the button. */
+  label: string;
+  run: () => void;
+}
+
+interface Problem {
+  sentence: string;
+  remedy: Remedy | undefined;
+}
+
+/** The status line, with a progress bar, a button that cancels the task, and one that mends a problem. */
 export class Status {
   private cancelTask: (() => void) | undefined;
   private clearTimer: ReturnType<typeof setTimeout> | undefined;
   /** What is wrong with the page, by what it is about; the latest last. */
-  private readonly problems = new Map<string, string>();
+  private readonly problems = new Map<string, Problem>();
+  private remedy: Remedy | undefined;
 
   constructor(
     private readonly elements: {
@@ -13,9 +26,11 @@ export class Status {
       progress: HTMLElement;
       progressLine: HTMLElement;
       cancel: HTMLButtonElement;
+      mend: HTMLButtonElement;
     },
   ) {
     elements.cancel.addEventListener('click', () => this.cancelTask?.());
+    elements.mend.addEventListener('click', () => this.remedy?.run());
   }
 
   /** Shows the stage of a task, or a problem that is not solved. `progress` is in [0, 1], or undefined if it is unknown. */
@@ -52,16 +67,19 @@ export class Status {
    * Shows a problem until it is solved: other tasks that go on do not hide it, and it comes back after a message.
    *
    * @param about what it is about. There is one problem at most about each thing.
+   * @param remedy offered as long as no task runs
    */
-  addProblem(about: string, sentence: string): void {
+  addProblem(about: string, sentence: string, remedy?: Remedy): void {
     this.problems.delete(about);
-    this.problems.set(about, sentence);
-    this.write(sentence, true);
+    this.problems.set(about, { sentence, remedy });
+    this.write(sentence, true, remedy);
   }
 
-  /** The problem about something is solved. */
-  solveProblem(about: string): void {
-    if (this.problems.delete(about)) this.rest();
+  /** The problem about something is solved. @param news said of it where nothing else is wrong */
+  solveProblem(about: string, news?: string): void {
+    if (!this.problems.delete(about)) return;
+    if (news && this.problems.size === 0) this.say(news);
+    else this.rest();
   }
 
   private finish(): void {
@@ -73,14 +91,17 @@ export class Status {
   /** Shows the latest problem, or, if there is none, the text. */
   private rest(text = ''): void {
     const problem = [...this.problems.values()].at(-1);
-    this.write(problem ?? text, problem !== undefined);
+    this.write(problem?.sentence ?? text, problem !== undefined, problem?.remedy);
   }
 
-  private write(sentence: string, isError: boolean): void {
+  private write(sentence: string, isError: boolean, remedy?: Remedy): void {
     clearTimeout(this.clearTimer);
     // What a reader or the browser says may hold words of a file.
     const text = shownText(sentence);
-    const { message } = this.elements;
+    const { message, mend } = this.elements;
+    this.remedy = remedy;
+    mend.hidden = !remedy || this.cancelTask !== undefined;
+    mend.textContent = remedy?.label ?? '';
     message.classList.toggle('is-error', isError);
     // Written only when it changes, because screen readers would read it again.
     if (message.textContent !== text) message.textContent = text;

@@ -1,5 +1,6 @@
 import type { Report } from '../drawing/Report.js';
-import type { Status } from './Status.js';
+import { LostContextError } from '../stage/LostContextError.js';
+import type { Remedy, Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 
 type Slot = 'model' | 'map' | 'occlusion' | 'picture';
@@ -37,9 +38,14 @@ export class TaskRunner {
    * Runs a task. One that is still running in the same slot is aborted. A failure is shown in the status line until the task is tried
    * again or, where there is a drawing all the same, another is begun.
    *
+   * @param again offered where the task failed because the graphics card has let go of the drawing, which is no fault of the task
    * @returns how it ended: `replaced` if a later task took its slot, `failed` also if the user cancelled it
    */
-  async run(slot: Slot, task: (report: Report, signal: AbortSignal) => Promise<void>): Promise<TaskEnd> {
+  async run(
+    slot: Slot,
+    task: (report: Report, signal: AbortSignal) => Promise<void>,
+    again?: Remedy,
+  ): Promise<TaskEnd> {
     const { status, page } = this;
     this.running.get(slot)?.controller.abort();
     // Occlusion is baked by itself, after a model: that is no answer to what is on the status line.
@@ -53,17 +59,18 @@ export class TaskRunner {
       Object.assign(entry, { stage, progress });
       this.show();
     };
-    let failure: string | undefined;
+    let failure: unknown;
     let finished = false;
     try {
       await task(report, controller.signal);
       finished = !controller.signal.aborted;
     } catch (error) {
-      if (!controller.signal.aborted) failure = sentenceFor(error);
+      if (!controller.signal.aborted) failure = error;
     }
     const isLatest = this.running.get(slot) === entry;
     if (isLatest) this.running.delete(slot);
-    if (failure !== undefined) status.addProblem(slot, failure);
+    if (failure !== undefined)
+      status.addProblem(slot, sentenceFor(failure), failure instanceof LostContextError ? again : undefined);
     else if (isLatest && controller.signal.aborted) this.sayCancelled(slot);
     this.show();
     if (this.isIdle) page.onIdle();

@@ -427,8 +427,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     );
   });
   page.canvas.addEventListener('webglcontextrestored', () => {
-    status.solveProblem('context');
-    status.say('The drawing is back.');
+    status.solveProblem('context', 'The drawing is back.');
     setPageState('loading');
     showPageState();
     scene.invalidate();

@@ -49,5 +49,6 @@ export const page = {
     progress: findElement('progress'),
     progressLine: findElement('progress-line'),
     cancel: findElement('cancel') as HTMLButtonElement,
+    mend: findElement('mend') as HTMLButtonElement,
   },
 };

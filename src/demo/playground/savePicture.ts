@@ -1,9 +1,13 @@
 import { cutToDrawing, describePrint, drawPicture, planPrint, ZipWriter } from '../print/print.js';
+import { LostContextError } from '../stage/LostContextError.js';
 import { LAYERS } from '../stage/layers.js';
 import { download } from './download.js';
 import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 import { viewSize } from './viewSize.js';
+
+const LOST =
+  'The graphics card let go of the drawing while it was being saved, so there is no picture. Save it again when the drawing is back; if that fails too, choose a smaller one.';
 
 /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
 export const savePicture: SaveDrawing = async (scene, settings, name, report, signal) => {
@@ -27,6 +31,8 @@ export const savePicture: SaveDrawing = async (scene, settings, name, report, si
       download(zip.end(), `${name}-layers.zip`);
     }
     return `Saved: ${describePrint(plan)}.`;
+  } catch (error) {
+    throw error instanceof LostContextError ? new LostContextError(LOST) : error;
   } finally {
     scene.release();
     curtain.lower();

@@ -9,7 +9,6 @@ export const saveVideo: SaveDrawing = async (scene, settings, name, report, sign
   const view = viewSize();
   const curtain = raiseCurtain(scene, settings.paper);
   try {
-    scene.hold(Math.max(view.width, view.height));
     const { content, extension, sentence } = await recordVideo(scene, settings, {
       ...{ view, name, signal },
       onProgress: (progress) => report('recording the video', progress),
@@ -18,7 +17,6 @@ export const saveVideo: SaveDrawing = async (scene, settings, name, report, sign
     download(content, `${name}${extension}`);
     return sentence;
   } finally {
-    scene.release();
     curtain.lower();
   }
 };

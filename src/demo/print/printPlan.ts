@@ -1,4 +1,5 @@
 import type { Settings } from '../settings/settings.js';
+import { strokeShare } from '../stage/strokeShare.js';
 
 const MILLIMETRES_PER_INCH = 25.4;
 
@@ -24,7 +25,7 @@ export interface PrintPlan {
   viewHeight: number;
   left: number;
   top: number;
-  /** Pixels of the picture per CSS pixel of the page. */
+  /** Pixels of the picture per CSS pixel of the page, by which strokes and lines are sized. */
   scale: number;
   dpi: number;
 }
@@ -74,14 +75,25 @@ export function planPrint(settings: Settings, view: Size): PrintPlan {
 
 /** Places the whole view of the page in the middle of a picture, as large as can be. @param picture its size in pixels */
 export function placeView({ width, height }: Size, view: Size): Omit<PrintPlan, 'dpi'> {
-  const scale = Math.min(width / view.width, height / view.height);
-  const [viewWidth, viewHeight] = [view.width * scale, view.height * scale];
+  const fit = Math.min(width / view.width, height / view.height);
+  const [viewWidth, viewHeight] = [view.width * fit, view.height * fit];
   return {
-    ...{ width, height, viewWidth, viewHeight, scale },
+    ...{ width, height, viewWidth, viewHeight },
     left: -Math.round((width - viewWidth) / 2),
     top: -Math.round((height - viewHeight) / 2),
+    scale: strokeScale(fit, { width: viewWidth, height: viewHeight }, view),
   };
 }
+
+/**
+ * By how much strokes and lines are magnified in a picture: as much as the drawing, but never so little that they are finer than on
+ * a screen of as many pixels. There they are as fine as pixels can show; finer ones become moiré.
+ *
+ * @param fit pixels of the picture per CSS pixel of the page
+ * @param shown the drawing in pixels of the picture
+ */
+export const strokeScale = (fit: number, shown: Size, view: Size): number =>
+  Math.max(fit, strokeShare(shown.width, shown.height) / strokeShare(view.width, view.height));
 
 /** The same picture in coarse, for finding out where the drawing is. @param most pixels per side */
 export function coarsePlan(plan: PrintPlan, most: number): PrintPlan {

@@ -5,7 +5,7 @@ const INTERVAL_MILLISECONDS = 1000;
  * Keeps a copy of the latest picture, to be shown while the graphics context is lost. The copy lies behind the drawing, in memory of
  * the processor, because what the graphics card holds goes with the context.
  *
- * Copying takes time, so it begins after the first loss: pages that have lost a context once are those that lose it again.
+ * Copying takes time: it is made where a context was lost once.
  */
 export class LastPicture {
   private copy = document.createElement('canvas');
@@ -13,7 +13,6 @@ export class LastPicture {
   private pixels: ImageData | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private keptAt = -Infinity;
-  private isOn = false;
 
   /** @param draw draws the picture once more; returns whether it could */
   constructor(
@@ -37,7 +36,7 @@ export class LastPicture {
 
   /** To be called after each frame. The last one of a movement is kept too, a little later. */
   frameDrawn(): void {
-    if (!this.isOn || this.timer !== undefined) return;
+    if (this.timer !== undefined) return;
     const wait = Math.max(0, this.keptAt + INTERVAL_MILLISECONDS - performance.now());
     this.timer = setTimeout(() => {
       this.timer = undefined;
@@ -59,9 +58,8 @@ export class LastPicture {
     this.drawing.classList.toggle('is-lost', this.isKept);
   }
 
-  /** Shows the drawing again, and keeps copies of it from now on. */
+  /** Shows the drawing again. */
   restored(): void {
-    this.isOn = true;
     this.copy.hidden = true;
     this.drawing.classList.remove('is-lost');
   }

@@ -10,8 +10,9 @@ import { createCamera, DEFAULT_VIEW } from './createCamera.js';
 import { FrameScheduler } from './FrameScheduler.js';
 import { fullPixelRatio } from './fullPixelRatio.js';
 import { Ground } from './Ground.js';
-import { LastPicture } from './LastPicture.js';
+import type { LastPicture } from './LastPicture.js';
 import { LightRig } from './LightRig.js';
+import { LostContextError } from './LostContextError.js';
 import type { Layer } from './layers.js';
 import { ProgramBuilder } from './ProgramBuilder.js';
 import { strokeShare } from './strokeShare.js';
@@ -50,7 +51,7 @@ interface TiledPicture {
   viewHeight: number;
   left: number;
   top: number;
-  /** Pixels of the picture per CSS pixel of the page. */
+  /** Pixels of the picture per CSS pixel of the page, by which strokes and lines are sized. */
   scale: number;
 }
 
@@ -127,12 +128,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     (outline) => (settings && settings.ground !== 'none' ? lights.shadowOf(outline, ground.height) : undefined),
   );
   const crossFade = new CrossFade(canvas);
-  const lastPicture = new LastPicture(canvas, () => {
-    const { clientWidth: width, clientHeight: height } = viewport;
-    if (context.isContextLost() || width === 0 || height === 0) return false;
-    drawTile({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio());
-    return true;
-  });
+  /** From the first loss of the context on: pages that have lost it once are those that lose it again. */
+  let lastPicture: LastPicture | undefined;
   let lastFrame = 0;
   /** Share of the width that shows the compared technique; undefined if nothing is compared. */
   let divider: (() => number) | undefined;
@@ -150,7 +147,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     if (isStandIn) crossFade.keep();
     else crossFade.start();
     if (!isSketch) disposePrevious();
-    lastPicture.frameDrawn();
+    lastPicture?.frameDrawn();
     for (const listener of frameListeners) listener();
     if (model?.motion?.isPlaying) scheduler.invalidate();
   }
@@ -266,8 +263,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   }
 
   function throwIfLost(): void {
-    if (context.isContextLost())
-      throw new Error('The graphics card gave up at a picture of this size; choose a smaller one.');
+    if (context.isContextLost()) throw new LostContextError();
   }
 
   /** Shows or hides the paper. Without it, only strokes are drawn. */
@@ -342,14 +338,29 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       replacedModel.releaseMaterials();
     }
     model?.releaseMaterials();
-    lastPicture.lost();
+    lastPicture?.lost();
   };
   const onRestored = (): void => {
     renderer.shadowMap.needsUpdate = true;
     // three.js goes back to black, which saved pictures would have between strokes.
     if (settings) renderer.setClearColor(settings.paper, 1);
-    lastPicture.restored();
+    if (lastPicture) lastPicture.restored();
+    else void keepLastPicture();
   };
+
+  async function keepLastPicture(): Promise<void> {
+    // Without it the page goes on as before.
+    const part = await import('./LastPicture.js').catch(() => undefined);
+    if (!part || lastPicture) return;
+    lastPicture = new part.LastPicture(canvas, () => {
+      const { clientWidth: width, clientHeight: height } = viewport;
+      if (context.isContextLost() || width === 0 || height === 0) return false;
+      drawTile({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio());
+      return true;
+    });
+    scheduler.invalidate();
+  }
+
   canvas.addEventListener('webglcontextlost', onLost);
   canvas.addEventListener('webglcontextrestored', onRestored);
   const resizeObserver = new ResizeObserver(resize);
@@ -451,7 +462,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     /** Whether the last picture before the loss of the context is on the page. */
     get showsLastPicture(): boolean {
-      return context.isContextLost() && lastPicture.isKept;
+      return context.isContextLost() && lastPicture?.isKept === true;
     },
 
     /** Whether frames are drawn in a lower resolution, because the machine is too slow for the movement. */
@@ -571,7 +582,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       resizeObserver.disconnect();
       canvas.removeEventListener('webglcontextlost', onLost);
       canvas.removeEventListener('webglcontextrestored', onRestored);
-      lastPicture.dispose();
+      lastPicture?.dispose();
       view.dispose();
       scheduler.dispose();
       resolution.dispose();

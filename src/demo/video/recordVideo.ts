@@ -1,6 +1,7 @@
 import type { Size } from '../print/printPlan.js';
 import type { Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
+import { LostContextError } from '../stage/LostContextError.js';
 import { FramePoser } from './FramePoser.js';
 import type { FrameSink } from './FrameSink.js';
 import { MovieSink } from './MovieSink.js';
@@ -26,8 +27,8 @@ export interface Recording {
 }
 
 /**
- * Records the video that the settings ask for, frame by frame, however long each takes. The scene must be held meanwhile. Where the
- * browser encodes no video, the frames are saved as pictures.
+ * Records the video that the settings ask for, frame by frame, however long each takes. The scene is held meanwhile. Where the browser
+ * encodes no video, the frames are saved as pictures.
  *
  * @throws Error with a sentence for the user
  */
@@ -46,32 +47,45 @@ export async function recordVideo(
   const { canvas } = scene;
   const { width, height } = plan;
   const place = placeOnFrame(plan, view, scene.view.isFramed);
+  let drawn = 0;
+  // The graphics context may be back before anybody asks, and a frame be blank.
+  let wasLost = false;
+  const onLost = (): void => {
+    wasLost = true;
+  };
+  canvas.addEventListener('webglcontextlost', onLost);
+  scene.hold(Math.max(width, height));
   scene.beginPicture({ ground: 'paper' });
   const poser = new FramePoser(scene, settings, width / height, videoMotion === 'turn');
   let sink: FrameSink | undefined;
   try {
     const movie = settings.videoForm === 'video' ? await MovieSink.begin(plan, canvas) : undefined;
     sink = movie ?? new PicturesSink(plan, name);
-    for (let frame = 0; frame < plan.frames; frame++) {
+    while (drawn < plan.frames) {
       // The page goes on living between two frames: Cancel is heard.
       await nextTask();
       signal.throwIfAborted();
-      poser.pose(poseOf(plan, frame, videoMotion, start));
+      poser.pose(poseOf(plan, drawn, videoMotion, start));
       scene.drawPart(place, { x: 0, y: 0, width, height });
-      const taken = sink.add(canvas, frame);
+      const taken = sink.add(canvas, drawn);
       onFrame(canvas);
       await taken;
-      onProgress((frame + 1) / plan.frames);
+      if (wasLost) throw new LostContextError();
+      onProgress(++drawn / plan.frames);
     }
     const content = await sink.end();
     const fallback = settings.videoForm === 'video' && !movie ? ' This browser encodes no video of that size.' : '';
     return { content, extension: sink.extension, sentence: `Saved: ${describe(plan, sink.kind)}.${fallback}` };
   } catch (error) {
     await sink?.abort();
-    throw error;
+    // An encoder may go with the graphics card, and be the first to say so.
+    const isLoss = error instanceof LostContextError || wasLost || scene.isLost;
+    throw isLoss ? new LostContextError(lossAfter(drawn, plan)) : error;
   } finally {
+    canvas.removeEventListener('webglcontextlost', onLost);
     poser.restore();
     scene.endPicture();
+    scene.release();
   }
 }
 
@@ -86,6 +100,9 @@ function nextTask(): Promise<void> {
     port2.postMessage(undefined);
   });
 }
+
+const lossAfter = (drawn: number, { frames }: VideoPlan): string =>
+  `The graphics card let go of the drawing after ${drawn} of ${frames} frames, so there is no video. Record it again when the drawing is back; if that fails too, choose smaller frames.`;
 
 function describe({ width, height, frames, rate }: VideoPlan, kind: string): string {
   const size = `${width.toLocaleString('en')} × ${height.toLocaleString('en')} px`;

@@ -1,4 +1,4 @@
-import { type PrintPlan, placeView, type Size } from '../print/printPlan.js';
+import { type PrintPlan, placeView, type Size, strokeScale } from '../print/printPlan.js';
 import type { Settings } from '../settings/settings.js';
 import type { FramePose } from './FramePoser.js';
 
@@ -59,7 +59,9 @@ function clipTime({ duration, time, speed }: PlayingClip, seconds: number, share
 
 /** Where the view lies on a frame. @param isFramed whether the camera was placed for the frames themselves */
 export function placeOnFrame(plan: VideoPlan, view: Size, isFramed: boolean): Omit<PrintPlan, 'dpi'> {
-  const placed = placeView(plan, view);
+  if (!isFramed) return placeView(plan, view);
   const { width, height } = plan;
-  return isFramed ? { ...placed, viewWidth: width, viewHeight: height, left: 0, top: 0 } : placed;
+  const fit = Math.min(width / view.width, height / view.height);
+  const scale = strokeScale(fit, plan, view);
+  return { width, height, viewWidth: width, viewHeight: height, left: 0, top: 0, scale };
 }

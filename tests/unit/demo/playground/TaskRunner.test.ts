@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { ModelError } from '../../../../src/demo/files/ModelError.js';
 import { TaskRunner } from '../../../../src/demo/playground/TaskRunner.js';
+import { LostContextError } from '../../../../src/demo/stage/LostContextError.js';
 import { fakeStatus } from './fakeStatus.js';
 
 beforeEach(() => void vi.useFakeTimers());
@@ -121,12 +122,37 @@ describe('the status line', () => {
     expect(line.text).toMatch(/^A part of this page could not be fetched\./);
   });
 
+  test('offers again what failed with the graphics card, as soon as no task runs, and nothing else', async () => {
+    const { line, tasks } = makePage({ hasDrawing: true });
+    let tries = 0;
+    const again = { label: 'Save it again', run: () => void tries++ };
+    await tasks.run('picture', () => Promise.reject(new Error('That is too large.')), again);
+    expect([line.text, line.remedy]).toEqual(['That did not work: That is too large.', undefined]);
+    const occlusion = openTask();
+    const end = tasks.run('occlusion', occlusion.task);
+    line.status.addProblem('context', 'Lost.');
+    await tasks.run('picture', () => Promise.reject(new LostContextError('Gone.')), again);
+    expect(line.text).toBe('That did not work: Gone.');
+    expect(line.remedy).toBeUndefined();
+    occlusion.end();
+    await end;
+    expect(line.remedy).toBe('Save it again');
+    line.status.say('The link is on the clipboard.');
+    expect(line.remedy).toBeUndefined();
+    line.status.solveProblem('context', 'The drawing is back.');
+    expect([line.text, line.isError, line.remedy]).toEqual(['That did not work: Gone.', true, 'Save it again']);
+    line.mend();
+    expect(tries).toBe(1);
+    await tasks.run('picture', async () => {}, again);
+    expect([line.text, line.remedy]).toEqual(['', undefined]);
+  });
+
   test('a lost context is said until it is back, whatever ends meanwhile', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
     line.status.addProblem('context', 'Lost.');
     await tasks.run('model', async (report) => report('joining'));
     expect([line.text, line.isError]).toEqual(['Lost.', true]);
-    line.status.solveProblem('context');
-    expect([line.text, line.isError]).toEqual(['', false]);
+    line.status.solveProblem('context', 'It is back.');
+    expect([line.text, line.isError]).toEqual(['It is back.', false]);
   });
 });

@@ -9,7 +9,8 @@ export function fakeStatus() {
   };
   const progress = { hidden: true };
   const cancel = Object.assign(new EventTarget(), { hidden: true });
-  const elements = { message, progress, progressLine: { style: { transform: '' } }, cancel };
+  const mend = Object.assign(new EventTarget(), { hidden: true, textContent: '' });
+  const elements = { message, progress, progressLine: { style: { transform: '' } }, cancel, mend };
   const status = new Status(elements as never);
   return {
     status,
@@ -22,6 +23,11 @@ export function fakeStatus() {
     get isWorking() {
       return !progress.hidden && !cancel.hidden;
     },
+    /** What the button offers that mends a problem; undefined if it is hidden. */
+    get remedy() {
+      return mend.hidden ? undefined : mend.textContent;
+    },
+    mend: () => mend.dispatchEvent(new Event('click')),
     cancel: () => cancel.dispatchEvent(new Event('click')),
   };
 }

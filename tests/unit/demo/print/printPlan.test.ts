@@ -5,9 +5,12 @@ import {
   millimetresPerPixel,
   PAPER_FORMATS,
   planPrint,
+  type Size,
+  strokeScale,
   toMillimetres,
 } from '../../../../src/demo/print/printPlan.js';
 import { defaultSettings, SETTINGS, type Settings } from '../../../../src/demo/settings/settings.js';
+import { strokeShare } from '../../../../src/demo/stage/strokeShare.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
 const wide = { width: 900, height: 500 };
@@ -27,7 +30,8 @@ describe('planPrint', () => {
         expect(Math.max(plan.viewWidth / plan.width, plan.viewHeight / plan.height)).toBeCloseTo(1, 6);
         expect(Math.abs(2 * -plan.left - (plan.width - plan.viewWidth))).toBeLessThanOrEqual(1);
         expect(Math.abs(2 * -plan.top - (plan.height - plan.viewHeight))).toBeLessThanOrEqual(1);
-        expect(plan.scale).toBeCloseTo(plan.viewWidth / view.width, 6);
+        const [shown, own] = [strokeShare(plan.viewWidth, plan.viewHeight), strokeShare(view.width, view.height)];
+        expect(plan.scale).toBeCloseTo(Math.max(plan.viewWidth / view.width, shown / own), 6);
       }
     }
   });
@@ -42,6 +46,20 @@ describe('planPrint', () => {
     expect(twice).toMatchObject({ width: 1800, height: 1000, viewWidth: 1800, left: 0, top: 0, scale: 2, dpi: 300 });
     expect(millimetresPerPixel(settings({ pictureSize: '2' }), wide)).toBeCloseTo((2 * 25.4) / 300, 6);
     expect(millimetresPerPixel(settings({ pictureSize: 'a4', pictureDpi: '1200' }), wide)).toBeCloseTo(297 / 900, 3);
+  });
+
+  test('has strokes as wide as on the page, in proportion, and no finer than on a screen of as many pixels', () => {
+    const scaleOf = (dpi: Settings['pictureDpi'], view: Size) =>
+      planPrint(settings({ pictureSize: 'own', pictureWidth: 200, pictureHeight: 120, pictureDpi: dpi }), view).scale;
+    const large = { width: 2000, height: 1200 };
+    expect(scaleOf('600', large)).toBeCloseTo(4724 / 2000, 6);
+    expect(scaleOf('150', large)).toBe(1);
+    // A smaller sheet has finer strokes on the screen, too; but this picture is no smaller than large sheets.
+    const small = { width: 400, height: 240 };
+    const share = strokeShare(small.width, small.height);
+    expect(scaleOf('600', small)).toBeCloseTo(4724 / 400, 6);
+    expect(scaleOf('150', small) * share).toBeCloseTo((1181 / 400) * share, 6);
+    expect(strokeScale(1.2, { width: 1280, height: 720 }, small) * share).toBeCloseTo(1, 6);
   });
 
   test('is cut to the drawing, and looked at in coarse, without moving it', () => {

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { defaultSettings, SETTINGS, type Settings } from '../../../../src/demo/settings/settings.js';
+import { strokeShare } from '../../../../src/demo/stage/strokeShare.js';
 import { placeOnFrame, planVideo, poseOf, stampOf } from '../../../../src/demo/video/videoPlan.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
@@ -66,5 +67,23 @@ describe('placeOnFrame', () => {
     const framed = placeOnFrame(plan, view, true);
     expect(framed).toMatchObject({ viewWidth: 1080, viewHeight: 1920, left: 0, top: 0 });
     expect(framed.scale).toBe(placeOnFrame(plan, view, false).scale);
+  });
+
+  test.each([true, false])('has no strokes finer than on a screen of its pixels, framed: %s', (isFramed) => {
+    const small = planVideo(settings({ videoSize: '1280x720' }), view);
+    for (const large of [
+      { width: 1400, height: 860 },
+      { width: 2100, height: 1300 },
+    ]) {
+      expect(placeOnFrame(small, large, isFramed).scale).toBe(1);
+    }
+  });
+
+  test('where the camera was placed for the frame, strokes are those of a sheet of its size', () => {
+    const phone = { width: 360, height: 480 };
+    const share = strokeShare(phone.width, phone.height);
+    const frame = planVideo(settings({ videoSize: '1280x720' }), phone);
+    expect(placeOnFrame(frame, phone, true).scale * share).toBeCloseTo(1, 6);
+    expect(placeOnFrame(frame, phone, false).scale).toBeCloseTo(1.5, 6);
   });
 });
