@@ -91,6 +91,8 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
       IDBObjectStore.prototype.put = () => {
         throw new DOMException('The quota has been exceeded.', 'QuotaExceededError');
       };
+    } else if (location.search === '?silent') {
+      IDBFactory.prototype.open = () => new EventTarget() as IDBOpenDBRequest;
     } else {
       IDBFactory.prototype.open = () => {
         throw new DOMException('A mutation operation was attempted on a database that did not allow mutations.');
@@ -112,6 +114,16 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
     expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.005);
     await expect(status).toHaveText('');
   }
+
+  // One that does not answer at all: a reload goes on without it, and so does the page's address.
+  await page.goto(`./?silent#${LINK}`);
+  await ready(page);
+  await page.evaluate(() => history.replaceState({ drawing: 'a' }, ''));
+  await page.reload();
+  await expect(status).toHaveText('The browser does not give back the drawing that it keeps: open your model again.');
+  await ready(page);
+  await expect(page.locator('#model-name')).toHaveText('Cube');
+  await expect.poll(() => page.evaluate(() => history.state)).toBe(null);
 });
 
 test('Undo and Redo take back settings, the model, the view and the light, by buttons and keys', async ({ page }) => {

@@ -1,5 +1,6 @@
 import type { ModelFile } from '../files/ModelFile.js';
 import type { CameraView } from '../settings/CameraView.js';
+import { inTime } from './inTime.js';
 
 /** A drawing that needs files of the user's own: everything but the files. */
 export interface KeptDrawing {
@@ -28,7 +29,11 @@ const FILES = 'files';
 /** So many drawings are kept; the oldest goes when another comes. */
 const MOST = 12;
 
-/** The drawings that the browser keeps for the page, with the files they need. Every call may reject, in private windows say. */
+/**
+ * The drawings that the browser keeps for the page, with the files they need. Every call may reject, in private windows say; what is
+ * read rejects after two seconds without an answer, and so does what is written, if the browser does not open the database. Once it
+ * is open, writing may take as long as large files need.
+ */
 export class KeptDrawings {
   private opened: Promise<IDBDatabase> | undefined;
 
@@ -94,8 +99,8 @@ export class KeptDrawings {
     mode: IDBTransactionMode,
     ask: (store: (name: string) => IDBObjectStore) => IDBRequest | undefined,
   ): Promise<Result> {
-    const database = await this.open();
-    return new Promise<Result>((resolve, reject) => {
+    const database = await inTime(this.open());
+    const result = new Promise<Result>((resolve, reject) => {
       const transaction = database.transaction([DRAWINGS, FILES], mode);
       const fail = (): void => reject(transaction.error ?? new Error('The browser has stopped keeping.'));
       transaction.addEventListener('abort', fail);
@@ -103,6 +108,7 @@ export class KeptDrawings {
       const request = ask((name) => transaction.objectStore(name));
       transaction.addEventListener('complete', () => resolve(request?.result as Result));
     });
+    return mode === 'readonly' ? inTime(result) : result;
   }
 
   private open(): Promise<IDBDatabase> {
