@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import { expect, test } from '../browser/test.js';
 import { file, octahedronPly } from './modelFiles.js';
 import { changedShare } from './pictures.js';
-import { openPlayground, readDrawing, ready } from './playground.js';
+import { drop, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
 
@@ -206,7 +206,10 @@ test('an agreement is to one model on one site, whatever a link, its sender or a
   expect(pageProblems.splice(0).filter((problem) => !/Content Security Policy|ERR_|CORS/.test(problem))).toEqual([]);
 });
 
-test('what was asked for and did not come leaves nothing behind: no style, no axis, no picture', async ({ page }) => {
+test('what was asked for and did not come leaves nothing behind: no style, no axis, no picture', async ({
+  page,
+  pageProblems,
+}) => {
   let release = (): void => {};
   const held = new Promise<void>((resolve) => {
     release = resolve;
@@ -249,6 +252,16 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   await ready(page);
   expect(await page.evaluate(() => location.hash)).toContain('upAxis=z');
 
+  // A link that is followed just when the page would write its address is not written over.
+  await page.getByRole('button', { name: 'Stipple' }).click();
+  await page.evaluate((link) => {
+    location.hash = link;
+    dispatchEvent(new Event('pagehide'));
+  }, `model=sphere&${LOOK}`);
+  await expect(page.locator('#model-name')).toHaveText('Sphere');
+  await follow(page, `model=cube&${LOOK}`);
+  await expect(page.locator('#model-name')).toHaveText('Cube');
+
   // The system's sheet gets what the address would be.
   await page.getByRole('button', { name: 'Picture', exact: true }).click();
   await page.getByRole('button', { name: 'Share this drawing' }).click();
@@ -256,4 +269,33 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   await expect
     .poll(() => page.evaluate(() => (window as unknown as { shared?: ShareData }).shared))
     .toEqual({ title: 'Cube, hatched', url: expect.stringContaining('#model=cube&') });
+
+  // A browser that lets nobody write the address says so, once, and keeps drawing; a link is there as long as there is a clipboard.
+  await page.evaluate(() => {
+    History.prototype.replaceState = () => {
+      throw new DOMException('It was called too often.', 'SecurityError');
+    };
+    Object.defineProperty(navigator, 'clipboard', { value: undefined });
+  });
+  await page.getByRole('button', { name: 'Stipple' }).click();
+  await expect(status).toHaveText(/^This browser does not let the page write its address/);
+  await page.getByRole('button', { name: 'Copy a link to this drawing' }).click();
+  await expect(status).toHaveText(/neither use the clipboard nor write its address/);
+  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  await ready(page);
+  await expect(status).toHaveText('');
+
+  // A page that cannot fetch what asks the user says so, draws, and goes on writing its address.
+  await page.route(/\/assets\/(ask|LinkFollower)-/, (route) => route.abort());
+  await page.goto('about:blank');
+  await page.goto(`./#model=${modelAt('octahedron.ply')}&${LOOK}`);
+  await expect(status).toHaveText(/^A part of this page could not be fetched/);
+  await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#technique=anchored&/);
+  await drop(page, [file('octahedron.ply', octahedronPly)]);
+  await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
+  await expect(status).toHaveText('');
+  await drop(page, [file('stray.png', 'x')]);
+  await expect(status).toHaveText(/^A part of this page could not be fetched/);
+  expect(pageProblems.splice(0).filter((problem) => !/ERR_FAILED/.test(problem))).toEqual([]);
 });

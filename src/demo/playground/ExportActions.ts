@@ -5,6 +5,7 @@ import { download } from './download.js';
 import { fileStem } from './fileStem.js';
 import type { ModelLoader } from './ModelLoader.js';
 import { zipMap } from './mapFiles.js';
+import type { PageAddress } from './PageAddress.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 import type { Remedy, Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
@@ -19,6 +20,7 @@ export class ExportActions {
     private readonly status: Status,
     private readonly tasks: TaskRunner,
     private readonly currentLink: () => string,
+    private readonly address: PageAddress,
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
@@ -81,11 +83,15 @@ export class ExportActions {
   };
 
   readonly copyLink = async (): Promise<void> => {
-    const { link } = this;
-    history.replaceState(history.state, '', link);
-    const where = (await copyText(link))
-      ? 'The link is on the clipboard.'
-      : "The link is in the browser's address line.";
+    const isInAddress = this.address.write(this.currentLink(), this.address.drawing);
+    const isCopied = await copyText(this.link);
+    if (!isCopied && !isInAddress) {
+      this.status.fail(
+        'The browser lets this page neither use the clipboard nor write its address, so there is no link.',
+      );
+      return;
+    }
+    const where = isCopied ? 'The link is on the clipboard.' : "The link is in the browser's address line.";
     this.status.say(this.isModelInLink ? where : `${where} It cannot carry your own model.`);
   };
 

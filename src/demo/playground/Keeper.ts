@@ -2,13 +2,8 @@ import type { ModelFile } from '../files/readModel.js';
 import { shownName } from '../files/shownText.js';
 import type { KeptDrawing, KeptDrawings, KeptFiles } from '../kept/KeptDrawings.js';
 import type { CameraView } from '../settings/CameraView.js';
+import type { PageAddress } from './PageAddress.js';
 import type { Status } from './Status.js';
-
-/** What the page's entry in the browser's history remembers. */
-interface EntryState {
-  /** The kept drawing that it shows. */
-  drawing?: string;
-}
 
 const sizeOf = (files: readonly ModelFile[] = []): number => files.reduce((sum, { content }) => sum + content.size, 0);
 
@@ -24,8 +19,10 @@ export class Keeper {
   /** Writing one after the other, so that what comes later stays. */
   private queue: Promise<void> = Promise.resolve();
   private hasSaidWhy = false;
+  private hasSaidNoAddress = false;
 
   constructor(
+    private readonly address: PageAddress,
     private readonly status: Status,
     private readonly onChange: () => void,
   ) {}
@@ -34,11 +31,6 @@ export class Keeper {
   private get drawings(): Promise<KeptDrawings> {
     this.fetched ??= import('../kept/KeptDrawings.js').then(({ KeptDrawings }) => new KeptDrawings());
     return this.fetched;
-  }
-
-  /** The kept drawing that the page's entry in the browser's history asks for. */
-  get asked(): string | undefined {
-    return (history.state as EntryState | null)?.drawing;
   }
 
   /**
@@ -50,13 +42,13 @@ export class Keeper {
     if (!files.model && !files.map) {
       this.id = undefined;
       this.files = {};
-      history.replaceState(null, '', `#${link}`);
+      this.note(link);
       return;
     }
     const isOther = files.model !== this.files.model || files.map !== this.files.map;
     if (this.id === undefined || files.model !== this.files.model) this.id = newId();
     this.files = files;
-    history.replaceState({ drawing: this.id } satisfies EntryState, '', `#${link}`);
+    this.note(link);
     const drawing = {
       id: this.id,
       title,
@@ -71,9 +63,13 @@ export class Keeper {
     });
   }
 
-  /** Reads a kept drawing, which is going to be shown, unless it is aborted. Undefined if it is gone. */
+  /**
+   * Reads a kept drawing, which is going to be shown, unless it is aborted. Undefined if it is gone.
+   *
+   * @throws Error if the browser does not give it back
+   */
   async open(id: string, signal: AbortSignal): Promise<{ drawing: KeptDrawing; files: KeptFiles } | undefined> {
-    const found = await this.drawings.then((drawings) => drawings.read(id)).catch(() => undefined);
+    const found = await (await this.drawings).read(id);
     if (!found || signal.aborted) return undefined;
     this.id = id;
     this.files = found.files;
@@ -91,8 +87,15 @@ export class Keeper {
   async forget(ids: readonly string[]): Promise<void> {
     await this.queue;
     await this.drawings.then((drawings) => drawings.forget(...ids)).catch(() => {});
-    if (this.id !== undefined && ids.includes(this.id)) history.replaceState(null, '', location.hash || '#');
+    if (this.id !== undefined && ids.includes(this.id)) this.address.write(location.hash.slice(1), undefined);
     this.onChange();
+  }
+
+  /** Notes in the page's address what is shown. */
+  private note(link: string): void {
+    if (this.address.write(link, this.id) || this.hasSaidNoAddress) return;
+    this.hasSaidNoAddress = true;
+    this.status.say('This browser does not let the page write its address: a reload does not bring the drawing back.');
   }
 
   private write(title: string, task: () => Promise<void>): void {

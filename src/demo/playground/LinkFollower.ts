@@ -1,3 +1,4 @@
+import { ModelError } from '../files/ModelError.js';
 import type { CameraView } from '../settings/CameraView.js';
 import type { Settings } from '../settings/settings.js';
 import { readLink } from '../settings/shareLink.js';
@@ -7,15 +8,15 @@ import type { Keeper } from './Keeper.js';
 import { LatestRequest } from './LatestRequest.js';
 import type { MapLoader } from './MapLoader.js';
 import type { ModelLoader } from './ModelLoader.js';
-import type { Status } from './Status.js';
+import type { PageAddress } from './PageAddress.js';
 
 /** What links are shown with. */
 interface LinkHost {
   settings: Settings;
+  address: PageAddress;
   keeper: Keeper;
   modelLoader: ModelLoader;
   mapLoader: MapLoader;
-  status: Status;
   /** Takes over settings and camera, and loads the model and the map that they ask for. */
   showState(state: DrawingState): void;
   /** As `showState`, but for the model. */
@@ -34,11 +35,12 @@ export class LinkFollower {
 
   /** Shows what the page's address asks for. Resolves when that is known and loading. */
   async follow(): Promise<void> {
-    const { keeper, settings } = this.host;
+    const { settings } = this.host;
     // Nobody is to agree to what the address does not ask for any more.
     this.asked.drop();
-    if (keeper.asked !== undefined) return this.openKept(keeper.asked);
-    const { settings: next, camera, address } = readLink(location.hash);
+    const { drawing } = this.host.address;
+    const { settings: next, camera, address } = readLink(this.host.address.read());
+    if (drawing !== undefined) return this.openKept(drawing);
     // While a model from the web is asked about and fetched, the one that is shown stays.
     if (address === undefined) this.host.showState({ settings: next, camera, files: undefined });
     else this.host.showLook({ ...next, model: settings.model }, camera);
@@ -54,24 +56,26 @@ export class LinkFollower {
     else if (isAgreed === false) modelLoader.showSomething();
   }
 
-  /** Shows a kept drawing. */
+  /** Shows a kept drawing. @throws ModelError with one sentence for the user, if there is none */
   async openKept(id: string): Promise<void> {
-    const { keeper, modelLoader, mapLoader, status } = this.host;
+    const { keeper, modelLoader, mapLoader } = this.host;
     const isShown = await this.asked.run(async (signal) => {
-      const kept = await keeper.open(id, signal);
+      const kept = await keeper.open(id, signal).catch(() => 'silence' as const);
       if (signal.aborted) return;
-      if (kept) {
-        const { settings: next, address: origin } = readLink(kept.drawing.link);
-        const { model: files, map } = kept.files;
-        if (files) next.model = 'file';
-        if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
-        this.host.showState({ settings: next, camera: kept.drawing.camera, files });
-        if (map) await mapLoader.showFiles(map, true);
-      } else {
-        status.say('That drawing is no longer kept.');
-        modelLoader.showSomething();
+      if (kept === undefined || kept === 'silence') {
         void mapLoader.showChosen();
+        throw new ModelError(
+          kept === undefined
+            ? 'That drawing is no longer kept.'
+            : 'The browser does not give back the drawing that it keeps: open your model again.',
+        );
       }
+      const { settings: next, address: origin } = readLink(kept.drawing.link);
+      const { model: files, map } = kept.files;
+      if (files) next.model = 'file';
+      if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
+      this.host.showState({ settings: next, camera: kept.drawing.camera, files });
+      if (map) await mapLoader.showFiles(map, true);
       return true;
     });
     if (isShown) this.host.recordChange();

@@ -23,12 +23,14 @@ import { MapLoader } from './MapLoader.js';
 import { ModelLoader } from './ModelLoader.js';
 import type { MotionPanel } from './MotionPanel.js';
 import { OcclusionLoader } from './OcclusionLoader.js';
+import { PageAddress } from './PageAddress.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
 import { pageForm } from './pageForm.js';
 import type { RecentDialog } from './RecentDialog.js';
 import type { SettingsPanel } from './SettingsPanel.js';
 import type { Status } from './Status.js';
+import { sentenceFor } from './sentenceFor.js';
 import { sortDrop } from './sortDrop.js';
 import { TaskRunner } from './TaskRunner.js';
 import { TurnHint } from './TurnHint.js';
@@ -52,7 +54,8 @@ const LINK_DELAY_MILLISECONDS = 400;
  * Creates the parts of the page and connects them: controls to settings, settings to the drawing, files to the loaders.
  */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
-  const { settings, camera, address } = readLink(location.hash);
+  const address = new PageAddress();
+  const { settings, camera, address: linked } = readLink(address.read());
   const scene = createScene(page.canvas, context, page.viewport);
   const tasks = new TaskRunner(status, {
     hasDrawing: () => scene.isComplete,
@@ -85,7 +88,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     }
   });
   const history = new EditHistory(readState, isSameState);
-  const keeper = new Keeper(status, () => void showRecent());
+  const keeper = new Keeper(address, status, () => void showRecent());
   const occlusion = new OcclusionLoader(scene, settings, tasks);
   const turnHint = new TurnHint(page.turnHint, settings, recordChange);
   let divider: CompareDivider | undefined;
@@ -140,7 +143,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
         return scene.framesDrawn;
       },
       get isIdle() {
-        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && fetching === 0;
+        return tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && fetching + following === 0;
       },
     },
   });
@@ -153,16 +156,16 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   let fetching = 0;
 
   /** Opens what has to be fetched first. */
-  function whenFetched<Part>(part: Promise<Part>, open: (part: Part) => unknown): Promise<void> {
+  function whenFetched<Part>(part: Promise<Part>, open: (part: Part) => unknown): void {
     fetching++;
-    return part
+    part
       .then(open)
       .catch(sayUnfetched)
-      .then(() => void fetching--);
+      .finally(() => fetching--);
   }
 
   function sayUnfetched(error: unknown): void {
-    status.fail(`A part of the page could not be fetched: ${errorMessage(error)}.`);
+    status.fail(sentenceFor(error));
   }
 
   let lights: LightHandles | undefined;
@@ -187,7 +190,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   function exported(action: 'savePng' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink'): () => void {
     return () =>
       whenFetched(import('./ExportActions.js'), ({ ExportActions }) => {
-        exportActions ??= new ExportActions(scene, settings, modelLoader, status, tasks, currentLink);
+        exportActions ??= new ExportActions(scene, settings, modelLoader, status, tasks, currentLink, address);
         void exportActions[action]();
       });
   }
@@ -318,7 +321,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     clearTimeout(linkTimer);
     linkTimer = undefined;
     // Written when the model is there: until then, what is shown and what is asked for are two drawings.
-    if (following > 0 || modelLoader.isLoading) return;
+    if (following > 0 || address.isFollowed || modelLoader.isLoading) return;
     const files = {
       model: settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: settings.mapStyle === 'file' ? mapLoader.ownFiles : undefined,
@@ -373,15 +376,18 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   /** Shows a drawing that takes a while, and then lets the page's address be that of what is shown. */
   async function follow(show: (links: LinkFollower) => Promise<void>): Promise<void> {
     following++;
-    await whenFetched(import('./LinkFollower.js'), ({ LinkFollower }) => {
+    status.solveProblem('link');
+    try {
+      const { LinkFollower } = await import('./LinkFollower.js');
       links ??= new LinkFollower({
-        ...{ settings, keeper, modelLoader, mapLoader, status },
+        ...{ settings, address, keeper, modelLoader, mapLoader },
         ...{ showState, showLook, recordChange },
       });
-      return show(links);
-    });
+      await show(links);
+    } catch (error) {
+      status.addProblem('link', sentenceFor(error));
+    }
     following--;
-    // Also where that could not be fetched.
     if (following === 0) modelLoader.showSomething();
     updateAddress();
     showPageState();
@@ -459,6 +465,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   /** Shows a model, or draws with a map. */
   async function showFiles(dropped: readonly ModelFile[]): Promise<void> {
+    status.solveProblem('link');
     const { kind, files } = sortDrop(dropped, modelLoader.shownFiles, !page.contactSheet.sheet.hidden);
     if (kind === 'model') await modelLoader.showFiles(files);
     else {
@@ -490,11 +497,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   history.adopt();
   applySettings();
   if (pageForm === 'playground') void showRecent();
-  if (pageForm === 'playground' && keeper.asked !== undefined) {
-    void openKept(keeper.asked).then(() => history.clear());
+  if (pageForm === 'playground' && address.drawing !== undefined) {
+    void openKept(address.drawing).then(() => history.clear());
   } else {
-    if (address === undefined) modelLoader.showChosen();
-    else void follow((links) => links.showAddress(address, camera === undefined));
+    if (linked === undefined) modelLoader.showChosen();
+    else void follow((links) => links.showAddress(linked, camera === undefined));
     void mapLoader.showChosen();
   }
 }
