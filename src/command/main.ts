@@ -2,13 +2,13 @@
 import process from 'node:process';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
-import type { HatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import type { MapFile } from '../mapFiles/mapFiles.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runSliced } from '../slices/runSliced.js';
+import { OutputFolder } from './OutputFolder.js';
 import { ProgressBar } from './ProgressBar.js';
 import { HELP, parseArguments, styleList, UsageError } from './parseArguments.js';
-import { assertWritable, writeFolder } from './writeFolder.js';
 
 /** Exit codes: 0 done, 1 failed, 2 called wrongly, 130 interrupted. */
 const FAILED = 1;
@@ -25,13 +25,17 @@ try {
   if (request.action === 'help') process.stdout.write(HELP);
   else if (request.action === 'list') process.stdout.write(styleList());
   else {
-    await assertWritable(request.out, request.force);
-    const files = await draw(request.map);
-    await writeFolder(request.out, files, abort.signal);
-    bar.clear();
-    process.stdout.write(
-      `${request.out}: ${files.length} files. Load it with TonalArtMap.load('${request.out}/map.json').\n`,
-    );
+    const { map, out, force } = request;
+    const folder = new OutputFolder(out, force);
+    try {
+      await folder.open(mostBytes(map));
+      const files = await draw(map);
+      await folder.write(files, abort.signal);
+      bar.clear();
+      process.stdout.write(`${out}: ${files.length} files. Load it with TonalArtMap.load('${out}/map.json').\n`);
+    } finally {
+      await folder.close();
+    }
   }
 } catch (error) {
   bar.clear();
@@ -53,6 +57,12 @@ async function draw(map: HatchImageOptions): Promise<MapFile[]> {
     images,
     levels.map(({ thresholds }) => thresholds),
   );
+}
+
+/** How many bytes the files of a map have at most: those of its images and of its thresholds, not compressed. */
+function mostBytes(map: HatchImageOptions): number {
+  const { size, tones } = resolveHatchImageOptions(map);
+  return Math.ceil((4 / 3) * size ** 2 * (tones + 3));
 }
 
 /** Prints what went wrong and returns the exit code. */

@@ -1,5 +1,14 @@
 import { type SpawnSyncReturns, spawn, spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  lstatSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { join } from 'node:path';
 import { PNG } from 'pngjs';
 import { expect, test } from '../browser/test.js';
@@ -96,6 +105,22 @@ test('the command replaces a map only when told so, and other files never', () =
   expect([strange.status, strange.stderr]).toEqual([2, expect.stringContaining('here holds other files (letter.txt)')]);
   expect(readFileSync(join(work, 'here/letter.txt'), 'utf8')).toBe('Dear');
   expect(readdirSync(work)).toEqual(['here']);
+});
+
+test('the command writes into the folder that a link names, and tells at once of one that cannot be made', () => {
+  mkdirSync(join(work, 'real'));
+  symlinkSync(join(work, 'real'), join(work, 'link'));
+  expect(run('tam', '--size', '64', '--tones', '4', '--out', 'link').status).toBe(0);
+  expect(lstatSync(join(work, 'link')).isSymbolicLink()).toBe(true);
+  expect(readdirSync(join(work, 'real'))).toContain('map.json');
+  writeFileSync(join(work, 'file'), 'mine');
+  // A map that takes many seconds: nothing of it may be drawn.
+  const refused = run('tam', '--style', 'stippling', '--size', '1024', '--tones', '16', '--out', 'file/x');
+  expect([refused.status, refused.stderr]).toEqual([
+    2,
+    'three-hatching: file is not a folder; choose another name after --out.\n',
+  ]);
+  expect(readdirSync(work).sort()).toEqual(['file', 'link', 'real']);
 });
 
 for (const [args, message] of [

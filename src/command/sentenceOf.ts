@@ -1,0 +1,21 @@
+/** What the codes of the file system mean for someone who named a folder. */
+const MEANINGS: Readonly<Record<string, string>> = {
+  EACCES: 'may not be written to; change its permissions, or choose another folder after --out',
+  EPERM: 'may not be written to; change its permissions, or choose another folder after --out',
+  EROFS: 'lies on a disk that can only be read; choose another folder after --out',
+  ENOSPC: 'lies on a disk that is full; make room there, or choose another folder after --out',
+  EDQUOT: 'lies where there is no room left for you; make room there, or choose another folder after --out',
+  ENOENT: 'cannot be made there; choose another folder after --out',
+  ENOTDIR: 'is not a folder; choose another name after --out',
+  EEXIST: 'is a link that leads nowhere, or not a folder; choose another name after --out',
+  ENAMETOOLONG: 'has too long a name; choose a shorter one after --out',
+  ELOOP: 'is a link that leads to itself; choose another name after --out',
+};
+
+/** One sentence for an error of the file system. Others are returned in their own words. */
+export function sentenceOf(path: string, error: unknown): string {
+  const { code, message } = error as NodeJS.ErrnoException;
+  if (code === undefined) return message;
+  const shown = path.length > 160 ? `${path.slice(0, 80)}…${path.slice(-60)}` : path;
+  return `${shown} ${MEANINGS[code] ?? `could not be written (${code}); choose another folder after --out`}.`;
+}
