@@ -206,8 +206,8 @@ export class HatchingLines extends Object3D {
     const { geometry } = mesh;
     if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return false;
     if (!canDeform(renderer, geometry, mesh)) return false;
-    const deformation = deformationOf(renderer, mesh, geometry, pulledVerticesOf(geometry) ?? null);
-    deformation.update(camera, mesh, this.material);
+    const vertices = pulledVerticesOf(geometry) ?? null;
+    const deformation = deformationOf(renderer, camera, mesh, geometry, vertices, this.material);
     const { uniforms } = this.material;
     uniforms.deformedPositions.value = deformation.positions;
     uniforms.deformedNormals.value = deformation.normals;

@@ -25,6 +25,7 @@ import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
 import { defaultOf } from './defaultOf.js';
 import { environmentAround } from './environmentAround.js';
+import { FrameStamp } from './FrameStamp.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
@@ -90,6 +91,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private shaderTechnique: HatchingTechnique | undefined;
   /** Whether the scene drawn last has an environment. */
   private hasEnvironment = false;
+  /** The frame that the properties were last brought to the shader for. */
+  private readonly written = new FrameStamp();
   /** Of the frame before. */
   private drawnSwitches: number | undefined;
   /** Where the mesh drawn last has its adjacency. */
@@ -242,15 +245,19 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     _group: Group,
   ): void {
     this.isWithWebGL = true;
-    const switches = programSwitches(this);
-    if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
-    this.drawnSwitches = switches;
+    // Once for all the meshes of a frame. Uniforms that are the same three.js uploads once, too, unless it is told otherwise.
+    if (this.uniformsNeedUpdate || !this.written.isOf(renderer, camera)) {
+      this.written.note(renderer, camera);
+      const switches = programSwitches(this);
+      if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
+      this.drawnSwitches = switches;
+      this.writeUniforms(renderer.capabilities.maxTextureSize);
+    }
     // The cameras of an ArrayCamera have a part of the target each.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     const drawn = part ?? renderer.getCurrentViewport(viewport);
     this.uniforms.viewportHeight.value = drawn.w;
     writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
-    this.writeUniforms(renderer.capabilities.maxTextureSize);
     this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
     if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) {
       if (writeFieldFrame(this.uniforms, this.strokeScale, geometry, object)) this.uniformsNeedUpdate = true;
@@ -310,12 +317,10 @@ export class HatchingMaterial extends HatchingMaterialProperties {
 
   protected override choose(name: HatchingPropertyName, value: string | boolean): void {
     checkChoice(name, value);
-    if (value === 'auto') {
-      delete this.chosen[name];
-      this.writeProgram();
-      return;
-    }
-    this.chosen[name] = value;
+    const chosen = value === 'auto' ? undefined : value;
+    if (chosen === this.chosen[name]) return;
+    if (chosen === undefined) delete this.chosen[name];
+    else this.chosen[name] = chosen;
     this.writeProgram();
   }
 

@@ -21,6 +21,18 @@ export class Pose {
     return this.hasChanged || this.length !== length;
   }
 
+  /** Whether it is that of a mesh without a skin, with these influences. */
+  isOf(influences: ArrayLike<number>): boolean {
+    if (this.length !== influences.length) return false;
+    for (let i = 0; i < influences.length; i++) if (this.numbers[i] !== Math.fround(influences[i])) return false;
+    return true;
+  }
+
+  /** {@link hashOf} the influences of a mesh without a skin. */
+  get influenceHash(): number {
+    return hashOf(this.numbers, Math.max(this.length, 0));
+  }
+
   private add(numbers: ArrayLike<number>): void {
     const start = this.length;
     this.length += numbers.length;
@@ -37,4 +49,21 @@ export class Pose {
       this.hasChanged = true;
     }
   }
+}
+
+const float = /* @__PURE__ */ new Float32Array(1);
+const word = /* @__PURE__ */ new Int32Array(float.buffer);
+/** Engines keep numbers of so many bits without garbage. */
+const HASH_BITS = 0x3fffffff;
+
+/** A number that poses of equal influences share, and others seldom. Allocates nothing. */
+export function hashOf(influences: ArrayLike<number>, length: number = influences.length): number {
+  let hash = length;
+  for (let i = 0; i < length; i++) {
+    // 0 and −0 are equal.
+    float[0] = influences[i] + 0;
+    hash = Math.imul(hash ^ word[0], 0x01000193);
+    hash ^= hash >>> 15;
+  }
+  return hash & HASH_BITS;
 }

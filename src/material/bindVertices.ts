@@ -13,7 +13,7 @@ import { hatchNormal } from '../bake/hatchNormal.js';
 import { identityOf } from '../geometry/identityOf.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
 import { isStale } from '../geometry/staleGeometry.js';
-import { deformationOf } from './deformationOf.js';
+import { compileDeformation, deformationOf } from './deformationOf.js';
 import type { VertexLayout } from './shaderConventions.js';
 
 /** Identities of geometries. */
@@ -57,8 +57,7 @@ export function bindVertices(
   bind(material, 'pullRowShift', vertices.rowShift);
   if (!isDeforming || !canDeform(renderer, geometry, object)) return 'pull';
 
-  const deformation = deformationOf(renderer, object as Mesh, geometry, vertices);
-  deformation.update(camera, object as Mesh, material);
+  const deformation = deformationOf(renderer, camera, object as Mesh, geometry, vertices, material);
   bind(material, 'deformedPositions', deformation.positions);
   bind(material, 'deformedNormals', deformation.normals);
   bind(material, 'deformedTurns', deformation.turns);
@@ -70,7 +69,7 @@ export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
   const { geometry } = mesh;
   const vertices = pulledVerticesOf(geometry);
   if (!vertices || !deforms(geometry, mesh) || !canDeform(renderer, geometry, mesh)) return;
-  deformationOf(renderer, mesh, geometry, vertices).compile(mesh);
+  compileDeformation(renderer, mesh, geometry, vertices);
 }
 
 /** The layout in which a material will find the vertices of a mesh, if the device can draw it. */

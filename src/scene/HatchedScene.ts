@@ -22,6 +22,8 @@ export interface MeshLook {
 /** A scene hatched by `applyHatching`, which can be restored. */
 export class HatchedScene {
   private changes: readonly LookChange[];
+  /** The identities of the meshes. */
+  private held: ReadonlySet<object>;
 
   /**
    * Gives the meshes their new looks, all at once.
@@ -41,6 +43,7 @@ export class HatchedScene {
     private readonly releaseMeshes: () => void,
   ) {
     this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
+    this.held = new Set(looks.map(({ mesh }) => identityOf(mesh)));
     for (const { before, after } of this.changes) exchangeLook(before, after);
     for (const one of lines) one.mesh?.add(one);
   }
@@ -53,6 +56,7 @@ export class HatchedScene {
     for (const one of this.lines) one.removeFromParent();
     for (const { before, after } of this.changes) exchangeLook(after, before);
     this.changes = [];
+    this.held = new Set();
     this.releaseMeshes();
   }
 
@@ -64,7 +68,7 @@ export class HatchedScene {
 
   /** Whether a mesh has its look from here. @internal */
   holds(mesh: Mesh): boolean {
-    return this.changes.some(({ after }) => isSame(after.mesh, mesh));
+    return this.held.has(identityOf(mesh));
   }
 
   /** Does something with the meshes as they were before; afterwards they look hatched again. @internal */

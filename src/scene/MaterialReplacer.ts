@@ -31,17 +31,22 @@ export class MaterialReplacer {
   /**
    * The material or materials that replace those of a mesh, made on first use.
    *
+   * @param old the material or materials of the mesh
    * @param scale world units per unit of the mesh's object space
    */
-  replacementFor(mesh: Mesh, scale: number): Material | Material[] {
+  replacementFor(mesh: Mesh, old: Material | Material[], scale: number): Material | Material[] {
     const replace = (source: Material | null | undefined): Material =>
       source && isSurface(source) && !isHatching(source) ? this.hatchingMaterialFor(source, mesh, scale) : source!;
-    return Array.isArray(mesh.material) ? mesh.material.map(replace) : replace(mesh.material);
+    return Array.isArray(old) ? old.map(replace) : replace(old);
   }
 
   /** Gives the strokes one size in the world, on all materials whose parameters set no `strokeScale`. */
   setStrokeScale(tilesPerWorldUnit: number): void {
     for (const [material, scale] of this.scales) material.strokeScale = tilesPerWorldUnit * scale;
+  }
+
+  dispose(): void {
+    for (const material of this.materials) material.dispose();
   }
 
   private hatchingMaterialFor(source: Material, mesh: Mesh, scale: number): HatchingMaterial {

@@ -3,6 +3,7 @@ import { cornerLayout } from '../bake/cornerLayout.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
+import { runSliced } from '../slices/runSliced.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import { type MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
@@ -29,11 +30,15 @@ const OWN_OPTIONS = {
   replaces: true,
 } satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
 
-/** A mesh to hatch: its present geometry and material, and the material it will get. */
-interface PlannedMesh {
+/** A mesh to hatch, with its present geometry and material. */
+interface OldLook {
   mesh: Mesh;
   geometry: BufferGeometry;
   oldMaterial: Material | Material[];
+}
+
+/** The same with the material it will get. */
+interface PlannedMesh extends OldLook {
   material: Material | Material[];
 }
 
@@ -93,8 +98,9 @@ export async function applyHatching(
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
     const replacer = new MaterialReplacer(options.material ?? {});
-    const planned = asBefore(() => planMeshes(meshes, replacer));
-    disposables.push(...replacer.materials);
+    disposables.push(replacer);
+    const seen = asBefore(() => looksToReplace(meshes));
+    const planned = await runSliced(planMeshes(seen, replacer), { signal: options.signal, around: asBefore });
 
     const withoutMap = replacer.materials.filter(
       ({ tonalArtMap, technique, medium }) =>
@@ -165,14 +171,22 @@ export async function applyHatching(
   }
 }
 
-/** What becomes of the meshes that do not have a `HatchingMaterial` yet. */
-const planMeshes = (meshes: readonly Mesh[], replacer: MaterialReplacer): PlannedMesh[] =>
+/** What the meshes look like that do not have a `HatchingMaterial` yet. */
+const looksToReplace = (meshes: readonly Mesh[]): OldLook[] =>
   meshes
     .filter((mesh) => !materialsOf(mesh).every(isHatching))
-    .map((mesh) => {
-      const material = replacer.replacementFor(mesh, worldScale(worldMatrices(mesh)));
-      return { mesh, geometry: mesh.geometry, oldMaterial: mesh.material, material };
-    });
+    .map((mesh) => ({ mesh, geometry: mesh.geometry, oldMaterial: mesh.material }));
+
+/** What becomes of them. Yields after each: scenes have thousands of materials. */
+function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Generator<number, PlannedMesh[], void> {
+  const planned: PlannedMesh[] = [];
+  for (const look of looks) {
+    const scale = worldScale(worldMatrices(look.mesh));
+    planned.push({ ...look, material: replacer.replacementFor(look.mesh, look.oldMaterial, scale) });
+    yield planned.length / looks.length;
+  }
+  return planned;
+}
 
 /** The options of its own and of its tasks; those of the geometry are checked where they are used. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {

@@ -5,6 +5,8 @@ const SLICE_MS = 8;
 export interface SlicedOptions {
   signal?: AbortSignal | undefined;
   onProgress?: ((progress: number) => void) | undefined;
+  /** Does the work of a slice, between what must stand around it: it is called once per slice, and calls what it is given. */
+  around?: ((slice: () => void) => void) | undefined;
 }
 
 /**
@@ -14,19 +16,23 @@ export interface SlicedOptions {
  */
 export async function runSliced<Result>(
   task: Generator<number, Result, void>,
-  { signal, onProgress }: SlicedOptions = {},
+  { signal, onProgress, around = (slice) => slice() }: SlicedOptions = {},
 ): Promise<Result> {
   const pause = createPause();
   let reported = 0;
   try {
     for (;;) {
       signal?.throwIfAborted();
-      const sliceEnd = performance.now() + SLICE_MS;
-      let step = task.next();
-      while (!step.done && performance.now() < sliceEnd) step = task.next();
-      if (step.done) return step.value;
-      if (step.value > reported) {
-        reported = step.value;
+      let step: IteratorResult<number, Result> | undefined;
+      around(() => {
+        const sliceEnd = performance.now() + SLICE_MS;
+        do step = task.next();
+        while (!step.done && performance.now() < sliceEnd);
+      });
+      const { done, value } = step!;
+      if (done) return value;
+      if (value > reported) {
+        reported = value;
         onProgress?.(reported);
       }
       await pause.next();

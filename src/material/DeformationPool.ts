@@ -1,0 +1,172 @@
+import type { BufferGeometry, Camera, Material, Mesh, WebGLRenderer } from 'three';
+import type { PulledVertices } from '../geometry/PulledVertices.js';
+import { Deformation } from './Deformation.js';
+import { hashOf } from './Pose.js';
+import { PrePass } from './PrePass.js';
+
+/** What a mesh draws with at present. */
+export interface Held {
+  readonly pool: DeformationPool;
+  deformation: Deformation | undefined;
+}
+
+/** Of a material: what was drawn with it, and how to stop listening for its end. */
+interface MaterialUse {
+  readonly deformations: Set<Deformation>;
+  release(): void;
+}
+
+/**
+ * The deformations of one geometry on one graphics context. Each pose is drawn once, however many meshes are in it and however many
+ * materials, cameras and frames draw them. Meshes with a skin have one each: no two lie in the same pose.
+ */
+export class DeformationPool {
+  isDisposed = false;
+  private readonly prePass: PrePass;
+  private readonly all = new Set<Deformation>();
+  /** Those that meshes without a skin share, by the hash of their pose. */
+  private readonly byPose = new Map<number, Deformation>();
+  /** One that nobody holds: meshes that move together leave one for another in every frame. */
+  private spare: Deformation | undefined;
+  private readonly materials = new Map<Material, MaterialUse>();
+  private readonly compiled = new Set<boolean>();
+
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly geometry: BufferGeometry,
+    vertices: PulledVertices | null,
+  ) {
+    this.prePass = new PrePass(renderer, geometry, vertices);
+    geometry.addEventListener('dispose', this.dispose);
+    renderer.domElement.addEventListener('webglcontextlost', this.dispose);
+  }
+
+  /**
+   * What a mesh draws with in its present pose, while the renderer draws it with `material` for `camera`. Draws the pose if no other mesh
+   * has it. Allocates nothing once every pose has its textures.
+   */
+  present(held: Held, camera: Camera, mesh: Mesh, material: Material): Deformation {
+    const isShared = mesh.morphTargetInfluences !== undefined && !('isSkinnedMesh' in mesh);
+    const deformation = isShared
+      ? this.presentShared(held, camera, mesh, mesh.morphTargetInfluences!)
+      : this.presentOwn(held, camera, mesh);
+    if (!deformation.users.has(material)) this.addUser(deformation, material);
+    return deformation;
+  }
+
+  /** Builds the program that a mesh needs, and draws nothing. */
+  compile(mesh: Mesh): void {
+    const isSkinned = 'isSkinnedMesh' in mesh;
+    if (this.compiled.has(isSkinned)) return;
+    this.compiled.add(isSkinned);
+    this.spare ??= this.make();
+    this.prePass.compile(this.spare.target, mesh);
+  }
+
+  /** A mesh is gone, or draws another geometry. */
+  release(held: Held): void {
+    const { deformation } = held;
+    held.deformation = undefined;
+    if (!deformation || deformation.isDisposed) return;
+    deformation.holders--;
+    if (deformation.holders === 0) this.drop(deformation);
+  }
+
+  /**
+   * Frees the graphics memory. Called when the geometry is disposed of, and when the context is lost: later the names of what it held may
+   * mean something else, in a context that came back. What a material has drawn is freed with that.
+   */
+  readonly dispose = (): void => {
+    if (this.isDisposed) return;
+    this.isDisposed = true;
+    for (const deformation of this.all) deformation.dispose();
+    this.all.clear();
+    this.byPose.clear();
+    for (const { release } of this.materials.values()) release();
+    this.materials.clear();
+    this.prePass.dispose();
+    this.geometry.removeEventListener('dispose', this.dispose);
+    this.renderer.domElement.removeEventListener('webglcontextlost', this.dispose);
+  };
+
+  private presentOwn(held: Held, camera: Camera, mesh: Mesh): Deformation {
+    const deformation = this.heldBy(held) ?? this.give(held, this.spare ?? this.make());
+    if (deformation.pose.update(mesh)) this.prePass.draw(deformation.target, camera, mesh);
+    return deformation;
+  }
+
+  private presentShared(held: Held, camera: Camera, mesh: Mesh, influences: readonly number[]): Deformation {
+    const before = this.heldBy(held);
+    if (before?.pose.isOf(influences)) return before;
+    const hash = hashOf(influences);
+    const twin = this.byPose.get(hash);
+    if (twin?.pose.isOf(influences)) return this.give(held, twin);
+    // Others may be in the pose that this mesh leaves.
+    const deformation = before?.holders === 1 ? before : this.give(held, this.spare ?? this.make());
+    this.forgetPose(deformation);
+    deformation.pose.update(mesh);
+    this.byPose.set(hash, deformation);
+    this.prePass.draw(deformation.target, camera, mesh);
+    return deformation;
+  }
+
+  private heldBy({ deformation }: Held): Deformation | undefined {
+    return deformation?.isDisposed ? undefined : deformation;
+  }
+
+  private make(): Deformation {
+    const { width, height } = this.prePass.size;
+    const deformation = new Deformation(width, height);
+    this.all.add(deformation);
+    return deformation;
+  }
+
+  private give(held: Held, deformation: Deformation): Deformation {
+    const before = this.heldBy(held);
+    held.deformation = deformation;
+    deformation.holders++;
+    if (this.spare === deformation) this.spare = undefined;
+    if (before) {
+      before.holders--;
+      if (before.holders === 0) this.putAside(before);
+    }
+    return deformation;
+  }
+
+  private putAside(deformation: Deformation): void {
+    if (this.spare) this.drop(deformation);
+    else this.spare = deformation;
+  }
+
+  private drop(deformation: Deformation): void {
+    deformation.dispose();
+    this.all.delete(deformation);
+    this.forgetPose(deformation);
+    if (this.spare === deformation) this.spare = undefined;
+    for (const material of deformation.users) this.materials.get(material)?.deformations.delete(deformation);
+    if (this.all.size === 0 || (this.all.size === 1 && this.spare)) this.dispose();
+  }
+
+  private forgetPose(deformation: Deformation): void {
+    const hash = deformation.pose.influenceHash;
+    if (this.byPose.get(hash) === deformation) this.byPose.delete(hash);
+  }
+
+  private addUser(deformation: Deformation, material: Material): void {
+    deformation.users.add(material);
+    const known = this.materials.get(material);
+    if (known) {
+      known.deformations.add(deformation);
+      return;
+    }
+    const deformations = new Set([deformation]);
+    const onDispose = (): void => {
+      release();
+      this.materials.delete(material);
+      for (const one of deformations) this.drop(one);
+    };
+    const release = (): void => material.removeEventListener('dispose', onDispose);
+    material.addEventListener('dispose', onDispose);
+    this.materials.set(material, { deformations, release });
+  }
+}

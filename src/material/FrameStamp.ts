@@ -1,0 +1,34 @@
+import type { Camera, WebGLRenderer } from 'three';
+
+/** By what tells renderers apart, so that none is kept. */
+const numbers = new WeakMap<object, number>();
+let last = 0;
+
+function numberOf({ info }: WebGLRenderer): number {
+  let number = numbers.get(info);
+  if (number === undefined) {
+    number = ++last;
+    numbers.set(info, number);
+  }
+  return number;
+}
+
+/** Remembers a frame of a renderer as a camera sees it, and keeps neither of them. Allocates nothing. */
+export class FrameStamp {
+  private renderer = 0;
+  private camera = -1;
+  private frame = -1;
+
+  note(renderer: WebGLRenderer, camera: Camera): void {
+    this.renderer = numberOf(renderer);
+    this.camera = camera.id;
+    this.frame = renderer.info.render.frame;
+  }
+
+  /** Whether it is the frame that was noted last. */
+  isOf(renderer: WebGLRenderer, camera: Camera): boolean {
+    return (
+      renderer.info.render.frame === this.frame && camera.id === this.camera && numberOf(renderer) === this.renderer
+    );
+  }
+}

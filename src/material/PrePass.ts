@@ -1,0 +1,111 @@
+import {
+  type BufferGeometry,
+  Camera,
+  GLSL3,
+  type Matrix4,
+  type Mesh,
+  NoBlending,
+  Points,
+  Scene,
+  ShaderMaterial,
+  type Skeleton,
+  type SkinnedMesh,
+  Vector2,
+  type Vector4,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+import { pullColumns, pullTextureSize } from '../bake/pullLayout.js';
+import type { PulledVertices } from '../geometry/PulledVertices.js';
+import { deformationShaders } from './hatchingShaders.js';
+
+/** The corners of a mesh as points; with an index, its vertices. three.js uploads bones and morph targets for them as for the mesh. */
+class CornerPoints extends Points {
+  isSkinnedMesh = false;
+  skeleton: Skeleton | undefined;
+  bindMatrix: Matrix4 | undefined;
+  bindMatrixInverse: Matrix4 | undefined;
+}
+
+const noScene = /* @__PURE__ */ new Scene();
+const noCamera = /* @__PURE__ */ new Camera();
+const allCorners = { start: 0, count: Infinity };
+/** With this three.js builds the program, and then neither binds nor draws. */
+const noCorners = { start: 1, count: -2 };
+
+/** Draws where the vertices of a geometry of the `pull` or `indexed` layout lie in the poses of its meshes. */
+export class PrePass {
+  /** Of what it draws into, in texels. */
+  readonly size: { readonly width: number; readonly height: number };
+  private readonly points: CornerPoints;
+  private readonly shader: ShaderMaterial;
+
+  /** @param vertices the textures of the `pull` layout; null: the geometry has an index, and its vertices are deformed */
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly geometry: BufferGeometry,
+    vertices: PulledVertices | null,
+  ) {
+    const { count } = geometry.attributes.position;
+    const { width, height } = vertices?.positions.image ?? pullTextureSize(count);
+    this.size = { width, height };
+    this.shader = new ShaderMaterial({
+      name: 'HatchingDeformation',
+      uniforms: {
+        pullRowShift: { value: vertices?.rowShift ?? Math.log2(pullColumns(count)) },
+        triangleVertices: { value: vertices?.triangleVertices ?? null },
+        targetSize: { value: new Vector2(width, height) },
+      },
+      defines: vertices ? {} : { VERTEX_PER_TEXEL: '' },
+      ...deformationShaders(),
+      glslVersion: GLSL3,
+      blending: NoBlending,
+      depthTest: false,
+      depthWrite: false,
+    });
+    this.points = new CornerPoints(geometry);
+  }
+
+  /** Draws the pose of a mesh while the renderer draws it for `camera`. Leaves the renderer's state as it was. */
+  draw(target: WebGLRenderTarget, camera: Camera, mesh: Mesh): void {
+    this.drawCorners(target, camera, mesh, allCorners);
+  }
+
+  /** Builds the program, and draws nothing: the geometry need not be on the graphics card yet. */
+  compile(target: WebGLRenderTarget, mesh: Mesh): void {
+    this.drawCorners(target, noCamera, mesh, noCorners);
+  }
+
+  dispose(): void {
+    this.shader.dispose();
+  }
+
+  private drawCorners(into: WebGLRenderTarget, camera: Camera, mesh: Mesh, corners: typeof allCorners): void {
+    const { points, renderer } = this;
+    points.morphTargetInfluences = mesh.morphTargetInfluences;
+    points.isSkinnedMesh = 'isSkinnedMesh' in mesh;
+    if (points.isSkinnedMesh) {
+      const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
+      points.skeleton = skeleton;
+      points.bindMatrix = bindMatrix;
+      points.bindMatrixInverse = bindMatrixInverse;
+    }
+
+    const target = renderer.getRenderTarget();
+    const face = renderer.getActiveCubeFace();
+    const level = renderer.getActiveMipmapLevel();
+    const { start, count } = this.geometry.drawRange;
+    this.geometry.setDrawRange(0, Infinity);
+    renderer.setRenderTarget(into);
+    // Not render(): that would begin a frame of its own, with lights, shadows, background and counters.
+    renderer.renderBufferDirect(camera, noScene, this.geometry, this.shader, points, corners);
+    renderer.setRenderTarget(target, face, level);
+    this.geometry.setDrawRange(start, count);
+    // Each camera of an ArrayCamera draws into its own part of the target.
+    const { viewport } = camera as Camera & { viewport?: Vector4 };
+    if (viewport) renderer.state.viewport(viewport);
+
+    // The bones refer to the mesh, which must stay collectable.
+    points.skeleton = undefined;
+  }
+}

@@ -1,0 +1,86 @@
+import { BoxGeometry, Group, Mesh, MeshLambertMaterial } from 'three';
+import { afterEach, expect, test, vi } from 'vitest';
+import * as identities from '../../../src/geometry/identityOf.js';
+import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { applyHatching } from '../../../src/scene/applyHatching.js';
+
+vi.mock('../../../src/geometry/identityOf.js', async (original) => {
+  const { identityOf } = await original<typeof identities>();
+  return { identityOf: vi.fn(identityOf) };
+});
+
+const MESHES = 200;
+/** Milliseconds that a slice may take, and those that the clock below says each look at it takes. */
+const SLICE = 8;
+const LOOK = 1;
+
+afterEach(() => {
+  vi.restoreAllMocks();
+});
+
+/** Meshes of one geometry and materials of their own. */
+function manyMaterials(): Group {
+  const geometry = new BoxGeometry();
+  return new Group().add(...Array.from({ length: MESHES }, () => new Mesh(geometry, new MeshLambertMaterial())));
+}
+
+/** Time passes when somebody asks for it. */
+function slowClock(): void {
+  let now = 0;
+  vi.spyOn(performance, 'now').mockImplementation(() => {
+    now += LOOK;
+    return now;
+  });
+}
+
+test('thousands of materials are made in slices, and other events come in between', async () => {
+  slowClock();
+  let made = 0;
+  let longest = 0;
+  let before = 0;
+  const turn = () => {
+    longest = Math.max(longest, made - before);
+    before = made;
+    if (made < MESHES) setImmediate(turn);
+  };
+  setImmediate(turn);
+  const material = () => {
+    made++;
+    return {};
+  };
+  const hatched = await applyHatching(manyMaterials(), { tonalArtMap: null, material });
+  expect(made).toBe(MESHES);
+  expect(longest).toBeLessThanOrEqual(2 * SLICE);
+  hatched.dispose();
+});
+
+test('aborted in between it makes no more materials, and frees those it made', async () => {
+  slowClock();
+  const stop = new AbortController();
+  let made = 0;
+  const freed = vi.fn();
+  const { HatchingMaterial: Made } = await import('../../../src/material/HatchingMaterial.js');
+  vi.spyOn(Made.prototype, 'dispose').mockImplementation(function (this: HatchingMaterial) {
+    freed(this);
+  });
+  setImmediate(() => stop.abort(new Error('enough')));
+  const material = () => {
+    made++;
+    return {};
+  };
+  await expect(applyHatching(manyMaterials(), { tonalArtMap: null, material, signal: stop.signal })).rejects.toThrow(
+    'enough',
+  );
+  expect(made).toBeGreaterThan(0);
+  expect(made).toBeLessThanOrEqual(4 * SLICE);
+  expect(freed).toHaveBeenCalledTimes(made);
+});
+
+test('hatching anew asks of each mesh a few times who it is, not for every other', async () => {
+  const root = manyMaterials();
+  const before = await applyHatching(root, { tonalArtMap: null });
+  vi.mocked(identities.identityOf).mockClear();
+  const hatched = await applyHatching(root, { tonalArtMap: null, replaces: before });
+  expect(vi.mocked(identities.identityOf).mock.calls.length).toBeLessThan(20 * MESHES);
+  hatched.dispose();
+});
