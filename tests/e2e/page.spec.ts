@@ -342,6 +342,31 @@ test('what is missing at the start is said, and not covered by what goes well', 
   await expect(status).toHaveText('');
 });
 
+test('a model is drawn as ever though the worker that prepares it ends without a word', async ({
+  page,
+  pageProblems,
+}) => {
+  const link = 'model=cube&mapSize=64&mapTones=4';
+  await openPlayground(page, link);
+  const drawing = await readDrawing(page);
+  await page.addInitScript(() => {
+    const { postMessage } = Worker.prototype;
+    let isKilled = false;
+    Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
+      postMessage.apply(this, args as [unknown]);
+      if (isKilled || (args[0] as { task?: string }).task === undefined) return;
+      isKilled = true;
+      this.terminate();
+    };
+  });
+  await page.reload();
+  await ready(page);
+  expect(changedShare(drawing, await readDrawing(page))).toBe(0);
+  expect(pageProblems.splice(0)).toEqual([
+    expect.stringContaining('the worker died (it has ended). A new worker starts once more what it was doing.'),
+  ]);
+});
+
 test('a browser without WebGL 2 gets a message', async ({ page }) => {
   await page.addInitScript(() => {
     const getContext = HTMLCanvasElement.prototype.getContext;
