@@ -23,9 +23,15 @@ export interface BakeOcclusionOptions extends TaskOptions {
    * Called whenever the meshes have been given a finer result, three times with the default `directions`: draw again. What it throws ends the bake.
    */
   onPass?: ((bake: OcclusionBake) => void) | undefined;
+  /**
+   * Called before each part of the work, of which there are two dozen with the default `directions`, and before each pass is
+   * shown. Where it returns a promise, the bake goes on when that has resolved: other work may go first. What it throws or rejects
+   * with ends the bake.
+   */
+  pause?: (() => Promise<unknown> | undefined) | undefined;
 }
 
-const OWN_OPTIONS = { directions: true, onPass: true } satisfies Record<
+const OWN_OPTIONS = { directions: true, onPass: true, pause: true } satisfies Record<
   Exclude<keyof BakeOcclusionOptions, keyof TaskOptions>,
   true
 >;
@@ -33,6 +39,8 @@ const OWN_OPTIONS = { directions: true, onPass: true } satisfies Record<
 const DEFAULT_DIRECTIONS = 384;
 /** Directions of the results before the last. The first should come soon, and not be too coarse to look at. */
 const EARLY_DIRECTIONS = [64, 192];
+/** Pairs of opposite directions in one request to the worker. */
+const PAIRS_AT_ONCE = 8;
 /** Of the progress: until the first direction. */
 const START_SHARE = 0.05;
 
@@ -55,12 +63,15 @@ const START_SHARE = 0.05;
  */
 export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOptions = {}): Promise<OcclusionBake> {
   checkOptions('bakeOcclusion', options, OWN_OPTIONS);
-  const { directions = DEFAULT_DIRECTIONS, onPass, onProgress, signal, createWorker } = options;
+  const { directions = DEFAULT_DIRECTIONS, onPass, pause, onProgress, signal, createWorker } = options;
   if (!(directions >= 64 && directions <= 8192)) {
     throw new RangeError(`bakeOcclusion: directions is ${directions}. Pass a number from 64 to 8192, or leave it out.`);
   }
   if (onPass !== undefined && typeof onPass !== 'function') {
     throw new TypeError('bakeOcclusion: onPass must be a function, or left out.');
+  }
+  if (pause !== undefined && typeof pause !== 'function') {
+    throw new TypeError('bakeOcclusion: pause must be a function, or left out.');
   }
   signal?.throwIfAborted();
   if (!root?.isObject3D) throw new TypeError('bakeOcclusion: expected a THREE.Object3D, such as a scene or a mesh.');
@@ -79,7 +90,12 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
     createWorker,
     onProgress: onProgress && ((progress) => onProgress(from + (to - from) * progress)),
   });
+  const rest = async (): Promise<void> => {
+    await pause?.();
+    signal?.throwIfAborted();
+  };
   try {
+    await rest();
     const readAll = () => ({ meshes: readers.map((read) => read()) });
     const start = (options: TaskOptions) => runTask('startOcclusion', readAll(), options, readAll);
     let scene = await start(phase(0, START_SHARE));
@@ -89,16 +105,21 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
     const all = goals[goals.length - 1];
     const progressAt = (pairs: number) => START_SHARE + (1 - START_SHARE) * (pairs / all);
     for (const goal of goals) {
-      const { pairs } = scene;
-      const result = await runTask(
-        'addDirections',
-        { scene, pairs: goal - pairs },
-        phase(progressAt(pairs), progressAt(goal)),
-        // What was looked at before is lost with the worker.
-        async () => ({ scene: await start({ signal, createWorker }), pairs: goal }),
-      );
-      scene = result.scene;
-      bake.write(result.occlusions, 2 * goal);
+      let occlusions: Int16Array[] = [];
+      while (scene.pairs < goal) {
+        await rest();
+        const { pairs } = scene;
+        const next = Math.min(goal, pairs + PAIRS_AT_ONCE);
+        ({ scene, occlusions } = await runTask(
+          'addDirections',
+          { scene, pairs: next - pairs },
+          phase(progressAt(pairs), progressAt(next)),
+          // What was looked at before is lost with the worker.
+          async () => ({ scene: await start({ signal, createWorker }), pairs: next }),
+        ));
+      }
+      await rest();
+      bake.write(occlusions, 2 * goal);
       onPass?.(bake);
       signal?.throwIfAborted();
     }

@@ -42,6 +42,8 @@ export class OcclusionLoader {
         signal,
         onProgress: (progress) => report(STAGE, progress),
         onPass: () => this.scene.invalidate(),
+        // The hollows can wait, and a picture that is being saved must not change.
+        pause: () => this.tasks.others('occlusion', signal),
       });
       if (signal.aborted) bake.dispose();
       else this.bake = bake;

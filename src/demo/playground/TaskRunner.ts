@@ -15,6 +15,8 @@ export class TaskRunner {
     Slot,
     { controller: AbortController; stage: string; progress: number | undefined }
   >();
+  /** Called when a task has ended. */
+  private readonly waiting = new Set<() => void>();
 
   constructor(
     private readonly status: Status,
@@ -32,6 +34,25 @@ export class TaskRunner {
 
   isRunning(slot: Slot): boolean {
     return this.running.has(slot);
+  }
+
+  /**
+   * For a task that nobody waits for: resolves when all others have ended, so that what was wished for last comes first, or when the
+   * task itself is aborted. Undefined if there are none.
+   */
+  others(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
+    const isAlone = (): boolean => signal.aborted || [...this.running.keys()].every((one) => one === slot);
+    if (isAlone()) return undefined;
+    return new Promise((resolve) => {
+      const look = (): void => {
+        if (!isAlone()) return;
+        this.waiting.delete(look);
+        signal.removeEventListener('abort', look);
+        resolve();
+      };
+      this.waiting.add(look);
+      signal.addEventListener('abort', look);
+    });
   }
 
   /**
@@ -69,6 +90,7 @@ export class TaskRunner {
     }
     const isLatest = this.running.get(slot) === entry;
     if (isLatest) this.running.delete(slot);
+    for (const look of [...this.waiting]) look();
     if (failure !== undefined)
       status.addProblem(slot, sentenceFor(failure), failure instanceof LostContextError ? again : undefined);
     else if (isLatest && controller.signal.aborted) this.sayCancelled(slot);
@@ -81,7 +103,9 @@ export class TaskRunner {
   /** Stops a task that nobody needs any more, without a word. */
   stop(slot: Slot): void {
     this.running.get(slot)?.controller.abort();
-    if (this.running.delete(slot)) this.show();
+    if (!this.running.delete(slot)) return;
+    for (const look of [...this.waiting]) look();
+    this.show();
   }
 
   private sayCancelled(slot: Slot): void {

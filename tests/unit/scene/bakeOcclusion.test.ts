@@ -214,6 +214,39 @@ describe('on the way', () => {
     expect(darkest(alone)).toBe(0);
   });
 
+  test('waits between its parts for what goes first, and shows nothing meanwhile', async () => {
+    const mesh = await prepared(ground());
+    let goOn: (() => void) | undefined;
+    let asked = 0;
+    const onPass = vi.fn();
+    const baking = bakeOcclusion(sceneOf(mesh, roof()), {
+      directions: 64,
+      onPass,
+      pause: () => {
+        asked++;
+        return new Promise<void>((resolve) => {
+          goOn = resolve;
+        });
+      },
+    });
+    // Before the start, before each of the four parts, and before the one pass is shown.
+    for (let part = 1; part <= 6; part++) {
+      await vi.waitFor(() => expect(asked).toBe(part));
+      expect(onPass).not.toHaveBeenCalled();
+      expect(darkest(mesh)).toBe(0);
+      goOn?.();
+    }
+    await baking;
+    expect(asked).toBe(6);
+    expect(lightest(mesh)).toBeGreaterThan(0.9);
+  });
+
+  test('what pause rejects with ends the bake', async () => {
+    const mesh = await prepared(ground());
+    await expect(bakeOcclusion(mesh, { pause: () => Promise.reject(new Error('no more')) })).rejects.toThrow('no more');
+    expect(darkest(mesh)).toBe(0);
+  });
+
   test('aborted before: nothing happens', async () => {
     const mesh = await prepared(ground());
     const onPass = vi.fn();
@@ -237,6 +270,7 @@ describe('what is refused', () => {
     [{ directions: 3 }, 'directions is 3'],
     [{ directions: Number.NaN }, 'directions is NaN'],
     [{ onPass: 1 }, 'onPass must be a function'],
+    [{ pause: 1 }, 'pause must be a function'],
     [{ signal: {} }, 'signal'],
   ])('%o', async (options, message) => {
     await expect(bakeOcclusion(new Group(), options as never)).rejects.toThrow(message);

@@ -156,3 +156,47 @@ describe('the status line', () => {
     expect([line.text, line.isError]).toEqual(['It is back.', false]);
   });
 });
+
+describe('a task that nobody waits for', () => {
+  const settled = async (promise: Promise<void> | undefined): Promise<boolean> => {
+    let isSettled = false;
+    void promise?.then(() => {
+      isSettled = true;
+    });
+    for (let i = 0; i < 10; i++) await Promise.resolve();
+    return isSettled;
+  };
+
+  test('goes on when the last of the others has ended, not when one is replaced by the next', async () => {
+    const { tasks } = makePage();
+    const own = new AbortController().signal;
+    const [occlusion, first, second, model] = [openTask(), openTask(), openTask(), openTask()];
+    void tasks.run('occlusion', occlusion.task);
+    expect(tasks.others('occlusion', own)).toBeUndefined();
+    const running = [tasks.run('map', first.task), tasks.run('model', model.task)];
+    const others = tasks.others('occlusion', own);
+    running.push(tasks.run('map', second.task));
+    first.end();
+    await running[0];
+    model.end();
+    await running[1];
+    expect(await settled(others)).toBe(false);
+    second.end();
+    await running[2];
+    expect(await settled(others)).toBe(true);
+    expect(tasks.others('occlusion', own)).toBeUndefined();
+  });
+
+  test('goes on to its end when it is aborted, or when the others are stopped', async () => {
+    const { tasks } = makePage();
+    const controller = new AbortController();
+    void tasks.run('map', openTask().task);
+    const aborted = tasks.others('occlusion', controller.signal);
+    const stopped = tasks.others('occlusion', new AbortController().signal);
+    controller.abort();
+    expect(await settled(aborted)).toBe(true);
+    expect(await settled(stopped)).toBe(false);
+    tasks.stop('map');
+    expect(await settled(stopped)).toBe(true);
+  });
+});
