@@ -1,5 +1,5 @@
 import type { TonalArtMap } from 'three-hatching';
-import { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
+import type { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
 import type { ModelFile } from '../files/readModel.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import { needsMap } from '../settings/settingValues.js';
@@ -12,7 +12,8 @@ type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed
 export class MapLoader {
   /** What the user's own map was read from. */
   ownFiles: readonly ModelFile[] | undefined;
-  private readonly cache = new TonalArtMapCache();
+  /** Fetched with the first map: engraved lines and dots are drawn without. */
+  private cache: TonalArtMapCache | undefined;
   /** The settings of the map that is drawn with. */
   private shown: MapSettings | undefined;
 
@@ -37,7 +38,9 @@ export class MapLoader {
     if (!isWanted) return;
     const end = await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
-      const map = await this.cache.get(this.settings, { signal, onProgress }, this.scene.tonalArtMap);
+      const cache = await this.fetchCache();
+      signal.throwIfAborted();
+      const map = await cache.get(this.settings, { signal, onProgress }, this.scene.tonalArtMap);
       if (!signal.aborted) this.use(map);
     });
     if (end !== 'failed' || !this.shown) return;
@@ -50,13 +53,14 @@ export class MapLoader {
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
       const { loadMapFiles } = await import('./mapFiles.js');
+      const cache = await this.fetchCache();
       signal.throwIfAborted();
       const map = await loadMapFiles(files, { signal, onProgress });
       signal.throwIfAborted();
       this.settings.mapStyle = 'file';
       this.ownFiles = files;
       this.use(map);
-      this.cache.keep(map);
+      cache.keep(map);
       this.onOwnMap(isRestored);
     });
   }
@@ -68,7 +72,13 @@ export class MapLoader {
 
   /** To be called while the graphics context is lost. */
   releaseGraphics(): void {
-    this.cache.releaseGraphics();
+    this.cache?.releaseGraphics();
+  }
+
+  private async fetchCache(): Promise<TonalArtMapCache> {
+    const { TonalArtMapCache } = await import('../drawing/TonalArtMapCache.js');
+    this.cache ??= new TonalArtMapCache();
+    return this.cache;
   }
 
   private use(map: TonalArtMap): void {
