@@ -13,8 +13,6 @@ export interface LinkedDrawing {
   address: string | undefined;
 }
 
-const DECIMALS = 1000;
-
 /** What older links call values, and what those are called now. */
 const FORMER_VALUES: Partial<Record<SettingKey, Record<string, string>>> = {
   strokeLayers: { 1: 'single', 2: 'lights' },
@@ -35,10 +33,22 @@ export function writeLink(settings: Settings, camera: CameraView | undefined, ad
     parameters.set(key, String(value));
   }
   if (camera) {
-    const numbers = [...camera.position, ...camera.target].map((value) => Math.round(value * DECIMALS) / DECIMALS);
-    parameters.set('camera', numbers.join(','));
+    parameters.set('camera', [...camera.position, ...camera.target].map(shortest).join(','));
   }
   return parameters.toString();
+}
+
+/** Every number of single precision is told by so many digits. */
+const MOST_DIGITS = 9;
+
+/** The shortest decimal that is read back as the same number of single precision. */
+function shortest(value: number): number {
+  const single = Math.fround(value);
+  for (let digits = 1; digits < MOST_DIGITS; digits++) {
+    const short = Number(single.toPrecision(digits));
+    if (Math.fround(short) === single) return short;
+  }
+  return Number(single.toPrecision(MOST_DIGITS));
 }
 
 /** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. Nothing at all is the first view; `preset` is what the others differ from. */
@@ -51,7 +61,7 @@ export function readLink(hash: string): LinkedDrawing {
     const value = text === null ? undefined : acceptSetting(key, FORMER_VALUES[key]?.[text] ?? text);
     if (value !== undefined && value !== 'file') Object.assign(settings, { [key]: value });
   }
-  const numbers = parameters.get('camera')?.split(',').map(Number) ?? [];
+  const numbers = (parameters.get('camera') ?? '').split(',').map((text) => Math.fround(Number(text)));
   const isCamera = numbers.length === 6 && numbers.every((value) => Number.isFinite(value) && Math.abs(value) <= 100);
   const [x, y, z, tx, ty, tz] = numbers as [number, number, number, number, number, number];
   return {

@@ -1,4 +1,4 @@
-import { type Camera, DirectionalLight, MathUtils, PointLight, type Scene, SpotLight, Vector3 } from 'three';
+import { type Camera, DirectionalLight, MathUtils, Matrix4, PointLight, type Scene, SpotLight, Vector3 } from 'three';
 import type { Settings } from '../settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
 import { shadowOnGround } from './shadowOnGround.js';
@@ -17,6 +17,8 @@ export type ShadowQuality = keyof typeof SHADOW_MAP_SIZES;
 
 type CastingLight = DirectionalLight | PointLight | SpotLight;
 
+const ORIGIN = new Vector3();
+const UP = new Vector3(0, 1, 0);
 const before = new Vector3();
 const secondBefore = new Vector3();
 
@@ -97,16 +99,18 @@ export class LightRig {
   }
 
   /**
-   * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells. One that stays with the viewer
-   * is taken to stay where it is.
+   * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells.
    *
+   * @param toEye direction to the viewer, whom a light may stay with
    * @returns undefined if it casts none
    */
-  shadowOf(points: ArrayLike<number>, height: number): number[] | undefined {
+  shadowOf(points: ArrayLike<number>, height: number, toEye: Vector3): number[] | undefined {
     const { directional, point, spot } = this.main;
     const light = [directional, point, spot].find(({ visible }) => visible);
     if (!light?.castShadow) return undefined;
-    return shadowOnGround(points, this.isWithViewer ? this.position : this.settled, light === directional, height);
+    const position = this.settled.clone();
+    if (this.isWithViewer) position.applyMatrix4(new Matrix4().lookAt(toEye, ORIGIN, UP));
+    return shadowOnGround(points, position, light === directional, height);
   }
 
   /**

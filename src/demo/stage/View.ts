@@ -2,57 +2,74 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { DEFAULT_VIEW } from './createCamera.js';
-import { type Framing, fitCamera } from './framing.js';
+import { type Framing, fitCamera, proportionOf } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 
 /** From what it turns around, in radii of the model: near enough to look into a room. */
 const MIN_DISTANCE = 0.15;
 /** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
 const FILL = 0.76;
+/** The same of a sheet of paper, which has nothing but the drawing. */
+const ON_SHEET = { fill: 0.86, room: { model: 0.88, shadow: 0.93 } };
 /** Before there is a model. */
 const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
+
+/** The view as Undo goes back to it. */
+export interface ViewState extends CameraView {
+  /** The viewport and the sheet that the model was framed for, in words of the view; none if the user has placed the camera. */
+  framedFor?: string | undefined;
+}
 
 /** Controls the camera: orbited by the user, or placed so that the whole model is in the picture. */
 export class View {
   readonly controls: OrbitControls;
+  /** How many times wider than high the model is where it is framed. */
+  proportion = 1;
   /** Called when the user has moved the camera. */
   onMoved: () => void = () => {};
   private readonly keys: OrbitKeys;
   /** Whether the camera is where {@link frame} put it. If so, it is placed again when the viewport changes its size. */
-  private framed = true;
+  private hasFramed = true;
+  private frames = 0;
   private isPlacing = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
   private outline: ArrayLike<number> = NO_OUTLINE;
-  private shadow: ArrayLike<number> | undefined;
+  private shownSheet: readonly [number, number] | undefined;
 
   /**
    * @param onChange called when a frame must be drawn
-   * @param shadowOf xyz of points of the shadow that an outline casts by now; undefined without one
+   * @param shadowOf xyz of points of the shadow that an outline casts by now, seen from a direction; undefined without one
    */
   constructor(
     canvas: HTMLCanvasElement,
     private readonly camera: PerspectiveCamera,
     private readonly onChange: () => void,
-    private readonly shadowOf: (outline: ArrayLike<number>) => ArrayLike<number> | undefined,
+    private readonly shadowOf: (outline: ArrayLike<number>, toEye: Vector3) => ArrayLike<number> | undefined,
   ) {
     this.controls = new OrbitControls(camera, canvas);
     this.controls.minDistance = MIN_DISTANCE;
     this.controls.zoomToCursor = true;
     this.controls.maxDistance = 30;
-    this.controls.addEventListener('change', () => {
-      if (!this.isPlacing) {
-        this.framed = false;
-        this.onMoved();
-      }
-      onChange();
+    this.controls.addEventListener('change', this.moved);
+    // The last step may have been too small for them to tell of.
+    this.controls.addEventListener('end', () => {
+      if (this.round()) this.moved();
     });
     this.keys = new OrbitKeys(canvas, camera, this.controls, this.frameForUser);
     canvas.addEventListener('dblclick', this.frameForUser);
   }
 
+  private readonly moved = (): void => {
+    this.round();
+    if (!this.isPlacing) {
+      this.hasFramed = false;
+      this.onMoved();
+    }
+    this.onChange();
+  };
+
   /** As {@link frame}, because the user has asked for it. */
   readonly frameForUser = (): void => {
-    this.shadow = this.shadowOf(this.outline);
     this.frame();
     this.onMoved();
   };
@@ -69,23 +86,52 @@ export class View {
   }
 
   get isFramed(): boolean {
-    return this.framed;
+    return this.hasFramed;
+  }
+
+  /** How often a model was framed; 0 while the camera is where the user has placed it. */
+  get framedCount(): number {
+    return this.hasFramed ? this.frames : 0;
+  }
+
+  /** xyz of points of the model, enough to tell where it ends. */
+  get modelOutline(): ArrayLike<number> {
+    return this.outline;
   }
 
   /** Places the camera so that the whole model is in the picture, and its shadow if that is not long. */
   readonly frame = (): void => {
-    this.isPlacing = true;
-    const { outline, first, ...framing } = this.framing;
-    this.controls.target.copy(fitCamera(this.camera, outline, first, framing));
-    this.controls.update();
-    this.isPlacing = false;
-    this.framed = true;
+    this.controls.target.copy(this.fit(this.camera));
+    this.update();
+    this.hasFramed = true;
+    this.frames++;
     this.onChange();
   };
 
-  /** What the model is framed by, as {@link fitCamera} takes it. */
+  private fit(camera: PerspectiveCamera): Vector3 {
+    const { outline, first, ...framing } = this.framing;
+    const onSheet = this.shownSheet && { ...ON_SHEET, part: this.shownSheet };
+    return fitCamera(camera, outline, first, { ...framing, ...onSheet });
+  }
+
+  /**
+   * The sheet in the middle of the viewport that a framed model is composed for, in shares of the viewport's width and height;
+   * undefined for the viewport itself.
+   */
+  get sheet(): readonly [number, number] | undefined {
+    return this.shownSheet;
+  }
+
+  set sheet(sheet: readonly [number, number] | undefined) {
+    if (sheet?.join() === this.shownSheet?.join()) return;
+    this.shownSheet = sheet;
+    if (this.hasFramed) this.frame();
+  }
+
+  /** What the model is framed by in a picture of its own, as {@link fitCamera} takes it. */
   get framing(): Framing & { outline: ArrayLike<number>; first: Vector3 } {
-    return { outline: this.outline, first: this.first, fill: FILL, shadow: this.shadow };
+    const { outline, first } = this;
+    return { outline, first, fill: FILL, shadow: this.shadowOf(outline, first) };
   }
 
   /**
@@ -96,30 +142,72 @@ export class View {
    */
   setOutline(outline: ArrayLike<number>, first?: readonly [number, number, number]): void {
     this.outline = outline;
-    this.shadow = this.shadowOf(outline);
     if (first) this.first.set(...first);
-    if (this.framed) this.frame();
+    this.proportion = proportionOf(outline, this.first);
+    if (this.hasFramed) this.frame();
   }
 
   /** To be called when the viewport has changed its size. */
   resized(aspect: number): void {
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
-    if (this.framed) this.frame();
+    if (this.hasFramed) this.frame();
   }
 
   get place(): CameraView {
     return { position: this.camera.position.toArray(), target: this.controls.target.toArray() };
   }
 
+  /** As {@link place}; undefined if the camera is where {@link frame} would put it, as whoever frames the same model will see it. */
+  get ownPlace(): CameraView | undefined {
+    if (!this.hasFramed) return this.place;
+    const camera = this.camera.clone();
+    const target = roundToSingle(this.fit(camera));
+    const isThere = roundToSingle(camera.position).equals(this.camera.position) && target.equals(this.controls.target);
+    return isThere ? undefined : this.place;
+  }
+
   set place({ position, target }: CameraView) {
     this.camera.position.fromArray(position);
     this.controls.target.fromArray(target);
+    this.update();
+    this.hasFramed = false;
+    this.onChange();
+  }
+
+  get state(): ViewState {
+    return { ...this.place, framedFor: this.hasFramed ? this.frameFor : undefined };
+  }
+
+  /** A model is framed anew only for another viewport or sheet: its lights may have moved since. */
+  set state({ framedFor, ...place }: ViewState) {
+    this.place = place;
+    if (framedFor === this.frameFor) this.hasFramed = true;
+    else if (framedFor !== undefined) this.frame();
+  }
+
+  private get frameFor(): string {
+    return [this.camera.aspect, ...(this.shownSheet ?? [])].join();
+  }
+
+  /** Takes over where the camera was put. */
+  private update(): void {
     this.isPlacing = true;
     this.controls.update();
     this.isPlacing = false;
-    this.framed = false;
-    this.onChange();
+    this.round();
+  }
+
+  /** Keeps the view to single precision, as links do: whoever opens one sees the very same. @returns whether it was finer */
+  private round(): boolean {
+    const { camera, controls } = this;
+    before.position.copy(camera.position);
+    before.target.copy(controls.target);
+    roundToSingle(camera.position);
+    roundToSingle(controls.target);
+    if (before.position.equals(camera.position) && before.target.equals(controls.target)) return false;
+    camera.lookAt(controls.target);
+    return true;
   }
 
   dispose(): void {
@@ -127,3 +215,12 @@ export class View {
     this.controls.dispose();
   }
 }
+
+const before = { position: new Vector3(), target: new Vector3() };
+
+/** Smaller than this, in radii of the model, is nothing but the rounding of what it was computed from. */
+const NOTHING = 2 ** -24;
+
+const toSingle = (value: number): number => (Math.abs(value) < NOTHING ? 0 : Math.fround(value));
+
+const roundToSingle = (point: Vector3): Vector3 => point.set(toSingle(point.x), toSingle(point.y), toSingle(point.z));

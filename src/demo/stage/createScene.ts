@@ -96,6 +96,8 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   let map: TonalArtMap | undefined;
   let settings: Settings | undefined;
   let upAxis: Settings['upAxis'] = 'y';
+  /** Whether the model throws a shadow on what it stands on, for which it goes aside. */
+  let showsShadow = false;
 
   const frameListeners: (() => void)[] = [];
   const scheduler = new FrameScheduler(() => {
@@ -125,7 +127,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       isOutdated = true;
       scheduler.invalidate();
     },
-    (outline) => (settings && settings.ground !== 'none' ? lights.shadowOf(outline, ground.height) : undefined),
+    (outline, toEye) => (showsShadow ? lights.shadowOf(outline, ground.height, toEye) : undefined),
   );
   const crossFade = new CrossFade(canvas);
   /** From the first loss of the context on: pages that have lost it once are those that lose it again. */
@@ -291,12 +293,14 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
   function applyToScene(): void {
     if (!settings) return;
     lights.apply(settings);
+    const hadShadow = showsShadow;
+    showsShadow = settings.shadows === 'on' && settings.ground !== 'none';
     if (upAxis !== settings.upAxis) {
       upAxis = settings.upAxis;
       upright.rotation.set(...UPRIGHT[upAxis]);
       renderer.shadowMap.needsUpdate = true;
       measureBounds();
-    }
+    } else if (showsShadow !== hadShadow && view.isFramed) view.frame();
     renderer.setClearColor(settings.paper, 1);
     model?.apply(settings);
     ground.apply(settings);

@@ -2,22 +2,30 @@ import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
 
 /** The share of the picture that points fill unless asked otherwise, of its width or its height. */
 const POINTS_FILL = 0.94;
-/** A model may go as far towards the edges as this, to leave room for its shadow. */
-const BESIDE_SHADOW_FILL = 0.88;
-/** A shadow may go as far towards the edges as this. */
-const SHADOW_FILL = 0.96;
+/** How far a model and its shadow may go towards the edges, unless asked otherwise. */
+const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.96 };
 /** A model is drawn smaller by at most this factor to leave room for its shadow. A long shadow is cut. */
 const MOST_ROOM = 1.25;
 /** The middle of a model goes aside by at most this share of the way to the edge. */
 const MOST_ASIDE = 0.4;
+
+/** The shares of the picture that a model may fill to leave room for its shadow, and the shadow itself. */
+export interface ShadowRoom {
+  model: number;
+  shadow: number;
+}
 
 export interface Framing {
   /** How many times larger the picture is than one that the points just fill; 1 by default. */
   zoom?: number;
   /** The share of the picture that the points fill, of its width or its height; 0.94 by default. */
   fill?: number;
+  /** The part of the picture that counts as the picture, around its middle, in shares of its width and height; all of it by default. */
+  part?: readonly [number, number];
   /** xyz of points that are in the picture as well, as far as that leaves the others large enough. */
   shadow?: ArrayLike<number>;
+  /** How far towards the edges they may go then; 0.88 and 0.96 by default. */
+  room?: ShadowRoom;
 }
 
 /**
@@ -31,15 +39,15 @@ export function fitCamera(
   camera: PerspectiveCamera,
   positions: ArrayLike<number>,
   view: Vector3,
-  { zoom = 1, fill = POINTS_FILL, shadow }: Framing = {},
+  { zoom = 1, fill = POINTS_FILL, part = [1, 1], shadow, room = SHADOW_ROOM }: Framing = {},
 ): Vector3 {
-  const axes = frustumAxes(camera, view);
+  const axes = frustumAxes(camera, view, part);
   const model = spansOf(positions, axes, fill);
   let distance = Math.max(...model.map((span) => nearest(span, span)));
   let middle = model.map(({ low, high }) => (high - low) / 2);
   if (shadow && shadow.length > 0) {
-    const aside = spansOf(positions, axes, BESIDE_SHADOW_FILL);
-    const cast = spansOf(shadow, axes, SHADOW_FILL);
+    const aside = spansOf(positions, axes, room.model);
+    const cast = spansOf(shadow, axes, room.shadow);
     const forBoth = [0, 1].flatMap((axis) => [
       nearest(cast[axis], cast[axis]),
       nearest(cast[axis], aside[axis]),
@@ -58,6 +66,21 @@ export function fitCamera(
   return target;
 }
 
+/** How many times wider than high points are, seen from a given direction. */
+export function proportionOf(positions: ArrayLike<number>, view: Vector3): number {
+  const { right, up } = viewAxes(view);
+  const [wide, high] = [right, up].map((axis) => {
+    let [low, most] = [Infinity, -Infinity];
+    for (let i = 0; i < positions.length; i += 3) {
+      const x = axis.x * positions[i] + axis.y * positions[i + 1] + axis.z * positions[i + 2];
+      low = Math.min(low, x);
+      most = Math.max(most, x);
+    }
+    return most - low;
+  });
+  return wide / high;
+}
+
 /** The axes of a camera that looks against `view`, and how fast its frustum widens along two of them. */
 interface FrustumAxes {
   toEye: Vector3;
@@ -66,12 +89,15 @@ interface FrustumAxes {
   slopes: readonly [number, number];
 }
 
-function frustumAxes(camera: PerspectiveCamera, view: Vector3): FrustumAxes {
+function frustumAxes(camera: PerspectiveCamera, view: Vector3, part: readonly [number, number]): FrustumAxes {
+  const slope = Math.tan(MathUtils.degToRad(camera.fov) / 2);
+  return { ...viewAxes(view), slopes: [part[0] * slope * camera.aspect, part[1] * slope] };
+}
+
+function viewAxes(view: Vector3): Omit<FrustumAxes, 'slopes'> {
   const toEye = view.clone().normalize();
   const right = new Vector3(0, 1, 0).cross(toEye).normalize();
-  const up = toEye.clone().cross(right);
-  const slope = Math.tan(MathUtils.degToRad(camera.fov) / 2);
-  return { toEye, right, up, slopes: [slope * camera.aspect, slope] };
+  return { toEye, right, up: toEye.clone().cross(right) };
 }
 
 /**

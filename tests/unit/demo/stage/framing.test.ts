@@ -1,7 +1,7 @@
 import { type PerspectiveCamera, TorusKnotGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { createCamera } from '../../../../src/demo/stage/createCamera.js';
-import { fitCamera } from '../../../../src/demo/stage/framing.js';
+import { fitCamera, proportionOf } from '../../../../src/demo/stage/framing.js';
 import { shadowOnGround } from '../../../../src/demo/stage/shadowOnGround.js';
 
 const FILL = 0.7;
@@ -36,6 +36,15 @@ describe.each([0.5, 1, 2.5])('a picture with the aspect %s', (aspect) => {
     // By perspective, the middle of the farther sides is a little off.
     for (const axis of [0, 1]) expect(Math.abs(low[axis] + high[axis])).toBeLessThan(0.1);
     expect(target.clone().project(camera).setZ(0).length()).toBeLessThan(1e-6);
+  });
+
+  test('is composed for a part of it', () => {
+    const part = [0.5, 0.8] as const;
+    fitCamera(camera, points, VIEW, { fill: FILL, part });
+    const { low, high } = seen(camera, points);
+    const shares = [0, 1].map((axis) => (high[axis] - low[axis]) / 2 / part[axis]);
+    expect(Math.max(...shares)).toBeCloseTo(FILL, 2);
+    for (const axis of [0, 1]) expect(Math.abs(low[axis] + high[axis])).toBeLessThan(0.1);
   });
 
   const aside = new Vector3(-1, 1.2, 0.4);
@@ -73,4 +82,10 @@ describe.each([0.5, 1, 2.5])('a picture with the aspect %s', (aspect) => {
     const target = fitCamera(camera, points, VIEW, { fill: FILL, shadow: shadowOnGround([0, 0, 0], aside, true, -1) });
     expect(target.toArray()).toEqual(before.toArray());
   });
+});
+
+test('points are so many times wider than high as they are seen', () => {
+  const plank = [0, 0, 0, 0, 0, 3, 0, 1.5, 0];
+  expect(proportionOf(plank, new Vector3(1, 0, 0))).toBeCloseTo(2, 6);
+  expect(proportionOf(plank, new Vector3(0, 0, 1))).toBeCloseTo(0, 6);
 });

@@ -1,0 +1,100 @@
+import { BoxGeometry, type Vector3 } from 'three';
+import { describe, expect, test } from 'vitest';
+import { defaultSettings } from '../../../../src/demo/settings/settings.js';
+import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
+import { createCamera } from '../../../../src/demo/stage/createCamera.js';
+import { View } from '../../../../src/demo/stage/View.js';
+
+const outline = new BoxGeometry(1.2, 1, 0.8).getAttribute('position').array as Float32Array;
+
+/** A view of a box on an element of no page, which keys turn and move. */
+function viewOf(
+  shadowOf: (outline: ArrayLike<number>, toEye: Vector3) => ArrayLike<number> | undefined = () => undefined,
+) {
+  const element = Object.assign(new EventTarget(), {
+    style: {},
+    getRootNode: () => new EventTarget(),
+    ownerDocument: new EventTarget(),
+    clientWidth: 800,
+    clientHeight: 600,
+  });
+  const camera = createCamera();
+  const view = new View(element as never, camera, () => {}, shadowOf);
+  view.resized(4 / 3);
+  view.setOutline(outline, [0.62, 0.36, 1]);
+  const press = (key: string): void => void element.dispatchEvent(Object.assign(new Event('keydown'), { key }));
+  return { view, camera, press };
+}
+
+describe('a view that a link brings back', () => {
+  test('is the very same, to the last bit, after all ways of moving', () => {
+    const { view, camera, press } = viewOf();
+    for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowUp', '+', 'w', 'd', '-', 'ArrowRight', 'ArrowDown', 'a']) {
+      press(key);
+      const other = viewOf();
+      other.view.place = readLink(writeLink(defaultSettings(), view.ownPlace)).camera!;
+      expect(other.view.place, key).toEqual(view.place);
+      for (const one of [camera, other.camera]) one.updateMatrixWorld();
+      expect(other.camera.matrixWorld.elements, key).toEqual(camera.matrixWorld.elements);
+    }
+    expect(view.isFramed).toBe(false);
+  });
+
+  test('is left out only where framing gives it', () => {
+    let shadow: number[] | undefined = [3, -0.5, 0, 3, -0.5, 1];
+    const { view } = viewOf(() => shadow);
+    const framed = view.place;
+    expect(view.ownPlace).toBeUndefined();
+    // The light is moved: the picture stays, but whoever framed the model now would see another.
+    shadow = [-3, -0.5, 0, -3, -0.5, 1];
+    expect(view.ownPlace).toEqual(framed);
+    expect(view.isFramed).toBe(true);
+    view.frame();
+    expect(view.ownPlace).toBeUndefined();
+    expect(view.place).not.toEqual(framed);
+  });
+});
+
+describe('a view that Undo brings back', () => {
+  test('is where it was, and framed if it was, also after the light has moved', () => {
+    let shadow = [3, -0.5, 0];
+    const { view, press } = viewOf(() => shadow);
+    const { state } = view;
+    shadow = [-3, -0.5, 0];
+    press('ArrowLeft');
+    expect(view.isFramed).toBe(false);
+    view.state = state;
+    expect(view.state).toEqual(state);
+    expect(view.isFramed).toBe(true);
+  });
+
+  test('is framed anew in a viewport of another shape', () => {
+    const { view, camera } = viewOf();
+    const { state } = view;
+    view.resized(0.5);
+    const upright = view.place;
+    view.state = state;
+    expect(view.state).toEqual({ ...upright, framedFor: '0.5' });
+    expect(camera.aspect).toBe(0.5);
+  });
+});
+
+test('a framed model is composed for the sheet that is shown, and for the viewport again without it', () => {
+  const { view, camera, press } = viewOf();
+  const before = view.state;
+  const distance = () => camera.position.distanceTo(view.controls.target);
+  const whole = distance();
+  view.sheet = [0.5, 0.9];
+  const onSheet = view.state;
+  expect(distance()).toBeGreaterThan(1.4 * whole);
+  expect(view.ownPlace).toBeUndefined();
+  view.sheet = undefined;
+  expect(view.state).toEqual(before);
+  // Undo goes back to when the sheet was shown, which it is no more.
+  view.state = onSheet;
+  expect(view.state).toEqual(before);
+  press('ArrowLeft');
+  const turned = view.place;
+  view.sheet = [0.5, 0.9];
+  expect(view.place).toEqual(turned);
+});
