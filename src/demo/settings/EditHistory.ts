@@ -1,6 +1,4 @@
-/**
- * Changes from one source that follow each other faster than this are one step: dragging a slider, the light or the view, say.
- */
+/** Changes from one source that follow each other faster than this are one step: by keys or the wheel, say. */
 const PAUSE_MILLISECONDS = 900;
 const KEPT = 100;
 
@@ -11,14 +9,17 @@ export class EditHistory<State> {
   private now: State;
   private lastSource: string | undefined;
   private lastTime = -Infinity;
+  private lastPress: number | undefined;
 
   /**
    * @param read returns the present state, as an object that nothing will change
    * @param isSame whether nobody could tell two states from each other
+   * @param press which press of a pointer lasts, by a number of its own; undefined if nothing is pressed
    */
   constructor(
     private readonly read: () => State,
     private readonly isSame: (a: State, b: State) => boolean,
+    private readonly press: () => number | undefined = () => undefined,
   ) {
     this.now = read();
   }
@@ -26,14 +27,17 @@ export class EditHistory<State> {
   /**
    * To be called after the user has changed something. What was undone before is gone then.
    *
-   * @param source what was changed. Quick changes from the same source count as one step. Without it, the change is a
-   *   step of its own.
+   * @param source what was changed. Changes from the same source count as one step: during one press, however long it pauses, or
+   *   quick ones without. Without a source, the change is a step of its own.
    */
   changed(source?: string): void {
     const time = performance.now();
-    const continues = source !== undefined && source === this.lastSource && time - this.lastTime < PAUSE_MILLISECONDS;
+    const press = this.press();
+    const follows = press === undefined ? time - this.lastTime < PAUSE_MILLISECONDS : press === this.lastPress;
+    const continues = source !== undefined && source === this.lastSource && follows;
     this.lastSource = source;
     this.lastTime = time;
+    this.lastPress = press;
     if (!continues) {
       this.past.push(this.now);
       if (this.past.length > KEPT) this.past.shift();
