@@ -4,7 +4,7 @@ import { settingsOfMaterial } from './materialLook.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { defaultSettings, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
-/** The settings that a preset sets: all but the model, the light's place, the view and the export. */
+/** The settings of a preset's hand: all but the model, light and shadow, the view and the export. */
 const LOOK_KEYS = [
   'technique',
   'mapStyle',
@@ -85,12 +85,14 @@ export function presetOf(settings: Settings): PresetName | undefined {
   });
 }
 
-/** What the page shows at first, without a link: a print with shadows, on the model and below it. */
-export const firstView = (): Settings => ({
-  ...defaultSettings(),
-  ...presetLook('engraving'),
-  shadows: 'on',
-  shadowStrokes: 'cross',
-  ground: 'shadow',
-  occlusion: 60,
-});
+/** What the page adds to a preset's hand: shadows, on the model and below it, and dark hollows. */
+const SHADED = { shadows: 'on', shadowStrokes: 'cross', ground: 'shadow', occlusion: 60 } as const;
+
+/**
+ * What the button of a preset sets: its hand, and all else that makes the picture of a model under lights where they are. So it is
+ * the same picture whatever was chosen before.
+ */
+export const wholeLook = (name: PresetName) => ({ ...presetLook(name), ...SHADED });
+
+/** What the page shows at first, without a link: a print. */
+export const firstView = (): Settings => ({ ...defaultSettings(), ...wholeLook('engraving') });

@@ -4,8 +4,15 @@ import { acceptSetting } from '../../../../src/demo/settings/acceptSetting.js';
 import { lineLook } from '../../../../src/demo/settings/lineLook.js';
 import { materialSizes } from '../../../../src/demo/settings/materialLook.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
-import { firstView, presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
-import { defaultSettings, SETTING_KEYS, type Settings } from '../../../../src/demo/settings/settings.js';
+import { firstView, presetLook, presetOf, wholeLook } from '../../../../src/demo/settings/presets.js';
+import type { Setting } from '../../../../src/demo/settings/Setting.js';
+import {
+  defaultSettings,
+  SETTING_KEYS,
+  SETTINGS,
+  type SettingKey,
+  type Settings,
+} from '../../../../src/demo/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
 import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
 import { LINE_NUMBER_NAMES } from '../../../../src/lines/lineProperties.js';
@@ -77,9 +84,38 @@ describe('the presets of the page', () => {
   });
 });
 
+describe('the button of a preset', () => {
+  test('gives the same picture whatever was chosen before, but for the model, the lights and the export', () => {
+    const others: Partial<Settings> = Object.fromEntries(SETTING_KEYS.map((key) => [key, otherValue(key)] as const));
+    for (const name of PRESET_NAMES) {
+      const fresh = { ...defaultSettings(), ...wholeLook(name) };
+      const later = { ...defaultSettings(), ...others, ...wholeLook(name) };
+      const kept = SETTING_KEYS.filter((key) => fresh[key] !== later[key]);
+      expect(kept).toEqual(
+        SETTING_KEYS.filter(
+          (key) =>
+            /^(model|compare|surfaceColors|upAxis|lightKind|lightAzimuth|lightElevation|lightFollows|lightDistance)$/.test(
+              key,
+            ) || /^(spot|second|picture|video)/.test(key),
+        ),
+      );
+      expect(presetOf(later)).toBe(name);
+    }
+  });
+});
+
+/** A value that is not the default. */
+function otherValue(key: SettingKey): string | number {
+  const setting: Setting = SETTINGS[key];
+  if (setting.kind === 'number') return setting.default === setting.max ? setting.min : setting.max;
+  if (setting.kind === 'color') return '#123456';
+  return Object.keys(setting.choices).find((choice) => choice !== setting.default)!;
+}
+
 describe('the first view', () => {
   test('is an engraving with shadows of its own, for a page without a link', () => {
     expect(presetOf(firstView())).toBe('engraving');
+    expect(firstView()).toEqual({ ...defaultSettings(), ...wholeLook('engraving') });
     expect(firstView().shadows).toBe('on');
     for (const hash of ['', '#']) expect(readLink(hash).settings).toEqual(firstView());
   });
