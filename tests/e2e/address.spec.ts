@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import { expect, test } from '../browser/test.js';
 import { file, octahedronPly } from './modelFiles.js';
 import { changedShare } from './pictures.js';
-import { drop, openPlayground, readDrawing, ready } from './playground.js';
+import { drop, middleOf, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
 
@@ -298,4 +298,35 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   await drop(page, [file('stray.png', 'x')]);
   await expect(status).toHaveText(/^A part of this page could not be fetched/);
   expect(pageProblems.splice(0).filter((problem) => !/ERR_FAILED/.test(problem))).toEqual([]);
+});
+
+test('a link draws the very picture of who sends it: orbited, and framed before the light was moved', async ({
+  page,
+}) => {
+  const sent = async (): Promise<void> => {
+    const drawn = await readDrawing(page);
+    const written = await page.evaluate(() => location.hash);
+    await page.goto('about:blank');
+    await openPlayground(page, written.slice(1));
+    expect(changedShare(drawn, await readDrawing(page))).toBe(0);
+    expect(await page.evaluate(() => location.hash)).toBe(written);
+  };
+  const link = 'technique=engraved&model=knot&shadows=on&ground=shadow&lightAzimuth=-80&lightElevation=20';
+  await openPlayground(page, link);
+  const before = await page.evaluate(() => location.hash);
+  await page.locator('#lamp').focus();
+  // To the other side, where the shadow would need room.
+  for (let i = 0; i < 30; i++) await page.keyboard.press('ArrowRight');
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/lightAzimuth=70&.*camera=/);
+  await sent();
+
+  const { x, y } = await middleOf(page, '#viewport');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 67, y + 21, { steps: 7 });
+  await page.mouse.up();
+  await page.mouse.wheel(0, -130);
+  await expect.poll(() => page.evaluate(() => location.hash)).not.toBe(before);
+  await ready(page);
+  await sent();
 });

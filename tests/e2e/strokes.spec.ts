@@ -84,6 +84,17 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
   expect(changedShare(first, await readDrawing(page))).toBe(0);
 });
 
+test('a preset gives the same picture whatever ground, shadows and hollows came before', async ({ page }) => {
+  const pictures: PNG[] = [];
+  for (const before of ['', '&shadows=on&ground=floor&occlusion=20&shadowStrokes=reorient&debugView=tone']) {
+    await page.setViewportSize({ width: 900, height: 600 });
+    await openPlayground(page, `model=column${before}`);
+    await page.getByRole('group', { name: 'Presets' }).getByRole('button', { name: 'Technical' }).click();
+    pictures.push(await readDrawing(page));
+  }
+  expect(changedShare(pictures[0], pictures[1])).toBe(0);
+});
+
 test('every button of a preset holds its name, also in a wide font and under a thumb', async ({ page }) => {
   for (const [width, height] of [
     [900, 600],

@@ -1,12 +1,12 @@
 import type { ModelFile } from '../files/readModel.js';
-import type { CameraView } from '../settings/CameraView.js';
 import { SETTING_KEYS, type Settings } from '../settings/settings.js';
+import type { ViewState } from '../stage/View.js';
 
 /** What Undo goes back to. */
 export interface DrawingState {
   settings: Settings;
-  /** Undefined if the model was framed. */
-  camera: CameraView | undefined;
+  /** Undefined if the model is to be framed. */
+  camera: ViewState | undefined;
   /** Of the user's own model. */
   files: readonly ModelFile[] | undefined;
 }
@@ -14,4 +14,7 @@ export interface DrawingState {
 export const isSameState = (a: DrawingState, b: DrawingState): boolean =>
   SETTING_KEYS.every((key) => a.settings[key] === b.settings[key]) &&
   a.files === b.files &&
-  JSON.stringify(a.camera) === JSON.stringify(b.camera);
+  // Framed is framed, whatever the shape of the page was.
+  ((isFramed(a) && isFramed(b)) || JSON.stringify(a.camera) === JSON.stringify(b.camera));
+
+const isFramed = ({ camera }: DrawingState): boolean => camera === undefined || camera.framedFor !== undefined;

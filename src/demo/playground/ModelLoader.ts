@@ -228,7 +228,7 @@ export class ModelLoader {
       upAxis: settings.upAxis,
       title: document.title,
       caption: [...page.modelCaption.childNodes],
-      place: scene.view.isFramed ? undefined : scene.view.place,
+      place: scene.view.ownPlace,
     };
     if (!isRestored) settings.upAxis = read.upAxis;
     this.name(title, standIn, []);

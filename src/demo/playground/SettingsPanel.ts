@@ -1,5 +1,5 @@
 import { type Controller, GUI } from 'lil-gui';
-import { millimetresPerPixel } from '../print/printPlan.js';
+import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
@@ -26,8 +26,9 @@ export class SettingsPanel {
     private readonly settings: Settings,
     actions: readonly PanelAction[],
     onChange: (key: SettingKey) => void,
-    /** The size of the view, in CSS pixels. */
-    private readonly viewSize: () => { width: number; height: number },
+    private readonly drawnView: () => DrawnView,
+    /** Called when a group is unfolded or folded. */
+    onFold: (group: SettingGroup, isOpen: boolean) => void,
   ) {
     // Styled by our own style sheet, because the Content Security Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
@@ -46,6 +47,10 @@ export class SettingsPanel {
       return [group, folder] as const;
     });
     const folderOf = new Map(folders);
+    gui.onOpenClose((folder: GUI) => {
+      const group = SETTING_GROUPS.find((one) => folderOf.get(one) === folder);
+      if (group) onFold(group, !folder._closed);
+    });
     for (const key of SETTING_KEYS) {
       const controller = this.add(folderOf.get(SETTINGS[key].group)!, key);
       controller.onChange(() => {
@@ -104,11 +109,12 @@ export class SettingsPanel {
       );
     const isSheet = Number.isNaN(Number(settings.pictureSize));
     for (const key of ['pictureWidth', 'pictureHeight'] as const) this.show(key, settings.pictureSize === 'own');
+    this.show('pictureTurn', isSheet && settings.pictureSize !== 'own');
     this.show('pictureDpi', isSheet);
     this.show('pictureGround', settings.pictureLayers === 'one');
     for (const [key, element] of Object.entries(this.printNotes)) {
       const width =
-        drawnSettings(settings)[key as keyof typeof this.printNotes] * millimetresPerPixel(settings, this.viewSize());
+        drawnSettings(settings)[key as keyof typeof this.printNotes] * millimetresPerPixel(settings, this.drawnView());
       const where = isSheet ? 'on the sheet' : 'in print, 300 dpi';
       element.textContent = `${width.toFixed(2)} mm ${where}`;
     }

@@ -1,13 +1,13 @@
 import { errorMessage } from '../files/errorMessage.js';
 import type { ModelFile } from '../files/readModel.js';
 import { setPageState } from '../page/setPageState.js';
-import type { CameraView } from '../settings/CameraView.js';
 import { EditHistory } from '../settings/EditHistory.js';
 import { LIGHT_LOOKS } from '../settings/lightLooks.js';
-import { presetLook } from '../settings/presets.js';
+import { wholeLook } from '../settings/presets.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
+import type { ViewState } from '../stage/View.js';
 import type { CodeDialog } from './CodeDialog.js';
 import type { CompareDivider } from './CompareDivider.js';
 import type { ContactSheet } from './ContactSheet.js';
@@ -29,12 +29,14 @@ import { page } from './page.js';
 import { pageForm } from './pageForm.js';
 import type { RecentDialog } from './RecentDialog.js';
 import type { SettingsPanel } from './SettingsPanel.js';
+import type { SheetFrame } from './SheetFrame.js';
 import type { Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 import { sortDrop } from './sortDrop.js';
 import { TaskRunner } from './TaskRunner.js';
 import { TurnHint } from './TurnHint.js';
-import { viewSize } from './viewSize.js';
+import { drawnView } from './viewSize.js';
+import { watchPresses } from './watchPresses.js';
 
 declare global {
   interface Window {
@@ -72,8 +74,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     () => contactSheet && fillSheet(contactSheet),
     (isRestored) => (isRestored ? applySettings() : recordChange()),
     () => {
-      history.adopt();
       applySettings();
+      history.adopt();
     },
   );
   const modelLoader = new ModelLoader(scene, settings, tasks, (end) => {
@@ -83,17 +85,17 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     }
     if (end === 'opened') recordChange();
     else {
-      history.adopt();
       applySettings();
+      history.adopt();
     }
   });
-  const history = new EditHistory(readState, isSameState);
+  const history = new EditHistory(readState, isSameState, watchPresses());
   const keeper = new Keeper(address, status, () => void showRecent());
   const occlusion = new OcclusionLoader(scene, settings, tasks);
   const turnHint = new TurnHint(page.turnHint, settings, recordChange);
   let divider: CompareDivider | undefined;
   const presets = new PresetBar(page.presets, settings, (name) => {
-    Object.assign(settings, presetLook(name));
+    Object.assign(settings, wholeLook(name));
     recordChange();
     void mapLoader.showChosen();
   });
@@ -131,7 +133,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
           if (MAP_SETTINGS.includes(key)) void mapLoader.showChosen();
           recordChange(key);
         },
-        viewSize,
+        () => drawnView(scene),
+        (group, isOpen) => {
+          if (group === 'Picture') showSheet(isOpen);
+        },
       );
     },
     (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
@@ -195,6 +200,14 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       });
   }
 
+  let sheetFrame: SheetFrame | undefined;
+  function showSheet(isShown: boolean): void {
+    whenFetched(import('./SheetFrame.js'), ({ SheetFrame }) => {
+      sheetFrame ??= new SheetFrame(scene, settings);
+      sheetFrame.show(isShown);
+    });
+  }
+
   function openCode(): void {
     whenFetched(import('./CodeDialog.js'), ({ CodeDialog }) => {
       codeDialog ??= new CodeDialog({
@@ -239,8 +252,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
    * @param source see {@link EditHistory.changed}
    */
   function recordChange(source?: string): void {
-    history.changed(source);
+    // Drawn first: what the view does by itself belongs to the step.
     applySettings();
+    history.changed(source);
+    showSteps();
   }
 
   /** Undo and Redo: shows an earlier state, or the one that came after. */
@@ -252,7 +267,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   function readState(): DrawingState {
     return {
       settings: { ...settings },
-      camera: scene.view.isFramed ? undefined : scene.view.place,
+      camera: scene.view.state,
       files: settings.model === 'file' ? modelLoader.ownFiles : undefined,
     };
   }
@@ -262,14 +277,16 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     // Files that are gone cannot be shown again.
     const { model } = settings;
     showLook({ ...next, ...(next.model === 'file' && !files && { model }) }, place);
-    modelLoader.restore({ model: settings.model, files }, place === undefined);
+    modelLoader.restore({ model: settings.model, files }, place === undefined || place.framedFor !== undefined);
   }
 
   /** Takes over settings and camera, and loads the map that they ask for. */
-  function showLook(next: Settings, place: CameraView | undefined): void {
+  function showLook(next: Settings, place: ViewState | undefined): void {
     Object.assign(settings, next);
     void mapLoader.showChosen();
-    if (place) scene.view.place = place;
+    // Framed by its shadow, too, which is that of the lights.
+    scene.apply(settings);
+    if (place) scene.view.state = place;
     else scene.view.frame();
   }
 
@@ -282,6 +299,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     panel?.refresh();
     presets.refresh();
     turnHint.refresh();
+    sheetFrame?.refresh();
     showSteps();
     updateAddress();
   }
@@ -326,11 +344,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       model: settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: settings.mapStyle === 'file' ? mapLoader.ownFiles : undefined,
     };
-    keeper.shown(files, modelLoader.title, currentLink(), readState().camera);
+    keeper.shown(files, modelLoader.title, currentLink(), scene.view.ownPlace);
   }
 
   function currentLink(): string {
-    return writeLink(settings, scene.view.isFramed ? undefined : scene.view.place, modelLoader.address);
+    return writeLink(settings, scene.view.ownPlace, modelLoader.address);
   }
 
   let gallery: Gallery | undefined;

@@ -15,12 +15,15 @@ export const PAPER_FORMATS = {
   a2: [420, 594],
 } as const satisfies Partial<Record<Settings['pictureSize'], readonly [number, number]>>;
 
+/** Around a sheet, this much of the view stays free on every side, in CSS pixels. */
+const SHEET_MARGIN = 12;
+
 /** Where a picture lies on the view of the page, in pixels of the picture. */
 export interface PrintPlan {
   /** The picture in pixels. */
   width: number;
   height: number;
-  /** The whole view of the page, and where the picture begins in it; outside if the sheet is larger. */
+  /** The whole view of the page, and where the picture begins in it; outside if the picture is larger. */
   viewWidth: number;
   viewHeight: number;
   left: number;
@@ -36,6 +39,12 @@ export interface Size {
   height: number;
 }
 
+/** The page's view. */
+export interface DrawnView extends Size {
+  /** Whether a sheet for what is in it is better wider than high. */
+  isWide: boolean;
+}
+
 /** A rectangle in CSS pixels of the page's view. */
 export interface Bounds {
   left: number;
@@ -48,34 +57,50 @@ const toPixels = (millimetres: number, dpi: number): number => Math.round((milli
 
 export const toMillimetres = (pixels: number, dpi: number): number => (pixels / dpi) * MILLIMETRES_PER_INCH;
 
-/** The sheet that the settings ask for, in millimetres, turned as the view is; undefined for the size of the page. */
-function sheetOf(settings: Settings, view: Size): readonly [number, number] | undefined {
-  const { pictureSize } = settings;
+/** The sheet that the settings ask for, in millimetres; undefined for the size of the page. */
+function sheetOf(settings: Settings, view: DrawnView): readonly [number, number] | undefined {
+  const { pictureSize, pictureTurn } = settings;
   if (pictureSize === 'own') return [settings.pictureWidth, settings.pictureHeight];
   if (!(pictureSize in PAPER_FORMATS)) return undefined;
   const [short, long] = PAPER_FORMATS[pictureSize as keyof typeof PAPER_FORMATS];
-  return view.width > view.height ? [long, short] : [short, long];
+  const isWide = pictureTurn === 'suited' ? view.isWide : pictureTurn === 'landscape';
+  return isWide ? [long, short] : [short, long];
 }
 
 /**
- * The picture that the settings ask for: in the size of the page or a multiple of it, or a sheet of paper that holds the whole view,
- * which goes on to the edges of the sheet.
+ * Where the sheet that the settings ask for lies on the view of the page: in its middle, as large as can be.
+ *
+ * @returns the shares of the view's width and height that it takes; undefined for a picture of the page itself
  */
-export function planPrint(settings: Settings, view: Size): PrintPlan {
+export function sheetOnView(settings: Settings, view: DrawnView): readonly [number, number] | undefined {
   const sheet = sheetOf(settings, view);
-  if (!sheet) {
+  if (!sheet) return undefined;
+  const [width, height] = [view.width, view.height].map((size) => Math.max(size - 2 * SHEET_MARGIN, size / 2));
+  const pixels = Math.min(width / sheet[0], height / sheet[1]);
+  return [(pixels * sheet[0]) / view.width, (pixels * sheet[1]) / view.height];
+}
+
+/** The picture that the settings ask for: in the size of the page or a multiple of it, or what lies on a sheet of paper. */
+export function planPrint(settings: Settings, view: DrawnView): PrintPlan {
+  const sheet = sheetOf(settings, view);
+  const onView = sheetOnView(settings, view);
+  if (!sheet || !onView) {
     const scale = Number(settings.pictureSize);
     const [width, height] = [Math.round(view.width * scale), Math.round(view.height * scale)];
     return { width, height, viewWidth: width, viewHeight: height, left: 0, top: 0, scale, dpi: PAGE_DPI };
   }
   const dpi = Number(settings.pictureDpi);
   const [width, height] = [toPixels(sheet[0], dpi), toPixels(sheet[1], dpi)];
-  return { ...placeView({ width, height }, view), dpi };
+  return { ...placeAt({ width, height }, view, width / (onView[0] * view.width)), dpi };
 }
 
 /** Places the whole view of the page in the middle of a picture, as large as can be. @param picture its size in pixels */
 export function placeView({ width, height }: Size, view: Size): Omit<PrintPlan, 'dpi'> {
-  const fit = Math.min(width / view.width, height / view.height);
+  return placeAt({ width, height }, view, Math.min(width / view.width, height / view.height));
+}
+
+/** Places the middle of the view in the middle of a picture. @param fit pixels of the picture per CSS pixel of the page */
+function placeAt({ width, height }: Size, view: Size, fit: number): Omit<PrintPlan, 'dpi'> {
   const [viewWidth, viewHeight] = [view.width * fit, view.height * fit];
   return {
     ...{ width, height, viewWidth, viewHeight },
@@ -127,7 +152,7 @@ export function cutPlan(plan: PrintPlan, bounds: Bounds): PrintPlan {
 const toEven = (pixels: number): number => pixels - (pixels % 2);
 
 /** How many millimetres a CSS pixel of the page becomes in print. */
-export function millimetresPerPixel(settings: Settings, view: Size): number {
+export function millimetresPerPixel(settings: Settings, view: DrawnView): number {
   const { scale, dpi } = planPrint(settings, view);
   return toMillimetres(scale, dpi);
 }

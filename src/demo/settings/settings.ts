@@ -610,6 +610,13 @@ export const SETTINGS = {
     max: 600,
     step: 1,
   },
+  pictureTurn: {
+    kind: 'choice',
+    label: 'Turned',
+    group: 'Picture',
+    default: 'suited',
+    choices: { suited: 'As suits the model', portrait: 'Portrait', landscape: 'Landscape' },
+  },
   pictureDpi: {
     kind: 'choice',
     label: 'Fineness',

@@ -6,6 +6,7 @@ import {
   PAPER_FORMATS,
   planPrint,
   type Size,
+  sheetOnView,
   strokeScale,
   toMillimetres,
 } from '../../../../src/demo/print/printPlan.js';
@@ -13,26 +14,47 @@ import { defaultSettings, SETTINGS, type Settings } from '../../../../src/demo/s
 import { strokeShare } from '../../../../src/demo/stage/strokeShare.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
-const wide = { width: 900, height: 500 };
-const upright = { width: 380, height: 700 };
+const wide = { width: 900, height: 500, isWide: true };
+const upright = { width: 380, height: 700, isWide: false };
 
 describe('planPrint', () => {
-  test.each(Object.entries(PAPER_FORMATS))('measures %s to a pixel, turned as the view is', (format, [short, long]) => {
-    for (const pictureDpi of Object.keys(SETTINGS.pictureDpi.choices) as Settings['pictureDpi'][]) {
-      for (const view of [wide, upright]) {
-        const plan = planPrint(settings({ pictureSize: format as 'a4', pictureDpi }), view);
-        const [width, height] = view === wide ? [long, short] : [short, long];
-        const pixel = 25.4 / Number(pictureDpi);
-        expect(Math.abs(toMillimetres(plan.width, plan.dpi) - width)).toBeLessThanOrEqual(pixel / 2);
-        expect(Math.abs(toMillimetres(plan.height, plan.dpi) - height)).toBeLessThanOrEqual(pixel / 2);
-        // The whole view is on the sheet, in its middle, and as large as can be.
-        expect(plan.viewWidth / plan.viewHeight).toBeCloseTo(view.width / view.height, 6);
-        expect(Math.max(plan.viewWidth / plan.width, plan.viewHeight / plan.height)).toBeCloseTo(1, 6);
-        expect(Math.abs(2 * -plan.left - (plan.width - plan.viewWidth))).toBeLessThanOrEqual(1);
-        expect(Math.abs(2 * -plan.top - (plan.height - plan.viewHeight))).toBeLessThanOrEqual(1);
-        const [shown, own] = [strokeShare(plan.viewWidth, plan.viewHeight), strokeShare(view.width, view.height)];
-        expect(plan.scale).toBeCloseTo(Math.max(plan.viewWidth / view.width, shown / own), 6);
+  test.each(Object.entries(PAPER_FORMATS))(
+    'measures %s to a pixel, turned as suits the model',
+    (format, [short, long]) => {
+      for (const pictureDpi of Object.keys(SETTINGS.pictureDpi.choices) as Settings['pictureDpi'][]) {
+        for (const view of [wide, upright]) {
+          const asked = settings({ pictureSize: format as 'a4', pictureDpi });
+          const plan = planPrint(asked, view);
+          const [width, height] = view === wide ? [long, short] : [short, long];
+          const pixel = 25.4 / Number(pictureDpi);
+          expect(Math.abs(toMillimetres(plan.width, plan.dpi) - width)).toBeLessThanOrEqual(pixel / 2);
+          expect(Math.abs(toMillimetres(plan.height, plan.dpi) - height)).toBeLessThanOrEqual(pixel / 2);
+          // What lies under the frame on the page is on the sheet, and nothing else.
+          const [across, down] = sheetOnView(asked, view)!;
+          expect(plan.width / plan.viewWidth).toBeCloseTo(across, 2);
+          expect(plan.height / plan.viewHeight).toBeCloseTo(down, 2);
+          expect(plan.viewWidth / plan.viewHeight).toBeCloseTo(view.width / view.height, 6);
+          expect(Math.abs(2 * plan.left - (plan.viewWidth - plan.width))).toBeLessThanOrEqual(1);
+          expect(Math.abs(2 * plan.top - (plan.viewHeight - plan.height))).toBeLessThanOrEqual(1);
+          const [shown, own] = [strokeShare(plan.viewWidth, plan.viewHeight), strokeShare(view.width, view.height)];
+          expect(plan.scale).toBeCloseTo(Math.max(plan.viewWidth / view.width, shown / own), 6);
+        }
       }
+    },
+  );
+
+  test('turns a sheet as it is told, and has it in the middle of the view, as large as a margin lets it', () => {
+    for (const view of [wide, upright]) {
+      for (const pictureTurn of ['portrait', 'landscape'] as const) {
+        const [across, down] = sheetOnView(settings({ pictureSize: 'a5', pictureTurn }), view)!;
+        const [width, height] = [across * view.width, down * view.height];
+        expect(width / height).toBeCloseTo(pictureTurn === 'portrait' ? 148 / 210 : 210 / 148, 6);
+        expect(Math.min(view.width - width, view.height - height)).toBeCloseTo(24, 6);
+      }
+      const own = settings({ pictureSize: 'own', pictureWidth: 300, pictureHeight: 100, pictureTurn: 'portrait' });
+      const [across, down] = sheetOnView(own, view)!;
+      expect((across * view.width) / (down * view.height)).toBeCloseTo(3, 6);
+      expect(sheetOnView(settings({ pictureSize: '2' }), view)).toBeUndefined();
     }
   });
 
@@ -45,20 +67,26 @@ describe('planPrint', () => {
     const twice = planPrint(settings({ pictureSize: '2' }), wide);
     expect(twice).toMatchObject({ width: 1800, height: 1000, viewWidth: 1800, left: 0, top: 0, scale: 2, dpi: 300 });
     expect(millimetresPerPixel(settings({ pictureSize: '2' }), wide)).toBeCloseTo((2 * 25.4) / 300, 6);
-    expect(millimetresPerPixel(settings({ pictureSize: 'a4', pictureDpi: '1200' }), wide)).toBeCloseTo(297 / 900, 3);
+    expect(millimetresPerPixel(settings({ pictureSize: 'a4', pictureDpi: '1200' }), wide)).toBeCloseTo(
+      210 / (500 - 24),
+      3,
+    );
   });
 
   test('has strokes as wide as on the page, in proportion, and no finer than on a screen of as many pixels', () => {
     const scaleOf = (dpi: Settings['pictureDpi'], view: Size) =>
-      planPrint(settings({ pictureSize: 'own', pictureWidth: 200, pictureHeight: 120, pictureDpi: dpi }), view).scale;
+      planPrint(settings({ pictureSize: 'own', pictureWidth: 200, pictureHeight: 120, pictureDpi: dpi }), {
+        ...view,
+        isWide: true,
+      }).scale;
     const large = { width: 2000, height: 1200 };
-    expect(scaleOf('600', large)).toBeCloseTo(4724 / 2000, 6);
+    expect(scaleOf('600', large)).toBeCloseTo(4724 / 1960, 6);
     expect(scaleOf('150', large)).toBe(1);
     // A smaller sheet has finer strokes on the screen, too; but this picture is no smaller than large sheets.
     const small = { width: 400, height: 240 };
     const share = strokeShare(small.width, small.height);
-    expect(scaleOf('600', small)).toBeCloseTo(4724 / 400, 6);
-    expect(scaleOf('150', small) * share).toBeCloseTo((1181 / 400) * share, 6);
+    expect(scaleOf('600', small)).toBeCloseTo(4724 / 360, 6);
+    expect(scaleOf('150', small) * share).toBeCloseTo((1181 / 360) * share, 6);
     expect(strokeScale(1.2, { width: 1280, height: 720 }, small) * share).toBeCloseTo(1, 6);
   });
 
