@@ -213,9 +213,7 @@ test('a large model is drawn at once, before it is baked, and stays where it was
   await expect(page.locator('#model-statistics')).toHaveText(/^\d+,\d+ triangles$/);
   await expect(page.locator('.earlier-picture')).toBeHidden();
 });
-test('a model that is the wrong way up is turned when asked to, and turned back with Undo', async ({
-  page,
-}) => {
+test('a model that is the wrong way up is turned when asked to, and turned back with Undo', async ({ page }) => {
   await openPlayground(page, 'model=cube&lines=off');
   await drop(page, [file('cone.obj', lyingConeObj())]);
   await expect(page.locator('#model-name')).toHaveText('cone.obj');

@@ -107,6 +107,42 @@ test('a second sun lightens its side, and crosses the strokes unless there is on
   expect(meanInk(crossed, RIGHT_HALF)).toBeCloseTo(meanInk(single, RIGHT_HALF), 1);
 });
 
+test('at first sight no lamp hides what it lights, on no sheet, and its label has no box', async ({ page }) => {
+  test.slow();
+  // A view that colours all of the model, and nothing else.
+  const all = 'debugView=frames&lines=off&technique=triangle&mapSize=64&mapTones=4';
+  await openPlayground(page, `model=cube&${all}`);
+  await expect(page.locator('#lamp .hint')).toHaveCSS('background-color', 'rgba(0, 0, 0, 0)');
+  for (const model of [
+    'dragon4&shadows=on&ground=shadow',
+    'bunny',
+    'bust&lightAzimuth=-62&lightElevation=34',
+    'hand',
+  ]) {
+    await page.goto('about:blank');
+    for (const [width, height] of [
+      [1000, 700],
+      [390, 844],
+      [360, 640],
+    ] as const) {
+      await page.setViewportSize({ width, height });
+      if (width === 1000) await openPlayground(page, `model=${model}&${all}`);
+      const picture = await readDrawing(page);
+      const view = (await page.locator('#viewport').boundingBox())!;
+      const lamp = await middleOf(page, '#lamp');
+      let hidden = 0;
+      const paper = picture.data.readUInt32LE(0);
+      for (let y = 0; y < picture.height; y++) {
+        for (let x = 0; x < picture.width; x++) {
+          if (Math.hypot(x - lamp.x + view.x, y - lamp.y + view.y) > 22) continue;
+          if (picture.data.readUInt32LE(4 * (y * picture.width + x)) !== paper) hidden++;
+        }
+      }
+      expect(hidden, `${model}, ${width} wide`).toBe(0);
+    }
+  }
+});
+
 test('a second light is dragged by a lamp of its own', async ({ page }) => {
   await openPlayground(
     page,
@@ -233,6 +269,23 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
   const moved = await middleOf(page, '#lamp');
   expect(Math.abs(moved.x - middle.x - 30)).toBeLessThan(3);
   expect(Math.abs(moved.y - middle.y + 50)).toBeLessThan(3);
+});
+
+test('a model goes aside for its shadow, and is in the middle again without one', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 600 });
+  const look = 'technique=engraved&lines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
+  await openPlayground(page, look);
+  const alone = await readDrawing(page);
+  await openPlayground(page, `${look}&shadows=on`);
+  const aside = await readDrawing(page);
+  await page.getByRole('button', { name: 'Light', exact: true }).press('Enter');
+  const shadows = page.getByRole('combobox', { name: 'Shadows' });
+  await shadows.selectOption('None');
+  expect(changedShare(alone, await readDrawing(page))).toBe(0);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(changedShare(aside, await readDrawing(page))).toBe(0);
+  await page.getByRole('button', { name: 'Redo' }).click();
+  expect(changedShare(alone, await readDrawing(page))).toBe(0);
 });
 
 test('a light that illustrators use is one press, and one undo', async ({ page }) => {

@@ -25,6 +25,8 @@ export class LightHandles {
     const common = {
       viewport: page.viewport,
       camera: scene.camera,
+      outline: () => scene.view.modelOutline,
+      framedCount: () => scene.view.framedCount,
       isWithViewer: () => settings.lightFollows === 'viewer',
       onDrag: (dragging: boolean) => {
         scene.view.controls.enabled = !dragging;

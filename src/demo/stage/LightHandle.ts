@@ -1,8 +1,9 @@
-import { MathUtils, type PerspectiveCamera, Spherical, type Vector2, Vector3 } from 'three';
+import { Box2, MathUtils, type PerspectiveCamera, Spherical, Vector2, Vector3 } from 'three';
 import { SETTINGS } from '../settings/settings.js';
 import type { LightPlace } from '../settings/settingValues.js';
 import { createLampIcon } from './createLampIcon.js';
 import { intersectSphere, isBehind, isHidden, nearestOutlinePoint, radiusWithin } from './lightSphere.js';
+import { Silhouette } from './Silhouette.js';
 import { ViewportProjection } from './ViewportProjection.js';
 
 const STEP = 5;
@@ -10,7 +11,9 @@ const FINE_STEP = 1;
 /** The lamp stays at least this far from the edges of the viewport, in pixels, so that it can always be grabbed. */
 const MARGIN = 26;
 /** Nearer to an edge than this, the hint above the lamp would be cut off. It is moved then. In pixels. */
-const HINT_MARGIN = 76;
+const HINT_MARGIN = { beside: 44, above: 64 };
+/** So much room a lamp takes that does not lie on the model, from its middle, and so far it goes for that. In pixels. */
+const CLEAR = { radius: 27, way: 110 };
 /**
  * Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their
  * ratio.
@@ -30,6 +33,10 @@ export interface LightHandleHost {
   name: string;
   /** The position of the light, in world coordinates. The model's centre is the origin. */
   lightPosition: Vector3;
+  /** xyz of points of the model. */
+  outline(): ArrayLike<number>;
+  /** How often the model was framed; 0 while it is not. */
+  framedCount(): number;
   /** Whether the place of the light is counted from the viewer, and not from the model. */
   isWithViewer(): boolean;
   /** Where the light is. A sun has no distance. */
@@ -47,11 +54,17 @@ export interface LightHandleHost {
  * the sheet where the outline lies beyond it, and back takes it behind the model. Shift or a second finger changes the
  * distance of a point light or spot light. Arrow keys move it
  * by 5°, with Shift by 1°.
+ *
+ * A sun is nowhere in particular: its handle goes beside a model that was framed anew, so that it does not hide what it is to light.
  */
 export class LightHandle {
   private readonly projection: ViewportProjection;
   /** Where the handle is, in world coordinates: the light's direction, at its distance if it has one. */
   private readonly shown = new Vector3();
+  /** From where the light's direction is seen to where its handle is, in pixels. */
+  private readonly aside = new Vector2();
+  /** When it was found. */
+  private framedCount = 0;
   private behind = false;
   private beyondOutline = false;
   private pointer: { id: number; grip: Vector2 } | undefined;
@@ -84,11 +97,12 @@ export class LightHandle {
     const { width } = this.projection.size;
     this.shown.copy(this.host.lightPosition);
     if (distance === undefined) this.shown.setLength(this.sunRadius());
+    this.goAside(distance === undefined);
     const { x: left, y: top } = this.placeOnSheet();
     this.element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
-    this.element.classList.toggle('is-at-left', left < HINT_MARGIN);
-    this.element.classList.toggle('is-at-right', left > width - HINT_MARGIN);
-    this.element.classList.toggle('is-at-top', top < HINT_MARGIN);
+    this.element.classList.toggle('is-at-left', left < HINT_MARGIN.beside);
+    this.element.classList.toggle('is-at-right', left > width - HINT_MARGIN.beside);
+    this.element.classList.toggle('is-at-top', top < HINT_MARGIN.above);
     if (!this.pointer) this.behind = isBehind(this.shown, camera.position);
     this.element.classList.toggle('is-behind', isHidden(this.shown, camera.position));
     this.element.setAttribute('aria-valuenow', azimuth.toFixed(0));
@@ -205,11 +219,12 @@ export class LightHandle {
 
   /** Moves the light to where the line of sight through `place` meets its sphere, or else to the sphere's outline. */
   private moveOverSphere(place: Vector2): void {
-    const ray = this.projection.ray(place);
+    const seen = place.clone().sub(this.aside);
+    const ray = this.projection.ray(seen);
     const radius = this.shown.length();
     const hits = intersectSphere(ray, radius);
     const outline = hits ? undefined : nearestOutlinePoint(ray, radius);
-    const past = Math.max(outline ? this.projection.project(outline).distanceTo(place) : 0, this.pastSheet(place));
+    const past = Math.max(outline ? this.projection.project(outline).distanceTo(seen) : 0, this.pastSheet(place));
     if (past > PAST_OUTLINE) this.beyondOutline = true;
     else if (past === 0 && this.beyondOutline) {
       this.beyondOutline = false;
@@ -236,10 +251,24 @@ export class LightHandle {
     return MathUtils.clamp(radius, SUN_RADIUS.min, SUN_RADIUS.max);
   }
 
+  /** Finds a way beside the model when that was framed anew. What the user has placed or looks at from elsewhere stays. */
+  private goAside(isSun: boolean): void {
+    const count = this.host.framedCount();
+    if (!isSun) this.aside.set(0, 0);
+    if (count === 0 || count === this.framedCount || this.pointer) return;
+    this.framedCount = count;
+    this.aside.set(0, 0);
+    if (!isSun) return;
+    const silhouette = new Silhouette(this.host.outline(), this.host.camera, this.projection.size);
+    const { width, height } = this.projection.size;
+    const sheet = new Box2(new Vector2(MARGIN, MARGIN), new Vector2(width - MARGIN, height - MARGIN));
+    this.aside.copy(silhouette.wayAround(this.placeOnSheet(), CLEAR.radius, sheet, CLEAR.way));
+  }
+
   /** Where the handle is seen. */
   private placeOnSheet(): Vector2 {
     const { width, height } = this.projection.size;
-    const place = this.projection.project(this.shown);
+    const place = this.projection.project(this.shown).add(this.aside);
     place.x = MathUtils.clamp(place.x, MARGIN, width - MARGIN);
     place.y = MathUtils.clamp(place.y, MARGIN, height - MARGIN);
     return place;

@@ -1,0 +1,66 @@
+import { type Box2, Matrix4, type PerspectiveCamera, Vector2, Vector3 } from 'three';
+
+/** Directions in the picture in which points are measured, and a way around them is looked for. */
+const DIRECTIONS = Array.from({ length: 16 }, (_, i) =>
+  new Vector2(1, 0).rotateAround(new Vector2(), (i * Math.PI) / 8),
+);
+
+/** A millionth of a pixel is nothing. */
+const NEAR = 1e-6;
+
+/** Where points are seen in a picture: how far they reach in each of several directions, in pixels from its upper left. */
+export class Silhouette {
+  private readonly reaches: readonly number[];
+
+  /**
+   * @param points xyz of each
+   * @param size of the picture in pixels
+   */
+  constructor(points: ArrayLike<number>, camera: PerspectiveCamera, size: { width: number; height: number }) {
+    camera.updateMatrixWorld();
+    const toPicture = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const reaches = DIRECTIONS.map(() => -Infinity);
+    const point = new Vector3();
+    for (let i = 0; i < points.length; i += 3) {
+      point.set(points[i], points[i + 1], points[i + 2]).applyMatrix4(toPicture);
+      const x = ((1 + point.x) / 2) * size.width;
+      const y = ((1 - point.y) / 2) * size.height;
+      for (let k = 0; k < DIRECTIONS.length; k++) {
+        const { x: dx, y: dy } = DIRECTIONS[k];
+        reaches[k] = Math.max(reaches[k], x * dx + y * dy);
+      }
+    }
+    this.reaches = reaches;
+  }
+
+  /**
+   * A short way for a disc to where no point is seen behind it.
+   *
+   * @param within where the middle of the disc may lie
+   * @param most how long the way may be, in pixels
+   * @returns of length 0 if the disc is there already, or if there is no such way
+   */
+  wayAround(disc: Vector2, radius: number, within: Box2, most: number): Vector2 {
+    let shortest: Vector2 | undefined;
+    for (const [k, direction] of DIRECTIONS.entries()) {
+      const place = beyond(disc, direction, this.reaches[k] + radius, within);
+      const way = place?.sub(disc);
+      if (way && way.length() <= (shortest?.length() ?? most)) shortest = way;
+    }
+    return shortest ?? new Vector2();
+  }
+}
+
+/** A place near another one that lies as far out in a direction, along the edge of where it may lie if need be. */
+function beyond(from: Vector2, direction: Vector2, reach: number, within: Box2): Vector2 | undefined {
+  const missing = Math.max(0, reach - from.dot(direction));
+  const place = within.clampPoint(from.clone().addScaledVector(direction, missing), new Vector2());
+  const left = reach - place.dot(direction);
+  if (left <= NEAR) return place;
+  for (const axis of ['x', 'y'] as const) {
+    const along = place.clone();
+    along[axis] += left / direction[axis];
+    if (within.containsPoint(along)) return along;
+  }
+  return undefined;
+}
