@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
 import { firstPartCheck } from './building/firstPart.js';
 import { formSources } from './building/formSources.js';
+import { laterParts } from './building/laterParts.js';
 import { libraryEntries } from './building/libraryEntries.js';
 import { shortShaders } from './building/shortShaders.js';
 import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
@@ -32,7 +33,7 @@ export default defineConfig(
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
     plugins: [
-      ...[shortShaders, formSources, firstPartCheck, figuresFolder, noticeFile, noticeCheck()],
+      ...[shortShaders, formSources, firstPartCheck, laterParts, figuresFolder, noticeFile, noticeCheck()],
       mode === 'test' && builtPlayground,
     ],
     resolve: {

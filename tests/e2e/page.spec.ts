@@ -4,7 +4,7 @@ import { launchOptions } from '../browser/launchOptions.mjs';
 import { expect, test } from '../browser/test.js';
 import { columnGlb } from './columnModel.js';
 import { loseContext, restoreContext } from './graphicsContext.js';
-import { file, octahedronPly } from './modelFiles.js';
+import { file, octahedronObj, octahedronPly } from './modelFiles.js';
 import { changedShare, largestDifference, meanInk } from './pictures.js';
 import { drop, framesDrawn, middleOf, openPlayground, readDrawing, ready, savePicture } from './playground.js';
 
@@ -42,6 +42,49 @@ test('opens with the dragon, hatched, without a layout shift and without request
   expect(await terms.text()).toContain('Stanford Computer Graphics Laboratory');
   expect(addresses.filter((address) => !address.startsWith(origin) && !/^(blob|data):/.test(address))).toEqual([]);
   expect(await page.evaluate(() => (window as unknown as { __problems: string[] }).__problems)).toEqual([]);
+});
+
+test('what nobody has opened yet opens without a connection, once the page has been idle', async ({
+  page,
+  context,
+  pageProblems,
+}) => {
+  await page.setViewportSize({ width: 1000, height: 600 });
+  await openPlayground(page, 'model=cube&mapSize=64&mapTones=4');
+  // All of it is fetched, and nothing is run of it.
+  const parts = (await (await page.request.get(new URL('parts.json', page.url()).href)).json()) as string[];
+  expect(parts.length).toBeGreaterThan(20);
+  await expect
+    .poll(() =>
+      page.evaluate((names) => {
+        const fetched = performance.getEntriesByType('resource').map(({ name }) => name);
+        return names.filter((name) => !fetched.some((address) => address.endsWith(name)));
+      }, parts),
+    )
+    .toEqual([]);
+  await expect(page.locator('link[rel=modulepreload][href^=assets]')).toHaveCount(0);
+
+  await context.setOffline(true);
+  await page.getByRole('button', { name: 'Gallery' }).click();
+  await expect(page.getByRole('heading', { name: 'Gallery' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await page.getByRole('combobox', { name: 'Compare with' }).selectOption('Engraved');
+  await expect(page.locator('#divider')).toBeVisible();
+  await page.getByRole('button', { name: 'Picture', exact: true }).click();
+  await page.getByRole('button', { name: 'Code and embedding' }).click();
+  await expect(page.locator('#code-text')).toHaveValue(/applyHatching|HatchingMaterial/);
+  await page.keyboard.press('Escape');
+  await savePicture(page);
+  // Its worker cannot be fetched any more: it is read here.
+  await drop(page, [file('octahedron.obj', octahedronObj)]);
+  await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
+  await ready(page);
+  await expect(page.locator('#status')).toHaveText('');
+  await context.setOffline(false);
+  // The pictures of the gallery, the worker, the icon of the page.
+  const isOffline = (problem: string) =>
+    /ERR_INTERNET_DISCONNECTED.*(gallery\/.*\.webp|worker|lamp\.svg)/s.test(problem);
+  expect(pageProblems.splice(0).filter((problem) => !isOffline(problem))).toEqual([]);
 });
 
 test('an idle page draws no frames', async ({ page }) => {

@@ -59,9 +59,14 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const address = new PageAddress();
   const { settings, camera, address: linked } = readLink(address.read());
   const scene = createScene(page.canvas, context, page.viewport);
+  /** Whether the parts of the page that nobody has opened yet are being fetched, which they are once there is a drawing. */
+  let fetchesRest = false;
   const tasks = new TaskRunner(status, {
     hasDrawing: () => scene.isComplete,
     onIdle: () => {
+      // Nobody waits for them: what does not come is fetched again when it is opened.
+      if (!fetchesRest) import('./fetchRest.js').then(({ fetchRest }) => fetchRest()).catch(() => {});
+      fetchesRest = true;
       showPageState();
       scene.invalidate();
     },

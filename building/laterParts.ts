@@ -1,0 +1,44 @@
+import type { Plugin } from 'vite';
+
+/** Where the built playground finds the list. */
+const NAME = 'parts.json';
+
+/** What the packages hold whose code is imported for its data: models. */
+const MODELS = /\/node_modules\/(?!three\/)/;
+
+let root = '';
+
+/** Writes a list of the scripts that the playground fetches later than its first drawing, so that it can do so before they are needed. */
+export const laterParts: Plugin = {
+  name: 'later-parts',
+  configResolved(config) {
+    root = config.root;
+  },
+  configureServer({ middlewares }) {
+    middlewares.use((request, response, next) => {
+      if (request.url?.split('?')[0] !== `/${NAME}`) next();
+      else response.setHeader('Content-Type', 'application/json').end('[]');
+    });
+  },
+  generateBundle(_, bundle) {
+    const chunkOf = (file: string) => {
+      const chunk = bundle[file];
+      return chunk?.type === 'chunk' ? chunk : undefined;
+    };
+    const page = Object.values(bundle).find(
+      (one) => one.type === 'chunk' && one.isEntry && one.facadeModuleId === `${root}/index.html`,
+    );
+    if (!page) this.error('The playground has no first script: laterParts.ts looks for that of index.html.');
+    const first = new Set([page.fileName]);
+    // A set that grows is gone through to its end.
+    for (const file of first) for (const imported of chunkOf(file)?.imports ?? []) first.add(imported);
+    const all = new Set(first);
+    for (const file of all) {
+      const chunk = chunkOf(file);
+      if (!chunk || MODELS.test(chunk.facadeModuleId ?? '')) all.delete(file);
+      else for (const imported of [...chunk.imports, ...chunk.dynamicImports]) all.add(imported);
+    }
+    const later = [...all].filter((file) => !first.has(file));
+    this.emitFile({ type: 'asset', fileName: NAME, source: JSON.stringify(later) });
+  },
+};
