@@ -14,18 +14,40 @@ const NORMALIZABLE: ReadonlySet<string> = new Set([
 ]);
 
 /**
+ * Throws a TypeError if something is no geometry, or one without what every geometry has. What an attribute holds is not looked
+ * at.
+ */
+export function assertGeometry(geometry: BufferGeometry, caller: string): void {
+  if (!geometry?.isBufferGeometry) {
+    throw new TypeError(
+      `${caller}: expected a THREE.BufferGeometry, got ${kindOf(geometry)}. For a mesh pass mesh.geometry.`,
+    );
+  }
+  const { attributes, morphAttributes, groups, drawRange } = geometry;
+  for (const [name, value] of Object.entries({ attributes, morphAttributes, drawRange })) {
+    if (typeof value === 'object' && value !== null) continue;
+    throw new TypeError(
+      `${labelOf(geometry, caller)}: ${name} is ${kindOf(value)}. Leave the one that three.js has made, and change what it holds.`,
+    );
+  }
+  if (Array.isArray(groups) && groups.every((group) => typeof group === 'object' && group !== null)) return;
+  throw new TypeError(
+    `${labelOf(geometry, caller)}: its groups are no list of groups. Use addGroup() and clearGroups().`,
+  );
+}
+
+const labelOf = ({ name }: BufferGeometry, caller: string): string =>
+  `${caller}: the geometry${name ? ` "${name}"` : ''}`;
+
+/**
  * Throws a TypeError or RangeError if the vertex data of `geometry` cannot be read. Returns the beginning of all further error
  * messages: the function and the name of the geometry.
  *
  * @param caller the function that the geometry was passed to
  */
 export function checkGeometry(geometry: BufferGeometry, caller = 'prepareHatchingGeometry'): string {
-  if (!geometry?.isBufferGeometry) {
-    throw new TypeError(
-      `${caller}: expected a THREE.BufferGeometry, got ${kindOf(geometry)}. For a mesh pass mesh.geometry.`,
-    );
-  }
-  const label = `${caller}: the geometry${geometry.name ? ` "${geometry.name}"` : ''}`;
+  assertGeometry(geometry, caller);
+  const label = labelOf(geometry, caller);
   const { position } = geometry.attributes;
   if (!position) {
     throw new TypeError(`${label} has no attribute "position". Set one with three floats per vertex.`);

@@ -1,5 +1,6 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
+import { assertGeometry } from '../geometry/checkGeometry.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
@@ -99,7 +100,7 @@ export async function applyHatching(
     root.updateMatrixWorld();
     const replacer = new MaterialReplacer(options.material ?? {});
     disposables.push(replacer);
-    const seen = asBefore(() => looksToReplace(meshes));
+    const { seen, unreadable } = asBefore(() => looksToReplace(meshes));
     const planned = await runSliced(planMeshes(seen, replacer), { signal: options.signal, around: asBefore });
 
     const withoutMap = replacer.materials.filter(
@@ -132,6 +133,7 @@ export async function applyHatching(
       { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
     );
     const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
+    skipped.push(...unreadable);
     if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
 
     let map = isMapDrawing(wanted) ? null : wanted;
@@ -171,11 +173,21 @@ export async function applyHatching(
   }
 }
 
-/** What the meshes look like that do not have a `HatchingMaterial` yet. */
-const looksToReplace = (meshes: readonly Mesh[]): OldLook[] =>
-  meshes
-    .filter((mesh) => !materialsOf(mesh).every(isHatching))
-    .map((mesh) => ({ mesh, geometry: mesh.geometry, oldMaterial: mesh.material }));
+/** What the meshes look like that do not have a `HatchingMaterial` yet, and which of them have no geometry. */
+function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable: SkippedMesh[] } {
+  const seen: OldLook[] = [];
+  const unreadable: SkippedMesh[] = [];
+  for (const mesh of meshes) {
+    if (materialsOf(mesh).every(isHatching)) continue;
+    try {
+      assertGeometry(mesh.geometry, 'applyHatching');
+      seen.push({ mesh, geometry: mesh.geometry, oldMaterial: mesh.material });
+    } catch (error) {
+      unreadable.push({ mesh, error: error as Error });
+    }
+  }
+  return { seen, unreadable };
+}
 
 /** What becomes of them. Yields after each: scenes have thousands of materials. */
 function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Generator<number, PlannedMesh[], void> {

@@ -1,5 +1,5 @@
 import { BackSide, type Mesh, type Object3D } from 'three';
-import { checkGeometry } from '../geometry/checkGeometry.js';
+import { assertGeometry, checkGeometry } from '../geometry/checkGeometry.js';
 import { cornerRange } from '../geometry/cornerRange.js';
 import { copyVectors, extractMesh } from '../geometry/extractMesh.js';
 import type { OcclusionMesh } from '../occlusion/OcclusionScene.js';
@@ -139,17 +139,18 @@ function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; 
   const skipped: SkippedMesh[] = [];
   const readers: MeshReader[] = [];
   for (const mesh of surfaceMeshes(root)) {
-    if (isMany(mesh)) continue;
-    const receives = hasRoom(mesh.geometry) && mesh.geometry.attributes.normal !== undefined;
-    const hides = isShown(mesh, root) && materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent);
-    if (!receives && !hides) continue;
     try {
+      assertGeometry(mesh.geometry, 'bakeOcclusion');
+      if (isMany(mesh)) continue;
+      const receives = hasRoom(mesh.geometry) && mesh.geometry.attributes.normal !== undefined;
+      const hides =
+        isShown(mesh, root) && materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent);
+      if (!receives && !hides) continue;
       readers.push(readerOf(mesh, receives, hides));
+      if (receives) receivers.push(mesh);
     } catch (error) {
       skipped.push({ mesh, error: error as Error });
-      continue;
     }
-    if (receives) receivers.push(mesh);
   }
   return { readers, receivers, skipped };
 }

@@ -96,6 +96,13 @@ function oddGeometry(random: Random): BufferGeometry {
     Reflect.set(geometry.attributes, random.pick(['position', 'uv', 'mine']), random.pick(NO_ATTRIBUTES));
   }
   if (random.chance(0.02)) Reflect.set(geometry, 'index', random.pick(NO_ATTRIBUTES));
+  if (random.chance(0.03)) {
+    Reflect.set(
+      geometry,
+      random.pick(['attributes', 'morphAttributes', 'drawRange', 'groups']),
+      random.pick([null, 3]),
+    );
+  }
   if (random.chance(0.2)) geometry.setDrawRange(random.below(9), random.pick([0, 3, 5, Infinity, -1, Number.NaN]));
   if (random.chance(0.2)) geometry.addGroup(random.below(9), random.pick([0, 3, 7, Infinity]), random.below(3));
   return geometry;
@@ -140,12 +147,13 @@ function oddScene(random: Random): Object3D {
     const geometry = random.chance(0.5) ? oddGeometry(random) : new BoxGeometry();
     const mesh = new Mesh(undefined, new MeshBasicMaterial({ transparent: random.chance(0.2) }));
     // The constructor looks at morph targets, and knows no error of its own.
-    mesh.geometry = geometry;
+    mesh.geometry = random.chance(0.05) ? (random.pick(NO_ATTRIBUTES) as never) : geometry;
     if (random.chance(0.1)) mesh.position.setScalar(random.pick(NUMBERS));
     random.pick(objects).add(mesh);
     objects.push(mesh);
   }
   if (random.chance(0.1)) random.pick(objects).children.push(random.pick(objects));
+  if (random.chance(0.05)) random.pick(objects).children.push(random.pick(NO_ATTRIBUTES) as never);
   return random.pick([root, root, ...objects]);
 }
 

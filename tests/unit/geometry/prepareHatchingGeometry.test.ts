@@ -54,8 +54,8 @@ function snapshot(geometry: BufferGeometry) {
   };
   return structuredClone({
     index: geometry.index && bytes(geometry.index),
-    attributes: Object.entries(geometry.attributes).map(([name, attribute]) => [name, ...bytes(attribute)]),
-    morphs: Object.values(geometry.morphAttributes).flatMap((targets) => [targets ?? []].flat().map(bytes)),
+    attributes: Object.entries(geometry.attributes ?? {}).map(([name, attribute]) => [name, ...bytes(attribute)]),
+    morphs: Object.values(geometry.morphAttributes ?? {}).flatMap((targets) => [targets ?? []].flat().map(bytes)),
     groups: geometry.groups,
     drawRange: geometry.drawRange,
     userData: geometry.userData,
@@ -525,6 +525,20 @@ describe('bad input is rejected', () => {
       `${beginning}: morphAttributes.position is Object, but must be a list of THREE.BufferAttribute`,
       /Set one, or delete it/,
     ],
+    ...(['attributes', 'morphAttributes', 'drawRange'] as const).map(
+      (name): [string, BufferGeometry, string, RegExp] => [
+        `${name} that are null`,
+        changed((g) => Reflect.set(g, name, null)),
+        `${beginning}: ${name} is null`,
+        /Leave the one that three\.js has made/,
+      ],
+    ),
+    ...[null, [null]].map((groups): [string, BufferGeometry, string, RegExp] => [
+      `groups that are ${JSON.stringify(groups)}`,
+      changed((g) => Reflect.set(g, 'groups', groups)),
+      `${beginning}: its groups are no list of groups`,
+      /Use addGroup\(\)/,
+    ]),
     [
       'group inside a triangle',
       changed((g) => g.addGroup(1, 5, 0)),

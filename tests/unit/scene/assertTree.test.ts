@@ -1,4 +1,4 @@
-import { BoxGeometry, Group, Mesh, type Object3D } from 'three';
+import { BoxGeometry, BufferGeometry, Group, Mesh, type Object3D } from 'three';
 import { applyHatching, bakeOcclusion } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
 import { assertTree } from '../../../src/scene/assertTree.js';
@@ -59,4 +59,28 @@ test('an object that stands in two places is no circle, nor is a deep scene', ()
     deepest = child;
   }
   expect(() => assertTree('test', root)).not.toThrow();
+});
+
+test.each([null, undefined, {}])('a child that is %s is refused', async (child) => {
+  const root = named('root').add(named('a'));
+  root.children[0].children.push(child as never);
+  const says = 'child 0 of the Group "a" is no THREE.Object3D. Take it out of the children.';
+  await expect(applyHatching(root, { tonalArtMap: null })).rejects.toThrow(`applyHatching: ${says}`);
+  await expect(bakeOcclusion(root)).rejects.toThrow(`bakeOcclusion: ${says}`);
+});
+
+test.each<[string, unknown]>([
+  ['no geometry', null],
+  ['something else for a geometry', {}],
+  ['a geometry without attributes', Object.assign(new BufferGeometry(), { attributes: null })],
+  ['a geometry without morph attributes', Object.assign(new BufferGeometry(), { morphAttributes: null })],
+])('a mesh with %s is skipped in words of the function', async (_, geometry) => {
+  const broken = Object.assign(new Mesh(), { geometry });
+  const root = named('root').add(new Mesh(new BoxGeometry()), broken);
+  const applied = await applyHatching(root, { tonalArtMap: null });
+  const baked = await bakeOcclusion(root, { directions: 64 });
+  for (const [caller, { skipped }] of Object.entries({ applyHatching: applied, bakeOcclusion: baked })) {
+    expect(skipped.map(({ mesh }) => mesh)).toEqual([broken]);
+    expect(skipped[0].error.message).toMatch(new RegExp(`^${caller}: (expected a THREE|the geometry: \\w+ is null)`));
+  }
 });
