@@ -96,6 +96,8 @@ function oddGeometry(random: Random): BufferGeometry {
     Reflect.set(geometry.attributes, random.pick(['position', 'uv', 'mine']), random.pick(NO_ATTRIBUTES));
   }
   if (random.chance(0.02)) Reflect.set(geometry, 'index', random.pick(NO_ATTRIBUTES));
+  if (random.chance(0.2)) geometry.setDrawRange(random.below(9), random.pick([0, 3, 5, Infinity, -1, Number.NaN]));
+  if (random.chance(0.2)) geometry.addGroup(random.below(9), random.pick([0, 3, 7, Infinity]), random.below(3));
   if (random.chance(0.03)) {
     Reflect.set(
       geometry,
@@ -103,8 +105,6 @@ function oddGeometry(random: Random): BufferGeometry {
       random.pick([null, 3]),
     );
   }
-  if (random.chance(0.2)) geometry.setDrawRange(random.below(9), random.pick([0, 3, 5, Infinity, -1, Number.NaN]));
-  if (random.chance(0.2)) geometry.addGroup(random.below(9), random.pick([0, 3, 7, Infinity]), random.below(3));
   return geometry;
 }
 
