@@ -34,7 +34,7 @@ vec2 pixelOf(const in vec4 clip) {
 void coverPiece(const in Piece piece, const in int corner) {
   float scale = objectScale;
   #ifdef USE_INSTANCING
-    scale *= pow(abs(determinant(mat3(instanceMatrix))), 1.0 / 3.0);
+    scale *= pow(abs(determinant(mat3(instancePlace))), 1.0 / 3.0);
   #endif // USE_INSTANCING
   PieceEnd from = piece.start;
   PieceEnd to = piece.end;

@@ -42,7 +42,7 @@ vec3 meanLight(const in vec3 position) {
 
 mat4 objectToView() {
   #ifdef USE_INSTANCING
-    return modelViewMatrix * instanceMatrix;
+    return modelViewMatrix * instancePlace;
   #else
     return modelViewMatrix;
   #endif // USE_INSTANCING
@@ -50,7 +50,7 @@ mat4 objectToView() {
 
 vec3 normalInView(const in vec3 normal) {
   #ifdef USE_INSTANCING
-    return normalize(normalMatrix * (normal * inverse(mat3(instanceMatrix))));
+    return normalize(normalMatrix * (normal * inverse(mat3(instancePlace))));
   #else
     return normalize(normalMatrix * normal);
   #endif // USE_INSTANCING

@@ -23,6 +23,7 @@ import { writePictureOffset } from '../material/pictureOffset.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { ContourList } from './ContourList.js';
 import { HatchingLineMaterial, type HatchingLineParameters } from './HatchingLineMaterial.js';
+import { InstanceList } from './InstanceList.js';
 
 const frustum = /* @__PURE__ */ new Frustum();
 const matrix = /* @__PURE__ */ new Matrix4();
@@ -70,7 +71,7 @@ export class HatchingLines extends Object3D {
   private ownMesh: Mesh | null;
   private ownsMaterial: boolean;
   /** By camera. */
-  private readonly lists = new Map<Camera, ContourList>();
+  private readonly lists = new Map<Camera, ContourList | InstanceList>();
   private hasWarned = false;
 
   /**
@@ -171,8 +172,13 @@ export class HatchingLines extends Object3D {
     const isDeformed = this.bindDeformation(renderer, camera, mesh);
     this.bindData(data);
     this.bindCamera(renderer, camera, mesh);
-    const list = isDeformed || this.isInstancedMesh ? null : this.listFor(camera, data, mesh);
+    const list = isDeformed ? null : this.listFor(camera, data, mesh);
     const { uniforms } = this.material;
+    if (list instanceof InstanceList) {
+      // The list says which instance each primitive is of.
+      this.count = 1;
+      uniforms.instancePlaces.value = list.places;
+    }
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? data.primitives;
     geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
@@ -244,13 +250,18 @@ export class HatchingLines extends Object3D {
     writePictureOffset(uniforms.toothOffset.value as Vector2, camera, uniforms.viewport.value as Vector4);
   }
 
-  private listFor(camera: Camera, data: LineData, mesh: Mesh): ContourList | null {
+  private listFor(camera: Camera, data: LineData, mesh: Mesh): ContourList | InstanceList | null {
     // Suggestive contours lie anywhere on what faces the eye.
     if (this.material.suggestiveContours > 0) return null;
     const { boundingSphere } = mesh.geometry;
     if (!boundingSphere) return null;
-    const list = this.lists.get(camera) ?? this.addList(camera);
     const eye = this.material.uniforms.eye.value as Vector4;
+    const known = this.lists.get(camera);
+    if (this.isInstancedMesh) {
+      const list = known instanceof InstanceList ? known : this.addList(camera, new InstanceList());
+      return list.update(data, mesh as InstancedMesh, eye) ? list : null;
+    }
+    const list = known instanceof ContourList ? known : this.addList(camera, new ContourList());
     const { center, radius } = boundingSphere;
     // Not Math.hypot, which leaves garbage in every frame.
     const distance = place.set(eye.x, eye.y, eye.z).distanceTo(center) - radius;
@@ -258,13 +269,13 @@ export class HatchingLines extends Object3D {
   }
 
   /** Cameras come and go; the list of the one that came first goes when there are too many. */
-  private addList(camera: Camera): ContourList {
+  private addList<List extends ContourList | InstanceList>(camera: Camera, list: List): List {
+    this.lists.get(camera)?.dispose();
     const [oldest] = this.lists;
-    if (this.lists.size >= MOST_LISTS) {
+    if (this.lists.size >= MOST_LISTS && !this.lists.has(camera)) {
       oldest[1].dispose();
       this.lists.delete(oldest[0]);
     }
-    const list = new ContourList();
     this.lists.set(camera, list);
     return list;
   }

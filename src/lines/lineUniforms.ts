@@ -23,6 +23,7 @@ export const createLineUniforms = (): Record<string, IUniform> =>
         deformedTurns: { value: null },
         // of the camera
         candidates: { value: null },
+        instancePlaces: { value: null },
         isListed: { value: false },
         eye: { value: new Vector4() },
         nearDistance: { value: 0 },
