@@ -1,4 +1,5 @@
 import type { NumberRange } from '../src/material/HatchingProperty.js';
+import type { MeasureName } from './measures.js';
 
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
@@ -11,6 +12,8 @@ interface BaseRow {
   sentence: string;
   /** The techniques it counts for. Left out: all. */
   techniques?: readonly string[];
+  /** Other properties, and their values that it counts for. One that does not count itself is not asked. */
+  when?: Readonly<Record<string, readonly (string | boolean)[]>>;
 }
 
 /** A uniform of the same name, unless `uniform` says otherwise; `false` where other uniforms are computed from it. */
@@ -22,7 +25,10 @@ export interface NumberRow extends BaseRow {
   clears?: string;
   /** How the default is written where digits would hide what it is. */
   defaultSource?: string;
-  unit?: string;
+  /** Left out: a share, a factor or a count. */
+  measure?: MeasureName;
+  /** What it measures at a `screenConstancy` of 1, where that is something else. In between it is a mean of the two. */
+  measureOnScreen?: MeasureName;
   /** Left out: every finite number. */
   range?: NumberRange;
   uniform?: false;
@@ -41,7 +47,7 @@ export interface ColorRow extends BaseRow {
 export interface Vector2Row extends BaseRow {
   kind: 'vector2';
   default: readonly [number, number];
-  unit: string;
+  measure?: MeasureName;
   uniform?: false;
 }
 
@@ -67,6 +73,8 @@ export interface ChoiceRow extends BaseRow {
   default: string;
   /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
+  /** Choices that draw without a map, with every technique that they count for. */
+  withoutMap?: readonly string[];
   /** `false` for the technique: it chooses the shaders themselves. */
   isDefine?: false;
 }

@@ -1,4 +1,5 @@
 import { describeRange } from '../src/material/checkNumber.js';
+import { measureWords } from './measures.js';
 import type { PropertyRow } from './PropertyRow.js';
 
 /** A property in words, in parts that JSDoc and documentation put together each in their own way. */
@@ -44,8 +45,9 @@ function describeDefault(row: PropertyRow): string {
 }
 
 function describeMeasure(row: PropertyRow): string {
-  if (row.kind === 'vector2') return row.unit;
-  if (row.kind !== 'number') return '';
+  if (row.kind !== 'number' && row.kind !== 'vector2') return '';
+  const measure = row.measure && measureWords(row.measure, row.kind === 'number' ? row.measureOnScreen : undefined);
+  if (row.kind === 'vector2') return measure ?? '';
   const range = row.range && `in ${describeRange(row.range).replace(`${Math.PI}`, 'π')}`;
-  return [row.unit, range].filter(Boolean).join(' ');
+  return [measure, range].filter(Boolean).join(' ');
 }

@@ -1,6 +1,7 @@
 import type { NumberRange } from '../src/material/HatchingProperty.js';
 import { constantCase } from './constantCase.js';
 import { describe } from './describe.js';
+import { pixelsOf } from './measures.js';
 import type { NumberRow, PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';
 
@@ -94,8 +95,14 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
     fields.push(`choices: ${list(Object.keys(row.choices))}`);
     if (row.defaultFor) fields.push(`defaultFor: ${JSON.stringify(row.defaultFor)}`);
   }
-  if (row.kind === 'number' && row.range) fields.push(`range: ${rangeSource(row.range)}`);
+  if (row.kind === 'number') {
+    if (row.range) fields.push(`range: ${rangeSource(row.range)}`);
+    const pixels = pixelsOf(row.measure, row.measureOnScreen);
+    if (pixels) fields.push(`pixels: '${pixels}'`);
+  }
+  if (row.kind === 'choice' && row.withoutMap) fields.push(`withoutMap: ${list(row.withoutMap)}`);
   if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
+  if (row.when) fields.push(`when: ${JSON.stringify(row.when)}`);
   return fields;
 }
 

@@ -31,6 +31,7 @@ export type {
   ToneNormal,
 } from './material/hatchingProperties.js';
 export { HATCHING_DEFAULTS } from './material/hatchingProperties.js';
+export { counts, type HatchingLook, needsAdjacency, needsMap, pixelPower, scaledSizes } from './material/lookFacts.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';

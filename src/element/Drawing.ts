@@ -11,7 +11,14 @@ import {
   Scene,
   Vector3,
 } from 'three';
-import { applyHatching, type HatchedScene, type HatchingPreset, scalePreset } from 'three-hatching';
+import {
+  applyHatching,
+  type HatchedScene,
+  type HatchingPreset,
+  type MapDrawing,
+  needsMap,
+  scalePreset,
+} from 'three-hatching';
 import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
@@ -27,6 +34,10 @@ const FILL = 0.94;
 const box = new Box3();
 const place = new Vector3();
 const before = new Vector3();
+
+/** What is drawn for a preset as its map, if it needs one. */
+const mapOf = ({ material, tonalArtMap }: HatchingPreset): Readonly<MapDrawing> | null =>
+  needsMap(material) ? (tonalArtMap ?? {}) : null;
 
 /** A hatched model with its light and its viewer. It is scaled to a radius of 1 around the origin. */
 export class Drawing {
@@ -66,7 +77,7 @@ export class Drawing {
     signal: AbortSignal,
   ): Promise<Drawing> {
     const model = await loadModel(source);
-    const { tonalArtMap: strokes } = preset;
+    const strokes = mapOf(preset);
     let borrowed = false;
     try {
       signal.throwIfAborted();
@@ -132,7 +143,8 @@ export class Drawing {
 
   dispose(): void {
     this.hatched.dispose();
-    if (this.preset.tonalArtMap) returnMap(this.preset.tonalArtMap);
+    const strokes = mapOf(this.preset);
+    if (strokes) returnMap(strokes);
     disposeModel(this.model);
     this.light.dispose();
   }

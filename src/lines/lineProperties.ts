@@ -34,4 +34,16 @@ export const LINE_NUMBERS = {
 
 export type LineNumberName = keyof typeof LINE_NUMBERS;
 
+/** Those that are measured in pixels of the drawing buffer. */
+export const LINE_SIZES = ['lineWidth', 'wobble', 'overshoot', 'toothSize'] as const satisfies LineNumberName[];
+
+/** The sizes that are given, for a picture of `factor` times as many pixels to a side. */
+export function scaledLineSizes<Look extends { readonly [Name in LineNumberName]?: unknown }>(
+  look: Look,
+  factor: number,
+): Partial<Look> {
+  const given = LINE_SIZES.filter((name) => typeof look[name] === 'number');
+  return Object.fromEntries(given.map((name) => [name, Number(look[name]) * factor])) as Partial<Look>;
+}
+
 export const LINE_NUMBER_NAMES = /* @__PURE__ */ Object.keys(LINE_NUMBERS) as LineNumberName[];

@@ -43,6 +43,7 @@ import {
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
+import { isUsedBy, needsAdjacency } from './lookFacts.js';
 import { writePictureOffset } from './pictureOffset.js';
 import { isRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
@@ -54,7 +55,7 @@ import {
   type VertexLayout,
 } from './shaderConventions.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
-import { isUsedBy, warnOfUnused } from './unusedProperties.js';
+import { warnOfUnused } from './unusedProperties.js';
 
 /** Before the shaders of a mesh that neither deforms nor has instances. */
 const RIGID = '#define RIGID\n';
@@ -229,7 +230,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
     }
     for (const mesh of this.announced.splice(0)) {
-      if (this.readsAdjacency) compilePrePass(renderer, mesh);
+      if (needsAdjacency(this)) compilePrePass(renderer, mesh);
       const environment = environmentAround(mesh);
       if (environment) blurredEnvironment(renderer, environment);
     }
@@ -264,17 +265,13 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     }
     warnIfStale(geometry);
     this.announced.length = 0;
-    if (this.readsAdjacency) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
+    if (needsAdjacency(this)) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
   }
 
   private useEnvironment(isThere: boolean): void {
     if (isThere === this.hasEnvironment) return;
     this.hasEnvironment = isThere;
     this.writeProgram();
-  }
-
-  private get readsAdjacency(): boolean {
-    return HATCHING_TECHNIQUES[this.technique].vertexData === 'adjacency';
   }
 
   private useVertexLayout(layout: VertexLayout): void {
@@ -435,7 +432,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     // Strokes that are sized on the object alone need one lattice, and no code for a second.
     write('SIZED_ON_SCREEN', technique === 'anchored' && this.screenConstancy > 0 ? '' : undefined);
     write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
-    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(this.readsAdjacency ? this.vertexLayout : 'corner'));
+    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(needsAdjacency(this) ? this.vertexLayout : 'corner'));
     if (hasChanged) this.needsUpdate = true;
   }
 }

@@ -84,11 +84,16 @@ export interface HatchingMaterialOptions {
   /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
-   * Distance between lines, at least 3 pixels. As one comes nearer new ones are born between them, thin at first.
-   * Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
+   * Distance between lines, at least `finestSpacing`. As one comes nearer new ones are born between them, thin at
+   * first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
    * `'engraved'`.
    */
   lineSpacing: number;
+  /**
+   * Least distance between lines. Where they would lie closer every other one is left out; fewer than three pixels from
+   * one to the next flicker in motion. Pixels of the drawing buffer in [2, ∞). Default `3`. Only `'engraved'`.
+   */
+  finestSpacing: number;
   /**
    * How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`. Default `'single'`. Only
    * `'triangle'`, `'adjacency'`, `'anchored'`. Another value builds another program.
@@ -250,6 +255,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     edgePixels: HATCHING_DEFAULTS.edgePixels as number,
     anchorSpacing: HATCHING_DEFAULTS.anchorSpacing as number,
     lineSpacing: HATCHING_DEFAULTS.lineSpacing as number,
+    finestSpacing: HATCHING_DEFAULTS.finestSpacing as number,
     crossFrom: HATCHING_DEFAULTS.crossFrom as number,
     crossAngle: HATCHING_DEFAULTS.crossAngle as number,
     handmade: HATCHING_DEFAULTS.handmade as number,
@@ -427,8 +433,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Distance between lines, at least 3 pixels. As one comes nearer new ones are born between them, thin at first.
-   * Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
+   * Distance between lines, at least `finestSpacing`. As one comes nearer new ones are born between them, thin at
+   * first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
    * `'engraved'`.
    */
   get lineSpacing(): number {
@@ -437,6 +443,18 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set lineSpacing(value: number) {
     this.numbers.lineSpacing = checkNumber('lineSpacing', value, HATCHING_PROPERTIES.lineSpacing.range);
+  }
+
+  /**
+   * Least distance between lines. Where they would lie closer every other one is left out; fewer than three pixels from
+   * one to the next flicker in motion. Pixels of the drawing buffer in [2, ∞). Default `3`. Only `'engraved'`.
+   */
+  get finestSpacing(): number {
+    return this.numbers.finestSpacing;
+  }
+
+  set finestSpacing(value: number) {
+    this.numbers.finestSpacing = checkNumber('finestSpacing', value, HATCHING_PROPERTIES.finestSpacing.range);
   }
 
   /**

@@ -15,6 +15,8 @@ export interface HatchingOther extends UsedByTechniques {
 interface UsedByTechniques {
   /** The techniques it counts for. Left out: all. */
   techniques?: readonly string[];
+  /** Other properties, and their values that it counts for. One that does not count itself is not asked. */
+  when?: Readonly<Record<string, readonly (string | boolean)[]>>;
 }
 
 /** A value that the shader reads from a uniform. */
@@ -29,6 +31,8 @@ export interface HatchingNumber extends UsedByTechniques {
   kind: 'number';
   uniform?: string;
   range?: NumberRange;
+  /** Whether it is measured in pixels: always, or as far as `screenConstancy` says. Left out: never. */
+  pixels?: 'always' | 'onScreen';
 }
 
 /** Above a bound or from it on, and up to another. */
@@ -51,6 +55,8 @@ export interface HatchingChoice extends UsedByTechniques {
   /** Left out for the technique: it chooses the shaders themselves. */
   define?: string;
   choices: readonly string[];
+  /** Choices that draw without a map, with every technique that they count for. */
+  withoutMap?: readonly string[];
   /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
 }

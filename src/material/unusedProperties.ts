@@ -2,12 +2,9 @@ import { isDefault } from './defaultOf.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingProperty } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from './hatchingProperties.js';
+import { isUsedBy } from './lookFacts.js';
 
 const warned = new Set<string>();
-
-/** Whether a property counts for a technique. */
-export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
-  techniques?.includes(technique) ?? true;
 
 /** Warns, once each, of parameters that were set to something and do not count for the technique. */
 export function warnOfUnused(parameters: HatchingMaterialParameters, technique: HatchingTechnique): void {

@@ -3,15 +3,15 @@ import {
   type ApplyHatchingOptions,
   applyHatching,
   type HatchedScene,
-  type MapDrawing,
-  TonalArtMap,
+  needsMap,
+  type TonalArtMap,
   withPreset,
 } from 'three-hatching';
 import { restyle } from './restyle.js';
 import { meshesOf, SceneSnapshot } from './SceneSnapshot.js';
 import { sameValue } from './sameValue.js';
-import { retainMap, sharedMap } from './sharedMaps.js';
 import { Veil } from './Veil.js';
+import { WantedMap } from './WantedMap.js';
 
 /** What a `Hatcher` tells. */
 export interface HatcherEvents {
@@ -20,9 +20,6 @@ export interface HatcherEvents {
   /** The scene could not be hatched. It is as it was before. */
   onError(error: unknown): void;
 }
-
-/** Share of the progress for the map. */
-const MAP_SHARE = 0.2;
 
 /**
  * Keeps a scene hatched while its options and its meshes change: sets values where that is enough, and hatches anew where it is not. The
@@ -100,21 +97,28 @@ export class Hatcher {
     this.tried = wanted;
     const options = resolve(wanted);
     this.coverUnhatched(options);
-    const { map, release } = await this.takeMap(options);
+    const map = new WantedMap(options);
     try {
+      if (this.drawsWithMap(options)) await map.take();
       this.abort.signal.throwIfAborted();
-      if (!this.restyled(options, map)) await this.hatch(options, map);
+      if (!this.restyled(options, map.map)) await this.hatch(options, map);
     } catch (error) {
-      release();
+      map.release();
       // What changed meanwhile may be why: the caller sees that there is more to do.
       if (!this.abort.signal.aborted && this.snapshot.differs(this.root)) return;
       throw error;
     }
     this.releaseMap();
-    this.map = map;
-    this.releaseMap = release;
+    this.map = map.map;
+    this.releaseMap = map.release;
     this.applied = options;
     this.events.onHatched(this.hatched!);
+  }
+
+  /** Whether what is hatched already would be drawn with a map, with these options. What is not finds out by itself. */
+  private drawsWithMap({ material = {} }: ApplyHatchingOptions): boolean {
+    if (!this.hatched) return false;
+    return typeof material === 'function' ? this.hatched.materials.some(needsMap) : needsMap(material);
   }
 
   private restyled(options: ApplyHatchingOptions, map: TonalArtMap | null): boolean {
@@ -124,16 +128,15 @@ export class Hatcher {
     return true;
   }
 
-  private async hatch(options: ApplyHatchingOptions, map: TonalArtMap | null): Promise<void> {
+  private async hatch(options: ApplyHatchingOptions, map: WantedMap): Promise<void> {
     const { signal } = this.abort;
-    const { filter = () => true, onProgress } = options;
+    const { filter = () => true } = options;
     this.snapshot.take(this.root);
     const hatched = await applyHatching(this.root, {
       ...options,
-      tonalArtMap: map,
+      tonalArtMap: map.source,
       // A mesh of React's may be there before its geometry.
       filter: (mesh) => hasPositions(mesh) && filter(mesh),
-      onProgress: onProgress && ((progress) => onProgress(MAP_SHARE + (1 - MAP_SHARE) * progress)),
       replaces: this.hatched,
       signal,
     });
@@ -153,20 +156,6 @@ export class Hatcher {
       if (this.hatched) this.veil.coverLines(mesh);
       if (!this.showsUnhatched && !('isHatchingMaterial' in mesh.material)) this.veil.cover(mesh);
     }
-  }
-
-  /** The map that the options name or ask for. Drawn maps are shared with all who ask for the same. */
-  private async takeMap({ tonalArtMap = {}, onProgress, createWorker }: ApplyHatchingOptions): Promise<{
-    map: TonalArtMap | null;
-    release: () => void;
-  }> {
-    if (tonalArtMap === null || tonalArtMap instanceof TonalArtMap) return { map: tonalArtMap, release: () => {} };
-    const drawing: MapDrawing = tonalArtMap;
-    const map = await sharedMap(drawing, {
-      createWorker,
-      onProgress: onProgress && ((progress) => onProgress(MAP_SHARE * progress)),
-    });
-    return { map, release: retainMap(drawing) };
   }
 }
 

@@ -5,13 +5,11 @@ import {
   HATCHING_LINE_DEFAULTS,
   type HatchedScene,
   type HatchingMaterialParameters,
+  needsAdjacency,
 } from 'three-hatching';
 import { namesOf, sameValue } from './sameValue.js';
 
 type Values = Readonly<Record<string, unknown>>;
-
-/** Techniques that draw every geometry; the others need one that was prepared with adjacency. */
-const UNDEMANDING: readonly unknown[] = ['anchored', 'engraved'];
 
 /** Of the lines: which edges are creases is decided when the geometry is prepared. */
 const BAKED_LINE_OPTIONS: readonly string[] = ['creaseAngle', 'creaseLength'];
@@ -41,7 +39,8 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
   const changes = changed(from as Values, to as Values, HATCHING_DEFAULTS);
   if (!changes || 'strokeScale' in changes) return null;
   if (!('technique' in changes)) return changes;
-  return [from, to].every((values) => UNDEMANDING.includes((values as Values).technique)) ? changes : null;
+  // The others need a geometry that was prepared for them.
+  return [from, to].some(needsAdjacency) ? null : changes;
 }
 
 function lineChanges(from: boolean | object, to: boolean | object): Values | null {

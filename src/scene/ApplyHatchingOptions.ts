@@ -19,11 +19,12 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    */
   replaces?: HatchedScene | undefined;
   /**
-   * The map for materials whose parameters name none: a map of yours, or what `TonalArtMap.generate` is to draw. By default one
-   * in the style `hatching` is drawn. `dispose()` of the result frees what was drawn. `null`: none for now; the meshes stay
-   * blank paper until you set one.
+   * The map for materials that need one and whose parameters name none: a map of yours, what `TonalArtMap.generate` is to draw,
+   * or a function that resolves with a map of yours and is called only if a material needs it. By default one in the style
+   * `hatching` is drawn. `dispose()` of the result frees what was drawn. `null`: none for now; the meshes stay blank paper until
+   * you set one.
    */
-  tonalArtMap?: TonalArtMap | MapDrawing | null | undefined;
+  tonalArtMap?: TonalArtMap | MapDrawing | (() => Promise<TonalArtMap>) | null | undefined;
   /**
    * Parameters of the new materials. They override what is taken over from the old ones. A function is called once for every
    * material made, with the material it replaces and the first mesh that uses it.

@@ -3,10 +3,10 @@ import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
-import { HATCHING_TECHNIQUES } from '../material/hatchingProperties.js';
+import { needsAdjacency, needsMap } from '../material/lookFacts.js';
 import { runSliced } from '../slices/runSliced.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
-import { type MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
+import { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
@@ -44,7 +44,7 @@ interface PlannedMesh extends OldLook {
 }
 
 const TILES_PER_RADIUS = 3;
-/** Share of the progress for the map, if one is generated. */
+/** Share of the progress for the map, if one is made. */
 const MAP_SHARE = 0.2;
 
 /**
@@ -103,13 +103,10 @@ export async function applyHatching(
     const { seen, unreadable } = asBefore(() => looksToReplace(meshes));
     const planned = await runSliced(planMeshes(seen, replacer), { signal: options.signal, around: asBefore });
 
-    const withoutMap = replacer.materials.filter(
-      ({ tonalArtMap, technique, medium }) =>
-        tonalArtMap === null && HATCHING_TECHNIQUES[technique].map !== 'none' && medium !== 'stipple',
-    );
+    const withoutMap = replacer.materials.filter((one) => one.tonalArtMap === null && needsMap(one));
     const { tonalArtMap: wanted = {} } = options;
-    const drawing = withoutMap.length > 0 && isMapDrawing(wanted) ? wanted : undefined;
-    const mapShare = drawing ? MAP_SHARE : 0;
+    const isDrawn = withoutMap.length > 0 && isToBeMade(wanted);
+    const mapShare = isDrawn ? MAP_SHARE : 0;
     const {
       preset: _preset,
       replaces: _replaces,
@@ -136,10 +133,11 @@ export async function applyHatching(
     skipped.push(...unreadable);
     if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
 
-    let map = isMapDrawing(wanted) ? null : wanted;
-    if (drawing) {
+    let map = isToBeMade(wanted) ? null : wanted;
+    if (isDrawn && typeof wanted === 'function') map = checkTonalArtMap(await wanted());
+    else if (isDrawn) {
       const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
-      map = await TonalArtMap.generate({ ...drawing, signal, createWorker, onProgress: onMapProgress });
+      map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress: onMapProgress });
       disposables.push(map);
     }
     for (const material of withoutMap) material.tonalArtMap = map;
@@ -223,17 +221,19 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
       `applyHatching: strokeScale is ${strokeScale}, but must be a positive number of tiles per world unit, or left out.`,
     );
   }
-  if (isMapDrawing(tonalArtMap)) checkHatchImageOptions('applyHatching: tonalArtMap', tonalArtMap);
-  else checkTonalArtMap(tonalArtMap);
+  if (!isToBeMade(tonalArtMap)) checkTonalArtMap(tonalArtMap);
+  else if (typeof tonalArtMap === 'object') checkHatchImageOptions('applyHatching: tonalArtMap', tonalArtMap);
 }
 
-/** Whether a map is to be drawn, with these options. */
-const isMapDrawing = (given: TonalArtMap | MapDrawing | null): given is MapDrawing =>
-  typeof given === 'object' && given !== null && !isTonalArtMap(given);
+/** Whether a map is to be drawn with these options, or fetched by this function, once a material needs it. */
+const isToBeMade = (
+  given: NonNullable<ApplyHatchingOptions['tonalArtMap']> | null,
+): given is Exclude<typeof given, TonalArtMap | null> =>
+  typeof given === 'function' || (typeof given === 'object' && given !== null && !isTonalArtMap(given));
 
 /** Whether all that draws a mesh does without triangle adjacency. */
 const needsNoAdjacency = (plan: PlannedMesh): boolean =>
-  materialsOf(plan).every((one) => isHatching(one) && HATCHING_TECHNIQUES[one.technique].vertexData === 'hatchNormal');
+  materialsOf(plan).every((one) => isHatching(one) && !needsAdjacency(one));
 
 /** Every geometry to bake, with a layout that all materials that draw it can use. */
 function layoutsFor(

@@ -18,7 +18,8 @@ export function withPreset(
     ...options,
     material: typeof own === 'function' ? (...args) => ({ ...material, ...own(...args) }) : { ...material, ...own },
     lines: typeof ownLines === 'object' && ownLines !== null ? { ...lines, ...ownLines } : ownLines && lines,
-    tonalArtMap: options.tonalArtMap === undefined ? tonalArtMap : options.tonalArtMap,
+    // A preset without a map needs none; with another technique it may, and gets the usual one.
+    tonalArtMap: options.tonalArtMap === undefined ? (tonalArtMap ?? undefined) : options.tonalArtMap,
   };
 }
 

@@ -133,6 +133,52 @@ test('lines lie as far apart as asked on the screen, from near and far, or half 
   }
 });
 
+test('a picture of more pixels has the same lines, whatever they are sized on, and so has one of fewer while something moves', async ({
+  page,
+}) => {
+  const { pictures, inMotion } = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry, scaledSizes } = window.toolkit;
+    const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(8, 8), { layout: 'indexed' });
+    const look = { technique: 'engraved', handmade: 0, lineField: 'y', crossFrom: 1 } as const;
+    const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);
+    camera.position.z = 5;
+    /** The middle column of a picture with sizes as they are given, or with others too. */
+    const columnOf = (size: number, sizes: object): number[] => {
+      const material = new HatchingMaterial({ ...look, ...sizes });
+      const scene = paperScene(new THREE.Mesh(geometry, material), new THREE.AmbientLight(0xffffff, 0.7 * Math.PI));
+      const ink = draw(scene, camera, rendererOf(size));
+      return Array.from({ length: size }, (_, y) => ink[y * size + size / 2]);
+    };
+    const linesIn = (column: number[]) => column.filter((ink, y) => y > 0 && ink >= 0.3 && column[y - 1] < 0.3).length;
+    const pictures = [0, 0.5, 1].map((screenConstancy) => {
+      const sizes = { screenConstancy, lineSpacing: [80, 20, 5][2 * screenConstancy] };
+      return [1, 2, 4].map((factor) => linesIn(columnOf(150 * factor, { ...sizes, ...scaledSizes(sizes, factor) })));
+    });
+    const sizes = { screenConstancy: 1, lineSpacing: 4.5, finestSpacing: 3 };
+    const { finestSpacing: _, ...bound } = scaledSizes(sizes, 0.5);
+    const full = columnOf(300, sizes);
+    /** How far a column in half the resolution is from that in the full one, seen as small. */
+    const awayFrom = (half: number[]) => {
+      const away = half.map((ink, y) => Math.abs(ink - (full[2 * y] + full[2 * y + 1]) / 2));
+      return away.reduce((sum, one) => sum + one) / half.length;
+    };
+    const inMotion = [
+      { ...sizes, ...scaledSizes(sizes, 0.5) },
+      { ...sizes, ...bound },
+    ].map((half) => awayFrom(columnOf(150, half)));
+    return { pictures, inMotion };
+  });
+  for (const lines of pictures) {
+    expect(lines[0]).toBeGreaterThan(20);
+    for (const others of lines) expect(Math.abs(others - lines[0]), JSON.stringify(lines)).toBeLessThanOrEqual(1);
+  }
+  const [scaled, bounded] = inMotion;
+  // The bound that holds at rest would leave out every other line of what moves.
+  expect(scaled).toBeLessThan(0.08);
+  expect(bounded).toBeGreaterThan(2 * scaled);
+});
+
 test('lines cut by an axis stay while the light moves; those cut by the light turn with it', async ({ page }) => {
   const { still, turned } = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene, lookFrom, mostDifferent } = window.lining;

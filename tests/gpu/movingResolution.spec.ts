@@ -20,7 +20,13 @@ test('movement is drawn in a lower resolution with strokes as wide, and rest in 
       onRest: () => rested(),
       onMeasured: () => measured(),
     });
-    const state = () => [renderer.domElement.width, material.strokeWidth, material.toothSize, resolution.scale];
+    const state = () => [
+      renderer.domElement.width,
+      material.strokeWidth,
+      material.toothSize,
+      resolution.scale,
+      material.finestSpacing,
+    ];
     const frame = async (isMoving?: boolean) => {
       const known = new Promise<void>((resolve) => {
         measured = resolve;
@@ -59,17 +65,17 @@ test('movement is drawn in a lower resolution with strokes as wide, and rest in 
   const { toothSize } = seen as { toothSize: number };
   expect(seen).toEqual({
     toothSize,
-    first: [192, 3, toothSize, 1],
-    still: [192, 3, toothSize, 1],
-    moving: [96, 1.5, toothSize / 2, 0.5],
+    first: [192, 3, toothSize, 1, 3],
+    still: [192, 3, toothSize, 1, 3],
+    moving: [96, 1.5, toothSize / 2, 0.5, 2],
     restBeforeFrame: 1,
     // What was set meanwhile stays.
-    rest: [192, 3, 7, 1],
+    rest: [192, 3, 7, 1, 3],
     // What moves may be a light: the caller says so.
-    light: [96, 1.5, toothSize / 2, 0.5],
+    light: [96, 1.5, toothSize / 2, 0.5, 2],
     // A ratio that was set meanwhile is the full one.
-    ratioSet: [72, 1.5, toothSize / 2, 0.5],
-    disposed: [144, 3, toothSize, 1],
+    ratioSet: [72, 1.5, toothSize / 2, 0.5, 2],
+    disposed: [144, 3, toothSize, 1, 3],
   });
 });
 

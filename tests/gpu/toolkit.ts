@@ -11,6 +11,7 @@ import {
   type HatchingMaterialParameters,
   MovingResolution,
   prepareHatchingGeometry,
+  scaledSizes,
   TonalArtMap,
 } from 'three-hatching';
 
@@ -125,6 +126,7 @@ const toolkit = {
   bakeOcclusion,
   HatchingMaterial,
   MovingResolution,
+  scaledSizes,
   prepareHatchingGeometry,
   TonalArtMap,
   SIZE,

@@ -1,9 +1,8 @@
 // One family of lines: level sets of a function at equal distances, whose width is the tone. As one comes nearer a new line is
 // born between every two (the octaves of a ruler), and the share of ink stays the tone throughout.
 uniform float lineSpacing; // pixels between lines, or 256ths of a tile
+uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that none shimmer
 
-// Where lines would lie closer than so many pixels, every other one is left out, so that none shimmer.
-#define FINEST_SPACING 3.0
 // Where a function rises less than so much along the surface, new lines are born on the object too.
 #define SPARSEST_SLOPE 0.4
 
@@ -39,7 +38,7 @@ float ruledLines(
   // As the surface turns to face the gradient, the lines it is cut in lie further apart, up to a bound.
   float onObject = octaves(lineSpacing / 256.0 * min(slope / SPARSEST_SLOPE, 1.0));
   float onScreen = octaves(lineSpacing * perPixel);
-  float octave = max(mix(onObject, onScreen, screenConstancy), octaves(FINEST_SPACING * perPixel));
+  float octave = max(mix(onObject, onScreen, screenConstancy), octaves(finestSpacing * perPixel));
   float period = powerOf2(ceil(octave));
   // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
   // they leave is that of the new ones, which are their equals when the next octave begins.

@@ -2,7 +2,7 @@ import { drawnSettings } from '../settings/drawnSettings.js';
 import { presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
 import { lightSample } from './lightSample.js';
-import { lineParameters, mapParameters, materialParameters } from './lookSample.js';
+import { drawnWithMap, lineParameters, mapSource, materialParameters } from './lookSample.js';
 import { inQuotes } from './modelSource.js';
 import { presetSample } from './presetSample.js';
 
@@ -23,7 +23,6 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined, 
 /** Code that spells out every setting that counts. */
 function wholeSample(settings: Settings, sceneRadius: number | undefined, name: string): string {
   const isScene = sceneRadius !== undefined;
-  const map = mapParameters(settings);
   const material = materialParameters(settings, isScene);
   const { offsetU, offsetV } = settings;
   const lights = lightSample(settings, sceneRadius);
@@ -32,9 +31,9 @@ function wholeSample(settings: Settings, sceneRadius: number | undefined, name: 
   if (!isScene) classes.add('Mesh');
   const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
   const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;
-  const [imports, use] = isScene
+  const [names, use] = isScene
     ? [
-        'applyHatching, TonalArtMap',
+        ['applyHatching'],
         `const { scene: model } = await new GLTFLoader().loadAsync(${inQuotes(name)});
 scene.add(model);
 await applyHatching(model, {
@@ -45,7 +44,7 @@ ${parameters.map((line) => `    ${line}`).join('\n')}
 });`,
       ]
     : [
-        `${lines ? 'HatchingLines, ' : ''}HatchingMaterial, prepareHatchingGeometry, TonalArtMap`,
+        [...(lines ? ['HatchingLines'] : []), 'HatchingMaterial', 'prepareHatchingGeometry'],
         `const material = new HatchingMaterial({
 ${parameters.map((line) => `  ${line}`).join('\n')}
 });
@@ -61,11 +60,12 @@ scene.add(mesh);`
     : 'scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));'
 }`,
       ];
+  const map = drawnWithMap(settings) ? `const tonalArtMap = ${mapSource(settings)};\n` : '';
+  if (map) names.push('TonalArtMap');
   return `import { ${[...classes].sort().join(', ')} } from 'three';
-${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${imports} } from 'three-hatching';
+${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { ${names.join(', ')} } from 'three-hatching';
 
-const tonalArtMap = await ${settings.mapStyle === 'file' ? "TonalArtMap.load('map.json')" : `TonalArtMap.generate({ ${map.join(', ')} })`};
-${use}
+${map}${use}
 
 ${lights.code}`;
 }

@@ -8,7 +8,7 @@ import { SHADOWS, SUN_DISTANCE } from '../stage/LightRig.js';
 import { FULL_SHEET, LEAST_STROKE_SHARE } from '../stage/strokeShare.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
-import { lineParameters, mapParameters, materialParameters } from './lookSample.js';
+import { drawnWithMap, lineParameters, mapSource, materialParameters } from './lookSample.js';
 import { modelSource } from './modelSource.js';
 import { round } from './round.js';
 
@@ -168,12 +168,13 @@ function lookPart({ model, settings }: CodeDrawing): Part {
     if (settings.surfaceColors === 'paper') own.push(`color: 'white'`, 'map: null', 'vertexColors: false');
     rest = '  ...preset,\n';
   } else {
-    hatching.push('TonalArtMap');
-    const map = mapParameters(settings);
-    const isOwn = settings.mapStyle === 'file';
-    before = isOwn
-      ? "// The playground saves your map as a ZIP: unpack it beside this file.\nconst tonalArtMap = await TonalArtMap.load('map.json');\n"
-      : `const tonalArtMap = await TonalArtMap.generate({ ${map.join(', ')} });\n`;
+    if (drawnWithMap(settings)) {
+      hatching.push('TonalArtMap');
+      if (settings.mapStyle === 'file') {
+        before = '// The playground saves your map as a ZIP: unpack it beside this file.\n';
+      }
+      before += `const tonalArtMap = ${mapSource(settings)};\n`;
+    }
     look = materialParameters(settings, true).map(onSheet);
     if (settings.offsetU !== 0 || settings.offsetV !== 0) three.push('Vector2');
     const lines = settings.lines === 'on' ? lineParameters(settings).map(onSheet) : undefined;

@@ -1,16 +1,17 @@
-import { HATCHING_LINE_DEFAULTS } from 'three-hatching';
+import { HATCHING_LINE_DEFAULTS, needsMap, pixelPower } from 'three-hatching';
 import { lineLook } from '../settings/lineLook.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
-import { isCrisp, TONE_CURVES } from '../settings/settingValues.js';
+import { isCrisp, looksOf, TONE_CURVES, techniqueOf } from '../settings/settingValues.js';
 import { round } from './round.js';
 
-/** What `TonalArtMap.generate` takes to draw the map of the page, as entries of an object. */
-export function mapParameters(settings: Settings): string[] {
+/** What makes the map of the page: from the files that it saves, or drawn. */
+export function mapSource(settings: Settings): string {
+  if (settings.mapStyle === 'file') return "await TonalArtMap.load('map.json')";
   const map = [`style: '${settings.mapStyle}'`];
   if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
   if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
   map.push(`seed: ${settings.mapSeed}`);
-  return map;
+  return `await TonalArtMap.generate({ ${map.join(', ')} })`;
 }
 
 /**
@@ -21,7 +22,7 @@ export function mapParameters(settings: Settings): string[] {
 export function materialParameters(settings: Settings, isScene: boolean): string[] {
   const rotation = { along: '0', towards: 'Math.PI / 2', angle: `(${settings.strokeAngle} / 180) * Math.PI` };
   const { technique } = settings;
-  const material = ['tonalArtMap', `technique: '${technique === 'adjacencyCrisp' ? 'adjacency' : technique}'`];
+  const material = [...(drawnWithMap(settings) ? ['tonalArtMap'] : []), `technique: '${techniqueOf(technique)}'`];
   if (technique === 'adjacencyCrisp') material.push('crisp: true');
   if (technique === 'anchored') {
     material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
@@ -30,7 +31,7 @@ export function materialParameters(settings: Settings, isScene: boolean): string
       material.push(
         `medium: 'dry'`,
         `tooth: ${settings.tooth / 100}`,
-        `toothSize: ${settings.toothSize} * renderer.getPixelRatio()`,
+        sizeSource(settings, 'toothSize'),
         `softness: ${settings.softness / 100}`,
         `smudge: ${settings.smudge / 100}`,
       );
@@ -44,13 +45,13 @@ export function materialParameters(settings: Settings, isScene: boolean): string
     material.push(
       `screenConstancy: ${settings.screenConstancy / 100}`,
       `lineField: '${settings.lineField}'`,
-      `lineSpacing: ${round(settings.lineSpacing)} * renderer.getPixelRatio()`,
+      sizeSource(settings, 'lineSpacing'),
       ...crossing,
       `handmade: ${settings.handmade / 100}`,
     );
     if (settings.carved === 'yes') material.push('carved: true');
   } else if (isCrisp(technique) || settings.levelRule === 'depth') {
-    material.push(`strokeWidth: ${round(settings.strokeWidth)} * renderer.getPixelRatio()`);
+    material.push(sizeSource(settings, 'strokeWidth'));
   }
   if (isCrisp(technique)) material.push(`edgePixels: ${settings.edge}`);
   if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);
@@ -81,6 +82,17 @@ export function materialParameters(settings: Settings, isScene: boolean): string
   if (!isScene) material.push(`color: '${settings.color}'`);
   else if (settings.surfaceColors === 'paper') material.push(`color: 'white'`, 'map: null', 'vertexColors: false');
   return material;
+}
+
+/** Whether the technique of the page, compared with none, is drawn with a map. */
+export const drawnWithMap = (settings: Settings): boolean => looksOf(settings, settings.technique).some(needsMap);
+
+/** A size as an entry of an object: it grows with the pixels of the canvas, as far as it is measured in them. */
+function sizeSource(settings: Settings, name: 'strokeWidth' | 'lineSpacing' | 'toothSize'): string {
+  const power = pixelPower({ screenConstancy: settings.screenConstancy / 100 }, name);
+  const size = `${name}: ${round(settings[name])}`;
+  if (power === 0) return size;
+  return `${size} * renderer.getPixelRatio()${power === 1 ? '' : ` ** ${power}`}`;
 }
 
 /** The parameters of lines that are not at their defaults, and those in pixels. */

@@ -122,9 +122,14 @@ export class HatchedModel {
     for (const { drawn, compared } of this.pairs) drawn.tonalArtMap = compared.tonalArtMap = map;
   }
 
-  /** Sets how wide strokes and lines are. @param pixelRatio pixels of the render target per CSS pixel */
-  setWidths(settings: Settings, pixelRatio: number): void {
-    const sizes = materialSizes(settings, pixelRatio);
+  /**
+   * Sets how wide strokes and lines are.
+   *
+   * @param pixelRatio pixels of the render target per CSS pixel
+   * @param share of the full resolution, where it is drawn in a lower one
+   */
+  setWidths(settings: Settings, pixelRatio: number, share = 1): void {
+    const sizes = materialSizes(settings, pixelRatio, share);
     for (const { drawn, compared } of this.pairs) {
       Object.assign(drawn, sizes);
       Object.assign(compared, sizes);

@@ -4,11 +4,9 @@ import { triangleCount } from '../files/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import type { Settings } from '../settings/settings.js';
+import { drawsWithAdjacency } from '../settings/settingValues.js';
 import { HatchedModel } from './HatchedModel.js';
 import { outlineOf } from './outlineOf.js';
-
-/** What draws a mesh with its own normals, before it is baked. */
-const WITHOUT_BAKE: ReadonlySet<string> = new Set(['anchored', 'engraved', 'none']);
 
 /**
  * A model that is drawn while `read` is baked: with plain normals, without lines and from both sides. Undefined where the bake
@@ -16,7 +14,7 @@ const WITHOUT_BAKE: ReadonlySet<string> = new Set(['anchored', 'engraved', 'none
  */
 export function standInFor(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
   if (read.kind !== 'mesh' || !read.plainNormals) return undefined;
-  if (!WITHOUT_BAKE.has(settings.technique) || !WITHOUT_BAKE.has(settings.compare)) return undefined;
+  if (drawsWithAdjacency(settings)) return undefined;
   const { mesh, plainNormals } = read;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));

@@ -4,6 +4,7 @@ import {
   HatchingMaterial,
   type HatchingPreset,
   type HatchingTechnique,
+  needsMap,
   presets,
   type StrokeStyleName,
   scalePreset,
@@ -66,10 +67,9 @@ export class FigureDrawing {
       const { style, preset: name, lines, ...options } = look;
       const preset: HatchingPreset | undefined = name && scalePreset(presets[name], PIXEL_RATIO);
       const technique = options.technique ?? preset?.material.technique ?? 'adjacency';
-      const needsMap = preset?.tonalArtMap !== null;
-      const tonalArtMap = needsMap ? await mapOf(style ?? preset?.tonalArtMap?.style ?? 'hatching') : null;
-      const parameters = { ink, paper, ...preset?.material, ...options, technique, tonalArtMap, side: model.side };
+      const parameters = { ink, paper, ...preset?.material, ...options, technique, side: model.side };
       const material = new HatchingMaterial(parameters);
+      if (needsMap(material)) material.tonalArtMap = await mapOf(style ?? preset?.tonalArtMap?.style ?? 'hatching');
       drawing.materials.push({ material, technique, strokeScale: material.strokeScale });
       const mesh = new Mesh(geometry, material);
       if (lines !== false && (lines || preset)) mesh.add(new HatchingLines(mesh, { ink, ...preset?.lines, ...lines }));

@@ -2,7 +2,7 @@ import type { TonalArtMap } from 'three-hatching';
 import type { TonalArtMapCache } from '../drawing/TonalArtMapCache.js';
 import type { ModelFile } from '../files/readModel.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
-import { needsMap } from '../settings/settingValues.js';
+import { drawsWithMap } from '../settings/settingValues.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import type { TaskRunner } from './TaskRunner.js';
 
@@ -34,7 +34,7 @@ export class MapLoader {
    *
    * @param isWanted also if nothing is drawn with it: it is to be looked at
    */
-  async showChosen(isWanted = needsMap(this.settings)): Promise<void> {
+  async showChosen(isWanted = drawsWithMap(this.settings)): Promise<void> {
     if (!isWanted) return;
     const end = await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);

@@ -3,7 +3,7 @@ import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
-import { needsMap } from '../settings/settingValues.js';
+import { drawsWithMap } from '../settings/settingValues.js';
 
 /** The settings of lines, which have no effect without lines. */
 const LINE_KEYS = SETTING_KEYS.filter((key) => SETTINGS[key].group === 'Lines' && key !== 'lines');
@@ -85,7 +85,7 @@ export class SettingsPanel {
     for (const key of ['lineField', 'lineSpacing', 'handmade', 'carved'] as const) this.show(key, isEngraved);
     this.show('strokeLayers', hasStrokes);
     // Dots have no direction and come from no map.
-    const isMapped = needsMap(settings);
+    const isMapped = drawsWithMap(settings);
     for (const key of ['mapStyle', 'strokeDirection'] as const) this.show(key, isMapped);
     const isCrossing = isEngraved || (hasStrokes && settings.strokeLayers === 'tone');
     for (const key of ['crossFrom', 'crossAngle'] as const) this.show(key, isCrossing);

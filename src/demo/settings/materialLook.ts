@@ -1,7 +1,7 @@
 import { MathUtils, Vector2 } from 'three';
-import type { HatchingMaterialParameters } from 'three-hatching';
+import { HATCHING_DEFAULTS, type HatchingMaterialParameters, scaledSizes } from 'three-hatching';
 import type { Settings } from './settings.js';
-import { TONE_CURVES } from './settingValues.js';
+import { TONE_CURVES, techniqueOf } from './settingValues.js';
 
 /** A property of the material that one setting stands for, in another unit perhaps. */
 interface Twin<Key extends keyof Settings> {
@@ -92,7 +92,7 @@ export function materialLook(
 ): HatchingMaterialParameters {
   const { offsetU, offsetV } = settings;
   return {
-    technique: technique === 'adjacencyCrisp' ? 'adjacency' : technique,
+    technique: techniqueOf(technique),
     crisp: technique === 'adjacencyCrisp',
     strokeRotation: rotationOf(settings, technique),
     strokeOffset: new Vector2(offsetU, offsetV),
@@ -110,15 +110,24 @@ function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Setti
 }
 
 /**
- * What the material takes that is measured in pixels of the picture.
+ * The sizes that the material takes: those that are measured in pixels of the picture go with it.
  *
  * @param pixelRatio pixels of the picture per CSS pixel
+ * @param share of the resolution that the picture is shown in, where it is drawn in a lower one for a moment
  */
-export const materialSizes = (settings: Settings, pixelRatio: number) => ({
-  strokeWidth: settings.strokeWidth * pixelRatio,
-  lineSpacing: settings.lineSpacing * pixelRatio,
-  toothSize: settings.toothSize * pixelRatio,
-});
+export function materialSizes(
+  { screenConstancy, strokeWidth, lineSpacing, toothSize }: Settings,
+  pixelRatio: number,
+  share = 1,
+) {
+  const sizes = { strokeWidth, lineSpacing, toothSize };
+  const { finestSpacing } = HATCHING_DEFAULTS;
+  return {
+    ...sizes,
+    ...scaledSizes({ ...sizes, screenConstancy: screenConstancy / 100 }, pixelRatio),
+    ...scaledSizes({ finestSpacing }, share),
+  };
+}
 
 /** The settings that give a material these parameters. Others stay as they are. */
 export function settingsOfMaterial(parameters: HatchingMaterialParameters): Partial<Settings> {

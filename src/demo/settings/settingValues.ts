@@ -1,5 +1,12 @@
 import { MathUtils } from 'three';
-import { type PresetName, presets } from 'three-hatching';
+import {
+  type HatchingLook,
+  type HatchingTechnique,
+  needsAdjacency,
+  needsMap,
+  type PresetName,
+  presets,
+} from 'three-hatching';
 import type { Settings } from './settings.js';
 
 /** Where a light is, seen from the centre of the model: degrees around it, degrees high, and radii away if it is no sun. */
@@ -44,11 +51,23 @@ export const TONE_CURVES = {
   chalked: curveOf('chalk'),
 } as const satisfies Record<Settings['toneCurve'], unknown>;
 
-/** Whether anything is drawn with a tonal art map. Engraved lines and dots need none. */
-export const needsMap = ({ technique, compare, medium }: Settings): boolean =>
-  [technique, compare].some(
-    (one) => one !== 'none' && one !== 'engraved' && !(one === 'anchored' && medium === 'stipple'),
-  );
+/** What a technique of the page draws with; nothing for `none`. */
+export function looksOf({ medium }: Settings, ...techniques: Settings['compare'][]): HatchingLook[] {
+  const shown = techniques.filter((technique) => technique !== 'none');
+  return shown.map((technique) => ({ technique: techniqueOf(technique), medium }));
+}
+
+/** The technique of the material, which has crisp strokes as a property of their own. */
+export const techniqueOf = (technique: Settings['technique']): HatchingTechnique =>
+  technique === 'adjacencyCrisp' ? 'adjacency' : technique;
+
+/** Whether anything is drawn with a tonal art map, on either side of a comparison. */
+export const drawsWithMap = (settings: Settings): boolean =>
+  looksOf(settings, settings.technique, settings.compare).some(needsMap);
+
+/** Whether anything is drawn that asks for a prepared geometry. */
+export const drawsWithAdjacency = (settings: Settings): boolean =>
+  looksOf(settings, settings.technique, settings.compare).some(needsAdjacency);
 
 /** Whether a technique draws strokes of a set width in pure ink, instead of blending their greys. */
 export function isCrisp(technique: Settings['technique']): boolean {

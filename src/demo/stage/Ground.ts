@@ -68,9 +68,14 @@ export class Ground {
     this.material.dispose();
   }
 
-  /** Sets how wide strokes are. @param pixelRatio pixels of the render target per CSS pixel */
-  setWidths(settings: Settings, pixelRatio: number): void {
-    Object.assign(this.material, materialSizes(settings, pixelRatio));
+  /**
+   * Sets how wide strokes are.
+   *
+   * @param pixelRatio pixels of the render target per CSS pixel
+   * @param share of the full resolution, where it is drawn in a lower one
+   */
+  setWidths(settings: Settings, pixelRatio: number, share = 1): void {
+    Object.assign(this.material, materialSizes(settings, pixelRatio, share));
   }
 
   /** Shows or hides the paper of a floor. The sheet that shows shadows has none. */

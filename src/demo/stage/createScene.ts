@@ -4,7 +4,7 @@ import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from '../settings/settings.js';
-import { needsMap, UPRIGHT } from '../settings/settingValues.js';
+import { drawsWithMap, UPRIGHT } from '../settings/settingValues.js';
 import { CrossFade } from './CrossFade.js';
 import { createCamera, DEFAULT_VIEW } from './createCamera.js';
 import { FrameScheduler } from './FrameScheduler.js';
@@ -164,9 +164,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
       model?.showLines(false);
       ground.hide();
     }
-    const pixelRatio = fullPixelRatio(width, height) * (isSketch ? SKETCH_SHARE : resolution.scale);
+    const share = isSketch ? SKETCH_SHARE : resolution.scale;
+    const pixelRatio = fullPixelRatio(width, height) * share;
     if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
-    drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio);
+    drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio, share);
   }
 
   function disposePrevious(): void {
@@ -216,16 +217,17 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
    * canvas. The tile of an ordinary frame is the whole picture.
    *
    * @param pixelRatio pixels of the picture per CSS pixel; the widths of strokes and lines go with it
+   * @param share of the full resolution, where it is drawn in a lower one
    */
-  function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number): void {
-    const share = divider?.();
-    if (settings) setWidths(settings, pixelRatio);
+  function drawTile({ viewWidth, x, width, height }: Tile, pixelRatio: number, share = 1): void {
+    const shown = divider?.();
+    if (settings) setWidths(settings, pixelRatio, share);
     model?.useMaterials('drawn');
-    if (share === undefined) {
+    if (shown === undefined) {
       renderer.render(scene, camera);
       return;
     }
-    const split = MathUtils.clamp(Math.round(share * viewWidth) - x, 0, width);
+    const split = MathUtils.clamp(Math.round(shown * viewWidth) - x, 0, width);
     renderer.setScissorTest(true);
     renderer.setScissor(split, 0, width - split, height);
     if (split < width) renderer.render(scene, camera);
@@ -235,10 +237,10 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     renderer.setScissorTest(false);
   }
 
-  function setWidths(settings: Settings, pixelRatio: number): void {
+  function setWidths(settings: Settings, pixelRatio: number, share = 1): void {
     const strokeRatio = pixelRatio * strokeShare(viewport.clientWidth, viewport.clientHeight);
-    model?.setWidths(settings, strokeRatio);
-    ground.setWidths(settings, strokeRatio);
+    model?.setWidths(settings, strokeRatio, share);
+    ground.setWidths(settings, strokeRatio, share);
   }
 
   function resize(): void {
@@ -579,7 +581,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
 
     /** Whether there is a model, and a map if one is drawn with. */
     get isComplete(): boolean {
-      return model !== undefined && (map !== undefined || (settings !== undefined && !needsMap(settings)));
+      return model !== undefined && (map !== undefined || (settings !== undefined && !drawsWithMap(settings)));
     },
 
     dispose(): void {

@@ -23,7 +23,7 @@ const names = rows.map(([name]) => name);
 function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
   switch (row.kind) {
     case 'number':
-      return (row.default ?? 4) / 2 + 0.25;
+      return Math.max((row.default ?? 4) / 2 + 0.25, row.range?.from ?? 0);
     case 'color':
       return new Color('tomato');
     case 'vector2':

@@ -1,5 +1,5 @@
 import { BoxGeometry, type BufferGeometry, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
-import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets } from 'three-hatching';
+import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets, TonalArtMap } from 'three-hatching';
 import { expect, test, vi } from 'vitest';
 import { Hatcher } from '../../../src/react/Hatcher.js';
 
@@ -77,6 +77,36 @@ test('a technique that needs other geometry, other creases and other options of 
   }
   expect(mesh.geometry.userData.hatching.layout).toBe('corner');
   expect(mesh.children).toEqual([]);
+});
+
+test('a map is drawn once something is drawn with it', async () => {
+  const generate = vi.spyOn(TonalArtMap, 'generate');
+  const progress: number[] = [];
+  const tonalArtMap = { ...SMALL_MAP, seed: 7 };
+  const options = { tonalArtMap, onProgress: (share: number) => void progress.push(share) };
+  const { mesh, hatcher, errors, next } = atWork({ ...options, material: { technique: 'engraved' } });
+  await next();
+  expect(materialOf(mesh)).toMatchObject({ technique: 'engraved', tonalArtMap: null });
+  expect(progress.at(-1)).toBe(1);
+  // Where geometry serves both it is set in place, and else with the geometry.
+  hatcher.update({ ...options, material: () => ({ technique: 'engraved', ink: 'navy' }) });
+  await next();
+  expect(generate).not.toHaveBeenCalled();
+  hatcher.update({ ...options, material: { technique: 'engraved' } });
+  await next();
+  const { geometry } = mesh;
+  for (const technique of ['anchored', 'engraved', 'anchored', 'adjacency'] as const) {
+    hatcher.update({ ...options, material: { technique } });
+    await next();
+    expect(mesh.geometry === geometry, technique).toBe(technique !== 'adjacency');
+    const map = materialOf(mesh).tonalArtMap;
+    if (technique === 'engraved') expect(map).toBe(null);
+    else expect(map).toBeInstanceOf(TonalArtMap);
+  }
+  expect([generate.mock.calls.length, errors]).toEqual([1, []]);
+  expect(progress.every((share) => share >= 0 && share <= 1)).toBe(true);
+  hatcher.dispose();
+  generate.mockRestore();
 });
 
 test('one map serves all who ask for the same, and leaves the graphics card with the last of them', async () => {

@@ -436,6 +436,44 @@ describe('options', () => {
     vi.restoreAllMocks();
   });
 
+  test.each<[ApplyHatchingOptions, boolean]>([
+    [{ preset: 'engraving', material: { technique: 'anchored' } }, true],
+    [{ preset: 'stipple', material: { medium: 'ink' } }, true],
+    [{ preset: 'stipple', material: () => ({ medium: 'dry' }) }, true],
+    [{ preset: 'engraving' }, false],
+    [{ preset: 'pen', material: { technique: 'engraved' } }, false],
+    // The medium is that of `anchored` alone.
+    [{ material: { technique: 'adjacency', medium: 'stipple' } }, true],
+    [{ material: { technique: 'anchored', medium: 'stipple' } }, false],
+    [{ preset: 'engraving', material: { technique: 'anchored' }, tonalArtMap: null }, false],
+  ])('a map is made where the look is drawn with one, and only there: %j', async (options, isDrawn) => {
+    const drawn = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
+    const generate = vi.spyOn(TonalArtMap, 'generate').mockResolvedValue(drawn);
+    vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const hatched = await applyHatching(new Mesh(new BoxGeometry(), new MeshBasicMaterial()), options);
+    expect(hatched.materials.map(({ tonalArtMap }) => tonalArtMap)).toEqual([isDrawn ? drawn : null]);
+    expect(generate).toHaveBeenCalledTimes(Number(isDrawn));
+    hatched.dispose();
+    generate.mockRestore();
+  });
+
+  test('a function is asked for a map only if a material needs one, which is not freed', async () => {
+    const given = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
+    const freed = vi.spyOn(given, 'dispose');
+    const tonalArtMap = vi.fn(async () => given);
+    const root = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    (await applyHatching(root, { preset: 'engraving', tonalArtMap })).dispose();
+    expect(tonalArtMap).not.toHaveBeenCalled();
+    const hatched = await applyHatching(root, { preset: 'pen', tonalArtMap });
+    expect(hatched.materials[0].tonalArtMap).toBe(given);
+    hatched.dispose();
+    expect(freed).not.toHaveBeenCalled();
+    await expect(applyHatching(root, { tonalArtMap: async () => ({}) as TonalArtMap })).rejects.toThrow(
+      'no TonalArtMap',
+    );
+    expect(root.material).toBeInstanceOf(MeshBasicMaterial);
+  });
+
   test('a map that was given is not freed', async () => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     const gone = disposals();

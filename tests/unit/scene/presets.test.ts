@@ -107,6 +107,12 @@ describe('scalePreset', () => {
     expect(scaled.tonalArtMap).toBe(tonalArtMap);
   });
 
+  test('spacing on the object is the same at every resolution, and in between as far as it is on the screen', () => {
+    const spacingAt = (screenConstancy: number | undefined) =>
+      scalePreset({ ...presets.engraving, material: { lineSpacing: 5, screenConstancy } }, 4).material.lineSpacing;
+    expect([spacingAt(1), spacingAt(0.5), spacingAt(0), spacingAt(undefined)]).toEqual([20, 10, 5, 5]);
+  });
+
   test.each([0, -1, Number.NaN, Infinity])('refuses the factor %d', (factor) => {
     expect(() => scalePreset(presets.pen, factor)).toThrow(RangeError);
   });

@@ -22,7 +22,8 @@ test('lines can be left out or kept, a map taken away, and a function adds to th
   expect(withPreset('pen', { lines: false }).lines).toBe(false);
   expect(withPreset('pen', { lines: true }).lines).toEqual(presets.pen.lines);
   expect(withPreset('pen', { tonalArtMap: null }).tonalArtMap).toBe(null);
-  expect(withPreset('engraving').tonalArtMap).toBe(null);
+  // It needs none, and says nothing of what another technique would be drawn with.
+  expect(withPreset('engraving').tonalArtMap).toBe(undefined);
   const { material } = withPreset('chalk', { material: ({ name }) => ({ name: `${name} in chalk` }) });
   const source = new MeshBasicMaterial({ name: 'wood' });
   expect((material as (source: object, mesh: object) => object)(source, new Mesh())).toEqual({
@@ -32,7 +33,7 @@ test('lines can be left out or kept, a map taken away, and a function adds to th
 });
 
 test('a preset of your own is taken as it is', () => {
-  const mine = { material: { ink: 'red' }, lines: { lineWidth: 3 }, tonalArtMap: null };
+  const mine = { material: { ink: 'red' }, lines: { lineWidth: 3 }, tonalArtMap: { style: 'ruled' } } as const;
   expect(withPreset(mine)).toEqual(mine);
 });
 

@@ -197,6 +197,33 @@ describe('codeSample', () => {
     expect(codeSample({ ...settings, reflectedLight: settings.reflectedLight + 1 }, 5)).not.toContain('presets');
   });
 
+  test.each<[Partial<Settings>, boolean]>([
+    [{ technique: 'engraved' }, false],
+    [{ technique: 'anchored', medium: 'stipple' }, false],
+    [{ technique: 'anchored', medium: 'dry' }, true],
+    [{ technique: 'adjacency', medium: 'stipple' }, true],
+    // The code draws one technique.
+    [{ technique: 'engraved', compare: 'adjacency' }, false],
+  ])('loads a map only for what is drawn with one: %j', async (look, isMapped) => {
+    for (const mapStyle of ['file', 'ruled'] as const) {
+      const settings: Settings = { ...defaultSettings(), ...look, mapStyle };
+      for (const sample of [codeSample(settings, undefined), codeSample(settings, 5)]) {
+        expect(/tonalArtMap/i.test(sample)).toBe(isMapped);
+        expect(sample.includes('map.json')).toBe(isMapped && mapStyle === 'file');
+      }
+      await run(codeSample(settings, undefined).replace("load('map.json')", 'generate()'));
+    }
+  });
+
+  test.each([
+    [100, 'lineSpacing: 4 * renderer.getPixelRatio(),'],
+    [50, 'lineSpacing: 4 * renderer.getPixelRatio() ** 0.5,'],
+    [0, 'lineSpacing: 4,'],
+  ])('spaces lines in pixels as far as they are on the screen: %d %%', (screenConstancy, expected) => {
+    const settings: Settings = { ...defaultSettings(), technique: 'engraved', lineSpacing: 4, screenConstancy };
+    expect(codeSample(settings, undefined)).toContain(expected);
+  });
+
   test('draws no lines if the page draws none', async () => {
     const settings: Settings = { ...defaultSettings(), lines: 'off' };
     expect(codeSample(settings, undefined)).not.toMatch(/lines/i);

@@ -18,10 +18,21 @@ import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial
 import { LINE_NUMBER_NAMES } from '../../../../src/lines/lineProperties.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/material/hatchingProperties.js';
-import { isUsedBy } from '../../../../src/material/unusedProperties.js';
+import { isUsedBy } from '../../../../src/material/lookFacts.js';
 import { presets } from '../../../../src/scene/presets.js';
 
 const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });
+
+test('sizes go with the pixels of the picture as far as they are measured in them', () => {
+  const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, toothSize: 3 };
+  const sizesAt = (screenConstancy: number, ...of: [number, number?]) =>
+    materialSizes({ ...settings, screenConstancy }, ...of);
+  expect(sizesAt(100, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16, toothSize: 12, finestSpacing: 3 });
+  expect(sizesAt(50, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8, toothSize: 12, finestSpacing: 3 });
+  expect(sizesAt(0, 4)).toEqual({ strokeWidth: 8, lineSpacing: 4, toothSize: 12, finestSpacing: 3 });
+  // In motion, at half of the resolution of a screen.
+  expect(sizesAt(100, 0.5, 0.5)).toEqual({ strokeWidth: 1, lineSpacing: 2, toothSize: 1.5, finestSpacing: 2 });
+});
 
 describe('the presets of the page', () => {
   test('are those of the library, in its order', () => {

@@ -1,0 +1,82 @@
+import { defaultOf } from './defaultOf.js';
+import type { HatchingProperty } from './HatchingProperty.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  HATCHING_TECHNIQUES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from './hatchingProperties.js';
+
+/**
+ * What follows from the properties of a look, by the tables of properties and techniques. Whoever has to know asks here.
+ *
+ * A look is a `HatchingMaterial` or parameters of one; what is left out is at its default.
+ */
+export type HatchingLook = { readonly [Name in HatchingPropertyName]?: unknown };
+
+const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
+
+const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: HatchingLook) => technique as HatchingTechnique;
+
+/** Whether a property is one of those that the technique of a look reads. */
+export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
+  techniques?.includes(technique) ?? true;
+
+/** Whether a property counts for a look: its technique reads it, and so do its medium and what else it depends on. */
+export function counts(look: HatchingLook, name: HatchingPropertyName): boolean {
+  const { when = {}, ...property } = propertyOf(name);
+  if (!isUsedBy(techniqueOf(look), property)) return false;
+  return Object.entries(when).every(
+    ([other, values]) =>
+      !counts(look, other as HatchingPropertyName) ||
+      (values as readonly unknown[]).includes(valueIn(look, other as HatchingPropertyName)),
+  );
+}
+
+/** Whether a look is drawn with a tonal art map. Without one it would be blank paper. */
+export const needsMap = (look: HatchingLook): boolean =>
+  HATCHING_TECHNIQUES[techniqueOf(look)].map !== 'none' && !NAMES.some((name) => drawsWithoutMap(look, name));
+
+function drawsWithoutMap(look: HatchingLook, name: HatchingPropertyName): boolean {
+  const property = propertyOf(name);
+  const isSo = property.kind === 'choice' && property.withoutMap?.includes(valueIn(look, name) as string);
+  return isSo === true && counts(look, name);
+}
+
+/** Whether a look draws only geometries that were prepared with triangle adjacency. */
+export const needsAdjacency = (look: HatchingLook): boolean =>
+  HATCHING_TECHNIQUES[techniqueOf(look)].vertexData === 'adjacency';
+
+/**
+ * How a property goes with the number of pixels of a picture: 1 if it is measured in pixels, 0 if it is not, and for one that
+ * is as far as `screenConstancy` says, that. In a picture of twice as many pixels to a side it is 2 to this power as large.
+ */
+export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
+  const property = propertyOf(name);
+  if (property.kind !== 'number' || property.pixels === undefined) return 0;
+  return property.pixels === 'always' ? 1 : Number(look.screenConstancy ?? HATCHING_DEFAULTS.screenConstancy);
+}
+
+/**
+ * The sizes that are numbers in a look, and measured in pixels, for a picture of more or fewer pixels that shows the same.
+ *
+ * @param factor pixels to a side of that picture, divided by those of the one that the sizes are for
+ */
+export function scaledSizes<Look extends HatchingLook>(look: Look, factor: number): Partial<Look> {
+  const sizes: Partial<Record<HatchingPropertyName, number>> = {};
+  for (const name of NAMES) {
+    const value = look[name];
+    const power = pixelPower(look, name);
+    if (typeof value !== 'number' || power === 0) continue;
+    const { range } = propertyOf(name) as { range?: { from?: number } };
+    sizes[name] = Math.max(value * factor ** power, range?.from ?? 0);
+  }
+  return sizes as Partial<Look>;
+}
+
+function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown {
+  const value = look[name];
+  return value === undefined || value === 'auto' ? defaultOf(name, techniqueOf(look)) : value;
+}

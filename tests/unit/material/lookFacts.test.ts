@@ -1,0 +1,100 @@
+import { describe, expect, test } from 'vitest';
+import { PROPERTIES } from '../../../properties/table.js';
+import { TECHNIQUES } from '../../../properties/techniques.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingPropertyName, Medium } from '../../../src/material/hatchingProperties.js';
+import {
+  counts,
+  type HatchingLook,
+  needsAdjacency,
+  needsMap,
+  pixelPower,
+  scaledSizes,
+} from '../../../src/material/lookFacts.js';
+
+describe('what follows from a look', () => {
+  test.each([
+    [{}, true, true],
+    [{ technique: 'triangle' }, true, true],
+    [{ technique: 'adjacency', medium: 'stipple' }, true, true],
+    [{ technique: 'adjacency', crisp: true }, true, true],
+    [{ technique: 'anchored' }, true, false],
+    [{ technique: 'anchored', medium: 'dry' }, true, false],
+    [{ technique: 'anchored', medium: 'stipple' }, false, false],
+    [{ medium: 'stipple' }, true, true],
+    [{ technique: 'engraved' }, false, false],
+    [{ technique: 'engraved', medium: 'dry' }, false, false],
+  ] as const)('%j: a map is needed: %s, adjacency: %s', (look, map, adjacency) => {
+    expect([needsMap(look), needsAdjacency(look)]).toEqual([map, adjacency]);
+    const material = new HatchingMaterial(look as { medium?: Medium });
+    expect([needsMap(material), needsAdjacency(material)]).toEqual([map, adjacency]);
+  });
+
+  test.each([
+    ['tooth', { technique: 'anchored', medium: 'dry' }, true],
+    ['tooth', { technique: 'anchored' }, false],
+    // The medium of another technique.
+    ['tooth', { technique: 'engraved', medium: 'dry' }, false],
+    ['edgePixels', { technique: 'anchored' }, true],
+    ['edgePixels', { technique: 'anchored', medium: 'dry' }, false],
+    ['edgePixels', { technique: 'adjacency' }, false],
+    ['edgePixels', { technique: 'adjacency', crisp: true, medium: 'dry' }, true],
+    ['crossFrom', { technique: 'anchored' }, false],
+    ['crossFrom', { technique: 'anchored', strokeLayers: 'tone' }, true],
+    // Engraved lines cross whatever the layers of strokes.
+    ['crossFrom', { technique: 'engraved' }, true],
+    ['toneSteps', { toneModel: 'toon' }, true],
+    ['toneSteps', {}, false],
+    ['shininess', { toneModel: 'phong' }, true],
+    ['ink', {}, true],
+    ['lineSpacing', { technique: 'engraved' }, true],
+    ['lineSpacing', {}, false],
+  ] as const)('%s under %j counts: %s', (name, look, expected) => {
+    expect(counts(look, name)).toBe(expected);
+  });
+
+  test('what a property depends on is there, with these values', () => {
+    const rows: Record<string, { kind: string; when?: object; choices?: object }> = PROPERTIES;
+    for (const [name, { when = {} }] of Object.entries(rows)) {
+      for (const [other, values] of Object.entries(when)) {
+        const { kind, choices } = rows[other];
+        const known = kind === 'switch' ? [true, false] : Object.keys(choices!);
+        expect(known, name).toEqual(expect.arrayContaining(values as unknown[]));
+      }
+    }
+  });
+});
+
+describe('sizes for a picture of more pixels', () => {
+  test.each([
+    ['strokeWidth', {}, 1],
+    ['toothSize', { screenConstancy: 0 }, 1],
+    ['lineSpacing', {}, 0],
+    ['lineSpacing', { screenConstancy: 0.25 }, 0.25],
+    ['lineSpacing', { screenConstancy: 1 }, 1],
+    ['edgePixels', {}, 0],
+    ['strokeScale', {}, 0],
+    ['ink', {}, 0],
+  ] as const)('%s of %j goes with the power %d', (name, look, power) => {
+    expect(pixelPower(look, name)).toBe(power);
+  });
+
+  test('are those that are given and measured in pixels', () => {
+    const look = { strokeWidth: 2, strokeScale: 3, edgePixels: 1, anchorSpacing: 0.4, ink: 'navy', lineSpacing: 4 };
+    expect(scaledSizes(look, 4)).toEqual({ strokeWidth: 8 });
+    expect(scaledSizes({ ...look, screenConstancy: 1 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16 });
+    expect(scaledSizes({ ...look, screenConstancy: 0.5 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8 });
+    expect(scaledSizes({ strokeWidth: null, texelPixels: 2 }, 0.5)).toEqual({ texelPixels: 1 });
+    // Never below its range: lines of less than two pixels cannot be told apart.
+    expect(scaledSizes({ finestSpacing: 3 }, 0.5)).toEqual({ finestSpacing: 2 });
+  });
+
+  test('a material has every one of them, whatever its technique', () => {
+    const sizes: HatchingPropertyName[] = ['lineSpacing', 'finestSpacing', 'texelPixels', 'toothSize'];
+    for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
+      const look: HatchingLook = new HatchingMaterial({ technique, screenConstancy: technique === 'engraved' ? 1 : 0 });
+      const expected = technique === 'engraved' ? sizes : sizes.slice(1);
+      expect(Object.keys(scaledSizes(look, 2)).sort()).toEqual([...expected].sort());
+    }
+  });
+});
