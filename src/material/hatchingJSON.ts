@@ -1,4 +1,4 @@
-import { type Material, Plane, type Texture, Vector2, Vector3 } from 'three';
+import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
 import { isDefault } from './defaultOf.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
@@ -33,18 +33,19 @@ export function setFromJSON(
   textures: Readonly<Record<string, Texture>>,
 ): void {
   const values: Record<string, unknown> = {};
+  const plain = plainProperties();
   for (const [name, value] of Object.entries(json)) {
-    const expected = Object.entries(PLAIN_PROPERTIES).find(([, names]) => names.includes(name))?.[0];
-    if (expected) {
-      check(name, typeof value === expected || (value === null && NULLABLE.has(name)), value, expected);
-      // Older versions of three.js have not all of them.
-      if (name in material) values[name] = value;
-    } else if (name === 'clippingPlanes') values[name] = planesFrom(value);
+    if (name === 'clippingPlanes') values[name] = planesFrom(value);
     else if (Object.hasOwn(HATCHING_PROPERTIES, name)) {
       const { kind } = HATCHING_PROPERTIES[name as HatchingPropertyName];
       if (kind === 'tonalArtMap') continue;
       if (kind === 'texture') values[name] = textureFrom(name, value, textures);
       else values[name] = kind === 'vector2' && Array.isArray(value) ? new Vector2().fromArray(value) : value;
+    } else if (plain.has(name)) {
+      const known = plain.get(name);
+      const expected = known === null ? 'number' : typeof known;
+      check(name, typeof value === expected || (known === null && value === null), value, expected);
+      values[name] = value;
     }
   }
   const { uuid, userData } = json;
@@ -55,60 +56,24 @@ export function setFromJSON(
   if (userData !== undefined) material.userData = userData;
 }
 
-/** The properties that are read beside those of the table, most of them three's own, by the type of their values in JSON. */
-const PLAIN_PROPERTIES: Readonly<Record<string, readonly string[]>> = {
-  string: ['name'],
-  boolean: [
-    'allowOverride',
-    'alphaHash',
-    'alphaToCoverage',
-    'clipIntersection',
-    'clipShadows',
-    'colorWrite',
-    'depthTest',
-    'depthWrite',
-    'dithering',
-    'fog',
-    'forceSinglePass',
-    'polygonOffset',
-    'premultipliedAlpha',
-    'secondLayer',
-    'stencilWrite',
-    'toneMapped',
-    'transparent',
-    'vertexColors',
-    'visible',
-    'wireframe',
-  ],
-  number: [
-    'alphaTest',
-    'blendAlpha',
-    'blendColor',
-    'blendDst',
-    'blendDstAlpha',
-    'blendEquation',
-    'blendEquationAlpha',
-    'blending',
-    'blendSrc',
-    'blendSrcAlpha',
-    'depthFunc',
-    'normalMapType',
-    'opacity',
-    'polygonOffsetFactor',
-    'polygonOffsetUnits',
-    'shadowSide',
-    'side',
-    'stencilFail',
-    'stencilFunc',
-    'stencilFuncMask',
-    'stencilRef',
-    'stencilWriteMask',
-    'stencilZFail',
-    'stencilZPass',
-    'wireframeLinewidth',
-  ],
-};
-const NULLABLE: ReadonlySet<string> = new Set(['blendDstAlpha', 'blendEquationAlpha', 'blendSrcAlpha', 'shadowSide']);
+/** What a material is known by, and what three.js counts. */
+const FIXED = /^(is[A-Z]|_|uuid$|type$|version$)/;
+
+/** The properties beside those of the table that are plain values in JSON, and such values: most are those of any material. */
+function plainProperties(): Map<string, unknown> {
+  const { blendColor, ...others } = new Material();
+  const properties = {
+    ...others,
+    ...{ alphaTest: 0, blendColor: 0, fog: true, normalMapType: 0 },
+    ...{ secondLayer: false, wireframe: false, wireframeLinewidth: 1 },
+  };
+  return new Map(
+    Object.entries(properties).filter(
+      ([name, value]) =>
+        !FIXED.test(name) && (value === null || ['string', 'number', 'boolean'].includes(typeof value)),
+    ),
+  );
+}
 
 function textureFrom(name: string, uuid: unknown, textures: Readonly<Record<string, Texture>>): Texture | null {
   check(name, uuid === null || typeof uuid === 'string', uuid, 'uuid of a texture');
