@@ -26,6 +26,13 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
     if (await settings.isVisible()) {
       await settings.click();
       expect.soft(await violations(page), `${width} × ${height}, with settings`).toEqual([]);
+      for (const dialog of width === 360 ? ['Keys', 'Looks', 'Views'] : []) {
+        await page.getByRole('button', { name: dialog }).click();
+        await expect(page.getByRole('dialog')).toBeVisible();
+        if (dialog === 'Views') await page.getByRole('button', { name: 'Keep this view' }).click();
+        expect.soft(await violations(page), `${width} × ${height}, ${dialog}`).toEqual([]);
+        await page.keyboard.press('Escape');
+      }
       await settings.click();
     }
     await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1);

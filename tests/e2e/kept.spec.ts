@@ -1,7 +1,10 @@
-import type { Page } from '@playwright/test';
+import { readFile } from 'node:fs/promises';
+import type { Locator, Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { strFromU8, strToU8, unzipSync, zipSync } from 'three/addons/libs/fflate.module.js';
 import { expect, test } from '../browser/test.js';
 import { file, octahedronPly } from './modelFiles.js';
-import { changedShare } from './pictures.js';
+import { changedShare, meanInk } from './pictures.js';
 import { drop, middleOf, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
@@ -31,6 +34,13 @@ async function kept(page: Page): Promise<void> {
     .toBe(true);
 }
 
+/** The image in an element, as it is shown. */
+async function thumbnailIn(element: Locator): Promise<PNG> {
+  const image = element.locator('img');
+  await expect.poll(() => image.evaluate((one: HTMLImageElement) => one.naturalWidth)).toBeGreaterThan(0);
+  return PNG.sync.read(await image.screenshot());
+}
+
 test("one's own model, its settings and the view survive a reload, Back and a closed page, until they are forgotten", async ({
   page,
   context,
@@ -45,8 +55,18 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await page.locator('#drawing').press('ArrowLeft');
   await page.locator('#drawing').press('+');
   await page.getByRole('button', { name: 'Stipple' }).click();
+  // A view to return to: from where it is seen, and how it is lit.
+  await page.getByRole('button', { name: 'Views' }).click();
+  await page.getByLabel('Name', { exact: true }).fill('Near');
+  await page.getByRole('button', { name: 'Keep this view' }).click();
+  await expect(page.getByLabel('Name of Near')).toHaveValue('Near');
+  await page.keyboard.press('Escape');
+  const near = await readDrawing(page);
+  await page.locator('#lamp').press('ArrowUp');
+  await page.locator('#drawing').press('Home');
   await kept(page);
   const before = await readDrawing(page);
+  expect(changedShare(before, near)).toBeGreaterThan(0.005);
 
   await page.reload();
   await expect(name).toHaveText('octahedron.ply');
@@ -66,9 +86,25 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await openPlayground(later, LINK);
   await expect(later.locator('#model-name')).toHaveText('Cube');
   await later.getByRole('button', { name: 'Recent' }).click();
-  await later.getByRole('button', { name: 'octahedron.ply', exact: true }).click();
+  const entry = later.getByRole('button', { name: 'octahedron.ply', exact: true });
+  expect(meanInk(await thumbnailIn(entry))).toBeGreaterThan(0.02);
+  await entry.click();
   await expect(later.locator('#model-name')).toHaveText('octahedron.ply');
   expect(changedShare(before, await readDrawing(later))).toBe(0);
+  const view = later.getByRole('group', { name: 'Views' }).getByRole('button', { name: 'Near' });
+  await later.locator('#drawing').press('1');
+  expect(changedShare(near, await readDrawing(later))).toBe(0);
+  await expect(view).toHaveAttribute('aria-pressed', 'true');
+  await later.getByRole('button', { name: 'Undo' }).click();
+  expect(changedShare(before, await readDrawing(later))).toBe(0);
+  await view.click();
+  expect(changedShare(near, await readDrawing(later))).toBe(0);
+  await later.getByRole('button', { name: 'Views' }).click();
+  await later.getByRole('button', { name: 'Delete Near' }).click();
+  await later.keyboard.press('Escape');
+  await expect(view).toBeHidden();
+  for (let step = 0; step < 2; step++) await later.getByRole('button', { name: 'Undo' }).click();
+  await expect(view).toBeVisible();
   await later.getByRole('button', { name: 'Undo' }).click();
   await expect(later.locator('#model-name')).toHaveText('Cube');
   await later.getByRole('button', { name: 'Redo' }).click();
@@ -83,6 +119,57 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await later.reload();
   await ready(later);
   await expect(later.locator('#model-name')).not.toHaveText('octahedron.ply');
+});
+
+test('a look of one’s own stands beside the presets, also after a reload, and can be renamed and deleted; it stays where nothing is kept', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    if (location.search !== '?full') return;
+    Storage.prototype.setItem = () => {
+      throw new DOMException('The quota has been exceeded.', 'QuotaExceededError');
+    };
+  });
+  const looks = page.getByRole('group', { name: 'Looks of your own' });
+  const keep = async (name: string): Promise<void> => {
+    await page.getByRole('button', { name: 'Looks' }).click();
+    await page.getByLabel('Name', { exact: true }).fill(name);
+    await page.getByLabel('Name', { exact: true }).press('Enter');
+    await expect(page.getByLabel(`Name of ${name}`)).toBeVisible();
+  };
+  await openPlayground(page, `${LINK}&ink=%237a2e1d&paper=%23f4ead6&technique=engraved&shadows=on`);
+  const red = await readDrawing(page);
+  await keep('Red cut');
+  await expect(page.locator('#named-said')).toHaveText('');
+  await page.keyboard.press('Escape');
+  await expect(looks.getByRole('button')).toHaveAttribute('aria-pressed', 'true');
+  expect(meanInk(await thumbnailIn(looks))).toBeGreaterThan(0.02);
+  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  await expect(looks.getByRole('button')).toHaveAttribute('aria-pressed', 'false');
+  expect(changedShare(red, await readDrawing(page))).toBeGreaterThan(0.05);
+  await page.reload();
+  await ready(page);
+  await looks.getByRole('button', { name: 'Red cut' }).click();
+  expect(changedShare(red, await readDrawing(page))).toBe(0);
+
+  await page.getByRole('button', { name: 'Looks' }).click();
+  await page.getByLabel('Name of Red cut').fill('Rust');
+  await page.getByLabel('Name of Red cut').press('Enter');
+  await page.getByRole('button', { name: 'Show Rust' }).click();
+  await expect(looks.getByRole('button', { name: 'Rust' })).toBeVisible();
+  await page.getByRole('button', { name: 'Looks' }).click();
+  await page.getByRole('button', { name: 'Delete Rust' }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  await expect(looks).toBeHidden();
+
+  await page.goto(`./?full#${LINK}&ink=%237a2e1d`);
+  await ready(page);
+  await keep('Full');
+  await expect(page.locator('#named-said')).toHaveText(/your looks are there until the page is closed\.$/);
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  await looks.getByRole('button', { name: 'Full' }).click();
+  await expect(looks.getByRole('button', { name: 'Full' })).toHaveAttribute('aria-pressed', 'true');
 });
 
 test('a browser that keeps nothing, or has no room, says so in one sentence, once', async ({ page }) => {
@@ -124,6 +211,57 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
   await ready(page);
   await expect(page.locator('#model-name')).toHaveText('Cube');
   await expect.poll(() => page.evaluate(() => history.state)).toBe(null);
+});
+
+test('a model is saved with its look, its view and its light, and is the same drawing where it is dropped; a hostile bundle changes nothing', async ({
+  page,
+}) => {
+  const name = page.locator('#model-name');
+  await openPlayground(page, `${LINK}&ink=%237a2e1d&lightAzimuth=20`);
+  await drop(page, [octahedron]);
+  await expect(name).toHaveText('octahedron.ply');
+  await page.getByRole('button', { name: 'Stipple' }).click();
+  await page.locator('#drawing').press('ArrowLeft');
+  await page.getByRole('button', { name: 'Views' }).click();
+  await page.getByRole('button', { name: 'Keep this view' }).click();
+  await page.keyboard.press('Escape');
+  const turned = await readDrawing(page);
+  await page.locator('#drawing').press('Home');
+  const before = await readDrawing(page);
+  await page.getByRole('button', { name: 'Picture', exact: true }).click();
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save with the model' }).click();
+  expect((await download).suggestedFilename()).toBe('octahedron-drawing.zip');
+  const bundle = await readFile(await (await download).path());
+
+  await openPlayground(page, LINK);
+  const other = await readDrawing(page);
+  await drop(page, [file('for-you.zip', bundle)]);
+  await expect(name).toHaveText('octahedron.ply');
+  expect(changedShare(before, await readDrawing(page))).toBe(0);
+  await expect(page.getByRole('group', { name: 'Views' }).getByRole('button')).toHaveText('1View 1');
+  await expect(page.getByRole('button', { name: 'Stipple' })).toHaveAttribute('aria-pressed', 'true');
+  await page.locator('#drawing').press('1');
+  expect(changedShare(turned, await readDrawing(page))).toBe(0);
+  for (let step = 0; step < 2; step++) await page.getByRole('button', { name: 'Undo' }).click();
+  expect(changedShare(other, await readDrawing(page))).toBe(0);
+  await expect(page.getByRole('group', { name: 'Views' })).toBeHidden();
+
+  const entries = unzipSync(bundle);
+  const described = JSON.parse(strFromU8(entries['three-hatching.json']));
+  const describing = (drawing: unknown) =>
+    zipSync({ ...entries, 'three-hatching.json': strToU8(JSON.stringify({ ...described, drawing })) });
+  await drop(page, [file('damaged.zip', Buffer.from(describing(7)))]);
+  await expect(page.locator('#status')).toHaveText(/^damaged\.zip could not be read; what says how its model is drawn/);
+  expect(changedShare(other, await readDrawing(page))).toBe(0);
+  const hostile =
+    'model=https%3A%2F%2Fevil.test%2Ftrack.glb&technique=nonsense&strokeWidth=1e9&ink=url(x)&camera=NaN,1,2,3,4,5&view=x&__proto__=1';
+  await drop(page, [file('hostile.zip', Buffer.from(describing(hostile)))]);
+  await expect(name).toHaveText('octahedron.ply');
+  await ready(page);
+  await expect(page.getByRole('dialog')).toBeHidden();
+  await expect.poll(() => page.url()).toContain('strokeWidth=8');
+  expect(page.url()).not.toMatch(/evil|nonsense|url|camera|view|proto/);
 });
 
 test('Undo and Redo take back settings, the model, the view and the light, by buttons and keys', async ({ page }) => {

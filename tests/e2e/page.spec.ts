@@ -6,7 +6,7 @@ import { columnGlb } from './columnModel.js';
 import { loseContext, restoreContext } from './graphicsContext.js';
 import { file, octahedronObj, octahedronPly } from './modelFiles.js';
 import { changedShare, largestDifference, meanInk } from './pictures.js';
-import { drop, framesDrawn, middleOf, openPlayground, readDrawing, ready, savePicture } from './playground.js';
+import { drop, framesDrawn, idle, middleOf, openPlayground, readDrawing, ready, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 
@@ -170,6 +170,49 @@ test('saves the drawing as PNG, on paper and without, at the size of the page an
   expect(differentlyOpaqueShare(small, large)).toBeLessThan(0.01);
   // Saving does not change what the page shows.
   expect(changedShare(shown, await readDrawing(page))).toBe(0);
+  await page.getByRole('button', { name: 'Settings' }).click();
+  await page.getByRole('button', { name: 'Picture', exact: true }).click();
+  await page.getByLabel('Layers').last().selectOption('Apart, in a ZIP');
+  await expect(page.getByRole('button', { name: 'Save ZIP' })).toHaveCount(2);
+});
+
+test('copies the picture to the clipboard, asked for within the click; where that is not allowed, one sentence says so', async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.addInitScript(() => {
+    const { write } = Clipboard.prototype;
+    Clipboard.prototype.write = function (items) {
+      // Only while a click is handled is there an event.
+      document.documentElement.dataset.asked = window.event?.type ?? 'too late';
+      if (location.search === '?refused') return Promise.reject(new DOMException('No.', 'NotAllowedError'));
+      return write.call(this, items);
+    };
+  });
+  await page.setViewportSize({ width: 900, height: 600 });
+  await openPlayground(page, 'model=cube');
+  const saved = await savePicture(page);
+  const copy = async (): Promise<void> => {
+    await page.getByRole('button', { name: 'Picture', exact: true }).click();
+    await page.getByRole('button', { name: 'Copy the picture' }).click();
+  };
+  await copy();
+  await expect(page.locator('#status')).toHaveText('The picture is on the clipboard, as PNG.');
+  await expect(page.locator('html')).toHaveAttribute('data-asked', 'click');
+  const base64 = await page.evaluate(async () => {
+    const [item] = await navigator.clipboard.read();
+    const bytes = new Uint8Array(await (await item.getType('image/png')).arrayBuffer());
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  });
+  expect(largestDifference(PNG.sync.read(Buffer.from(base64, 'base64')), saved)).toBe(0);
+
+  await page.goto('./?refused#model=cube');
+  await ready(page);
+  await copy();
+  await expect(page.locator('#status')).toHaveText(
+    'The browser keeps its clipboard from this page: save the picture instead.',
+  );
 });
 
 function opaqueShare({ data }: PNG): number {
@@ -255,6 +298,40 @@ test('the drawing fills the screen by button and key, and a letter in a field do
   await page.getByLabel('Technique').press('f');
   await page.locator('#drawing').press('Shift+F');
   await expect.poll(filling).toBe('sheet');
+});
+
+test('the keys are shown by ?, H, F1 and a button, but not by a letter in a field; an open fold has the height of the window', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openPlayground(page, 'model=cube&technique=adjacency');
+  const dialog = page.getByRole('dialog', { name: 'Keys and gestures' });
+  for (const key of ['?', 'h', 'F1']) {
+    await page.locator('#drawing').press(key);
+    await expect(dialog, key).toBeVisible();
+    await page.keyboard.press('Escape');
+    await expect(dialog).toBeHidden();
+  }
+  await page.getByRole('button', { name: 'Keys' }).click();
+  await expect(dialog.getByText('full screen')).toBeVisible();
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await page.getByRole('button', { name: 'More' }).click();
+  const width = page.getByRole('spinbutton', { name: 'Stroke scale' });
+  for (const key of ['h', '?']) await width.press(key);
+  await page.getByLabel('Technique').press('h');
+  // By then, it would have been opened.
+  await page.locator('#drawing').press('ArrowLeft');
+  await idle(page);
+  await expect(dialog).toBeHidden();
+
+  // Of the longest fold, all is seen that fits into the window.
+  const seen = await page.evaluate(() => {
+    const fold = document.querySelector('.lil-gui .lil-gui:not(.lil-closed)')!.getBoundingClientRect();
+    const card = document.querySelector('#card')!.getBoundingClientRect();
+    return Math.min(fold.bottom, card.bottom) - Math.max(fold.top, card.top) - Math.min(fold.height, card.height);
+  });
+  expect(seen).toBeGreaterThan(-2);
+  expect(await page.evaluate(() => document.querySelector('#card')!.clientHeight)).toBeGreaterThan(780);
 });
 
 test('only settings of the techniques in use are offered', async ({ page }) => {

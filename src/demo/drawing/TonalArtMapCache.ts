@@ -1,4 +1,4 @@
-import { TonalArtMap } from 'three-hatching';
+import type { TonalArtMap } from 'three-hatching';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 
 interface MapOptions {
@@ -25,8 +25,7 @@ export class TonalArtMapCache {
     const style = settings.mapStyle === 'file' ? SETTINGS.mapStyle.default : settings.mapStyle;
     const size = Number(settings.mapSize);
     const key = `${style} ${size} ${tones} ${seed}`;
-    const known = this.maps.get(key);
-    const map = known ?? (await TonalArtMap.generate({ style, size, tones, seed, ...options }));
+    const map = this.maps.get(key) ?? (await generate({ style, size, tones, seed, ...options }));
     this.maps.delete(key);
     this.maps.set(key, map);
     for (const [oldKey, old] of this.maps) {
@@ -44,3 +43,6 @@ export class TonalArtMapCache {
     this.own?.dispose();
   }
 }
+
+const generate: typeof TonalArtMap.generate = async (options) =>
+  (await import('./generateMap.js')).generateMap(options);

@@ -1,3 +1,4 @@
+import { type BundledDrawing, bundleFolder, isOfBundle, readBundle } from './bundle.js';
 import { baseName, extensionOf, withoutGz } from './fileName.js';
 import { ModelError } from './ModelError.js';
 import type { ModelFile } from './ModelFile.js';
@@ -7,8 +8,8 @@ import { checkSizes, listZip, unzip, type ZipEntry } from './zip.js';
 /** What may belong to a model. */
 const COMPANIONS = ['mtl', 'bin', 'png', 'jpg', 'jpeg', 'webp', 'bmp', 'gif', 'tga'];
 
-/** A ZIP archive: itself a model, or a folder of files. */
-export type Archive = { format: '3mf' | 'usd' } | { files: ModelFile[] };
+/** A ZIP archive: itself a model, or a folder of files, which may come with how they are drawn. */
+export type Archive = { format: '3mf' | 'usd' } | { files: ModelFile[]; drawing?: BundledDrawing };
 
 /**
  * Looks into a ZIP archive, and unpacks it if it is not a model in itself.
@@ -17,6 +18,12 @@ export type Archive = { format: '3mf' | 'usd' } | { files: ModelFile[] };
  */
 export async function readArchive(bytes: Uint8Array, name: string): Promise<Archive> {
   const entries = await listZip(bytes, name);
+  const folder = bundleFolder(entries);
+  if (folder !== undefined) {
+    const isWanted = (entry: ZipEntry): boolean => isOfBundle(entry, folder);
+    checkSizes(entries.filter(isWanted), name);
+    return readBundle(await unzip(bytes, name, isWanted), folder, name);
+  }
   const format = packageFormat(entries);
   // Loaders of such files unpack all that is in them.
   const wanted = format ? entries : entries.filter(isUseful);

@@ -1,4 +1,5 @@
 import type { Object3D } from 'three';
+import type { BundledDrawing } from './bundle.js';
 import { cleanMesh } from './cleanMesh.js';
 import { counted } from './counted.js';
 import { dropDuplicates } from './dropDuplicates.js';
@@ -44,6 +45,10 @@ interface Read {
   notes: string[];
   /** The names of files that the model asks for and that were not dropped along. */
   missing: string[];
+  /** The files out of the archive that was read, with those that were dropped along. Undefined if it was none. */
+  unpacked?: readonly ModelFile[];
+  /** How the archive says that it is drawn, if it says so. */
+  drawing?: BundledDrawing | undefined;
 }
 
 export interface ReadMesh extends Read {
@@ -87,7 +92,12 @@ export async function readModel(files: readonly ModelFile[], onStage: OnStage): 
   }
 }
 
-async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: OnStage): Promise<ReadModel> {
+async function readMain(
+  main: ModelFile,
+  files: readonly ModelFile[],
+  onStage: OnStage,
+  isUnpacked = false,
+): Promise<ReadModel> {
   const name = withoutGz(main.name);
   const shown = shownName(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
@@ -95,7 +105,12 @@ async function readMain(main: ModelFile, files: readonly ModelFile[], onStage: O
   let format = sniffFormat(withoutGz(shown), bytes);
   if (format === 'zip') {
     const archive = await readArchive(bytes, shown);
-    if ('files' in archive) return readArchived(archive.files, name, files, onStage);
+    if ('files' in archive) {
+      // Archives can be made that hold themselves.
+      if (isUnpacked) throw new ModelError(`${shown} is an archive in an archive, which this page does not unpack.`);
+      const along = files.filter((file) => file !== main);
+      return { ...(await readArchived(archive.files, name, along, onStage)), drawing: archive.drawing };
+    }
     ({ format } = archive);
   }
   const findFile: FindFile = async (uri) => {
@@ -148,7 +163,8 @@ async function readArchived(
 ): Promise<ReadModel> {
   const main = chooseMain(archived);
   onStage(`reading ${shownName(main.name)}`);
-  const read = await readMain(main, [...archived, ...dropped], onStage);
+  const unpacked = [...archived, ...dropped];
+  const read = { ...(await readMain(main, unpacked, onStage, true)), unpacked };
   const count = archived.filter((file) => rankOf(file) < MODEL_EXTENSIONS.length).length;
   return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${shownName(name)}`, ...read.notes] };
 }
@@ -171,7 +187,12 @@ interface Parsed extends Omit<ReadGltf, 'content'> {
   upAxis: 'y' | 'z';
 }
 
-async function parse(format: ModelFormat, bytes: Uint8Array, name: string, findFile: FindFile): Promise<Parsed> {
+async function parse(
+  format: Exclude<ModelFormat, 'zip'>,
+  bytes: Uint8Array,
+  name: string,
+  findFile: FindFile,
+): Promise<Parsed> {
   switch (format) {
     case 'glb':
     case 'gltf':
@@ -182,8 +203,6 @@ async function parse(format: ModelFormat, bytes: Uint8Array, name: string, findF
       return parsedOf(readPly(bytes, name));
     case 'stl':
       return { ...parsedOf(readStl(bytes)), upAxis: 'z' };
-    case 'zip':
-      throw new ModelError(`${name} is an archive in an archive, which this page does not unpack.`);
     default:
       return parseScene(format, bytes, name, findFile);
   }

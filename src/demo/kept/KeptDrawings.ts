@@ -14,6 +14,8 @@ export interface KeptDrawing {
   link: string;
   /** Its view, to the last digit. Undefined if it is framed. */
   camera: CameraView | undefined;
+  /** What it looks like, as the address of a small image. Undefined until it was drawn at rest, and for drawings of earlier versions. */
+  picture?: string;
 }
 
 /** The files of a drawing. */
@@ -71,7 +73,7 @@ export class KeptDrawings {
   }
 
   /** Changes what is known of a drawing, but for its files. One that was forgotten stays so. */
-  async update(drawing: Pick<KeptDrawing, 'id' | 'at' | 'link' | 'camera'>): Promise<void> {
+  async update(drawing: Pick<KeptDrawing, 'id'> & Partial<KeptDrawing>): Promise<void> {
     const known = await this.run<KeptDrawing | undefined>('readonly', (store) => store(DRAWINGS).get(drawing.id));
     if (known) await this.run('readwrite', (store) => store(DRAWINGS).put({ ...known, ...drawing }));
   }

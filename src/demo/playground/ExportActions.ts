@@ -1,3 +1,4 @@
+import type { ModelFile } from '../files/readModel.js';
 import type { Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
 import { copyText } from './copyText.js';
@@ -21,6 +22,8 @@ export class ExportActions {
     private readonly tasks: TaskRunner,
     private readonly currentLink: () => string,
     private readonly address: PageAddress,
+    /** The images of the user's own map, if it is drawn with. */
+    private readonly ownStrokes: () => readonly ModelFile[] | undefined,
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
@@ -37,27 +40,66 @@ export class ExportActions {
       run: this.saveVideo,
     });
 
-  /** Draws and saves by what `fetchSave` fetches. Nothing else is saved meanwhile. */
+  /** The picture that the settings ask for, as one PNG. @throws Error where there is none; the status line says why */
+  readonly drawPicture = async (): Promise<Blob> => {
+    const picture = await this.draw(async () => (await import('./savePicture.js')).drawForClipboard);
+    if (!picture) throw new Error('There is no picture; the status line says why.');
+    return picture;
+  };
+
   private async save(fetchSave: () => Promise<SaveDrawing>, again: Remedy): Promise<void> {
+    const sentence = await this.draw(fetchSave, again);
+    if (sentence !== undefined) this.status.say(sentence);
+  }
+
+  /** Draws by what `fetchDraw` fetches. Nothing else is drawn meanwhile. Undefined where that fails. */
+  private async draw<Result>(
+    fetchDraw: () => Promise<SaveDrawing<Result>>,
+    again?: Remedy,
+  ): Promise<Result | undefined> {
     const { scene, status } = this;
-    if (this.tasks.isRunning('picture')) return;
+    if (this.tasks.isRunning('picture')) return undefined;
     if (scene.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
     else if (!scene.isComplete) status.fail('There is no drawing to save yet.');
     else {
       const settings = { ...this.settings };
-      let sentence = '';
+      let result: Result | undefined;
       const end = await this.tasks.run(
         'picture',
         async (report, signal) => {
-          const save = await fetchSave();
+          const draw = await fetchDraw();
           signal.throwIfAborted();
-          sentence = await save(scene, settings, fileStem(this.modelLoader.title), report, signal);
+          result = await draw(scene, settings, fileStem(this.modelLoader.title), report, signal);
         },
         again,
       );
-      if (end === 'done') status.say(sentence);
+      if (end === 'done') return result;
     }
+    return undefined;
   }
+
+  /** Saves the model with how it is drawn, for others to open here. */
+  readonly saveDrawing = async (): Promise<void> => {
+    const { modelLoader, status } = this;
+    const { unpacked, files } = modelLoader.shownFiles;
+    if (!modelLoader.ownFiles) {
+      status.say('This model is one of the page: a link to the drawing carries all of it.');
+      return;
+    }
+    const link = new URLSearchParams(this.currentLink());
+    // It comes along.
+    link.delete('model');
+    try {
+      const { zipDrawing } = await import('./zipDrawing.js');
+      const drawing = { model: unpacked ?? files, strokes: this.ownStrokes() ?? [], link: link.toString() };
+      download(await zipDrawing(drawing), `${fileStem(modelLoader.title)}-drawing.zip`);
+      status.say(
+        'Saved as a ZIP: the model, its look, the view and the light. Dropped here, it is this drawing again.',
+      );
+    } catch (error) {
+      status.fail(sentenceFor(error));
+    }
+  };
 
   readonly saveMap = async (): Promise<void> => {
     const map = this.scene.tonalArtMap;
@@ -65,7 +107,7 @@ export class ExportActions {
     const { mapStyle } = this.settings;
     try {
       download(await zipMap(map), `${mapStyle === 'file' ? 'map' : mapStyle}.zip`);
-      this.status.say('The map is saved.');
+      this.status.say('The map is saved, as PNG in a ZIP.');
     } catch (error) {
       this.status.fail(sentenceFor(error));
     }

@@ -2,6 +2,7 @@ import type { ModelFile } from '../files/readModel.js';
 import { shownName } from '../files/shownText.js';
 import type { KeptDrawing, KeptDrawings, KeptFiles } from '../kept/KeptDrawings.js';
 import type { CameraView } from '../settings/CameraView.js';
+import { newId } from './newId.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Status } from './Status.js';
 
@@ -63,6 +64,17 @@ export class Keeper {
     });
   }
 
+  /** Keeps a thumbnail of the drawing that is shown. */
+  pictured(picture: string): void {
+    const { id } = this;
+    if (id === undefined) return;
+    // Where it cannot be kept, neither could the drawing, and that was said.
+    this.queue = this.queue
+      .then(() => this.drawings)
+      .then((drawings) => drawings.update({ id, picture }))
+      .catch(() => {});
+  }
+
   /**
    * Reads a kept drawing, which is going to be shown, unless it is aborted. Undefined if it is gone.
    *
@@ -111,6 +123,3 @@ export class Keeper {
     });
   }
 }
-
-/** Pages that do not come over HTTPS have no `randomUUID`. */
-const newId = (): string => [...crypto.getRandomValues(new Uint32Array(4))].map((part) => part.toString(36)).join('-');

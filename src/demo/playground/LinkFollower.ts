@@ -1,9 +1,8 @@
 import { ModelError } from '../files/ModelError.js';
-import type { CameraView } from '../settings/CameraView.js';
 import type { Settings } from '../settings/settings.js';
 import { readLink } from '../settings/shareLink.js';
 import { askToFetch } from './ask.js';
-import type { DrawingState } from './DrawingState.js';
+import type { DrawingState, LookState } from './DrawingState.js';
 import type { Keeper } from './Keeper.js';
 import { LatestRequest } from './LatestRequest.js';
 import type { MapLoader } from './MapLoader.js';
@@ -20,7 +19,7 @@ interface LinkHost {
   /** Takes over settings and camera, and loads the model and the map that they ask for. */
   showState(state: DrawingState): void;
   /** As `showState`, but for the model. */
-  showLook(settings: Settings, camera: CameraView | undefined): void;
+  showLook(state: LookState): void;
   recordChange(): void;
 }
 
@@ -39,11 +38,11 @@ export class LinkFollower {
     // Nobody is to agree to what the address does not ask for any more.
     this.asked.drop();
     const { drawing } = this.host.address;
-    const { settings: next, camera, address } = readLink(this.host.address.read());
+    const { settings: next, camera, address, views } = readLink(this.host.address.read());
     if (drawing !== undefined) return this.openKept(drawing);
     // While a model from the web is asked about and fetched, the one that is shown stays.
-    if (address === undefined) this.host.showState({ settings: next, camera, files: undefined });
-    else this.host.showLook({ ...next, model: settings.model }, camera);
+    if (address === undefined) this.host.showState({ settings: next, camera, files: undefined, views });
+    else this.host.showLook({ settings: { ...next, model: settings.model }, camera, views });
     this.host.recordChange();
     if (address !== undefined) await this.showAddress(address, camera === undefined);
   }
@@ -70,11 +69,11 @@ export class LinkFollower {
             : 'The browser does not give back the drawing that it keeps: open your model again.',
         );
       }
-      const { settings: next, address: origin } = readLink(kept.drawing.link);
+      const { settings: next, address: origin, views } = readLink(kept.drawing.link);
       const { model: files, map } = kept.files;
       if (files) next.model = 'file';
       if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
-      this.host.showState({ settings: next, camera: kept.drawing.camera, files });
+      this.host.showState({ settings: next, camera: kept.drawing.camera, files, views });
       if (map) await mapLoader.showFiles(map, true);
       return true;
     });

@@ -3,6 +3,7 @@ import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { hatchModel } from '../drawing/hatchModel.js';
 import type { Report } from '../drawing/Report.js';
 import { standInFor } from '../drawing/standInFor.js';
+import type { BundledDrawing } from '../files/bundle.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
 import type { ModelFile, ReadModel } from '../files/readModel.js';
 import { shownName } from '../files/shownText.js';
@@ -22,12 +23,21 @@ interface LoadedModel {
   view?: [number, number, number] | undefined;
   read: ReadModel | BuiltInScene;
   shown?: ShownFiles;
+  drawing?: BundledDrawing | undefined;
 }
 
 /** The setting of a model, and the files of the user's own. */
 interface WantedModel {
   model: Settings['model'];
   files?: readonly ModelFile[] | undefined;
+}
+
+/** A model that the user has opened. */
+export interface OpenedModel {
+  /** Whether it is another than before, not the same with pictures that it lacked. */
+  isOther: boolean;
+  /** How it is drawn, if it came with that. */
+  drawing: BundledDrawing | undefined;
 }
 
 /** How loading has ended: with files that the user has opened, with a model that the settings ask for, or with the previous one. */
@@ -58,7 +68,7 @@ export class ModelLoader {
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
     /** Called when loading has changed the settings. */
-    private readonly onChange: (end: ModelEnd) => void,
+    private readonly onChange: (end: ModelEnd, opened?: OpenedModel) => void,
   ) {
     this.shownModel = settings.model;
   }
@@ -134,7 +144,8 @@ export class ModelLoader {
       wanted.files = files;
       this.addresses.set(files, address);
       const read = await loadModelFiles(files, { signal, onStage: report });
-      return { title: read.name, read, shown: { files, missing: read.missing } };
+      const { name: title, missing, unpacked } = read;
+      return { title, read, shown: { files, missing, unpacked } };
     });
   }
 
@@ -161,7 +172,8 @@ export class ModelLoader {
   ): Promise<void> {
     return this.show({ model: 'file', files }, { isFramed, isRestored }, async (report, signal) => {
       const read = await loadModelFiles(files, { signal, onStage: report });
-      return { title: read.name, read, shown: { files, missing: read.missing } };
+      const { name: title, missing, unpacked, drawing } = read;
+      return { title, read, shown: { files, missing, unpacked }, drawing };
     });
   }
 
@@ -207,7 +219,8 @@ export class ModelLoader {
       scene.setModel(next, loaded.view);
       // Who has looked around the stand-in goes on from there.
       if (isFramed && !hasStandIn) scene.view.frame();
-      this.onChange(isRestored ? 'restored' : 'opened');
+      if (isRestored) this.onChange('restored');
+      else this.onChange('opened', { isOther: isFramed, drawing: loaded.drawing });
       page.lamp.hidden = false;
     });
     if (end === 'failed') {

@@ -32,12 +32,17 @@ export class RecentDialog {
     this.forgetAll.hidden = drawings.length === 0;
   }
 
-  private row({ id, title, at, bytes }: KeptDrawing): HTMLElement {
+  private row({ id, title, at, bytes, picture }: KeptDrawing): HTMLElement {
     const name = shownName(title);
     const open = button(name, () => {
       this.dialog.close();
       this.onOpen(id);
     });
+    const image = document.createElement('img');
+    image.alt = '';
+    // Without one, its place is kept, so that names stand below each other.
+    if (picture) image.src = picture;
+    open.prepend(image);
     const forget = button('Forget', async () => {
       await this.keeper.forget([id]);
       await this.show();

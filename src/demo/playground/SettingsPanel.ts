@@ -10,7 +10,8 @@ const LINE_KEYS = SETTING_KEYS.filter((key) => SETTINGS[key].group === 'Lines' &
 
 /** A button of the panel. */
 export interface PanelAction {
-  label: string;
+  /** What changes with the settings is asked for with each change of them. */
+  label: string | (() => string);
   group: SettingGroup;
   run: () => void;
 }
@@ -18,6 +19,7 @@ export interface PanelAction {
 /** The controls, built from the table of settings. Each has a label and a unit, and is reset by double-click. */
 export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
+  private readonly changingLabels: (() => void)[] = [];
   /** The widths of strokes and lines in print, if the picture is saved in the chosen size. */
   private readonly printNotes = { strokeWidth: note(''), lineWidth: note('') };
 
@@ -59,7 +61,11 @@ export class SettingsPanel {
       });
       this.controllers.set(key, controller);
     }
-    for (const { label, group, run } of actions) folderOf.get(group)!.add({ run }, 'run').name(label);
+    for (const { label, group, run } of actions) {
+      const controller = folderOf.get(group)!.add({ run }, 'run');
+      if (typeof label === 'string') controller.name(label);
+      else this.changingLabels.push(() => controller.name(label()));
+    }
     // Moves the folders behind the settings of the first group.
     const children = gui.$children;
     children.append(...[...children.children].filter((child) => child.classList.contains('lil-gui')));
@@ -73,6 +79,7 @@ export class SettingsPanel {
       const setting: Setting = SETTINGS[key];
       if (setting.kind === 'number') sayValue(controller, setting, Number(this.settings[key]));
     }
+    for (const name of this.changingLabels) name();
     const { settings } = this;
     const isLocal = settings.lightKind !== 'directional';
     const techniques = [settings.technique, settings.compare];

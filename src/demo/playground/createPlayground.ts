@@ -5,22 +5,26 @@ import { EditHistory } from '../settings/EditHistory.js';
 import { LIGHT_LOOKS } from '../settings/lightLooks.js';
 import { wholeLook } from '../settings/presets.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
+import { savedFormat } from '../settings/settingValues.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
-import type { ViewState } from '../stage/View.js';
 import type { CodeDialog } from './CodeDialog.js';
 import type { CompareDivider } from './CompareDivider.js';
 import type { ContactSheet } from './ContactSheet.js';
-import { type DrawingState, isSameState } from './DrawingState.js';
+import { copyPicture } from './copyPicture.js';
+import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
 import { dropFiles } from './dropFiles.js';
 import type { ExportActions } from './ExportActions.js';
-import { isFullScreenKey, toggleFullScreen } from './fullScreen.js';
+import { toggleFullScreen } from './fullScreen.js';
 import type { Gallery } from './Gallery.js';
+import { isShortcut } from './isShortcut.js';
 import { Keeper } from './Keeper.js';
+import { KeptPicture } from './KeptPicture.js';
+import type { KeysDialog } from './KeysDialog.js';
 import type { LightHandles } from './LightHandles.js';
 import type { LinkFollower } from './LinkFollower.js';
 import { MapLoader } from './MapLoader.js';
-import { ModelLoader } from './ModelLoader.js';
+import { ModelLoader, type OpenedModel } from './ModelLoader.js';
 import type { MotionPanel } from './MotionPanel.js';
 import { OcclusionLoader } from './OcclusionLoader.js';
 import { PageAddress } from './PageAddress.js';
@@ -28,8 +32,10 @@ import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
 import { pageForm } from './pageForm.js';
 import type { RecentDialog } from './RecentDialog.js';
+import { SavedViews } from './SavedViews.js';
 import type { SettingsPanel } from './SettingsPanel.js';
 import type { SheetFrame } from './SheetFrame.js';
+import type { Shelf } from './Shelf.js';
 import type { Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 import { sortDrop } from './sortDrop.js';
@@ -50,6 +56,8 @@ declare global {
 
 /** Of some of them, whether there is a map at all depends. */
 const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed', 'technique', 'compare'];
+/** Keys that choose a view. */
+const DIGITS = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
 const LINK_DELAY_MILLISECONDS = 400;
 
 /**
@@ -57,7 +65,7 @@ const LINK_DELAY_MILLISECONDS = 400;
  */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const address = new PageAddress();
-  const { settings, camera, address: linked } = readLink(address.read());
+  const { settings, camera, address: linked, views: linkedViews } = readLink(address.read());
   const scene = createScene(page.canvas, context, page.viewport);
   /** Whether the parts of the page that nobody has opened yet are being fetched, which they are once there is a drawing. */
   let fetchesRest = false;
@@ -83,7 +91,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       history.adopt();
     },
   );
-  const modelLoader = new ModelLoader(scene, settings, tasks, (end) => {
+  const modelLoader = new ModelLoader(scene, settings, tasks, (end, opened) => {
+    if (opened) takeOver(opened);
     if (end !== 'failed') {
       showMotion();
       turnHint.about(settings.model === 'file' ? scene.model?.stands : undefined);
@@ -94,20 +103,28 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       history.adopt();
     }
   });
+  const views = new SavedViews(scene, settings, () => recordChange());
+  views.list = linkedViews;
   const history = new EditHistory(readState, isSameState, watchPresses());
   const keeper = new Keeper(address, status, () => void showRecent());
   const occlusion = new OcclusionLoader(scene, settings, tasks);
   const turnHint = new TurnHint(page.turnHint, settings, recordChange);
   let divider: CompareDivider | undefined;
-  const presets = new PresetBar(page.presets, settings, (name) => {
-    Object.assign(settings, wholeLook(name));
-    recordChange();
-    void mapLoader.showChosen();
+  const presets = new PresetBar(page.presets, settings, (name) => useLook(wholeLook(name)));
+  let shelf: Shelf | undefined;
+  const fetchedShelf = import('./Shelf.js').then(({ Shelf }) => {
+    shelf = new Shelf(scene, settings, views, useLook);
+    return shelf;
   });
-  // Not before the drawing: it would delay it.
+  const keptPicture = new KeptPicture(
+    scene,
+    () => tasks.isIdle && following === 0,
+    (picture) => keeper.pictured(picture),
+  );
+  // Not before the drawing: it would delay it. The shelf lies above the panel, and comes first so that nothing moves.
   let panel: SettingsPanel | undefined;
-  void import('./SettingsPanel.js').then(
-    ({ SettingsPanel }) => {
+  void Promise.all([import('./SettingsPanel.js'), fetchedShelf]).then(
+    ([{ SettingsPanel }]) => {
       panel = new SettingsPanel(
         page.panel,
         settings,
@@ -125,7 +142,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
           ...(document.fullscreenEnabled
             ? [{ label: 'Full screen (F)', group: 'View' as const, run: fillScreen }]
             : []),
-          { label: 'Save PNG', group: 'Picture', run: exported('savePng') },
+          { label: () => `Save ${savedFormat(settings)}`, group: 'Picture', run: exported('savePng') },
+          { label: 'Copy the picture', group: 'Picture', run: copyDrawing },
+          { label: 'Save with the model, as ZIP', group: 'Picture', run: exported('saveDrawing') },
           ...('share' in navigator
             ? [{ label: 'Share this drawing', group: 'Picture' as const, run: exported('share') }]
             : []),
@@ -196,13 +215,30 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   let exportActions: ExportActions | undefined;
+  const fetchExports = (): Promise<ExportActions> =>
+    import('./ExportActions.js').then(({ ExportActions }) => {
+      exportActions ??= new ExportActions(
+        scene,
+        settings,
+        modelLoader,
+        status,
+        tasks,
+        currentLink,
+        address,
+        ownStrokes,
+      );
+      return exportActions;
+    });
+
   /** What saves or hands on the drawing in one of several ways. */
-  function exported(action: 'savePng' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink'): () => void {
-    return () =>
-      whenFetched(import('./ExportActions.js'), ({ ExportActions }) => {
-        exportActions ??= new ExportActions(scene, settings, modelLoader, status, tasks, currentLink, address);
-        void exportActions[action]();
-      });
+  function exported(action: 'savePng' | 'saveDrawing' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink'): () => void {
+    return () => whenFetched(fetchExports(), (actions) => void actions[action]());
+  }
+
+  function copyDrawing(): void {
+    const fetched = fetchExports();
+    whenFetched(fetched, () => {});
+    void copyPicture(() => fetched.then((actions) => actions.drawPicture()), status);
   }
 
   let sheetFrame: SheetFrame | undefined;
@@ -229,6 +265,21 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       return codeDialog.open();
     });
   }
+
+  let keysDialog: KeysDialog | undefined;
+  for (const [which, button] of Object.entries(page.shelf)) {
+    button.addEventListener('click', () =>
+      whenFetched(fetchedShelf, (fetched) => fetched.open(which as keyof typeof page.shelf)),
+    );
+  }
+
+  function openKeys(): void {
+    whenFetched(import('./KeysDialog.js'), ({ KeysDialog }) => {
+      keysDialog ??= new KeysDialog();
+      keysDialog.open();
+    });
+  }
+  page.openKeys.addEventListener('click', openKeys);
 
   function fillScreen(): void {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
@@ -263,6 +314,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     showSteps();
   }
 
+  function useLook(look: Partial<Settings>): void {
+    Object.assign(settings, look);
+    recordChange();
+    void mapLoader.showChosen();
+  }
+
   /** Undo and Redo: shows an earlier state, or the one that came after. */
   function step(state: DrawingState | undefined): void {
     if (state) showState(state);
@@ -274,20 +331,23 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
       settings: { ...settings },
       camera: scene.view.state,
       files: settings.model === 'file' ? modelLoader.ownFiles : undefined,
+      views: views.list,
     };
   }
 
   /** Takes over settings and camera, and loads the model and the map that they ask for. */
-  function showState({ settings: next, camera: place, files }: DrawingState): void {
+  function showState(state: DrawingState): void {
+    const { settings: next, camera: place, files } = state;
     // Files that are gone cannot be shown again.
     const { model } = settings;
-    showLook({ ...next, ...(next.model === 'file' && !files && { model }) }, place);
+    showLook({ ...state, settings: { ...next, ...(next.model === 'file' && !files && { model }) } });
     modelLoader.restore({ model: settings.model, files }, place === undefined || place.framedFor !== undefined);
   }
 
-  /** Takes over settings and camera, and loads the map that they ask for. */
-  function showLook(next: Settings, place: ViewState | undefined): void {
+  /** Takes over settings, camera and views, and loads the map that they ask for. */
+  function showLook({ settings: next, camera: place, views: kept }: LookState): void {
     Object.assign(settings, next);
+    views.list = kept;
     void mapLoader.showChosen();
     // Framed by its shadow, too, which is that of the lights.
     scene.apply(settings);
@@ -301,8 +361,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     showComparison();
     page.sheet.style.setProperty('--paper', settings.paper);
     page.sheet.style.setProperty('--ink', settings.ink);
+    page.saveFormat.textContent = savedFormat(settings);
+    page.savePng.setAttribute('aria-label', `Save ${savedFormat(settings)}`);
     panel?.refresh();
     presets.refresh();
+    shelf?.refresh();
     turnHint.refresh();
     sheetFrame?.refresh();
     showSteps();
@@ -347,13 +410,18 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     if (following > 0 || address.isFollowed || modelLoader.isLoading) return;
     const files = {
       model: settings.model === 'file' ? modelLoader.ownFiles : undefined,
-      map: settings.mapStyle === 'file' ? mapLoader.ownFiles : undefined,
+      map: ownStrokes(),
     };
     keeper.shown(files, modelLoader.title, currentLink(), scene.view.ownPlace);
+    if (files.model || files.map) keptPicture.want();
+  }
+
+  function ownStrokes(): readonly ModelFile[] | undefined {
+    return settings.mapStyle === 'file' ? mapLoader.ownFiles : undefined;
   }
 
   function currentLink(): string {
-    return writeLink(settings, scene.view.ownPlace, modelLoader.address);
+    return writeLink(settings, scene.view.ownPlace, modelLoader.address, views.list);
   }
 
   let gallery: Gallery | undefined;
@@ -378,6 +446,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   scene.view.onMoved = () => {
     history.changed('camera');
     showSteps();
+    shelf?.refresh();
     updateAddress();
   };
   // What was changed in the last moment, too.
@@ -424,6 +493,15 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     return follow((links) => links.openKept(id));
   }
 
+  /** Draws a model that was opened as it says itself. What is checked is checked as in a link; an address in it is of no use. */
+  function takeOver({ isOther, drawing }: OpenedModel): void {
+    if (isOther) views.list = [];
+    if (!drawing) return;
+    const { settings: next, camera: place, views: kept } = readLink(drawing.link);
+    showLook({ settings: { ...next, model: settings.model }, camera: place, views: kept });
+    if (drawing.strokes.length > 0) void mapLoader.showFiles(drawing.strokes, true).then(() => history.adopt());
+  }
+
   /** Shows the way to kept drawings where there are any. */
   async function showRecent(): Promise<void> {
     page.recent.hidden = (await keeper.list()).length === 0;
@@ -434,6 +512,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   scene.onFrame(() => {
     lights?.update();
     motion?.update();
+    keptPicture.frameDrawn();
     if (!page.divider.hidden) divider?.place();
     if (tasks.isIdle && scene.isComplete && lights) setPageState('ready');
   });
@@ -505,9 +584,16 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   page.toggleCard.addEventListener('click', () => openCard(!page.card.classList.contains('is-open')));
   addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') openCard(false);
+    // Of what is open, one thing at a time.
+    if (event.key === 'Escape' && !document.querySelector('dialog[open]')) openCard(false);
     const isTyping = event.target instanceof HTMLInputElement && event.target.type !== 'range';
-    if (isFullScreenKey(event)) fillScreen();
+    if (isShortcut(event, 'f')) fillScreen();
+    if (isShortcut(event, ...DIGITS)) views.choose(Number(event.key) - 1);
+    if (pageForm === 'playground' && isShortcut(event, '?', 'h', 'f1')) {
+      // F1 is the browser's own help.
+      event.preventDefault();
+      openKeys();
+    }
     if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping) return;
     const key = event.key.toLowerCase();
     const isRedo = (key === 'z' && event.shiftKey) || (key === 'y' && event.ctrlKey && !event.shiftKey);

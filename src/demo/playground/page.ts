@@ -24,6 +24,7 @@ export const page = {
   toggleCard: findElement('toggle-card'),
   openFiles: findElement('open-files'),
   savePng: findElement('save-png'),
+  saveFormat: findElement('save-format'),
   undo: findElement('undo') as HTMLButtonElement,
   gallery: {
     sheet: findElement('gallery'),
@@ -32,6 +33,8 @@ export const page = {
   },
   openGallery: findElement('open-gallery'),
   surprise: findElement('surprise'),
+  openKeys: findElement('open-keys'),
+  shelf: { looks: findElement('open-looks'), views: findElement('open-views') },
   redo: findElement('redo') as HTMLButtonElement,
   recent: findElement('open-recent'),
   contactSheet: {

@@ -5,6 +5,8 @@ import type { ModelFile } from '../files/readModel.js';
 export interface ShownFiles {
   files: readonly ModelFile[];
   missing: readonly string[];
+  /** Those out of an archive, if it was one. */
+  unpacked?: readonly ModelFile[] | undefined;
 }
 
 /** What files are for. `pictures` may be a map, or may have come here by mistake. */

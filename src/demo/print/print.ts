@@ -2,7 +2,7 @@ import { type PrintPlan, toMillimetres } from './printPlan.js';
 
 /** What drawing a picture takes, loaded when one is saved. */
 export { cutToDrawing, drawPicture } from './drawPicture.js';
-export { planPrint, sheetOnView } from './printPlan.js';
+export { type PrintPlan, planPrint, sheetOnView } from './printPlan.js';
 export { ZipWriter } from './ZipWriter.js';
 
 /** The size of a picture in words. */

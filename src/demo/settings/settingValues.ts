@@ -69,6 +69,9 @@ export const drawsWithMap = (settings: Settings): boolean =>
 export const drawsWithAdjacency = (settings: Settings): boolean =>
   looksOf(settings, settings.technique, settings.compare).some(needsAdjacency);
 
+/** What a picture is saved as: alone, or in layers. */
+export const savedFormat = ({ pictureLayers }: Settings): 'PNG' | 'ZIP' => (pictureLayers === 'one' ? 'PNG' : 'ZIP');
+
 /** Whether a technique draws strokes of a set width in pure ink, instead of blending their greys. */
 export function isCrisp(technique: Settings['technique']): boolean {
   return technique === 'anchored' || technique === 'adjacencyCrisp';

@@ -2,6 +2,7 @@ import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
+import { MOST_VIEWS, readView, type SavedView, writeView } from './savedViews.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
 /** What a link brings back. */
@@ -11,6 +12,7 @@ export interface LinkedDrawing {
   camera: CameraView | undefined;
   /** Of a model on the web, which stands in the place of that of the settings. */
   address: string | undefined;
+  views: readonly SavedView[];
 }
 
 /** What older links call values, and what those are called now. */
@@ -22,8 +24,14 @@ const FORMER_VALUES: Partial<Record<SettingKey, Record<string, string>>> = {
  * Settings and camera as the hash of a URL. Defaults are left out, but for the technique: no hash at all stands for the first view.
  *
  * @param address of the user's own model, if it is on the web; a link cannot refer to a dropped file
+ * @param views that are kept with the drawing
  */
-export function writeLink(settings: Settings, camera: CameraView | undefined, address?: string): string {
+export function writeLink(
+  settings: Settings,
+  camera: CameraView | undefined,
+  address?: string,
+  views: readonly SavedView[] = [],
+): string {
   const parameters = new URLSearchParams();
   if (settings.model === 'file' && address) parameters.set('model', address);
   for (const key of SETTING_KEYS) {
@@ -35,6 +43,7 @@ export function writeLink(settings: Settings, camera: CameraView | undefined, ad
   if (camera) {
     parameters.set('camera', [...camera.position, ...camera.target].map(shortest).join(','));
   }
+  for (const view of views) parameters.append('view', writeView(view));
   return parameters.toString();
 }
 
@@ -68,6 +77,11 @@ export function readLink(hash: string): LinkedDrawing {
     settings,
     camera: isCamera ? { position: [x, y, z], target: [tx, ty, tz] } : undefined,
     address: addressOf(parameters.get('model') ?? ''),
+    views: parameters
+      .getAll('view')
+      .slice(0, MOST_VIEWS)
+      .map(readView)
+      .filter((view) => view !== undefined),
   };
 }
 

@@ -1,0 +1,9 @@
+/**
+ * Whether a key was pressed as a shortcut of the page: by itself, and where it is neither a letter of a text nor chooses among names.
+ * Under an open dialog the page rests.
+ */
+export function isShortcut({ key, target, ctrlKey, metaKey, altKey }: KeyboardEvent, ...keys: string[]): boolean {
+  if (ctrlKey || metaKey || altKey || !keys.includes(key.toLowerCase())) return false;
+  const takesLetters = target instanceof Element && target.closest('input:not([type="range"]), select, textarea');
+  return !takesLetters && document.querySelector('dialog[open]') === null;
+}

@@ -1,0 +1,44 @@
+import { acceptSetting } from './acceptSetting.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
+
+/** What belongs to a drawing rather than to how it is drawn: its subject, and where its lights are. */
+const OF_THE_DRAWING: readonly SettingKey[] = [
+  'model',
+  'compare',
+  'lightKind',
+  'lightFollows',
+  'lightAzimuth',
+  'lightElevation',
+  'lightDistance',
+  'spotAngle',
+  'spotSoftness',
+  'secondLight',
+  'secondAzimuth',
+  'secondElevation',
+  'secondStrength',
+];
+
+/** The settings that a look of one's own sets: more than a preset does, shadows and what the model stands on among them. */
+const LOOK_KEYS = SETTING_KEYS.filter(
+  (key) => !OF_THE_DRAWING.includes(key) && !['View', 'Picture', 'Video'].includes(SETTINGS[key].group),
+);
+
+export type OwnLook = Partial<Settings>;
+
+/**
+ * A whole look by what is known of one: all settings, or what was stored. Values are those that the controls have, and unknown ones
+ * their defaults. A map of the user's own stays with its drawing.
+ */
+export function acceptLook(known: Readonly<Record<string, unknown>>): OwnLook {
+  const entries = LOOK_KEYS.map((key) => {
+    const value = Object.hasOwn(known, key) ? known[key] : undefined;
+    const isPlain = typeof value === 'string' || typeof value === 'number';
+    const accepted = isPlain && value !== 'file' ? acceptSetting(key, value) : undefined;
+    return [key, accepted ?? SETTINGS[key].default];
+  });
+  return Object.fromEntries(entries);
+}
+
+/** Whether settings are those of a look. */
+export const hasLook = (settings: Settings, look: OwnLook): boolean =>
+  LOOK_KEYS.every((key) => settings[key] === look[key]);
