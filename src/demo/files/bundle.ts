@@ -27,7 +27,7 @@ export const describeBundle = (link: string): string =>
 export function bundleFolder(entries: readonly ZipEntry[]): string | undefined {
   const { description } = BUNDLE;
   return entries
-    .filter(({ path }) => baseName(path) === description && !path.startsWith('__MACOSX/'))
+    .filter(({ path }) => baseName(path) === description)
     .map(({ path }) => path.slice(0, -description.length))
     .sort((a, b) => a.length - b.length)[0];
 }

@@ -1,6 +1,7 @@
 import { gzipSync } from 'node:zlib';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
+import { describeBundle } from '../../../src/demo/files/bundle.js';
 import type { Random } from '../../Random.js';
 import { encodeDraco } from '../demo/files/encodeDraco.js';
 import { addTrack, GltfBuilder } from '../demo/files/GltfBuilder.js';
@@ -303,6 +304,18 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
   '3mf': (random) => bytes('box.3mf', threeMf(random.chance(0.5) ? 0 : 9)),
   '3ds': () => bytes('box.3ds', tds()),
   zip: (random) => bytes('box.zip', zip({ 'a/box.dae': dae('wood.png'), 'a/wood.png': png(random) }, 0)),
+  bundle: (random) =>
+    bytes(
+      'box.zip',
+      zip(
+        {
+          'three-hatching.json': describeBundle('ink=%231d3a5f&view=x'),
+          'model/box.dae': dae('wood.png'),
+          'model/wood.png': png(random),
+        },
+        0,
+      ),
+    ),
 };
 
 /** What takes a page to read: workers of others, or a question to answer. */
