@@ -1,7 +1,7 @@
 import type { HatchingScene } from '../stage/createScene.js';
 import { thumbnailOf } from './thumbnailOf.js';
 
-/** Takes a thumbnail of a drawing when it has come to rest, in a frame that is drawn whole. */
+/** Takes a thumbnail of a drawing when it has come to rest and is drawn whole. */
 export class KeptPicture {
   private isWanted = false;
 
@@ -14,15 +14,19 @@ export class KeptPicture {
 
   want(): void {
     this.isWanted = true;
-    this.scene.invalidate();
+    if (this.isAtRest && this.scene.redraw()) this.frameDrawn();
   }
 
   /** To be called with every frame, in its task. */
   frameDrawn(): void {
-    const { scene } = this;
-    // A sketch is followed by a whole frame, a coarse frame by a fine one, and a task by a frame with what it brings.
-    if (!this.isWanted || scene.isWaiting || scene.isCoarse || scene.isStandIn || !this.isSettled()) return;
+    if (!this.isWanted || !this.isAtRest) return;
     this.isWanted = false;
-    this.take(thumbnailOf(scene.canvas));
+    this.take(thumbnailOf(this.scene.canvas));
+  }
+
+  /** If not, another frame follows: a whole one after a sketch, a fine one after a coarse one, and one with what a task brings. */
+  private get isAtRest(): boolean {
+    const { scene } = this;
+    return scene.isComplete && !scene.isWaiting && !scene.isCoarse && !scene.isStandIn && this.isSettled();
   }
 }

@@ -37,12 +37,7 @@ export class Shelf {
     private readonly views: SavedViews,
     onLook: (look: OwnLook) => void,
   ) {
-    const picture = (): string | undefined => {
-      if (!scene.isComplete || scene.isLost) return undefined;
-      // In one task, because the canvas does not keep its content for longer.
-      scene.draw();
-      return thumbnailOf(scene.canvas);
-    };
+    const picture = () => (scene.isComplete && scene.redraw() ? thumbnailOf(scene.canvas) : undefined);
     this.looks = new OwnLooks(settings, picture, onLook, () => this.refresh());
     this.bars = [new NamedBar(findElement('own-looks'), this.looks), new NamedBar(findElement('saved-views'), views)];
   }

@@ -170,6 +170,14 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     drawTile({ viewWidth: width, x: 0, width, height }, pixelRatio, share);
   }
 
+  /** Draws the picture once more, which is no movement. @returns whether there is one */
+  function redraw(): boolean {
+    const { clientWidth: width, clientHeight: height } = viewport;
+    if (isHeld || context.isContextLost() || width === 0 || height === 0) return false;
+    drawTile({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio());
+    return true;
+  }
+
   function disposePrevious(): void {
     for (const previous of previousModels) previous.dispose();
     previousModels = [];
@@ -358,12 +366,7 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     // Without it the page goes on as before.
     const part = await import('./LastPicture.js').catch(() => undefined);
     if (!part || lastPicture) return;
-    lastPicture = new part.LastPicture(canvas, () => {
-      const { clientWidth: width, clientHeight: height } = viewport;
-      if (context.isContextLost() || width === 0 || height === 0) return false;
-      drawTile({ viewWidth: width, x: 0, width, height }, renderer.getPixelRatio());
-      return true;
-    });
+    lastPicture = new part.LastPicture(canvas, redraw);
     scheduler.invalidate();
   }
 
@@ -383,6 +386,9 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     lightPosition: lights.position,
     secondLightPosition: lights.secondPosition,
     draw,
+
+    /** Draws the picture that is shown once more, so that it can be copied in the same task. @returns whether there is one */
+    redraw,
 
     /**
      * Stops frames and animation, so that a picture can be drawn in tiles, until {@link release}.
