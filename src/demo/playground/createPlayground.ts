@@ -17,7 +17,6 @@ import { dropFiles } from './dropFiles.js';
 import type { ExportActions } from './ExportActions.js';
 import { toggleFullScreen } from './fullScreen.js';
 import type { Gallery } from './Gallery.js';
-import { isShortcut } from './isShortcut.js';
 import { Keeper } from './Keeper.js';
 import { KeptPicture } from './KeptPicture.js';
 import type { KeysDialog } from './KeysDialog.js';
@@ -31,6 +30,7 @@ import { PageAddress } from './PageAddress.js';
 import { PresetBar } from './PresetBar.js';
 import { page } from './page.js';
 import { pageForm } from './pageForm.js';
+import { listenToKeys } from './pageKeys.js';
 import type { RecentDialog } from './RecentDialog.js';
 import { SavedViews } from './SavedViews.js';
 import type { SettingsPanel } from './SettingsPanel.js';
@@ -56,8 +56,6 @@ declare global {
 
 /** Of some of them, whether there is a map at all depends. */
 const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed', 'technique', 'compare'];
-/** Keys that choose a view. */
-const DIGITS = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
 const LINK_DELAY_MILLISECONDS = 400;
 
 /**
@@ -583,23 +581,13 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   page.toggleCard.addEventListener('click', () => openCard(!page.card.classList.contains('is-open')));
-  addEventListener('keydown', (event) => {
-    // Of what is open, one thing at a time.
-    if (event.key === 'Escape' && !document.querySelector('dialog[open]')) openCard(false);
-    const isTyping = event.target instanceof HTMLInputElement && event.target.type !== 'range';
-    if (isShortcut(event, 'f')) fillScreen();
-    if (isShortcut(event, ...DIGITS)) views.choose(Number(event.key) - 1);
-    if (pageForm === 'playground' && isShortcut(event, '?', 'h', 'f1')) {
-      // F1 is the browser's own help.
-      event.preventDefault();
-      openKeys();
-    }
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping) return;
-    const key = event.key.toLowerCase();
-    const isRedo = (key === 'z' && event.shiftKey) || (key === 'y' && event.ctrlKey && !event.shiftKey);
-    if (!isRedo && (key !== 'z' || event.shiftKey)) return;
-    event.preventDefault();
-    step(isRedo ? history.redo() : history.undo());
+  listenToKeys({
+    close: () => openCard(false),
+    fillScreen,
+    openKeys: pageForm === 'playground' ? openKeys : undefined,
+    showView: (index) => views.choose(index),
+    undo: () => step(history.undo()),
+    redo: () => step(history.redo()),
   });
 
   if (camera) scene.view.place = camera;

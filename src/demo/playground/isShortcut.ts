@@ -5,5 +5,7 @@
 export function isShortcut({ key, target, ctrlKey, metaKey, altKey }: KeyboardEvent, ...keys: string[]): boolean {
   if (ctrlKey || metaKey || altKey || !keys.includes(key.toLowerCase())) return false;
   const takesLetters = target instanceof Element && target.closest('input:not([type="range"]), select, textarea');
-  return !takesLetters && document.querySelector('dialog[open]') === null;
+  return !takesLetters && !isDialogOpen();
 }
+
+export const isDialogOpen = (): boolean => document.querySelector('dialog[open]') !== null;
