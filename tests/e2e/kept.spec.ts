@@ -226,7 +226,7 @@ test('a model is saved with its look, its view and its light, and is the same dr
   await page.getByRole('button', { name: 'Keep this view' }).click();
   await page.keyboard.press('Escape');
   const turned = await readDrawing(page);
-  await page.locator('#drawing').press('Home');
+  await page.locator('#drawing').press('ArrowUp');
   const before = await readDrawing(page);
   await page.getByRole('button', { name: 'Picture', exact: true }).click();
   const download = page.waitForEvent('download');
