@@ -12,7 +12,7 @@ import {
   type TestFile,
 } from '../tests/e2e/modelFiles.js';
 import { drop, savePicture } from '../tests/e2e/playground.js';
-import type { Random } from '../tests/Random.js';
+import { Random } from '../tests/Random.js';
 
 /** Something that a user does. */
 type Action = (page: Page, random: Random) => Promise<void>;
@@ -64,6 +64,18 @@ function broken({ name, buffer }: TestFile, random: Random): TestFile {
   return file(`changed-${name}`, changed);
 }
 
+/** Links that ask for models from other sites, of which nobody agrees to any: the later takes the place of the earlier. */
+async function refuseModels(page: Page): Promise<void> {
+  for (const site of ['one.test', 'other.test']) {
+    await setting('model', [`https://${site}/a.glb`])(page, new Random(1));
+    await page.locator('.ask-site', { hasText: site }).waitFor();
+  }
+  await page.keyboard.press('Escape');
+  await page.locator('#ask').waitFor({ state: 'detached' });
+  // Other links are made of the page's address, which goes back to that of what is shown.
+  await page.waitForFunction(() => !location.hash.includes('other.test'));
+}
+
 async function dragFrom(page: Page, random: Random, selector: string): Promise<void> {
   const box = await page.locator(selector).boundingBox();
   if (!box) return;
@@ -99,5 +111,6 @@ export const ACTIONS: readonly { times: number; name: string; act: Action }[] = 
     name: 'broken file',
     act: async (page, random) => drop(page, [broken(await chooseFile(random), random)]),
   },
+  { times: 1, name: 'models that nobody wants', act: refuseModels },
   { times: 1, name: 'save', act: async (page) => void (await savePicture(page)) },
 ];

@@ -155,6 +155,8 @@ test('an agreement is to one model on one site, whatever a link, its sender or a
   await page.keyboard.press('Escape');
   await expect(question).toBeHidden();
   expect(asked).toHaveLength(1);
+  // None of them is waited for any more.
+  await ready(page);
 
   // The site is named as it is, on a line of its own; the file's name cannot speak for it.
   const long = `${'a'.repeat(60)}.`.repeat(4);

@@ -2,10 +2,6 @@
 export class LatestRequest {
   private controller: AbortController | undefined;
 
-  get isAwaited(): boolean {
-    return this.controller !== undefined;
-  }
-
   /** @returns what came; undefined if something else was asked for meanwhile. @throws what went wrong, unless nobody waits for it */
   async run<Result>(task: (signal: AbortSignal) => Promise<Result>): Promise<Result | undefined> {
     this.drop();

@@ -70,9 +70,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const tasks = new TaskRunner(status, {
     hasDrawing: () => scene.isComplete,
     onIdle: () => {
-      // Nobody waits for them: what does not come is fetched again when it is opened.
-      if (!fetchesRest) import('./fetchRest.js').then(({ fetchRest }) => fetchRest()).catch(() => {});
-      fetchesRest = true;
+      // Nobody waits for them: what does not come is fetched again when it is opened. Within other pages little can be opened.
+      if (!fetchesRest && pageForm !== 'embed') {
+        fetchesRest = true;
+        import('./fetchRest.js').then(({ fetchRest }) => fetchRest()).catch(() => {});
+      }
       showPageState();
       scene.invalidate();
     },
