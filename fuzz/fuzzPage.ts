@@ -100,7 +100,7 @@ async function dropCase(page: Page, kind: string, seed: number): Promise<'good' 
     return {
       status: line.textContent ?? '',
       isRefused: line.classList.contains('is-error'),
-      caption: document.querySelector('#model-caption')!.textContent ?? '',
+      caption: ['#model-caption', '#about-model'].map((part) => document.querySelector(part)!.textContent).join(' '),
     };
   });
   if (isRefused) checkSentence(status);

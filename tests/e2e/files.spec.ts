@@ -213,6 +213,48 @@ test('a large model is drawn at once, before it is baked, and stays where it was
   await expect(page.locator('#model-statistics')).toHaveText(/^\d+,\d+ triangles$/);
   await expect(page.locator('.earlier-picture')).toBeHidden();
 });
+
+test('the caption says what is missing, whole, and all else is behind a button', async ({ page }) => {
+  await openPlayground(page, 'model=cube&lines=off');
+  const name = 'a square with a name that is as long as names of files get, more or less';
+  const [obj, mtl] = [squareObj.replace('square.mtl', `${name}.mtl`), squareMtl.replace('sky.png', `${name}.png`)];
+  const note = page.locator('#model-note');
+  const about = page.getByLabel('Information about the model');
+  const statistics = page.locator('#model-statistics');
+  await drop(page, [file(`${name}.obj`, obj), file(`${name}.mtl`, mtl), file('other.obj', obj)]);
+  await expect(note).toHaveText(/^a square.+….+less\.png is missing: drop it along; 1 more behind “i”$/);
+  await expect(statistics).toBeHidden();
+  for (const [width, height] of [
+    [360, 640],
+    [640, 360],
+    [1440, 900],
+  ]) {
+    await page.setViewportSize({ width, height });
+    // Every line of it is in sight, with nothing over it.
+    const unseen = await note.evaluate(
+      (element) =>
+        [...element.getClientRects()].filter(({ left, right, top, bottom }) =>
+          [left + 2, right - 2].some((x) => !element.contains(document.elementFromPoint(x, (top + bottom) / 2))),
+        ).length,
+    );
+    expect.soft(unseen, `lines of the note that are cut at ${width} × ${height}`).toBe(0);
+    await about.click();
+    await expect(statistics).toBeInViewport({ ratio: 1 });
+    await page.locator('#drawing').click({ position: { x: 20, y: 20 } });
+    await expect(statistics).toBeHidden();
+  }
+  await about.focus();
+  await page.keyboard.press('Enter');
+  await expect(statistics).toHaveText('2 triangles, 4 border edges');
+  await expect(page.getByText('one of 2 models: drop other.obj by itself to see it')).toBeVisible();
+  await expect(page.locator('#frame-time')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(statistics).toBeHidden();
+  await expect(about).toBeFocused();
+  await drop(page, [file(`${name}.png`, skyPng())]);
+  await expect(note).not.toHaveText(/missing/);
+});
+
 test('a model that is the wrong way up is turned when asked to, and turned back with Undo', async ({ page }) => {
   await openPlayground(page, 'model=cube&lines=off');
   await drop(page, [file('cone.obj', lyingConeObj())]);

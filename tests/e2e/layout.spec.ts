@@ -60,7 +60,7 @@ function findFaults(): string[] {
 /** What cannot be used: controls that no scrolling brings into the window, or that something else lies over. */
 function findUnreachable(): string[] {
   const faults: string[] = [];
-  const all = document.querySelectorAll<HTMLElement>('button, a[href], select, input, [tabindex="0"]');
+  const all = document.querySelectorAll<HTMLElement>('button, summary, a[href], select, input, [tabindex="0"]');
   for (const element of all) {
     if (!element.checkVisibility() || element.closest('.visually-hidden, :disabled')) continue;
     element.scrollIntoView({ block: 'nearest' });

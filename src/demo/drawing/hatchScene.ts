@@ -7,6 +7,8 @@ import { measureExtent } from '../files/fitModel.js';
 import type { ModelScene } from '../files/parseGltf.js';
 import { placements } from '../files/placements.js';
 import { repairScene } from '../files/repairGeometry.js';
+import { thinNote } from '../files/thinNote.js';
+import { surfaceArea } from '../files/triangleAreas.js';
 import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
@@ -45,7 +47,8 @@ export async function hatchScene(
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
   const outline = fitScene(holder, motion);
-  const stands = usual && findUpAxis(someTriangles(root), null, usual);
+  const { points, share } = someTriangles(root);
+  const stands = usual && findUpAxis(points, null, usual);
 
   // One tile per world unit. The settings scale it.
   const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
@@ -70,7 +73,8 @@ export async function hatchScene(
       freeGraphics(root);
     },
   );
-  return { model, notes: leftOut(hatched.skipped.length, animations.length - usable.length) };
+  const notes = thinNote(surfaceArea(points, null) / share);
+  return { model, notes: [...notes, ...leftOut(hatched.skipped.length, animations.length - usable.length)] };
 }
 
 function leftOut(parts: number, clips: number): string[] {
@@ -115,8 +119,8 @@ function fitScene(holder: Group, motion: Motion): Float32Array {
   return outline;
 }
 
-/** Some of the triangles of a scene, as xyz of their corners, spread over all of it. */
-function someTriangles(root: Object3D): number[] {
+/** Some of the triangles of a scene, as xyz of their corners, spread over all of it, and which share of all they are. */
+function someTriangles(root: Object3D): { points: number[]; share: number } {
   const parts = meshesOf(root).map((mesh) => {
     const { index, attributes } = mesh.geometry;
     return { mesh, index, corners: index?.count ?? attributes.position?.count ?? 0, matrices: placements(mesh) };
@@ -138,7 +142,7 @@ function someTriangles(root: Object3D): number[] {
       }
     }
   }
-  return points;
+  return { points, share: 3 / step };
 }
 
 /** Adds the world position of every `step`th vertex of all meshes, in the current pose. */

@@ -14,6 +14,8 @@ export interface ChosenScene {
   visible: number[];
   /** What to say about the choice. */
   notes: string[];
+  /** What only those want to know who look closer. */
+  details: string[];
 }
 
 /**
@@ -32,11 +34,12 @@ export function chooseScene(document: GltfDocument, fileName: string): ChosenSce
   const { roots, others } = topmostNodes(document, scene?.nodes ?? [], fileName);
   if (!scene) roots.push(...others);
   const notes: string[] = [];
-  if (!scene) notes.push(`it has no scene: all its ${hasNodes ? 'nodes' : 'meshes'} are shown`);
+  const details: string[] = [];
+  if (!scene) details.push(`it has no scene: all its ${hasNodes ? 'nodes' : 'meshes'} are shown`);
   else if (scenes.length > 1) {
     notes.push(`scene ${index + 1} of ${scenes.length}${scene.name ? `, “${shownName(scene.name)}”` : ''}`);
   }
-  return { name: scene?.name, roots, visible: visibleNodes(document, roots), notes };
+  return { name: scene?.name, roots, visible: visibleNodes(document, roots), notes, details };
 }
 
 /**

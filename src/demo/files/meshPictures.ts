@@ -18,7 +18,7 @@ export interface MeshPicture {
 }
 
 /** So many names are given in a note. */
-const NAMED = 3;
+const NAMED = 2;
 
 /** The pictures of a mesh, by their index in its ranges, and what to say about those that are not there. */
 export interface MeshPictures {
@@ -94,17 +94,26 @@ export async function readMeshPictures(
   return { pictures, missing: [...lacks.missing], notes };
 }
 
-/** Says which files a model asks for that nobody dropped. */
+/** Says which files a model asks for that nobody dropped, and what to do about it. */
 export function missingNote(names: readonly string[]): string[] {
-  return without(names, `drop ${names.length > 1 ? 'them' : 'it'} along`);
+  if (names.length === 0) return [];
+  return [
+    names.length === 1 ? `${list(names)} is missing: drop it along` : `${list(names)} are missing: drop them along`,
+  ];
+}
+
+/** All names, where the note has only some of them. */
+export function missingDetail(names: readonly string[]): string[] {
+  return names.length > NAMED ? [`missing: ${names.map(shownName).join(', ')}`] : [];
 }
 
 const without = (names: readonly string[], why: string): string[] =>
   names.length === 0 ? [] : [`without ${list(names)}: ${why}`];
 
 function list(names: readonly string[]): string {
-  const more = names.length > NAMED ? ` and ${names.length - NAMED} more` : '';
-  return names.slice(0, NAMED).map(shownName).join(', ') + more;
+  const shown = names.slice(0, NAMED).map(shownName);
+  if (names.length > NAMED) return `${shown.join(', ')} and ${names.length - NAMED} more`;
+  return shown.join(' and ');
 }
 
 async function decode({ bytes, isTga, width, height, flipY }: Source): Promise<ImageBitmap | undefined> {

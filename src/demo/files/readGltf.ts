@@ -26,6 +26,8 @@ export interface ReadGltf {
   broken: number;
   /** What to say about the model: what was chosen, and what was left out. */
   notes: string[];
+  /** What only those want to know who look closer. */
+  details: string[];
   /** The names of pictures that it asks for and that nobody dropped. */
   missing: string[];
 }
@@ -51,16 +53,17 @@ export async function readGltf(
   const plain = await unpackGltf(document, chosen, values, name);
   const { pictures, missing, notes: pictureNotes } = await collectPictures(document, values, findFile);
   const notes = [...chosen.notes, ...plain.notes, ...pictureNotes];
-  if (leftOut > 0) notes.push(counted(leftOut, 'damaged setting', 'left out'));
+  const details = [...chosen.details, ...plain.details];
+  if (leftOut > 0) details.push(counted(leftOut, 'damaged setting', 'left out'));
   const isPictured = pictures.some(Boolean);
   const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
   const isScene = plain.moves || isPictured || glows;
   if (isScene && isSmall(plain)) {
-    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes, missing };
+    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes, details, missing };
   }
   if (isScene) notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
   const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
-  return { content: mergeScene(root), broken: plain.broken, notes, missing };
+  return { content: mergeScene(root), broken: plain.broken, notes, details, missing };
 }
 
 function isSmall({ json, vertices, draws }: PlainGltf): boolean {

@@ -12,7 +12,7 @@ import type { LoadedScene } from './LoadedScene.js';
 import { ModelError, toModelError } from './ModelError.js';
 import type { ModelFile } from './ModelFile.js';
 import { mergeScene, type WantedPicture } from './mergeScene.js';
-import { type MeshPicture, missingNote, readMeshPictures } from './meshPictures.js';
+import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './meshPictures.js';
 import { MAX_BYTES } from './modelLimits.js';
 import type { PlainMesh } from './PlainMesh.js';
 import type { GltfParts } from './parseGltf.js';
@@ -26,7 +26,9 @@ import { readScene, type SceneFormat } from './readScene.js';
 import { readStl } from './readStl.js';
 import { shownName } from './shownText.js';
 import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
+import { thinNote } from './thinNote.js';
 import { toUtf8 } from './toUtf8.js';
+import { surfaceArea } from './triangleAreas.js';
 
 export type { ModelFile };
 
@@ -41,8 +43,10 @@ interface Read {
   name: string;
   /** The up axis that is usual for the format. */
   upAxis: 'y' | 'z';
-  /** What the caption is to say beside the statistics: what was left out, and why. */
+  /** What the caption is to say: what is missing, chosen or left out, and why. What matters most comes first. */
   notes: string[];
+  /** What only those want to know who look closer. */
+  details: string[];
   /** The names of files that the model asks for and that were not dropped along. */
   missing: string[];
   /** The files out of the archive that was read, with those that were dropped along. Undefined if it was none. */
@@ -86,7 +90,8 @@ export async function readModel(files: readonly ModelFile[], onStage: OnStage): 
   const main = chooseMain(files);
   onStage(`reading ${shownName(main.name)}`);
   try {
-    return await readMain(main, files, onStage);
+    const read = await readMain(main, files, onStage);
+    return { ...read, notes: [...read.notes, ...otherModelsNote(main, files)] };
   } catch (error) {
     throw toModelError(main.name, error);
   }
@@ -122,8 +127,9 @@ async function readMain(
   const usual = usualUp(format, upAxis);
   if ('arrays' in content) {
     const { missing } = parsed;
-    const notes = [...brokenNote(parsed.broken), ...parsed.notes, ...missingNote(missing)];
-    return { kind: 'parts', name, upAxis, usual, notes, missing, parts: content };
+    const notes = [...missingNote(missing), ...parsed.notes];
+    const details = [...missingDetail(missing), ...brokenNote(parsed.broken), ...parsed.details];
+    return { kind: 'parts', name, upAxis, usual, notes, details, missing, parts: content };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
@@ -144,12 +150,12 @@ async function readMain(
     plainNormals: plainNormals(mesh),
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     missing,
-    notes: [
+    notes: [...missingNote(missing), ...thinNote(surfaceArea(mesh.positions, mesh.indices)), ...parsed.notes, ...notes],
+    details: [
+      ...missingDetail(missing),
       ...brokenNote(parsed.broken + broken),
       ...duplicateNote(duplicates),
-      ...parsed.notes,
-      ...missingNote(missing),
-      ...notes,
+      ...parsed.details,
     ],
   };
 }
@@ -167,6 +173,14 @@ async function readArchived(
   const read = { ...(await readMain(main, unpacked, onStage, true)), unpacked };
   const count = archived.filter((file) => rankOf(file) < MODEL_EXTENSIONS.length).length;
   return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${shownName(name)}`, ...read.notes] };
+}
+
+/** Says that models were dropped together, of which only one is shown. */
+function otherModelsNote(main: ModelFile, files: readonly ModelFile[]): string[] {
+  const others = files.filter((file) => file !== main && rankOf(file) < MODEL_EXTENSIONS.length);
+  if (others.length === 0) return [];
+  const which = others.length === 1 ? shownName(others[0].name) : 'another';
+  return [`one of ${others.length + 1} models: drop ${which} by itself to see it`];
 }
 
 const brokenNote = (triangles: number): string[] =>
@@ -221,7 +235,7 @@ async function parseScene(format: SceneFormat, bytes: Uint8Array, name: string, 
 function parsedOf(read: PlainMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
   const { upAxis = 'y', notes = [], missing = [] }: Partial<LoadedScene> = isScene ? read : {};
-  return { content: isScene ? read.root : read, upAxis, broken: 0, notes, missing };
+  return { content: isScene ? read.root : read, upAxis, broken: 0, notes, details: [], missing };
 }
 
 function safeDecode(uri: string): string {

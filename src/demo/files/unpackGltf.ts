@@ -37,6 +37,8 @@ export interface PlainGltf {
   broken: number;
   /** What to say about the rest that was left out. */
   notes: string[];
+  /** What only those want to know who look closer. */
+  details: string[];
 }
 
 const INSTANCED = 'EXT_mesh_gpu_instancing';
@@ -151,9 +153,9 @@ export async function unpackGltf(
       counted(tracks, 'damaged animation track', 'left out'),
       counted(skeletons, 'damaged skeleton', 'left out'),
       counted(instancesLeftOut, 'damaged instance', 'left out'),
-      leftOut.attributes > 0 ? 'values that do not fit its vertices left out' : '',
       leftOut.lines > 0 ? 'points and lines left out' : '',
     ].filter(Boolean),
+    details: leftOut.attributes > 0 ? ['values that do not fit its vertices left out'] : [],
   };
 }
 

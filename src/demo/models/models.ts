@@ -162,6 +162,7 @@ function readMesh(name: string, mesh: PlainMesh): ReadModel {
     stands: undefined,
     name,
     notes: [],
+    details: [],
     missing: [],
     upAxis: 'y',
   };

@@ -1,5 +1,4 @@
 import type { CodeModel } from '../code/CodeModel.js';
-import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { hatchModel } from '../drawing/hatchModel.js';
 import type { Report } from '../drawing/Report.js';
 import { standInFor } from '../drawing/standInFor.js';
@@ -13,7 +12,7 @@ import { setPageState } from '../page/setPageState.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import type { HatchingScene } from '../stage/createScene.js';
-import { modelCaption } from './modelCaption.js';
+import { type CaptionContent, ModelCaption } from './ModelCaption.js';
 import { page } from './page.js';
 import type { ShownFiles } from './sortDrop.js';
 import type { TaskRunner } from './TaskRunner.js';
@@ -55,12 +54,13 @@ export class ModelLoader {
   shownFiles: ShownFiles = { files: [], missing: [] };
   /** What a stand-in has changed on the page. */
   private beforeStandIn:
-    | { upAxis: Settings['upAxis']; title: string; caption: ChildNode[]; place: CameraView | undefined }
+    | { upAxis: Settings['upAxis']; title: string; caption: CaptionContent | undefined; place: CameraView | undefined }
     | undefined;
   /** The value of the setting for the model that is shown. */
   private shownModel: Settings['model'];
   /** The model that is shown or being loaded, if one is: its setting, and its files if it is the user's own. */
   private wanted: WantedModel | undefined;
+  private readonly caption = new ModelCaption(page.modelCaption);
   private readonly addresses = new WeakMap<readonly ModelFile[], string>();
 
   constructor(
@@ -215,7 +215,8 @@ export class ModelLoader {
       if (!isRestored && !hasStandIn) settings.upAxis = loaded.read.upAxis;
       // What is left out of our own models is no news to anyone.
       const told = model === 'file' ? notes : [];
-      this.name(loaded.title, next, told);
+      const details = model === 'file' && 'details' in loaded.read ? loaded.read.details : [];
+      this.name({ title: loaded.title, statistics: next.statistics, notes: told, details });
       scene.setModel(next, loaded.view);
       // Who has looked around the stand-in goes on from there.
       if (isFramed && !hasStandIn) scene.view.frame();
@@ -240,11 +241,11 @@ export class ModelLoader {
     this.beforeStandIn ??= {
       upAxis: settings.upAxis,
       title: document.title,
-      caption: [...page.modelCaption.childNodes],
+      caption: this.caption.content,
       place: scene.view.ownPlace,
     };
     if (!isRestored) settings.upAxis = read.upAxis;
-    this.name(title, standIn, []);
+    this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
     scene.setStandIn(standIn, view);
     if (isFramed) scene.view.frame();
   }
@@ -257,13 +258,13 @@ export class ModelLoader {
     settings.upAxis = before.upAxis;
     scene.removeStandIn();
     document.title = before.title;
-    page.modelCaption.replaceChildren(...before.caption);
+    this.caption.show(before.caption);
     if (before.place) scene.view.place = before.place;
     else scene.view.frame();
   }
 
-  private name(title: string, { statistics }: HatchedModel, notes: readonly string[]): void {
-    page.modelCaption.replaceChildren(...modelCaption(title, statistics, notes));
-    document.title = `${shownName(title)}, hatched`;
+  private name(content: CaptionContent): void {
+    this.caption.show(content);
+    document.title = `${shownName(content.title)}, hatched`;
   }
 }

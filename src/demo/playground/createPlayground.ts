@@ -519,10 +519,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   scene.onFrameTime(() => {
     occlusion.update();
     const time = `${scene.frameMilliseconds?.toFixed(0)} ms`;
-    page.frameTime.textContent = scene.isCoarse ? `${time}, coarse` : `${time} a frame`;
-    page.frameTime.title = scene.isCoarse
-      ? 'Drawn with half the resolution while it moves, because this machine is slow'
-      : 'Time from the first command of a frame to its last pixel';
+    page.frameTime.textContent = scene.isCoarse
+      ? `${time} a frame; half the resolution while it moves, because this machine is slow`
+      : `${time} a frame`;
   });
   page.canvas.addEventListener('webglcontextlost', () => {
     setPageState('lost');

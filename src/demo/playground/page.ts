@@ -13,7 +13,12 @@ export const page = {
   },
   lamp: findElement('lamp'),
   secondLamp: findElement('second-lamp'),
-  modelCaption: findElement('model-caption'),
+  modelCaption: {
+    caption: findElement('model-caption'),
+    about: findElement('about-model') as HTMLDetailsElement,
+    notes: findElement('model-notes'),
+    statistics: findElement('model-statistics'),
+  },
   frameTime: findElement('frame-time'),
   bar: findElement('bar'),
   home: findElement('home') as HTMLAnchorElement,

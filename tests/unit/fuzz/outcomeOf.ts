@@ -22,7 +22,7 @@ export async function outcomeOf(files: readonly ModelFile[]): Promise<Outcome> {
     } finally {
       model.dispose();
     }
-    for (const note of notes) checkWords(note);
+    for (const note of [...notes, ...read.details]) checkWords(note);
     return { kind: 'model', notes };
   } catch (error) {
     if (!(error instanceof ModelError)) throw error;

@@ -180,7 +180,7 @@ describe('values in every form are unpacked', () => {
       'VEC3',
     );
     const model = await read(builder);
-    expect(model.notes).toEqual(['2 triangles without three valid corners left out']);
+    expect([model.notes, model.details]).toEqual([[], ['2 triangles without three valid corners left out']]);
     expect(model.kind === 'mesh' && [...model.mesh.indices!]).toEqual([0, 2, 1]);
   });
 });
@@ -343,11 +343,11 @@ describe('scenes', () => {
 
   test('none: all nodes; and no nodes: all meshes', async () => {
     const withoutScene = await read(changed((json) => Object.assign(json, { scenes: undefined, scene: undefined })));
-    expect(withoutScene).toMatchObject({ kind: 'mesh', notes: ['it has no scene: all its nodes are shown'] });
+    expect(withoutScene).toMatchObject({ kind: 'mesh', details: ['it has no scene: all its nodes are shown'] });
     const withoutNodes = await read(
       changed((json) => Object.assign(json, { scenes: undefined, scene: undefined, nodes: undefined })),
     );
-    expect(withoutNodes).toMatchObject({ kind: 'mesh', notes: ['it has no scene: all its meshes are shown'] });
+    expect(withoutNodes).toMatchObject({ kind: 'mesh', details: ['it has no scene: all its meshes are shown'] });
   });
 
   test('no meshes: a sentence', async () => {
@@ -419,7 +419,7 @@ describe('instances', () => {
     if (model.kind !== 'mesh') throw new Error('not merged');
     expect(Math.max(...model.mesh.positions)).toBeCloseTo(Math.SQRT1_2, 5);
     expect(model.mesh.indices!.length).toBe(3 * 12);
-    expect(model.notes).toEqual([]);
+    expect(model.notes).toEqual(['its triangles are too thin to be hatched']);
   });
 
   test('of more triangles than can be drawn: a sentence, before they are made', async () => {
@@ -462,7 +462,7 @@ describe('pictures', () => {
     const builder = tetrahedron();
     addPicture(builder, 'baseColorTexture', { uri: 'textures/wood.png' });
     const model = await read(builder);
-    expect(model).toMatchObject({ kind: 'mesh', notes: ['without wood.png: drop it along'] });
+    expect(model).toMatchObject({ kind: 'mesh', notes: ['wood.png is missing: drop it along'] });
     const wood = { name: 'Wood.png', content: new Blob([picture(2) as Uint8Array<ArrayBuffer>]) };
     expect(await read(builder, [wood])).toMatchObject({ kind: 'parts', notes: [] });
   });

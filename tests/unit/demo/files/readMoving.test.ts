@@ -60,7 +60,7 @@ describe("a model of three's other loaders that moves", () => {
     const { materials } = model.parts.json as { materials: { pbrMetallicRoughness: object }[] };
     expect(JSON.stringify(materials)).toContain('"KHR_texture_transform":{"offset":[0,1],"scale":[1,-1]}');
     const lacking = await read(dae('textures/my wood.png', true));
-    expect([lacking.missing, lacking.notes]).toEqual([['my wood.png'], ['without my wood.png: drop it along']]);
+    expect([lacking.missing, lacking.notes]).toEqual([['my wood.png'], ['my wood.png is missing: drop it along']]);
   });
 
   test('stands still, and the caption says so, where its motion is damaged', async () => {

@@ -30,7 +30,7 @@ describe('OBJ', () => {
       ['green.mtl', 'newmtl green\nKd 0 1 0'],
     );
     expect(colorsOf(box)).toEqual([...rgb.slice(0, 8), ...new Array(4).fill('255,255,255')]);
-    expect(box.notes).toEqual(['without blue.mtl: drop it along']);
+    expect(box.notes).toEqual(['blue.mtl is missing: drop it along']);
   });
 
   test('a name of materials with spaces is one name, also where its file is missing', async () => {
@@ -116,7 +116,8 @@ describe('OBJ', () => {
   test('triangles with a corner that does not exist are left out, and counted', async () => {
     const box = await read(['box.obj', colouredBoxObj.replace(/^f 1 .*$/m, 'f 1 2 99')]);
     expect(triangles(box)).toBe(10);
-    expect(box.notes).toEqual(['1 triangle without three valid corners left out', 'without box.mtl: drop it along']);
+    expect(box.notes).toEqual(['box.mtl is missing: drop it along']);
+    expect(box.details).toEqual(['1 triangle without three valid corners left out']);
   });
 });
 
@@ -190,7 +191,7 @@ describe('OBJ with pictures', () => {
     );
     expect(widths).toEqual([2048, 2048, 2048, 2048]);
     expect(pictures.map(Boolean)).toEqual([true, true, true, true, false, false]);
-    expect(notes.slice(-2)).toEqual(['without e.png, f.tga: too large', 'pictures reduced to 2,048 pixels']);
+    expect(notes.slice(-2)).toEqual(['without e.png and f.tga: too large', 'pictures reduced to 2,048 pixels']);
   });
 
   test('pictures that are missing or none are named once, and colours stay', async () => {
@@ -207,6 +208,6 @@ describe('OBJ with pictures', () => {
     );
     expect(box.pictures).toEqual([undefined, undefined]);
     expect(new Set(colorsOf(box))).toEqual(new Set([RED, GREEN, BLUE]));
-    expect(box.notes).toEqual(['without a.png: drop it along', 'without b.tif: no picture that a browser reads']);
+    expect(box.notes).toEqual(['a.png is missing: drop it along', 'without b.tif: no picture that a browser reads']);
   });
 });

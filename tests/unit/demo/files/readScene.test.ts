@@ -95,7 +95,7 @@ describe('pictures and motion', () => {
   test.each(['wood.png', 'wood.tga'])('nothing is fetched for %s, which nobody dropped', async (name) => {
     vi.stubGlobal('fetch', () => expect.unreachable('nothing is fetched'));
     expect((await read(['box.dae', dae(`https://example.org/${name}`)])).notes).toEqual([
-      `without ${name}: drop it along`,
+      `${name} is missing: drop it along`,
     ]);
   });
 
