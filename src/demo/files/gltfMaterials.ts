@@ -40,13 +40,15 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
   return document.materials.map((material) => {
     const { name, alphaMode, alphaCutoff, doubleSided, emissiveFactor, extensions } = material ?? {};
     const { factor, texture } = baseColor(material);
+    // Without the picture that says where, all of the surface would emit light, and nothing of it be hatched.
+    const hasGlow = !material?.emissiveTexture || drawn(material.emissiveTexture) !== undefined;
     const strength = extensions?.KHR_materials_emissive_strength;
     return {
       name,
       alphaMode,
       alphaCutoff,
       doubleSided,
-      emissiveFactor,
+      ...(hasGlow && { emissiveFactor }),
       pbrMetallicRoughness: {
         ...(factor && { baseColorFactor: factor }),
         ...optional('baseColorTexture', drawn(texture)),

@@ -458,6 +458,17 @@ describe('pictures', () => {
     expect(material.map).toMatchObject({ wrapS: 1001, wrapT: 1002, minFilter: 1004, magFilter: 1003, flipY: false });
   });
 
+  test('of light that were not dropped leave a surface dark, that it can be hatched', async () => {
+    const builder = tetrahedron();
+    builder.json.images = [{ uri: 'lamp.png' }];
+    builder.json.textures = [{ source: 0 }];
+    builder.json.materials = [{ emissiveTexture: { index: 0 }, emissiveFactor: [1, 1, 1] }];
+    builder.json.meshes[0].primitives[0].material = 0;
+    const { root, notes } = await scene(builder);
+    expect(((root.children[0] as Mesh).material as MeshStandardMaterial).emissive.r).toBe(0);
+    expect(notes).toEqual(['lamp.png is missing: drop it along']);
+  });
+
   test('that were not dropped are named', async () => {
     const builder = tetrahedron();
     addPicture(builder, 'baseColorTexture', { uri: 'textures/wood.png' });
