@@ -152,7 +152,7 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   );
   await loseContext(page);
   await expect(page.locator('#status')).toHaveText(
-    /let go of the drawing after \d+ of 1800 frames, so there is no video\. Record it again when the drawing is back/,
+    /let go of the drawing after \d+ of 1800 frames\. There is no video; record it again when the drawing is back/,
   );
   await expect(again).toBeVisible();
   await restoreContext(page);

@@ -21,7 +21,7 @@ import { drawnView } from './viewSize.js';
 const MOST_COPIED_PIXELS = 64_000_000;
 
 const LOST =
-  'The graphics card let go of the drawing while it was being saved, so there is no picture. Save it again when the drawing is back; if that fails too, choose a smaller one.';
+  'The graphics card let go of the drawing while it was being saved. There is no picture; save it again when the drawing is back, smaller if that fails too.';
 
 /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
 export const savePicture: SaveDrawing = (scene, settings, name, report, signal) =>

@@ -102,7 +102,7 @@ function nextTask(): Promise<void> {
 }
 
 const lossAfter = (drawn: number, { frames }: VideoPlan): string =>
-  `The graphics card let go of the drawing after ${drawn} of ${frames} frames, so there is no video. Record it again when the drawing is back; if that fails too, choose smaller frames.`;
+  `The graphics card let go of the drawing after ${drawn} of ${frames} frames. There is no video; record it again when the drawing is back.`;
 
 function describe({ width, height, frames, rate }: VideoPlan, kind: string): string {
   const size = `${width.toLocaleString('en')} × ${height.toLocaleString('en')} px`;

@@ -61,7 +61,7 @@ describe('recordVideo', () => {
       const failure = await record().catch((error) => error);
       expect(failure).toBeInstanceOf(LostContextError);
       expect(failure.message).toMatch(
-        /let go of the drawing after 5 of 12 frames, so there is no video\. Record it again/,
+        /let go of the drawing after 5 of 12 frames\. There is no video; record it again/,
       );
       expect(scene.endPicture).toHaveBeenCalledTimes(1);
       expect(scene.release).toHaveBeenCalledTimes(1);
