@@ -1,7 +1,8 @@
 import type { Browser } from '@playwright/test';
+import { LACKS } from '../soak/poorBrowsers.js';
 import { watchProblems } from '../tests/browser/watchProblems.js';
 import { PAGE_KINDS } from '../tests/unit/fuzz/goodFiles.js';
-import { type FuzzOutcome, fuzzPage } from './fuzzPage.js';
+import { type FuzzOutcome, fuzzPage, QUESTIONS } from './fuzzPage.js';
 import { watchPage } from './watchPage.js';
 
 /** Counts of a kind of file. */
@@ -15,8 +16,10 @@ interface Sums {
   'its seed': number | undefined;
 }
 
-/** After so many cases the page is opened anew: what one leaves behind is for the soak to find. */
-const CASES_PER_PAGE = 100;
+const KINDS = [...PAGE_KINDS, QUESTIONS];
+/** After so many cases the page is opened anew, in another browser: what one leaves behind is for the soak to find. */
+const CASES_PER_PAGE = 50;
+const BROWSERS = [undefined, ...Object.keys(LACKS)];
 /** Of a task on the main thread. Longer ones are said at once. */
 const MAX_BLOCK_MILLISECONDS = 2000;
 
@@ -34,7 +37,7 @@ export async function fuzzBrowser(
   const failures: string[] = [];
   const cases = Array.from({ length: count }, (_, i) => ({
     seed: first + i,
-    kind: PAGE_KINDS[(first + i) % PAGE_KINDS.length],
+    kind: KINDS[(first + i) % KINDS.length],
   }));
   const onCase = ({ kind, seed, outcome, isBlank, longest, failures: wrong }: FuzzOutcome): void => {
     report[kind] ??= {
@@ -63,10 +66,12 @@ export async function fuzzBrowser(
   for (let i = 0; i < cases.length; i += CASES_PER_PAGE) {
     // Clips would play for ever.
     const page = await browser.newPage({ viewport: { width: 480, height: 360 }, reducedMotion: 'reduce' });
+    const lack = BROWSERS[(i / CASES_PER_PAGE) % BROWSERS.length];
+    if (lack) await page.addInitScript(LACKS[lack]);
     const watched = [watchProblems(page), await watchPage(page, address)];
     await fuzzPage(page, cases.slice(i, i + CASES_PER_PAGE), { address, watched, onCase });
     await page.close();
-    say(`${Math.min(i + CASES_PER_PAGE, cases.length)} of ${cases.length} cases`);
+    say(`${Math.min(i + CASES_PER_PAGE, cases.length)} of ${cases.length} cases${lack ? `, the latest ${lack}` : ''}`);
   }
   return { report, failures };
 }

@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
+import { askForModel } from '../soak/askForModel.js';
 import { follow, idle, ready } from '../tests/e2e/playground.js';
 import { Random } from '../tests/Random.js';
 import { checkSentence, checkWords } from '../tests/unit/fuzz/checkWords.js';
@@ -7,7 +8,10 @@ import { goodDrop } from '../tests/unit/fuzz/goodFiles.js';
 import { mutate } from '../tests/unit/fuzz/mutate.js';
 import { takeWatch } from './watchPage.js';
 
-/** One drop of damaged files. */
+/** What fuzzing asks about instead of dropping it: models of other sites. */
+export const QUESTIONS = 'questions';
+
+/** One drop of damaged files, or some questions. */
 export interface FuzzCase {
   kind: string;
   seed: number;
@@ -67,22 +71,25 @@ export async function fuzzPage(
     const fail = (error: unknown) => void failures.push(error instanceof Error ? error.message : String(error));
     let outcome: FuzzOutcome['outcome'] = 'refused';
     let isBlank = false;
+    let agreed: string[] = [];
     try {
-      outcome = await dropCase(page, kind, seed);
+      if (kind === QUESTIONS) agreed = await askForModel(page, new Random(seed));
+      else await dropFiles(page, kind, seed);
+      outcome = await outcomeOn(page);
       isBlank = outcome === 'good' && isOneColour(await picture(page));
     } catch (error) {
       fail(error);
     }
     const { longest, complaints } = await takeWatch(page);
-    for (const complaint of [...complaints, ...watched.flatMap((list) => list.splice(0))]) fail(complaint);
+    for (const complaint of [...complaints, ...watched.flatMap((list) => list.splice(0))])
+      if (!agreed.includes(complaint)) fail(complaint);
     const isLooked = i === cases.length - 1 || i % CASES_BETWEEN_LOOKS === CASES_BETWEEN_LOOKS - 1;
     if (isLooked && !(await returns(page, rest, first))) fail('The page does not draw any more as it did.');
     onCase({ kind, seed, outcome, isBlank, longest, failures });
   }
 }
 
-/** Drops a case. @throws Error if what users are told of it is not plain */
-async function dropCase(page: Page, kind: string, seed: number): Promise<'good' | 'refused'> {
+async function dropFiles(page: Page, kind: string, seed: number): Promise<void> {
   const random = new Random(seed);
   const files = mutate(await goodDrop(kind, random), random);
   const payload = await Promise.all(
@@ -95,6 +102,10 @@ async function dropCase(page: Page, kind: string, seed: number): Promise<'good' 
   await page.locator('#file-input').setInputFiles(payload);
   if (kind === 'strokes') await page.locator('#ask [value=yes]').click();
   await idle(page);
+}
+
+/** What has come of a case. @throws Error if what users are told of it is not plain */
+async function outcomeOn(page: Page): Promise<FuzzOutcome['outcome']> {
   const { status, isRefused, caption } = await page.evaluate(() => {
     const line = document.querySelector('#status')!;
     return {

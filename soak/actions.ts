@@ -11,8 +11,11 @@ import {
   octahedronPly,
   type TestFile,
 } from '../tests/e2e/modelFiles.js';
-import { drop, savePicture } from '../tests/e2e/playground.js';
+import { partsGlb } from '../tests/e2e/partsModel.js';
+import { drop, framesDrawn, idle, savePicture } from '../tests/e2e/playground.js';
 import { Random } from '../tests/Random.js';
+import { askForModel } from './askForModel.js';
+import { LACKS, visitPoor } from './poorBrowsers.js';
 
 /** Something that a user does. */
 type Action = (page: Page, random: Random) => Promise<void>;
@@ -50,6 +53,25 @@ export const GOOD: (readonly [name: string, content: () => Buffer | string | Pro
   ['ascii.stl', () => octahedronAsciiStl],
   ['octahedron.obj', () => octahedronObj],
 ];
+
+/** Drops a model that moves, lets it play, and takes one of its clips by hand. */
+export async function playAnimated(page: Page, clip: number): Promise<void> {
+  await drop(page, [file('column.glb', columnGlb())]);
+  await idle(page);
+  const clips = page.locator('#motion select');
+  const choices = await clips.locator('option').count();
+  await clips.evaluate((select: HTMLSelectElement, index) => {
+    // The card may be closed on a small page.
+    select.selectedIndex = index;
+    select.dispatchEvent(new Event('change', { bubbles: true }));
+  }, clip % choices);
+  await page.locator('#motion').evaluate((panel) => {
+    [...panel.querySelectorAll('button')].find(({ textContent }) => textContent === 'Play')?.click();
+  });
+  const frames = await framesDrawn(page);
+  await page.waitForFunction((before) => window.__playground!.framesDrawn > before + 3, frames);
+  await idle(page);
+}
 
 async function chooseFile(random: Random): Promise<TestFile> {
   const [name, content] = random.pick(GOOD);
@@ -112,5 +134,13 @@ export const ACTIONS: readonly { times: number; name: string; act: Action }[] = 
     act: async (page, random) => drop(page, [broken(await chooseFile(random), random)]),
   },
   { times: 1, name: 'models that nobody wants', act: refuseModels },
+  { times: 2, name: 'animated model', act: (page, random) => playAnimated(page, random.below(8)) },
+  { times: 1, name: 'many parts', act: (page) => drop(page, [file('parts.glb', partsGlb())]) },
+  { times: 3, name: 'model of another site', act: async (page, random) => void (await askForModel(page, random)) },
+  ...Object.keys(LACKS).map((lack) => ({
+    times: 1,
+    name: `a browser ${lack}`,
+    act: (page: Page) => visitPoor(page, lack),
+  })),
   { times: 1, name: 'save', act: async (page) => void (await savePicture(page)) },
 ];

@@ -2,8 +2,11 @@ import type { Browser, Page } from '@playwright/test';
 import { watchProblems } from '../tests/browser/watchProblems.js';
 import { countObjects } from '../tests/e2e/liveObjects.js';
 import { file } from '../tests/e2e/modelFiles.js';
+import { partsGlb } from '../tests/e2e/partsModel.js';
 import { drop, follow, idle } from '../tests/e2e/playground.js';
-import { GOOD, MODELS, STYLES, TECHNIQUES } from './actions.js';
+import { Random } from '../tests/Random.js';
+import { GOOD, MODELS, playAnimated, STYLES, TECHNIQUES } from './actions.js';
+import { askForModel } from './askForModel.js';
 import { grown, type Lap } from './judge.js';
 import { countsOf, format, measure, REST, settleFigures, turnFigures } from './measure.js';
 
@@ -43,6 +46,12 @@ const REPEATED: Readonly<Record<string, Repeated>> = {
     await drop(page, [file(name, await content())]);
     await idle(page);
   },
+  'animated model': playAnimated,
+  'many parts': async (page) => {
+    await drop(page, [file('parts.glb', partsGlb())]);
+    await idle(page);
+  },
+  'model of another site': async (page, i) => void (await askForModel(page, new Random(i))),
 };
 
 /** Columns of the table: what is counted. */

@@ -1,4 +1,4 @@
-import { type FuzzOutcome, fuzzPage } from '../../fuzz/fuzzPage.js';
+import { type FuzzOutcome, fuzzPage, QUESTIONS } from '../../fuzz/fuzzPage.js';
 import { takeWatch, watchPage } from '../../fuzz/watchPage.js';
 import { expect, test } from '../browser/test.js';
 
@@ -20,6 +20,11 @@ const CASES: [kind: string, seed: number][] = [
   // Its packed data are damaged.
   ['draco', 254],
   ['strokes', 47],
+  ['animated', 21],
+  ['parts', 22],
+  // Two links, of which the second is agreed to; three, of which none is.
+  [QUESTIONS, 16],
+  [QUESTIONS, 20],
 ];
 
 test('damaged files leave the page drawing, silent and on its own', async ({ page, baseURL, pageProblems }) => {

@@ -137,6 +137,42 @@ function gltfBuilder(random: Random): GltfBuilder {
   return builder;
 }
 
+/** A sphere with clips of its own: shapes that change, and a node that turns. */
+function animatedBuilder(random: Random): GltfBuilder {
+  const builder = gltfBuilder(random);
+  const { json } = builder;
+  const steps = 1 + random.below(4);
+  const times = builder.accessor(
+    Float32Array.from({ length: steps }, (_, i) => i / 2),
+    'SCALAR',
+  );
+  const turns = Float32Array.from({ length: 4 * steps }, (_, i) => (i % 4 === 3 ? 1 : random.next() - 0.5));
+  json.animations = [{ name: 'first', channels: [], samplers: [] }, ...(json.animations ?? [])];
+  addTrack(builder, 'rotation', times, builder.accessor(turns, 'VEC4'), random.pick(['LINEAR', 'STEP']));
+  return builder;
+}
+
+/** Many small parts, some within others, which share few meshes and materials. */
+function partsBuilder(random: Random): GltfBuilder {
+  const builder = gltfBuilder(random);
+  const { json } = builder;
+  const [mesh] = json.meshes;
+  json.materials ??= [];
+  for (let i = 0; i < 5; i++) {
+    json.meshes.push({ primitives: [{ ...mesh.primitives[0], material: json.materials.length }] });
+    json.materials.push({ pbrMetallicRoughness: { baseColorFactor: [random.next(), 0.5, 0.5, 1] } });
+  }
+  const parts = 20 + random.below(180);
+  const first = json.nodes.length;
+  for (let i = 0; i < parts; i++) {
+    json.nodes.push({ mesh: random.below(json.meshes.length), translation: [3 * (i % 10), 3 * Math.floor(i / 10), 0] });
+    const holder = i > 0 && random.chance(0.3) ? json.nodes[first + random.below(i)] : undefined;
+    if (holder) holder.children = [...(holder.children ?? []), first + i];
+    else json.scenes[0].nodes.push(first + i);
+  }
+  return builder;
+}
+
 /** Packs the first accessor with meshopt. */
 function packWithMeshopt(builder: GltfBuilder): void {
   const { json } = builder;
@@ -287,6 +323,8 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
     packWithMeshopt(builder);
     return [{ name: 'ball.glb', kind: 'gltf', builder, isBinary: true }];
   },
+  animated: (random) => [{ name: 'ball.glb', kind: 'gltf', builder: animatedBuilder(random), isBinary: true }],
+  parts: (random) => [{ name: 'balls.glb', kind: 'gltf', builder: partsBuilder(random), isBinary: true }],
   obj,
   ply: plyFile,
   stl,
