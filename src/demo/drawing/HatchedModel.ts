@@ -13,7 +13,7 @@ import type { UpAxis } from '../files/findUpAxis.js';
 import { lineLook } from '../settings/lineLook.js';
 import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
-import { applyToMaterial } from './applyToMaterial.js';
+import { applyToMaterials } from './applyToMaterial.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
@@ -39,10 +39,10 @@ interface Surface {
   premultipliedAlpha: boolean;
 }
 
-/** A material of the model, its copy for the compared technique, and the surface of both. */
+/** A material of the model, its copy for the compared technique once there is one, and the surface of both. */
 interface MaterialPair {
   drawn: HatchingMaterial;
-  compared: HatchingMaterial;
+  compared: HatchingMaterial | undefined;
   surface: Surface;
   /** The stroke scale that gives one tile per world unit. */
   scale: number;
@@ -56,10 +56,10 @@ export const BLANK: readonly (readonly [number, number])[] = [
   [1, 0],
 ];
 
-/** A model with hatching materials: one set that is drawn, and a copy of it for the compared technique. */
+/** A model with hatching materials: one set that is drawn, and, from the first comparison on, a copy of it for the compared technique. */
 export class HatchedModel {
   private readonly pairs: readonly MaterialPair[];
-  private readonly meshes: readonly { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
+  private readonly meshes: { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
   private readonly lineMaterials: ReadonlySet<HatchingLineMaterial>;
 
   /**
@@ -85,26 +85,28 @@ export class HatchedModel {
   ) {
     this.pairs = materials.map((drawn) => ({
       drawn,
-      compared: drawn.clone(),
+      compared: undefined,
       surface: surfaceOf(drawn),
       scale: drawn.strokeScale,
     }));
-    const copies = new Map<Material, Material>(this.pairs.map(({ drawn, compared }) => [drawn, compared]));
-    const copyOf = (material: Material): Material => copies.get(material) ?? material;
     this.meshes = meshesOf(root).map((mesh) => {
-      const { material } = mesh;
       mesh.castShadow = mesh.receiveShadow = true;
-      return { mesh, drawn: material, compared: Array.isArray(material) ? material.map(copyOf) : copyOf(material) };
+      return { mesh, drawn: mesh.material, compared: mesh.material };
     });
     this.lineMaterials = new Set(lines.map(({ material }) => material));
   }
 
   /** Applies the settings. */
   apply(settings: Settings): void {
-    for (const { drawn, compared, surface, scale } of this.pairs) {
-      applyToMaterial(drawn, settings);
-      applyToMaterial(compared, settings, settings.compare === 'none' ? settings.technique : settings.compare);
-      for (const material of [drawn, compared]) {
+    if (settings.compare !== 'none') this.makeCopies();
+    const copies = this.pairs.flatMap(({ compared }) => compared ?? []);
+    applyToMaterials(
+      this.pairs.map(({ drawn }) => drawn),
+      settings,
+    );
+    applyToMaterials(copies, settings, settings.compare === 'none' ? settings.technique : settings.compare);
+    for (const { surface, scale, ...pair } of this.pairs) {
+      for (const material of bothOf(pair)) {
         material.strokeScale *= scale;
         showSurface(material, surface, settings.surfaceColors === 'shown');
       }
@@ -119,7 +121,7 @@ export class HatchedModel {
   }
 
   set tonalArtMap(map: TonalArtMap) {
-    for (const { drawn, compared } of this.pairs) drawn.tonalArtMap = compared.tonalArtMap = map;
+    for (const pair of this.pairs) for (const material of bothOf(pair)) material.tonalArtMap = map;
   }
 
   /**
@@ -130,18 +132,15 @@ export class HatchedModel {
    */
   setWidths(settings: Settings, pixelRatio: number, share = 1): void {
     const sizes = materialSizes(settings, pixelRatio, share);
-    for (const { drawn, compared } of this.pairs) {
-      Object.assign(drawn, sizes);
-      Object.assign(compared, sizes);
-    }
+    for (const pair of this.pairs) for (const material of bothOf(pair)) Object.assign(material, sizes);
     const look = lineLook(settings, pixelRatio);
     for (const material of this.lineMaterials) material.setValues(look);
   }
 
   /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
   showPaper(shown: boolean): void {
-    for (const { drawn, compared, surface } of this.pairs) {
-      for (const material of [drawn, compared]) {
+    for (const { surface, ...pair } of this.pairs) {
+      for (const material of bothOf(pair)) {
         material.paperOpacity = shown ? 1 : 0;
         // Without blending, a near surface overwrites the strokes of those behind it, also between its own strokes.
         material.blending = shown ? surface.blending : NoBlending;
@@ -159,8 +158,8 @@ export class HatchedModel {
   showLayer(layer: 'colour' | 'shadow' | 'strokes' | 'outline' | undefined, settings: Settings): void {
     this.apply(settings);
     this.showPaper(layer === undefined || layer === 'colour');
-    for (const { drawn, compared } of this.pairs) {
-      for (const material of [drawn, compared]) {
+    for (const pair of this.pairs) {
+      for (const material of bothOf(pair)) {
         material.colorWrite = layer !== 'shadow' && layer !== 'outline';
         if (layer === 'colour') material.toneCurve = BLANK;
       }
@@ -176,9 +175,8 @@ export class HatchedModel {
 
   /** As {@link releaseGraphics} for what its meshes do not show at the moment: the materials compared with, and pictures. */
   releaseMaterials(): void {
-    for (const { drawn, compared, surface } of this.pairs) {
-      releaseMaterial(drawn);
-      releaseMaterial(compared);
+    for (const { surface, ...pair } of this.pairs) {
+      for (const material of bothOf(pair)) releaseMaterial(material);
       surface.map?.dispose();
     }
   }
@@ -186,12 +184,28 @@ export class HatchedModel {
   dispose(): void {
     this.useMaterials('drawn');
     for (const { compared, surface } of this.pairs) {
-      compared.dispose();
+      compared?.dispose();
       surface.map?.dispose();
     }
     this.free();
   }
+
+  /** Copies the materials for a comparison, as they are drawn at present. Models have thousands, and few are compared. */
+  private makeCopies(): void {
+    if (this.pairs.every(({ compared }) => compared)) return;
+    for (const pair of this.pairs) pair.compared = pair.drawn.clone();
+    const copies = new Map<Material, Material | undefined>(this.pairs.map(({ drawn, compared }) => [drawn, compared]));
+    const copyOf = (material: Material): Material => copies.get(material) ?? material;
+    for (const entry of this.meshes) {
+      const { drawn } = entry;
+      entry.compared = Array.isArray(drawn) ? drawn.map(copyOf) : copyOf(drawn);
+    }
+  }
 }
+
+/** The material that is drawn, and its copy if there is one. */
+const bothOf = ({ drawn, compared }: Pick<MaterialPair, 'drawn' | 'compared'>): HatchingMaterial[] =>
+  compared ? [drawn, compared] : [drawn];
 
 function surfaceOf(material: HatchingMaterial): Surface {
   const { color, map, vertexColors, alphaTest, opacity, transparent, depthWrite, blending, premultipliedAlpha } =

@@ -1,19 +1,27 @@
+import type { Vector2 } from 'three';
 import type { HatchingMaterial } from 'three-hatching';
 import { materialLook } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
 
 /**
- * Copies settings to a material; all but its sizes in pixels. One by one, because `setValues` warns of what the technique
- * does not use, and settings are kept for the next technique.
+ * Copies settings to materials; all but their sizes in pixels. One by one, because `setValues` warns of what the technique does not
+ * use, and settings are kept for the next technique.
  *
  * @param technique that of the settings or, for the other side of a comparison, another
  */
-export function applyToMaterial(
-  material: HatchingMaterial,
+export function applyToMaterials(
+  materials: Iterable<HatchingMaterial>,
   settings: Settings,
   technique: Settings['technique'] = settings.technique,
 ): void {
-  const { ink: _ink, paper: _paper, color: _color, ...look } = materialLook(settings, technique);
-  Object.assign(material, look);
-  for (const name of ['ink', 'paper', 'color'] as const) material[name].set(settings[name]);
+  const { ink: _ink, paper: _paper, color: _color, strokeOffset, ...look } = materialLook(settings, technique);
+  for (const material of materials) {
+    Object.assign(material, look);
+    material.strokeOffset.copy(strokeOffset as Vector2);
+    for (const name of ['ink', 'paper', 'color'] as const) material[name].set(settings[name]);
+  }
 }
+
+/** The same for one. */
+export const applyToMaterial = (material: HatchingMaterial, settings: Settings): void =>
+  applyToMaterials([material], settings);
