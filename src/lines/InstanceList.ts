@@ -15,8 +15,8 @@ import type { LineData } from '../geometry/LineData.js';
 
 /** The sine of the angle that the direction from an instance to the eye may turn by before the list must be made anew. */
 const SINE = Math.sin((3 * Math.PI) / 180);
-/** Primitives of all instances together from which on a search would hold up the page: a million take about ten milliseconds. */
-const MOST_SEARCHED = 8_000_000;
+/** Primitives of all instances together above which a search would hold up the page: a million take about ten milliseconds. */
+const MOST_SEARCHED = 4_000_000;
 /** Words of the list per primitive: its number, and that of the instance. */
 const PAIR_WORDS = 2;
 /** Of the texture of places. */
