@@ -24,14 +24,16 @@ export class LineMaker {
     this.materialFor(false);
   }
 
-  /** Lines for every mesh whose geometry was baked, but for cut-outs. They are not in the scene yet. */
-  linesFor(looks: readonly MeshLook[]): readonly HatchingLines[] {
-    for (const { mesh, geometry, material } of looks) {
-      if (isBatched(mesh) || materialsOf({ material }).every(isCutOut)) continue;
-      const lines = new HatchingLines(mesh, this.materialFor(deforms(geometry, mesh)));
-      lines.layers.mask = mesh.layers.mask;
-      this.made.push(lines);
-    }
+  /** Makes the lines of a mesh whose geometry was baked, unless it is a cut-out. They are not in the scene yet. */
+  addLines({ mesh, geometry, material }: MeshLook): void {
+    if (isBatched(mesh) || materialsOf({ material }).every(isCutOut)) return;
+    const lines = new HatchingLines(mesh, this.materialFor(deforms(geometry, mesh)));
+    lines.layers.mask = mesh.layers.mask;
+    this.made.push(lines);
+  }
+
+  /** All that were made. */
+  get lines(): readonly HatchingLines[] {
     return this.made;
   }
 

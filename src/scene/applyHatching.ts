@@ -2,6 +2,7 @@ import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } 
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { HatchingLines } from '../lines/HatchingLines.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import { needsAdjacency, needsMap } from '../material/lookFacts.js';
 import { runSliced } from '../slices/runSliced.js';
@@ -142,23 +143,21 @@ export async function applyHatching(
     }
     for (const material of withoutMap) material.tonalArtMap = map;
     signal?.throwIfAborted();
-    const whole = sphereAround(looks);
-    replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / whole.radius);
-    const frames = fieldFrames(
-      root,
-      looks.map(({ mesh }) => mesh),
-      whole.center,
-    );
-    for (const [i, look] of looks.entries()) look.fieldFrame = frames[i];
-    const used = new Set<Material>(looks.flatMap(({ material }) => material));
-    const materials = replacer.materials.filter((material) => used.has(material));
-    const drawn = lineMaker?.linesFor(looks) ?? [];
+    const finishing = finish(root, looks, replacer, { strokeScale, lineMaker });
     if (lineMaker) disposables.push(lineMaker);
+    const made = await runSliced(finishing, { signal });
+    const gone = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
+    const kept = looks.filter(({ mesh }) => !gone.has(mesh));
+    for (const { mesh } of looks) if (gone.has(mesh)) skipped.push({ mesh, error: changedMeanwhile(mesh) });
+    if (kept.length === 0 && looks.length > 0) throw skipped.at(-1)!.error;
+    const drawn = made.filter(({ mesh }) => !gone.has(mesh!));
+    const used = new Set<Material>(kept.flatMap(({ material }) => material));
+    const materials = replacer.materials.filter((material) => used.has(material));
     replaces?.dispose();
     releaseMeshes();
     releaseMeshes = claimMeshes(meshes);
-    const scene = new HatchedScene(looks, materials, drawn, skipped, disposables, releaseMeshes);
-    for (const { mesh } of looks) {
+    const scene = new HatchedScene(kept, materials, drawn, skipped, disposables, releaseMeshes);
+    for (const { mesh } of kept) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
     }
     return scene;
@@ -259,13 +258,15 @@ function collectLooks(
   for (const plan of planned) {
     const { mesh, material } = plan;
     const geometry = isBatched(mesh) ? batchGeometry(plan) : baked.get(plan.geometry)!;
-    const hasChanged = mesh.geometry !== plan.geometry || mesh.material !== plan.oldMaterial;
     if (geometry instanceof Error) skipped.push({ mesh, error: geometry });
-    else if (hasChanged) skipped.push({ mesh, error: changedMeanwhile(mesh) });
+    else if (hasChanged(plan)) skipped.push({ mesh, error: changedMeanwhile(mesh) });
     else looks.push({ mesh, geometry, material, fieldFrame: undefined });
   }
   return { looks, skipped };
 }
+
+const hasChanged = ({ mesh, geometry, oldMaterial }: OldLook): boolean =>
+  mesh.geometry !== geometry || mesh.material !== oldMaterial;
 
 const changedMeanwhile = ({ name, uuid }: Mesh): Error =>
   new Error(
@@ -281,13 +282,36 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
   );
 }
 
+/**
+ * Sizes the strokes, and gives every look its frame and its lines. Yields after each: scenes have thousands of meshes.
+ *
+ * @returns the lines, which are not in the scene yet
+ */
+function* finish(
+  root: Object3D,
+  looks: readonly MeshLook[],
+  replacer: MaterialReplacer,
+  { strokeScale, lineMaker }: { strokeScale: number | undefined; lineMaker: LineMaker | null },
+): Generator<number, readonly HatchingLines[], void> {
+  const { center, radius } = yield* sphereAround(looks);
+  replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / radius);
+  const fieldFrameOf = fieldFrames(root, center);
+  for (const look of looks) {
+    look.fieldFrame = fieldFrameOf(look.mesh);
+    lineMaker?.addLines(look);
+    yield 0;
+  }
+  return lineMaker?.lines ?? [];
+}
+
 /** A sphere around all meshes, world space; of radius 1 about the origin if there is none. */
-function sphereAround(looks: readonly MeshLook[]): Sphere {
+function* sphereAround(looks: readonly MeshLook[]): Generator<number, Sphere, void> {
   const whole = new Sphere();
   for (const { mesh, geometry } of looks) {
     if (isBatched(mesh) && mesh.boundingSphere === null) mesh.computeBoundingSphere();
     const sphere = isBatched(mesh) ? mesh.boundingSphere! : geometry.boundingSphere!;
     for (const matrix of worldMatrices(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
+    yield 0;
   }
   return whole.radius > 0 && Number.isFinite(whole.radius) ? whole : new Sphere(undefined, 1);
 }

@@ -3,18 +3,18 @@ import { isBatched } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /**
- * The matrices from the object space of each mesh to one frame for all: that of `root`, from a common centre, in units as large
+ * Tells the matrix from the object space of each mesh to one frame for all: that of `root`, from a common centre, in units as large
  * as those of the mesh, since `strokeScale` counts in them. Lines cut in this frame run on from mesh to mesh. Meshes of many
  * instances and those that are squeezed flat have none.
  *
  * @param centre of all meshes, world space
  */
-export function fieldFrames(root: Object3D, meshes: readonly Mesh[], centre: Vector3): (number[] | undefined)[] {
+export function fieldFrames(root: Object3D, centre: Vector3): (mesh: Mesh) => number[] | undefined {
   const rootScale = worldScale([root.matrixWorld]);
   const worldToRoot = root.matrixWorld.clone().invert();
   const origin = centre.clone().applyMatrix4(worldToRoot);
   const isRootFlat = root.matrixWorld.determinant() === 0;
-  return meshes.map((mesh) => {
+  return (mesh) => {
     if (isRootFlat || 'isInstancedMesh' in mesh || isBatched(mesh)) return undefined;
     const matrices = worldMatrices(mesh);
     if (matrices[0].determinant() === 0) return undefined;
@@ -25,5 +25,5 @@ export function fieldFrames(root: Object3D, meshes: readonly Mesh[], centre: Vec
       .multiply(worldToRoot)
       .multiply(matrices[0])
       .toArray();
-  });
+  };
 }

@@ -3,6 +3,7 @@ import { afterEach, expect, test, vi } from 'vitest';
 import * as identities from '../../../src/geometry/identityOf.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
+import { LineMaker } from '../../../src/scene/LineMaker.js';
 
 vi.mock('../../../src/geometry/identityOf.js', async (original) => {
   const { identityOf } = await original<typeof identities>();
@@ -82,5 +83,29 @@ test('hatching anew asks of each mesh a few times who it is, not for every other
   vi.mocked(identities.identityOf).mockClear();
   const hatched = await applyHatching(root, { tonalArtMap: null, replaces: before });
   expect(vi.mocked(identities.identityOf).mock.calls.length).toBeLessThan(20 * MESHES);
+  hatched.dispose();
+});
+
+test('frames and lines are made in slices, and a mesh that is given another material between them stays as it is', async () => {
+  slowClock();
+  const root = manyMaterials();
+  const last = root.children.at(-1) as Mesh;
+  const own = new MeshLambertMaterial();
+  let turns = 0;
+  const makeLines = vi.spyOn(LineMaker.prototype, 'addLines').mockImplementation(function (this: LineMaker, look) {
+    if (makeLines.mock.calls.length === 1) setImmediate(turn);
+    made.push(look.mesh);
+  });
+  const made: Mesh[] = [];
+  const turn = () => {
+    turns++;
+    last.material = own;
+    if (made.length < MESHES) setImmediate(turn);
+  };
+  const hatched = await applyHatching(root, { tonalArtMap: null, lines: true });
+  expect(made).toHaveLength(MESHES);
+  expect(turns).toBeGreaterThan(MESHES / SLICE / 2);
+  expect(hatched.skipped.map(({ mesh }) => mesh)).toEqual([last]);
+  expect(last.material).toBe(own);
   hatched.dispose();
 });
