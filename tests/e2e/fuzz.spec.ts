@@ -9,6 +9,8 @@ const CASES: [kind: string, seed: number][] = [
   ['glb', 16],
   ['gltf', 49],
   ['meshopt', 18],
+  // Instances with morph targets.
+  ['meshopt', 135],
   ['obj', 3],
   ['ply', 4],
   ['stl', 5],

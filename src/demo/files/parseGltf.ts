@@ -15,6 +15,7 @@ import {
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { GltfSampler } from './gltfDocument.js';
 import type { Picture } from './gltfPictures.js';
+import { InstanceShapes } from './InstanceShapes.js';
 
 /** The checked parts of a glTF file, in a form that a worker can post. */
 export interface GltfParts {
@@ -37,7 +38,9 @@ export interface ModelScene {
 
 /** Makes a scene of its parts. Nothing is fetched, and nothing is decoded. */
 export async function parseGltf(parts: GltfParts): Promise<ModelScene> {
-  const loader = new GLTFLoader().register((parser) => new PartsPlugin(parser, parts));
+  const loader = new GLTFLoader()
+    .register((parser) => new PartsPlugin(parser, parts))
+    .register((parser) => new InstanceShapes(parser));
   const { scene, animations } = await loader.parseAsync(parts.json as never, '');
   return { root: scene, animations };
 }

@@ -47,7 +47,7 @@ function checkModel(model: HatchedModel): void {
   checkPose(model);
 }
 
-function checkGeometry({ geometry, visible }: Mesh): void {
+function checkGeometry({ geometry, visible, morphTargetInfluences }: Mesh): void {
   if (!visible) return;
   for (const [name, { array, count }] of Object.entries(geometry.attributes) as [string, BufferAttribute][]) {
     if (count === 0) throw new Error(`No ${name}`);
@@ -55,6 +55,8 @@ function checkGeometry({ geometry, visible }: Mesh): void {
   }
   for (const [name, targets] of Object.entries(geometry.morphAttributes)) {
     for (const { array } of targets) checkNumbers(`shape ${name}`, array);
+    // The renderer of three.js fails.
+    if (morphTargetInfluences?.length !== targets.length) throw new Error(`Shapes without influences: ${name}`);
   }
 }
 

@@ -1,5 +1,12 @@
 import { PNG } from 'pngjs';
-import { AnimationMixer, type InstancedMesh, type Mesh, type MeshStandardMaterial, type SkinnedMesh } from 'three';
+import {
+  AnimationMixer,
+  type Group,
+  type InstancedMesh,
+  type Mesh,
+  type MeshStandardMaterial,
+  type SkinnedMesh,
+} from 'three';
 import { describe, expect, test } from 'vitest';
 import { parseGltf } from '../../../../src/demo/files/parseGltf.js';
 import { type ReadModel, type ReadParts, readModel } from '../../../../src/demo/files/readModel.js';
@@ -412,6 +419,36 @@ describe('instances', () => {
     builder.json.meshes[0].primitives[0].material = 0;
     const { root } = await scene(builder);
     expect((root.children[0] as InstancedMesh).count).toBe(2);
+  });
+
+  test('have the shapes of their mesh, which clips move', async () => {
+    const builder = instanced([0, 0, 0, 5, 0, 0]);
+    const { json } = builder;
+    const POSITION = builder.accessor(new Float32Array(12).fill(1), 'VEC3');
+    const parts = [0, 1].map(() => ({ ...json.meshes[0].primitives[0], targets: [{ POSITION }, { POSITION }] }));
+    json.meshes = [
+      { primitives: parts.slice(1), weights: [0.5, 0.25], extras: { targetNames: ['smile', 'blink'] } },
+      { primitives: parts },
+    ];
+    json.nodes.push({ ...json.nodes[0], mesh: 1, weights: [0, 0.75] });
+    json.scenes[0].nodes.push(1);
+    const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+    addTrack(builder, 'weights', times, builder.accessor(Float32Array.of(0, 0, 1, 0), 'SCALAR'));
+
+    const { root, animations } = await scene(builder);
+    const [single, group] = root.children as [InstancedMesh, Group];
+    expect(single.morphTargetInfluences).toEqual([0.5, 0.25]);
+    expect(single.morphTargetDictionary).toEqual({ smile: 0, blink: 1 });
+    expect(group.children).toHaveLength(2);
+    for (const part of group.children as InstancedMesh[]) {
+      expect(part.isInstancedMesh).toBe(true);
+      expect(part.morphTargetInfluences).toEqual([0, 0.75]);
+      expect(part.morphTargetDictionary).toEqual({ 0: 0, 1: 1 });
+    }
+    const mixer = new AnimationMixer(root);
+    mixer.clipAction(animations[0]).play();
+    mixer.setTime(0.75);
+    expect(single.morphTargetInfluences).toEqual([0.75, 0]);
   });
 
   test('that spread a part too small to be seen have a size', async () => {
