@@ -1,4 +1,4 @@
-import type { BufferGeometry } from 'three';
+import type { DracoPart } from './decodeDraco.js';
 import type { GltfValues } from './GltfValues.js';
 import type { GltfWriter } from './GltfWriter.js';
 import type { GltfMesh, GltfPrimitive } from './gltfDocument.js';
@@ -45,11 +45,11 @@ interface PartSource {
   indices(): Uint32Array | undefined;
 }
 
-/** Unpacks a part that is packed with Draco. Its attributes have the names of glTF. @throws ModelError */
+/** Unpacks a part that is packed with Draco. Its attributes have the names of glTF; their values are normalized. @throws ModelError */
 export type DracoSource = (
   packed: NonNullable<NonNullable<GltfPrimitive['extensions']>['KHR_draco_mesh_compression']>,
   primitive: GltfPrimitive,
-) => Promise<BufferGeometry>;
+) => Promise<DracoPart>;
 
 /** What was left out of the geometry. */
 export interface LeftOut {
@@ -242,15 +242,13 @@ export class GltfGeometry {
     return {
       read: (name) => {
         const { values } = this;
-        const fromDraco = unpacked?.getAttribute(name);
         const accessor = primitive.attributes[name];
         if (accessor === undefined) return undefined;
-        if (fromDraco)
-          return { values: values.normalize(accessor, Float32Array.from(fromDraco.array)), size: fromDraco.itemSize };
-        return { values: values.floatsOf(accessor), size: values.sizeOf(accessor) };
+        const fromDraco = unpacked?.attributes.get(name);
+        return fromDraco ?? { values: values.floatsOf(accessor), size: values.sizeOf(accessor) };
       },
       indices: () => {
-        if (unpacked) return unpacked.index ? Uint32Array.from(unpacked.index.array) : undefined;
+        if (unpacked) return unpacked.indices;
         return primitive.indices === undefined ? undefined : this.values.integersOf(primitive.indices);
       },
     };

@@ -1,13 +1,12 @@
-import type { BufferGeometry } from 'three';
 import { checkTriangleCount } from './checkTriangleCount.js';
 import type { ChosenScene } from './chooseScene.js';
 import { counted } from './counted.js';
-import { type DracoSource, fitWeights, GltfGeometry, type PlainGltfMesh } from './GltfGeometry.js';
+import { dracoSource } from './dracoSource.js';
+import { fitWeights, GltfGeometry, type PlainGltfMesh } from './GltfGeometry.js';
 import type { GltfValues } from './GltfValues.js';
 import { GltfWriter } from './GltfWriter.js';
 import { writeAnimations } from './gltfAnimations.js';
 import type { GltfDocument, GltfNode } from './gltfDocument.js';
-import type { DracoUnpacker } from './gltfDraco.js';
 import { ModelError } from './ModelError.js';
 
 /** A glTF document with one scene, whose values were all read and checked. */
@@ -58,8 +57,7 @@ export async function unpackGltf(
   fileName: string,
 ): Promise<PlainGltf> {
   const writer = new GltfWriter();
-  const draco = new DracoParts(document, values, fileName);
-  const geometry = new GltfGeometry(values, writer, draco.read);
+  const geometry = new GltfGeometry(values, writer, dracoSource(document, values, fileName));
   const skins = document.skins.map((skin) => skin && writeSkin(skin, values, writer));
   const visible = new Set(chosen.visible);
   const meshes: object[] = [];
@@ -84,40 +82,36 @@ export async function unpackGltf(
   };
 
   const nodes: object[] = [];
-  try {
-    for (const [i, node] of document.nodes.entries()) {
-      const { name, children, matrix, translation, rotation, scale } = node;
-      const plain: Record<string, unknown> = { name, matrix, translation, rotation, scale };
-      if (children?.length) plain.children = children;
-      nodes.push(plain);
-      if (node.mesh === undefined || !visible.has(i)) continue;
-      const places = instanceAccessors(node, values);
-      const skin = node.skin === undefined || places.length > 0 ? undefined : skins[node.skin];
-      const mesh = await meshOf(node.mesh, skin?.joints.length ?? 0);
-      if (!mesh) continue;
-      const count = places.length > 0 ? Math.min(...places.map(([, accessor]) => values.countOf(accessor))) : 1;
-      checkTriangleCount(Math.max(1, sums.triangles + mesh.triangles * count));
-      const instances = places.length > 0 ? readInstances(places, count, values) : undefined;
-      instancesLeftOut += instances?.leftOut ?? 0;
-      if (instances?.count === 0) continue;
-      plain.mesh = mesh.index;
-      shapes[i] = mesh.shapes;
-      if (mesh.shapes > 0 && node.weights) plain.weights = fitWeights(node.weights, mesh.shapes);
-      if (mesh.isSkinned) plain.skin = node.skin;
-      else if (node.skin !== undefined) skeletons++;
-      isSkinned ||= mesh.isSkinned;
-      if (instances) {
-        const attributes = Object.fromEntries(
-          instances.attributes.map(([key, array]) => [key, writer.add(array, INSTANCE_SIZES[key])]),
-        );
-        plain.extensions = { [INSTANCED]: { attributes } };
-      }
-      sums.triangles += mesh.triangles * (instances?.count ?? 1);
-      sums.vertices += mesh.vertices * (instances?.count ?? 1);
-      sums.draws += mesh.json.primitives.length;
+  for (const [i, node] of document.nodes.entries()) {
+    const { name, children, matrix, translation, rotation, scale } = node;
+    const plain: Record<string, unknown> = { name, matrix, translation, rotation, scale };
+    if (children?.length) plain.children = children;
+    nodes.push(plain);
+    if (node.mesh === undefined || !visible.has(i)) continue;
+    const places = instanceAccessors(node, values);
+    const skin = node.skin === undefined || places.length > 0 ? undefined : skins[node.skin];
+    const mesh = await meshOf(node.mesh, skin?.joints.length ?? 0);
+    if (!mesh) continue;
+    const count = places.length > 0 ? Math.min(...places.map(([, accessor]) => values.countOf(accessor))) : 1;
+    checkTriangleCount(Math.max(1, sums.triangles + mesh.triangles * count));
+    const instances = places.length > 0 ? readInstances(places, count, values) : undefined;
+    instancesLeftOut += instances?.leftOut ?? 0;
+    if (instances?.count === 0) continue;
+    plain.mesh = mesh.index;
+    shapes[i] = mesh.shapes;
+    if (mesh.shapes > 0 && node.weights) plain.weights = fitWeights(node.weights, mesh.shapes);
+    if (mesh.isSkinned) plain.skin = node.skin;
+    else if (node.skin !== undefined) skeletons++;
+    isSkinned ||= mesh.isSkinned;
+    if (instances) {
+      const attributes = Object.fromEntries(
+        instances.attributes.map(([key, array]) => [key, writer.add(array, INSTANCE_SIZES[key])]),
+      );
+      plain.extensions = { [INSTANCED]: { attributes } };
     }
-  } finally {
-    draco.dispose();
+    sums.triangles += mesh.triangles * (instances?.count ?? 1);
+    sums.vertices += mesh.vertices * (instances?.count ?? 1);
+    sums.draws += mesh.json.primitives.length;
   }
   if (sums.triangles === 0) throw new ModelError(`${fileName} ${NO_TRIANGLES}.`);
 
@@ -219,47 +213,4 @@ function belowRoots({ nodes }: GltfDocument, roots: readonly number[]): Set<numb
     for (const child of nodes[node].children ?? []) pending.push(child);
   }
   return found;
-}
-
-const ARRAY_TYPES = {
-  5120: 'Int8Array',
-  5121: 'Uint8Array',
-  5122: 'Int16Array',
-  5123: 'Uint16Array',
-  5125: 'Uint32Array',
-  5126: 'Float32Array',
-} as const;
-
-/** The parts of a document that are packed with Draco. Its decoder is loaded with the first of them. */
-class DracoParts {
-  private unpacker: DracoUnpacker | undefined;
-
-  constructor(
-    private readonly document: GltfDocument,
-    private readonly values: GltfValues,
-    private readonly fileName: string,
-  ) {}
-
-  readonly read: DracoSource = async ({ bufferView, attributes }, primitive) => {
-    const wanted: Record<string, { id: number; arrayType: string }> = {};
-    for (const [name, id] of Object.entries(attributes)) {
-      const accessor = this.document.accessors[primitive.attributes[name] ?? -1];
-      if (accessor) wanted[name] = { id, arrayType: ARRAY_TYPES[accessor.componentType] };
-    }
-    let geometry: BufferGeometry;
-    const bytes = this.values.viewOf(bufferView);
-    try {
-      const { DracoUnpacker: Unpacker } = await import('./gltfDraco.js');
-      this.unpacker ??= new Unpacker();
-      geometry = await this.unpacker.unpack(bytes, wanted);
-    } catch (error) {
-      if (error instanceof ModelError) throw error;
-      throw new ModelError(`${this.fileName} is damaged: a part packed with Draco cannot be unpacked.`);
-    }
-    return geometry;
-  };
-
-  dispose(): void {
-    this.unpacker?.dispose();
-  }
 }

@@ -356,7 +356,7 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
     ),
 };
 
-/** What takes a page to read: workers of others, or a question to answer. */
+/** What takes a page to read: a decoder that it fetches, or a question to answer. */
 const PAGE_WRITERS: Record<string, (random: Random) => GoodDrop | Promise<GoodDrop>> = {
   draco: dracoFile,
   strokes,
