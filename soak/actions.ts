@@ -13,7 +13,7 @@ import {
 } from '../tests/e2e/modelFiles.js';
 import { partsGlb } from '../tests/e2e/partsModel.js';
 import { drop, framesDrawn, idle, savePicture } from '../tests/e2e/playground.js';
-import { Random } from '../tests/Random.js';
+import type { Random } from '../tests/Random.js';
 import { askForModel } from './askForModel.js';
 import { LACKS, visitPoor } from './poorBrowsers.js';
 
@@ -86,18 +86,6 @@ function broken({ name, buffer }: TestFile, random: Random): TestFile {
   return file(`changed-${name}`, changed);
 }
 
-/** Links that ask for models from other sites, of which nobody agrees to any: the later takes the place of the earlier. */
-async function refuseModels(page: Page): Promise<void> {
-  for (const site of ['one.test', 'other.test']) {
-    await setting('model', [`https://${site}/a.glb`])(page, new Random(1));
-    await page.locator('.ask-site', { hasText: site }).waitFor();
-  }
-  await page.keyboard.press('Escape');
-  await page.locator('#ask').waitFor({ state: 'detached' });
-  // Other links are made of the page's address, which goes back to that of what is shown.
-  await page.waitForFunction(() => !location.hash.includes('other.test'));
-}
-
 async function dragFrom(page: Page, random: Random, selector: string): Promise<void> {
   const box = await page.locator(selector).boundingBox();
   if (!box) return;
@@ -133,7 +121,6 @@ export const ACTIONS: readonly { times: number; name: string; act: Action }[] = 
     name: 'broken file',
     act: async (page, random) => drop(page, [broken(await chooseFile(random), random)]),
   },
-  { times: 1, name: 'models that nobody wants', act: refuseModels },
   { times: 2, name: 'animated model', act: (page, random) => playAnimated(page, random.below(8)) },
   { times: 1, name: 'many parts', act: (page) => drop(page, [file('parts.glb', partsGlb())]) },
   { times: 3, name: 'model of another site', act: async (page, random) => void (await askForModel(page, random)) },

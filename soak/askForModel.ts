@@ -13,6 +13,7 @@ const FILES = [
   // No model.
   'page.html',
 ];
+const ADDRESSES = SITES.flatMap((site) => FILES.map((file) => `${site}/${file}`));
 const ANSWERS = ['yes', 'no', 'Escape'] as const;
 
 /** What a question must not show: what turns text round, and what is not to be seen. */
@@ -27,7 +28,10 @@ const LONGEST = 600;
  * @throws Error if a question is not plain, or if anything was asked for that nobody agreed to
  */
 export async function askForModel(page: Page, random: Random): Promise<string[]> {
-  const wanted = Array.from({ length: 1 + random.below(3) }, () => `${random.pick(SITES)}/${random.pick(FILES)}`);
+  // A link to what is shown asks nothing.
+  const shown = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('model'));
+  const others = ADDRESSES.filter((address) => address !== shown);
+  const wanted = Array.from({ length: 1 + random.below(3) }, () => random.pick(others));
   const answer = random.pick(ANSWERS);
   const asked: string[] = [];
   const isOther = (url: URL): boolean => url.hostname.endsWith('.test');
@@ -43,6 +47,11 @@ export async function askForModel(page: Page, random: Random): Promise<string[]>
     else await page.locator(`#ask [value=${answer}]`).click();
     await page.locator('#ask').waitFor({ state: 'hidden' });
     await idle(page);
+    // Other links are made of the page's address, which goes back to that of what is shown.
+    await page.waitForFunction(
+      (refused) => new URLSearchParams(location.hash.slice(1)).get('model') !== refused,
+      answer === 'yes' ? undefined : wanted.at(-1),
+    );
   } finally {
     await page.unroute(isOther);
   }
