@@ -13,7 +13,7 @@ import type { UpAxis } from '../files/findUpAxis.js';
 import { lineLook } from '../settings/lineLook.js';
 import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
-import { applyToMaterials } from './applyToMaterial.js';
+import { settingsApplier } from './applyToMaterial.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
@@ -60,6 +60,8 @@ export const BLANK: readonly (readonly [number, number])[] = [
 export class HatchedModel {
   private readonly pairs: readonly MaterialPair[];
   private readonly meshes: { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
+  /** The settings that the materials show; undefined while they show something else. */
+  private shown: string | undefined;
   private readonly lineMaterials: ReadonlySet<HatchingLineMaterial>;
 
   /**
@@ -98,18 +100,30 @@ export class HatchedModel {
 
   /** Applies the settings. */
   apply(settings: Settings): void {
-    if (settings.compare !== 'none') this.makeCopies();
-    const copies = this.pairs.flatMap(({ compared }) => compared ?? []);
-    applyToMaterials(
-      this.pairs.map(({ drawn }) => drawn),
-      settings,
-    );
-    applyToMaterials(copies, settings, settings.compare === 'none' ? settings.technique : settings.compare);
-    for (const { surface, scale, ...pair } of this.pairs) {
-      for (const material of bothOf(pair)) {
-        material.strokeScale *= scale;
-        showSurface(material, surface, settings.surfaceColors === 'shown');
+    for (const _ of this.applying(settings));
+  }
+
+  /** The same in steps, material by material: models have thousands. Does nothing to materials that show these settings already. */
+  *applying(settings: Settings): Generator<void, void, void> {
+    const shown = whatMaterialsShow(settings);
+    if (shown !== this.shown) {
+      this.shown = undefined;
+      if (settings.compare !== 'none') this.makeCopies();
+      const applyDrawn = settingsApplier(settings);
+      const applyCompared = settingsApplier(
+        settings,
+        settings.compare === 'none' ? settings.technique : settings.compare,
+      );
+      for (const { drawn, compared, surface, scale } of this.pairs) {
+        applyDrawn(drawn);
+        if (compared) applyCompared(compared);
+        for (const material of bothOf({ drawn, compared })) {
+          material.strokeScale *= scale;
+          showSurface(material, surface, settings.surfaceColors === 'shown');
+        }
+        yield;
       }
+      this.shown = shown;
     }
     // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
     this.showLines(settings.lines === 'on' && settings.debugView === 'none');
@@ -139,6 +153,7 @@ export class HatchedModel {
 
   /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
   showPaper(shown: boolean): void {
+    this.shown = undefined;
     for (const { surface, ...pair } of this.pairs) {
       for (const material of bothOf(pair)) {
         material.paperOpacity = shown ? 1 : 0;
@@ -202,6 +217,10 @@ export class HatchedModel {
     }
   }
 }
+
+/** Settings as a text, without those that no material depends on: two that are equal give equal materials. */
+const whatMaterialsShow = ({ model: _model, upAxis: _upAxis, ...settings }: Settings): string =>
+  JSON.stringify(settings);
 
 /** The material that is drawn, and its copy if there is one. */
 const bothOf = ({ drawn, compared }: Pick<MaterialPair, 'drawn' | 'compared'>): HatchingMaterial[] =>

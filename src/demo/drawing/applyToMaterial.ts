@@ -8,20 +8,20 @@ import type { Settings } from '../settings/settings.js';
  * use, and settings are kept for the next technique.
  *
  * @param technique that of the settings or, for the other side of a comparison, another
+ * @returns what does it for a material; the look is worked out once for all
  */
-export function applyToMaterials(
-  materials: Iterable<HatchingMaterial>,
+export function settingsApplier(
   settings: Settings,
   technique: Settings['technique'] = settings.technique,
-): void {
+): (material: HatchingMaterial) => void {
   const { ink: _ink, paper: _paper, color: _color, strokeOffset, ...look } = materialLook(settings, technique);
-  for (const material of materials) {
+  return (material) => {
     Object.assign(material, look);
     material.strokeOffset.copy(strokeOffset as Vector2);
     for (const name of ['ink', 'paper', 'color'] as const) material[name].set(settings[name]);
-  }
+  };
 }
 
-/** The same for one. */
+/** Does it for one. */
 export const applyToMaterial = (material: HatchingMaterial, settings: Settings): void =>
-  applyToMaterials([material], settings);
+  settingsApplier(settings)(material);

@@ -43,7 +43,7 @@ async function hatch(
   try {
     const { hatchScene } = await import('./hatchScene.js');
     const scene =
-      read.kind === 'scene' ? read.scene : await (await import('../files/parseGltf.js')).parseGltf(read.parts);
+      read.kind === 'scene' ? read.scene : await (await import('../files/parseGltf.js')).parseGltf(read.parts, signal);
     signal.throwIfAborted();
     const usual = read.kind === 'parts' ? read.usual : undefined;
     let stage = 'joining triangles';

@@ -7,6 +7,7 @@ import { measureExtent } from '../files/fitModel.js';
 import type { ModelScene } from '../files/parseGltf.js';
 import { placements } from '../files/placements.js';
 import { repairScene } from '../files/repairGeometry.js';
+import { Slices } from '../files/Slices.js';
 import { thinNote } from '../files/thinNote.js';
 import { surfaceArea } from '../files/triangleAreas.js';
 import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
@@ -41,28 +42,37 @@ export async function hatchScene(
     onGeometry: (done: number, total: number) => void;
   },
 ): Promise<{ model: HatchedModel; notes: string[] }> {
+  const slices = new Slices(options.signal);
   const usable = animations.filter(isUsable);
   hideAllButMeshes(root);
   repairScene(root);
+  await slices.next();
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
+  await slices.next();
   const outline = fitScene(holder, motion);
+  await slices.next();
   const { points, share } = someTriangles(root);
   const stands = usual && findUpAxis(points, null, usual);
+  await slices.next();
 
   // One tile per world unit. The settings scale it.
   const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
+  // Who cancels from here on frees all of it with the model.
+  const ending = new Slices();
   for (const { mesh } of hatched.skipped) mesh.visible = false;
   for (const mesh of meshesOf(root)) {
     // Its bounding sphere is that of the rest pose.
     if ('isSkinnedMesh' in mesh || mesh.morphTargetInfluences) mesh.frustumCulled = false;
   }
+  const statistics = statisticsOf(root);
+  await ending.next();
   const model = new HatchedModel(
     holder,
     new Box3().setFromArray(outline),
     outline,
     stands,
-    statisticsOf(root),
+    statistics,
     motion.canMove ? motion : undefined,
     hatched.materials,
     hatched.lines,

@@ -16,6 +16,7 @@ import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons
 import type { GltfSampler } from './gltfDocument.js';
 import type { Picture } from './gltfPictures.js';
 import { InstanceShapes } from './InstanceShapes.js';
+import { Slices } from './Slices.js';
 
 /** The checked parts of a glTF file, in a form that a worker can post. */
 export interface GltfParts {
@@ -36,10 +37,11 @@ export interface ModelScene {
   animations: AnimationClip[];
 }
 
-/** Makes a scene of its parts. Nothing is fetched, and nothing is decoded. */
-export async function parseGltf(parts: GltfParts): Promise<ModelScene> {
+/** Makes a scene of its parts, in slices. Nothing is fetched, and nothing is decoded. Rejects with the signal's reason. */
+export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise<ModelScene> {
+  const slices = new Slices(signal);
   const loader = new GLTFLoader()
-    .register((parser) => new PartsPlugin(parser, parts))
+    .register((parser) => new PartsPlugin(parser, parts, slices))
     .register((parser) => new InstanceShapes(parser));
   const { scene, animations } = await loader.parseAsync(parts.json as never, '');
   return { root: scene, animations };
@@ -48,11 +50,21 @@ export async function parseGltf(parts: GltfParts): Promise<ModelScene> {
 /** Gives three's loader the arrays and pictures that it would load otherwise. */
 class PartsPlugin implements GLTFLoaderPlugin {
   readonly name = 'parts';
+  /** The mesh that was asked for last. */
+  private latest: Promise<unknown> = Promise.resolve();
 
   constructor(
     private readonly parser: GLTFParser,
     private readonly parts: GltfParts,
+    private readonly slices: Slices,
   ) {}
+
+  /** One mesh after another, with pauses: three's loader asks for thousands at once, and makes them in one task. */
+  loadMesh(index: number): ReturnType<GLTFParser['loadMesh']> {
+    const mesh = this.latest.then(() => this.slices.next()).then(() => this.parser.loadMesh(index));
+    this.latest = mesh.catch(() => {});
+    return mesh;
+  }
 
   async loadBufferView(index: number): Promise<ArrayBuffer> {
     return this.parts.arrays[index];

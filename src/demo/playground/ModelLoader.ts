@@ -198,9 +198,11 @@ export class ModelLoader {
       const loaded = await load(report, signal);
       this.showStandIn(loaded, isFramed, isRestored);
       const { model: next, notes } = await hatchModel(loaded.read, report, signal);
-      if (signal.aborted) {
+      try {
+        await scene.dress(next, signal);
+      } catch (error) {
         next.dispose();
-        throw signal.reason;
+        throw error;
       }
       report('drawing', 1);
       const hasStandIn = scene.isStandIn;

@@ -2,6 +2,7 @@ import { Group, MathUtils, type Matrix4, Scene, Vector3, WebGLRenderer } from 't
 import { MovingResolution, type TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
+import { Slices } from '../files/Slices.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from '../settings/settings.js';
 import { drawsWithMap, UPRIGHT } from '../settings/settingValues.js';
@@ -494,6 +495,17 @@ export function createScene(canvas: HTMLCanvasElement, context: WebGL2RenderingC
     /** Requests one frame. */
     invalidate(): void {
       scheduler.invalidate();
+    },
+
+    /**
+     * Gives a model the look of the settings before it is set, in slices, so that {@link setModel} finds little to do. Rejects with the
+     * signal's reason.
+     */
+    async dress(next: HatchedModel, signal: AbortSignal): Promise<void> {
+      const slices = new Slices(signal);
+      if (map) next.tonalArtMap = map;
+      for (const _ of settings ? next.applying(settings) : []) await slices.next();
+      signal.throwIfAborted();
     },
 
     /**
