@@ -123,7 +123,15 @@ export const ACTIONS: readonly { times: number; name: string; act: Action }[] = 
   },
   { times: 2, name: 'animated model', act: (page, random) => playAnimated(page, random.below(8)) },
   { times: 1, name: 'many parts', act: (page) => drop(page, [file('parts.glb', partsGlb())]) },
-  { times: 3, name: 'model of another site', act: async (page, random) => void (await askForModel(page, random)) },
+  {
+    times: 3,
+    name: 'model of another site',
+    act: async (page, random) => {
+      await askForModel(page, random);
+      // Links that keep it would ask again.
+      await setting('model', MODELS)(page, random);
+    },
+  },
   ...Object.keys(LACKS).map((lack) => ({
     times: 1,
     name: `a browser ${lack}`,
