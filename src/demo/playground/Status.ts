@@ -15,7 +15,11 @@ interface Problem {
 /** The status line, with a progress bar, a button that cancels the task, and one that mends a problem. */
 export class Status {
   private cancelTask: (() => void) | undefined;
+  /** The task whose stage was shown last, by the function that cancels it. */
+  private shownTask: (() => void) | undefined;
   private clearTimer: ReturnType<typeof setTimeout> | undefined;
+  /** Whether a message is shown that only a task which the user starts, a problem or another message may replace. */
+  private isSaying = false;
   /** What is wrong with the page, by what it is about; the latest last. */
   private readonly problems = new Map<string, Problem>();
   private remedy: Remedy | undefined;
@@ -33,10 +37,18 @@ export class Status {
     elements.mend.addEventListener('click', () => this.remedy?.run());
   }
 
-  /** Shows the stage of a task, or a problem that is not solved. `progress` is in [0, 1], or undefined if it is unknown. */
-  working(stage: string, progress: number | undefined, cancel: () => void): void {
+  /**
+   * Shows the stage of a task, or a problem that is not solved. A message that was said during the task stays for its seconds.
+   *
+   * @param progress in [0, 1], or undefined if it is unknown
+   * @param cancel the same function as long as it is the same task
+   * @param isByItself whether the page has started the task without being asked: then messages said before it stay too
+   */
+  working(stage: string, progress: number | undefined, cancel: () => void, isByItself = false): void {
+    const isSameTask = cancel === this.shownTask;
+    this.shownTask = cancel;
     this.cancelTask = cancel;
-    this.rest(`${stage.charAt(0).toUpperCase()}${stage.slice(1)}…`);
+    if (!this.isSaying || !(isSameTask || isByItself)) this.rest(`${stage.charAt(0).toUpperCase()}${stage.slice(1)}…`);
     const { progress: bar, progressLine, cancel: button } = this.elements;
     bar.hidden = false;
     button.hidden = false;
@@ -47,7 +59,7 @@ export class Status {
   idle(): void {
     const wasWorking = this.cancelTask !== undefined;
     this.finish();
-    if (wasWorking) this.rest();
+    if (wasWorking && !this.isSaying) this.rest();
   }
 
   /** Shows an error, until the next message. */
@@ -60,6 +72,7 @@ export class Status {
   say(sentence: string): void {
     this.finish();
     this.write(sentence, false);
+    this.isSaying = true;
     this.clearTimer = setTimeout(() => this.rest(), 6000);
   }
 
@@ -96,6 +109,7 @@ export class Status {
 
   private write(sentence: string, isError: boolean, remedy?: Remedy): void {
     clearTimeout(this.clearTimer);
+    this.isSaying = false;
     // What a reader or the browser says may hold words of a file.
     const text = shownText(sentence);
     const { message, mend } = this.elements;

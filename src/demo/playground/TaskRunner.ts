@@ -13,7 +13,7 @@ type TaskEnd = 'done' | 'failed' | 'replaced';
 export class TaskRunner {
   private readonly running = new Map<
     Slot,
-    { controller: AbortController; stage: string; progress: number | undefined }
+    { controller: AbortController; stage: string; progress: number | undefined; cancel: () => void }
   >();
   /** Called when a task has ended. */
   private readonly waiting = new Set<() => void>();
@@ -73,7 +73,12 @@ export class TaskRunner {
     if (slot !== 'occlusion' && page.hasDrawing()) for (const about of SLOTS) status.solveProblem(about);
     status.solveProblem(slot);
     const controller = new AbortController();
-    const entry = { controller, stage: 'starting', progress: undefined as number | undefined };
+    const entry = {
+      controller,
+      stage: 'starting',
+      progress: undefined as number | undefined,
+      cancel: () => this.cancel(),
+    };
     this.running.set(slot, entry);
     const report: Report = (stage, progress) => {
       if (controller.signal.aborted) return;
@@ -114,9 +119,10 @@ export class TaskRunner {
   }
 
   private show(): void {
-    const entry = SLOTS.map((slot) => this.running.get(slot)).find((one) => one !== undefined);
+    const slot = SLOTS.find((one) => this.running.has(one));
+    const entry = slot && this.running.get(slot);
     if (!entry) this.status.idle();
-    else this.status.working(entry.stage, entry.progress, () => this.cancel());
+    else this.status.working(entry.stage, entry.progress, entry.cancel, slot === 'occlusion');
   }
 
   private cancel(): void {

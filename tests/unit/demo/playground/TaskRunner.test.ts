@@ -27,6 +27,40 @@ function makePage({ hasDrawing = false } = {}) {
 }
 
 describe('the status line', () => {
+  test('leaves a message its seconds: the task that runs and one that nobody asked for do not take its place, the next wish does', async () => {
+    const { line, tasks } = makePage({ hasDrawing: true });
+    const reports: ((stage: string) => void)[] = [];
+    const begin = (slot: 'map' | 'occlusion') => {
+      const { task, end } = openTask();
+      const run = tasks.run(slot, (report) => {
+        reports.push(report);
+        report('at work');
+        return task();
+      });
+      return { run, end };
+    };
+    const map = begin('map');
+    line.status.say('Copied.');
+    reports[0]('drawing strokes');
+    expect([line.text, line.isWorking]).toEqual(['Copied.', true]);
+    const hollows = begin('occlusion');
+    map.end();
+    await map.run;
+    reports[1]('darkening hollows');
+    expect([line.text, line.isWorking]).toEqual(['Copied.', true]);
+    vi.advanceTimersByTime(6000);
+    reports[1]('darkening hollows');
+    expect(line.text).toBe('Darkening hollows…');
+    line.status.say('Copied.');
+    const next = begin('map');
+    expect(line.text).toBe('At work…');
+    line.status.say('Copied.');
+    next.end();
+    hollows.end();
+    await Promise.all([next.run, hollows.run]);
+    expect([line.text, line.isWorking]).toEqual(['Copied.', false]);
+  });
+
   test('keeps what failed at the start, whatever the other tasks report', async () => {
     const { line, state, tasks } = makePage();
     const map = openTask();
