@@ -51,8 +51,8 @@ export class Pose {
   }
 }
 
-const float = /* @__PURE__ */ new Float32Array(1);
-const word = /* @__PURE__ */ new Int32Array(float.buffer);
+/** A bundler may leave it out where nobody uses it; it would keep two arrays, because one reads the other's buffer. */
+const bits = /* @__PURE__ */ new DataView(/* @__PURE__ */ new ArrayBuffer(4));
 /** Engines keep numbers of so many bits without garbage. */
 const HASH_BITS = 0x3fffffff;
 
@@ -61,8 +61,8 @@ export function hashOf(influences: ArrayLike<number>, length: number = influence
   let hash = length;
   for (let i = 0; i < length; i++) {
     // 0 and −0 are equal.
-    float[0] = influences[i] + 0;
-    hash = Math.imul(hash ^ word[0], 0x01000193);
+    bits.setFloat32(0, influences[i] + 0);
+    hash = Math.imul(hash ^ bits.getInt32(0), 0x01000193);
     hash ^= hash >>> 15;
   }
   return hash & HASH_BITS;
