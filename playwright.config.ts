@@ -1,8 +1,8 @@
 import { availableParallelism } from 'node:os';
 import { defineConfig } from '@playwright/test';
-import { BUILT } from './tests/browser/builtPlayground.js';
-import { launchOptions } from './tests/browser/launchOptions.mjs';
 import type { ThreeOptions } from './tests/browser/ThreeOptions.js';
+import { BUILT } from './tools/browser/builtPlayground.js';
+import { launchOptions } from './tools/browser/launchOptions.mjs';
 
 /** An uncommon port, so that a playground somebody left open is never mistaken for the code under test. */
 const port = Number(process.env.HATCH_PORT ?? 41730);

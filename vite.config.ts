@@ -1,27 +1,15 @@
-import type { ServerResponse } from 'node:http';
 import { fileURLToPath } from 'node:url';
-import { defineConfig, type Plugin, type UserConfig } from 'vite';
-import { firstPartCheck } from './building/firstPart.js';
-import { formSources } from './building/formSources.js';
-import { laterParts } from './building/laterParts.js';
-import { libraryEntries } from './building/libraryEntries.js';
-import { shortShaders } from './building/shortShaders.js';
-import { noticeCheck, noticeFile } from './notice/noticePlugin.js';
-import { builtPlayground } from './tests/browser/builtPlayground.js';
+import { defineConfig, type UserConfig } from 'vite';
+import { builtPlayground } from './tools/browser/builtPlayground.js';
+import { firstPartCheck } from './tools/building/firstPart.js';
+import { formSources } from './tools/building/formSources.js';
+import { laterParts } from './tools/building/laterParts.js';
+import { libraryEntries } from './tools/building/libraryEntries.js';
+import { pageInputs, pages } from './tools/building/pages.js';
+import { shortShaders } from './tools/building/shortShaders.js';
+import { noticeCheck, noticeFile } from './tools/notice/noticePlugin.js';
 
-const page = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-
-/** Hosts of static files answer `/figures` with `/figures/`, the folder; the development server would not. */
-const figuresFolder: Plugin = {
-  name: 'figures-folder',
-  configureServer: ({ middlewares }) => void middlewares.use(toFolder),
-  configurePreviewServer: ({ middlewares }) => void middlewares.use(toFolder),
-};
-
-function toFolder({ url }: { url?: string }, response: ServerResponse, next: () => void): void {
-  if (url === '/figures') response.writeHead(301, { Location: '/figures/' }).end();
-  else next();
-}
+const inRoot = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /**
  * The playground. It imports the library by its package name; `--mode use-build` runs it on the built library.
@@ -33,7 +21,7 @@ export default defineConfig(
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
     plugins: [
-      ...[shortShaders, formSources, firstPartCheck, laterParts, figuresFolder, noticeFile, noticeCheck()],
+      ...[shortShaders, formSources, firstPartCheck, laterParts, pages(), noticeFile, noticeCheck()],
       mode === 'test' && builtPlayground,
     ],
     resolve: {
@@ -43,13 +31,7 @@ export default defineConfig(
     assetsInclude: ['**/*.ply.gz'],
     worker: { format: 'es', plugins: () => [noticeCheck()] },
     optimizeDeps: {
-      entries: [
-        'index.html',
-        '{figures,fetch}/index.html',
-        'examples/**/*.html',
-        'tests/**/*.html',
-        '!tests/output/**',
-      ],
+      entries: ['index.html', 'src/demo/*/index.html', 'examples/**/*.html', 'tests/**/*.html', '!tests/output/**'],
       // Named, because a dependency that is first met while a page runs makes the server reload that page.
       include: [
         'three',
@@ -90,7 +72,7 @@ export default defineConfig(
       chunkSizeWarningLimit: 1500,
       // Browsers that fetch no modules ahead fetch them when they are imported.
       modulePreload: { polyfill: false },
-      rolldownOptions: { input: ['index.html', 'figures/index.html', 'fetch/index.html'].map(page) },
+      rolldownOptions: { input: pageInputs.map(inRoot) },
     },
     ...(mode === 'test' && {
       cacheDir: `node_modules/.vite-test-${process.env.HATCH_PORT ?? 'default'}`,

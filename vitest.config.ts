@@ -1,6 +1,6 @@
 import { defineConfig } from 'vitest/config';
-import { formSources } from './building/formSources.js';
-import { libraryEntries } from './building/libraryEntries.js';
+import { formSources } from './tools/building/formSources.js';
+import { libraryEntries } from './tools/building/libraryEntries.js';
 
 /** Tests that need no browser: pure code, and the double-precision reference. */
 export default defineConfig({

@@ -32,7 +32,12 @@ export async function buildExamples(outDir) {
   for (const path of THREE_FILES) cpSync(join(root, 'node_modules/three', path), join(outDir, 'lib/three', path));
   const dist = join(outDir, 'lib/three-hatching/dist');
   for (const mode of ['production', 'element']) {
-    await build({ ...common, configFile: join(root, 'vite.lib.config.ts'), mode, build: { outDir: dist } });
+    await build({
+      ...common,
+      configFile: join(root, 'tools/building/vite.lib.config.ts'),
+      mode,
+      build: { outDir: dist },
+    });
   }
 }
 

@@ -1,8 +1,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { libraryEntries } from '../building/libraryEntries.js';
-import { shortShaders } from '../building/shortShaders.js';
-import { noticeCheck, noticeFile } from '../notice/noticePlugin.js';
+import { libraryEntries } from '../tools/building/libraryEntries.js';
+import { shortShaders } from '../tools/building/shortShaders.js';
+import { noticeCheck, noticeFile } from '../tools/notice/noticePlugin.js';
 import { EXAMPLES } from './examples.js';
 
 const file = (path: string) => fileURLToPath(new URL(path, import.meta.url));

@@ -10,7 +10,7 @@ import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { findChromium } from './browser/findChromium.mjs';
+import { findChromium } from '../tools/browser/findChromium.mjs';
 import { summariseReports } from './summariseReports.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));

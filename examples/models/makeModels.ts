@@ -14,7 +14,7 @@ import {
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { makeFish } from '../../src/demo/models/makeFish.js';
-import { FileReaderStandIn } from '../../tests/unit/demo/files/FileReaderStandIn.js';
+import { FileReaderStandIn } from '../../tools/modelFiles/FileReaderStandIn.js';
 
 /** The models by file name, as GLB. */
 export async function makeModels(): Promise<Record<string, Uint8Array>> {

@@ -10,12 +10,12 @@ declare module 'snowden/lo.js' {
   export const cells: [number, number, number][];
 }
 
-/** The functions of `models` that make forms, as JavaScript for copied code. The build writes them: see building/formSources.ts. */
+/** The functions of `models` that make forms, as JavaScript for copied code. The build writes them: see tools/building/formSources.ts. */
 declare module 'virtual:form-sources' {
   const sources: Readonly<
     Record<
       'shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot' | 'makeFish',
-      import('../../building/formSources.js').FormSource
+      import('../../tools/building/formSources.js').FormSource
     >
   >;
   export default sources;

@@ -1,4 +1,4 @@
-// Written by `npm run properties` from properties/table.ts. Change that, not this.
+// Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
 import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { checkNumber } from './checkNumber.js';

@@ -1,4 +1,4 @@
-// Written by `npm run properties` from properties/table.ts. Change that, not this.
+// Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
 import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
 
 /**

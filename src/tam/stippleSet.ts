@@ -3,7 +3,7 @@ export const PERIOD = 32;
 
 /**
  * A set of points in the plane that is its own enlargement: half as large, it holds itself. So points may be born between others
- * for ever as one comes nearer, and none ever moves. Found by building/stippleSet.mjs.
+ * for ever as one comes nearer, and none ever moves. Found by tools/building/stippleSet.mjs.
  *
  * Cell c = (x, y), in rows, has one point. It is that of cell 2c + b, at half the size, where b is one of its quarters: 0 and 1, then
  * 2 and 3 above them. A letter holds b and which of the three other quarters' points, at half the size, are born first, second and

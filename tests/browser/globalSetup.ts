@@ -1,4 +1,4 @@
-import { describeRenderer } from './describeRenderer.mjs';
+import { describeRenderer } from '../../tools/browser/describeRenderer.mjs';
 
 /** Prints once per run who draws the pixels, and fails the run when nobody does. */
 export default async function globalSetup(): Promise<void> {

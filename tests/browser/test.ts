@@ -1,7 +1,7 @@
 import { test as base, type ConsoleMessage, expect, type Page } from '@playwright/test';
+import { toleratedMessages } from '../../tools/browser/toleratedMessages.js';
 import { serveTests } from './serveTests.js';
 import type { ThreeOptions } from './ThreeOptions.js';
-import { toleratedMessages } from './toleratedMessages.js';
 
 export { expect };
 

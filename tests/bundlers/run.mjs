@@ -10,7 +10,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from '@playwright/test';
 import { preview } from 'vite';
-import { launchOptions } from '../browser/launchOptions.mjs';
+import { launchOptions } from '../../tools/browser/launchOptions.mjs';
 import { recipes } from './recipes.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));

@@ -7,12 +7,12 @@ import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { publint } from 'publint';
 import { build, createServer, type Rolldown } from 'vite';
-import { serveFolders } from '../browser/serveFolders.js';
+import { drop, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { serveFolders } from '../../tools/browser/serveFolders.js';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
+import { file, type TestFile } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { columnGlb } from '../e2e/columnModel.js';
-import { file, type TestFile } from '../e2e/modelFiles.js';
 import { likeness, meanInk, WHOLE } from '../e2e/pictures.js';
-import { drop, openPlayground, readDrawing, ready } from '../e2e/playground.js';
 import { installPackedLibrary, libraryFolder, projectFolder, root, threeFolder } from './packedLibrary.js';
 
 declare global {

@@ -1,7 +1,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
+import { openPlayground } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
-import { openPlayground } from './playground.js';
 
 const SIZES = [
   [360, 640],

@@ -1,8 +1,8 @@
 import type { Page } from '@playwright/test';
+import { drop, middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { file, octahedronPly } from './modelFiles.js';
 import { changedShare } from './pictures.js';
-import { drop, middleOf, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
 

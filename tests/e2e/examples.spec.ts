@@ -3,12 +3,12 @@ import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { buildExamples } from '../../examples/build.mjs';
 import { EXAMPLES } from '../../examples/examples.js';
-import { serveFolders } from '../browser/serveFolders.js';
+import { serveFolders } from '../../tools/browser/serveFolders.js';
+import { toleratedMessages } from '../../tools/browser/toleratedMessages.js';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
+import { octahedronDracoGlb, octahedronMeshoptGlb } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { toleratedMessages } from '../browser/toleratedMessages.js';
-import { columnGlb } from './columnModel.js';
 import { ktx2Picture } from './ktx2Picture.js';
-import { octahedronDracoGlb, octahedronMeshoptGlb } from './modelFiles.js';
 import { changedShare } from './pictures.js';
 
 const folder = fileURLToPath(new URL('../output/examples', import.meta.url));

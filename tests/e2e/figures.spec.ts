@@ -1,9 +1,9 @@
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { FIGURES, type Figure } from '../../src/demo/figures/figures.js';
+import { openPlayground, ready } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { angleBetween, changedShare, strokeDirection } from './pictures.js';
-import { openPlayground, ready } from './playground.js';
 
 test.use({ viewport: { width: 860, height: 560 } });
 

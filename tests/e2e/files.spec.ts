@@ -1,5 +1,4 @@
-import { expect, test } from '../browser/test.js';
-import { dae, fbx, usda, zip } from '../unit/demo/files/sceneWriters.js';
+import { drop, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import {
   file,
   largeTorus,
@@ -17,9 +16,10 @@ import {
   squareMtl,
   squareObj,
   type TestFile,
-} from './modelFiles.js';
+} from '../../tools/modelFiles/modelFiles.js';
+import { dae, fbx, usda, zip } from '../../tools/modelFiles/sceneWriters.js';
+import { expect, test } from '../browser/test.js';
 import { changedShare, meanInk, WHOLE } from './pictures.js';
-import { drop, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 

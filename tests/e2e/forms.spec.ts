@@ -1,7 +1,7 @@
+import { dragLamp, lampPlace, middleOf, readDrawing, ready } from '../../tools/browser/playground.js';
+import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { file, octahedronPly } from './modelFiles.js';
 import { changedShare } from './pictures.js';
-import { dragLamp, lampPlace, middleOf, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 400, height: 300 } });
 

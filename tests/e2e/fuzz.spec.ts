@@ -1,5 +1,5 @@
-import { type FuzzOutcome, fuzzPage, QUESTIONS } from '../../fuzz/fuzzPage.js';
-import { takeWatch, watchPage } from '../../fuzz/watchPage.js';
+import { type FuzzOutcome, fuzzPage, QUESTIONS } from '../../tools/fuzz/fuzzPage.js';
+import { takeWatch, watchPage } from '../../tools/fuzz/watchPage.js';
 import { expect, test } from '../browser/test.js';
 
 test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotion: 'reduce' } });

@@ -1,6 +1,6 @@
+import { openPlayground, readDrawing } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare } from './pictures.js';
-import { openPlayground, readDrawing } from './playground.js';
 
 test.use({ viewport: { width: 820, height: 480 } });
 

@@ -2,10 +2,10 @@ import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { strFromU8, strToU8, unzipSync, zipSync } from 'three/addons/libs/fflate.module.js';
+import { drop, middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { file, octahedronPly } from './modelFiles.js';
 import { changedShare, meanInk } from './pictures.js';
-import { drop, middleOf, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
 

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
+import { openPlayground } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
-import { openPlayground } from './playground.js';
 
 const WIDTHS = [320, 375, 600, 820, 1000, 1280, 1920, 3840];
 /** That of the page, a wide one and a very wide one. */

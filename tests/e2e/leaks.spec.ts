@@ -1,9 +1,9 @@
 import type { Page } from '@playwright/test';
+import { countObjects, liveObjects } from '../../tools/browser/liveObjects.js';
+import { drop, openPlayground, ready, savePicture } from '../../tools/browser/playground.js';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
+import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { columnGlb } from './columnModel.js';
-import { countObjects, liveObjects } from './liveObjects.js';
-import { file, octahedronPly } from './modelFiles.js';
-import { drop, openPlayground, ready, savePicture } from './playground.js';
 
 declare global {
   interface Window {

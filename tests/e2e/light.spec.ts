@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
+import { dragLamp, lampPlace, middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { angleBetween, changedShare, meanInk, type Region, strokeDirection } from './pictures.js';
-import { dragLamp, lampPlace, middleOf, openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 

@@ -1,8 +1,8 @@
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
+import { openPlayground, readDrawing, ready, savePicture } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, inkRun, meanInk, WHOLE } from './pictures.js';
-import { openPlayground, readDrawing, ready, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 

@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
 import { encodePng } from '../../src/mapFiles/encodePng.js';
+import { drop, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
-import { drop, openPlayground, readDrawing, ready } from './playground.js';
 
 const PLAIN = 'model=sphere&mapSize=64&mapTones=4';
 

@@ -1,11 +1,11 @@
 import { existsSync, readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
+import { drop, framesDrawn, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
+import { file, type TestFile } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { columnGlb } from './columnModel.js';
-import { file, type TestFile } from './modelFiles.js';
 import { changedShare, meanInk } from './pictures.js';
-import { drop, framesDrawn, openPlayground, readDrawing, ready } from './playground.js';
 
 /** Animated and textured models. */
 

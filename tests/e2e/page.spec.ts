@@ -1,12 +1,21 @@
 import { chromium, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { launchOptions } from '../browser/launchOptions.mjs';
+import { launchOptions } from '../../tools/browser/launchOptions.mjs';
+import {
+  drop,
+  framesDrawn,
+  idle,
+  middleOf,
+  openPlayground,
+  readDrawing,
+  ready,
+  savePicture,
+} from '../../tools/browser/playground.js';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
+import { file, octahedronObj, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
-import { columnGlb } from './columnModel.js';
 import { loseContext, restoreContext } from './graphicsContext.js';
-import { file, octahedronObj, octahedronPly } from './modelFiles.js';
 import { changedShare, largestDifference, meanInk } from './pictures.js';
-import { drop, framesDrawn, idle, middleOf, openPlayground, readDrawing, ready, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 

@@ -1,7 +1,6 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../browser/test.js';
-import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../unit/demo/files/sceneWriters.js';
-import { columnGlb } from './columnModel.js';
+import { drop, idle, openPlayground, readDrawing } from '../../tools/browser/playground.js';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import {
   file,
   octahedronAsciiStl,
@@ -17,9 +16,10 @@ import {
   squareMtl,
   squareObj,
   type TestFile,
-} from './modelFiles.js';
+} from '../../tools/modelFiles/modelFiles.js';
+import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../../tools/modelFiles/sceneWriters.js';
+import { expect, test } from '../browser/test.js';
 import { changedShare } from './pictures.js';
-import { drop, idle, openPlayground, readDrawing } from './playground.js';
 
 test.use({ viewport: { width: 400, height: 300 }, contextOptions: { reducedMotion: 'reduce' } });
 

@@ -2,9 +2,9 @@ import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
+import { openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, largestDifference } from './pictures.js';
-import { openPlayground, readDrawing, ready } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 }, contextOptions: { reducedMotion: 'reduce' } });
 

@@ -1,5 +1,5 @@
+import { follow, openPlayground } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
-import { follow, openPlayground } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 420 } });
 

@@ -1,7 +1,7 @@
 import type { PNG } from 'pngjs';
+import { openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, edgeSpacing, greyShare, likeness, meanInk, type Region } from './pictures.js';
-import { openPlayground, readDrawing, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 

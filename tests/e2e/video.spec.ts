@@ -2,10 +2,10 @@ import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
+import { openPlayground, readDrawing, ready, savePicture } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { loseContext, restoreContext } from './graphicsContext.js';
 import { changedShare } from './pictures.js';
-import { openPlayground, readDrawing, ready, savePicture } from './playground.js';
 
 test.use({ viewport: { width: 560, height: 420 }, contextOptions: { reducedMotion: 'reduce' } });
 

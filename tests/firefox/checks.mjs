@@ -54,7 +54,7 @@ export const checks = {
 
   'files are read, good and damaged': async ({ page, modules, files }) => {
     const { file, octahedronDracoGlb, octahedronGlb, octahedronMeshoptGlb, octahedronPly } =
-      await modules.ssrLoadModule('/tests/e2e/modelFiles.ts');
+      await modules.ssrLoadModule('/tools/modelFiles/modelFiles.ts');
     const { fbx } = await modules.ssrLoadModule('/tests/unit/demo/files/sceneWriters.ts');
     const models = [
       file('plain.glb', octahedronGlb()),
@@ -75,7 +75,7 @@ export const checks = {
   },
 
   'a model with bones and a picture moves': async ({ page, modules, files }) => {
-    const { columnGlb } = await modules.ssrLoadModule('/tests/e2e/columnModel.ts');
+    const { columnGlb } = await modules.ssrLoadModule('/tools/modelFiles/columnModel.ts');
     await choose(page, files, 'column.glb', columnGlb());
     await page.waitForFunction(() => document.querySelector('#model-name').textContent === 'column.glb');
     const frames = () => page.evaluate(() => window.__playground.framesDrawn);

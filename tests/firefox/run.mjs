@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
-import { serveBuilt } from '../browser/serveBuilt.mjs';
+import { serveBuilt } from '../../tools/browser/serveBuilt.mjs';
 import { checks } from './checks.mjs';
 import { findFirefox, findProgram, startDisplay } from './findFirefox.mjs';
 import { installDriver } from './installDriver.mjs';

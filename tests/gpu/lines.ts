@@ -10,8 +10,8 @@ import {
   type PrepareHatchingGeometryOptions,
   prepareHatchingGeometry,
 } from 'three-hatching';
-import { loadModel } from '../../metrics/loadModel.js';
 import { lineDataOf } from '../../src/geometry/LineData.js';
+import { loadModel } from '../../tools/metrics/loadModel.js';
 
 type Options = HatchingLineParameters & { layout?: PrepareHatchingGeometryOptions['layout']; isClear?: boolean };
 

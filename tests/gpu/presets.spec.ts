@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import type { Picture } from '../../pictures/page.js';
-import { PLANS } from '../../pictures/plans.mjs';
+import type { Picture } from '../../tools/pictures/page.js';
+import { PLANS } from '../../tools/pictures/plans.mjs';
 import { expect, test } from '../browser/test.js';
 import { type PictureTraits, pictureTraits, traitDistances } from './pictureTraits.js';
 
@@ -17,7 +17,7 @@ async function thumbnail(page: Page, picture: Picture, change: Partial<Picture> 
 
 test('the presets tell apart at 200 pixels, by more than colour', async ({ page }) => {
   test.setTimeout(300_000);
-  await page.goto('./pictures/pictures.html');
+  await page.goto('./tools/pictures/pictures.html');
   await page.waitForFunction(() => typeof window.drawPicture === 'function');
   const { pictures } = PLANS.presets;
   expect(pictures).toHaveLength(9);

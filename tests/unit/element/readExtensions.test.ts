@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { readExtensions } from '../../../src/element/readExtensions.js';
-import { packGlb } from '../../e2e/columnModel.js';
+import { packGlb } from '../../../tools/modelFiles/columnModel.js';
 
 const bytesOf = (content: Uint8Array): ArrayBuffer => Uint8Array.from(content).buffer;
 const json = (extensions: object): string => JSON.stringify({ asset: { version: '2.0' }, name: '木', ...extensions });

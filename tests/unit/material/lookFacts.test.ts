@@ -1,6 +1,4 @@
 import { describe, expect, test } from 'vitest';
-import { PROPERTIES } from '../../../properties/table.js';
-import { TECHNIQUES } from '../../../properties/techniques.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingPropertyName, Medium } from '../../../src/material/hatchingProperties.js';
 import {
@@ -11,6 +9,8 @@ import {
   pixelPower,
   scaledSizes,
 } from '../../../src/material/lookFacts.js';
+import { PROPERTIES } from '../../../tools/properties/table.js';
+import { TECHNIQUES } from '../../../tools/properties/techniques.js';
 
 describe('what follows from a look', () => {
   test.each([

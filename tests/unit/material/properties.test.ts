@@ -1,9 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { Color, DoubleSide, MaterialLoader, Texture, Vector2 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { outputs } from '../../../properties/outputs.js';
-import type { PropertyRow } from '../../../properties/PropertyRow.js';
-import { PROPERTIES } from '../../../properties/table.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import type { NumberRange } from '../../../src/material/HatchingProperty.js';
@@ -13,6 +10,9 @@ import {
   type HatchingPropertyName,
 } from '../../../src/material/hatchingProperties.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { outputs } from '../../../tools/properties/outputs.js';
+import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
+import { PROPERTIES } from '../../../tools/properties/table.js';
 
 afterEach(() => vi.restoreAllMocks());
 

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { hatchModel } from '../../../../src/demo/drawing/hatchModel.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
-import { addTrack, tetrahedron } from '../files/GltfBuilder.js';
+import { addTrack, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 
 const draw = async (name: string, content: BlobPart) =>
   hatchModel(

@@ -7,7 +7,7 @@ import { readGltf } from '../../../../src/demo/files/readGltf.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
 import { defaultSettings } from '../../../../src/demo/settings/settings.js';
 import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
-import { tetrahedron } from '../files/GltfBuilder.js';
+import { tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 
 const MESHES = 120;
 /** Milliseconds that a slice may take, of which the clock below says that each look at it takes one. */

@@ -1,8 +1,15 @@
 import { expect, test } from 'vitest';
 import { describeBundle } from '../../../../src/demo/files/bundle.js';
 import { zipDrawing } from '../../../../src/demo/playground/zipDrawing.js';
-import { colorsOf, colouredBoxMtl, colouredBoxObj, file, read, refusal } from './modelWriters.js';
-import { threeMf, zip } from './sceneWriters.js';
+import {
+  colorsOf,
+  colouredBoxMtl,
+  colouredBoxObj,
+  file,
+  read,
+  refusal,
+} from '../../../../tools/modelFiles/modelWriters.js';
+import { threeMf, zip } from '../../../../tools/modelFiles/sceneWriters.js';
 
 const LINK = 'technique=engraved&ink=%237a2e1d&view=framed';
 const model = { 'model/box.obj': colouredBoxObj, 'model/box.mtl': colouredBoxMtl };

@@ -3,8 +3,8 @@ import { expect, test, vi } from 'vitest';
 import { decodeDraco } from '../../../../src/demo/files/decodeDraco.js';
 import { ModelError } from '../../../../src/demo/files/ModelError.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
-import { type DracoValues, encodeDraco } from './encodeDraco.js';
-import { GltfBuilder } from './GltfBuilder.js';
+import { type DracoValues, encodeDraco } from '../../../../tools/modelFiles/encodeDraco.js';
+import { GltfBuilder } from '../../../../tools/modelFiles/GltfBuilder.js';
 
 /** In Node it comes from a package, not from an address. */
 const load = vi.hoisted(() => vi.fn());

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { dropDuplicates } from '../../../../src/demo/files/dropDuplicates.js';
 import type { PlainMesh } from '../../../../src/demo/files/PlainMesh.js';
-import { Random } from '../../../Random.js';
+import { Random } from '../../../../tools/Random.js';
 
 const mesh = (positions: number[], more: Partial<PlainMesh> = {}): PlainMesh => ({
   positions: Float32Array.from(positions),

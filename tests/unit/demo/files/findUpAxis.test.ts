@@ -9,8 +9,8 @@ import {
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import { findUpAxis, type UsualUp } from '../../../../src/demo/files/findUpAxis.js';
-import { GltfBuilder } from './GltfBuilder.js';
-import { asciiStl, read } from './modelWriters.js';
+import { GltfBuilder } from '../../../../tools/modelFiles/GltfBuilder.js';
+import { asciiStl, read } from '../../../../tools/modelFiles/modelWriters.js';
 
 const Y_UP: UsualUp = { up: 'y', liesFlat: false };
 const Z_UP: UsualUp = { up: 'z', liesFlat: true };

@@ -10,7 +10,7 @@ import {
 import { describe, expect, test } from 'vitest';
 import { parseGltf } from '../../../../src/demo/files/parseGltf.js';
 import { type ReadModel, type ReadParts, readModel } from '../../../../src/demo/files/readModel.js';
-import { addTrack, type GltfBuilder, type Json, tetrahedron } from './GltfBuilder.js';
+import { addTrack, type GltfBuilder, type Json, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 
 const read = (builder: GltfBuilder, others: { name: string; content: Blob }[] = []): Promise<ReadModel> =>
   readModel([{ name: 'a.glb', content: new Blob([builder.glb() as Uint8Array<ArrayBuffer>]) }, ...others], () => {});

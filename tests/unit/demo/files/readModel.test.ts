@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { colouredBoxObj, read } from './modelWriters.js';
+import { colouredBoxObj, read } from '../../../../tools/modelFiles/modelWriters.js';
 
 describe('what the caption says', () => {
   const box = colouredBoxObj.replace('mtllib box.mtl\n', '');

@@ -21,8 +21,8 @@ import { meshesOf } from '../../../../src/demo/drawing/meshesOf.js';
 import { type GltfParts, parseGltf } from '../../../../src/demo/files/parseGltf.js';
 import { type ReadParts, readModel } from '../../../../src/demo/files/readModel.js';
 import { readMoving } from '../../../../src/demo/files/readMoving.js';
-import { FileReaderStandIn } from './FileReaderStandIn.js';
-import { dae, fbx } from './sceneWriters.js';
+import { FileReaderStandIn } from '../../../../tools/modelFiles/FileReaderStandIn.js';
+import { dae, fbx } from '../../../../tools/modelFiles/sceneWriters.js';
 
 beforeEach(() => void vi.stubGlobal('FileReader', FileReaderStandIn));
 afterEach(() => void vi.unstubAllGlobals());

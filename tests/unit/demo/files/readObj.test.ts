@@ -1,8 +1,15 @@
 import { PNG } from 'pngjs';
 import { RepeatWrapping } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { BOX_CORNERS, BOX_FACES } from './box.js';
-import { colorsOf, colouredBoxMtl, colouredBoxObj, measure, read, triangles } from './modelWriters.js';
+import { BOX_CORNERS, BOX_FACES } from '../../../../tools/modelFiles/box.js';
+import {
+  colorsOf,
+  colouredBoxMtl,
+  colouredBoxObj,
+  measure,
+  read,
+  triangles,
+} from '../../../../tools/modelFiles/modelWriters.js';
 
 const RED = '255,0,0';
 const GREEN = '0,255,0';

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { BOX_CORNERS, BOX_FACES } from './box.js';
+import { BOX_CORNERS, BOX_FACES } from '../../../../tools/modelFiles/box.js';
 import {
   CORNER_LIST,
   colorsOf,
@@ -14,7 +14,7 @@ import {
   refusal,
   triangles,
   XYZ,
-} from './modelWriters.js';
+} from '../../../../tools/modelFiles/modelWriters.js';
 
 const FORMATS: PlyFormat[] = ['ascii', 'binary_little_endian', 'binary_big_endian'];
 const boxVertices: PlyTable = { name: 'vertex', properties: XYZ, rows: BOX_CORNERS };

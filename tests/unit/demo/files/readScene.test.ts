@@ -12,8 +12,8 @@ import {
   read,
   refusal,
   triangles,
-} from './modelWriters.js';
-import { dae, fbx, tds, threeMf, usda, wrl, zip } from './sceneWriters.js';
+} from '../../../../tools/modelFiles/modelWriters.js';
+import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../../../../tools/modelFiles/sceneWriters.js';
 
 const SIDE = 2 / Math.sqrt(3);
 const picture = (): Uint8Array => PNG.sync.write(new PNG({ width: 8, height: 4 }));

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { asciiStl, boxStl, measure, read, refusal, triangles } from './modelWriters.js';
+import { asciiStl, boxStl, measure, read, refusal, triangles } from '../../../../tools/modelFiles/modelWriters.js';
 
 describe('STL', () => {
   test('normals that cannot be used are left to be computed', async () => {

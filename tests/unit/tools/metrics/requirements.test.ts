@@ -1,0 +1,100 @@
+import { describe, expect, it } from 'vitest';
+import { describeMetrics, drawMetrics } from '../../../../tools/metrics/describeMetrics.mjs';
+import { isKept, requirements } from '../../../../tools/metrics/requirements.mjs';
+
+const flips = (share: number) => ({
+  strokeScale: 3,
+  spacing: 6,
+  flips: [0.1, 0.5].map((degrees) => ({ degrees, share: share * degrees * 2 })),
+});
+
+const measured = (change = {}) => ({
+  greyness: 0,
+  ink: { 0.1: 0.11, 0.8: 0.79 },
+  coherence: 0.92,
+  strokeLength: 0.9,
+  spacing: 6,
+  edgeJump: { mean: 0, p95: 0, samples: 9 },
+  light: flips(0.05),
+  dolly: { flips: [0.1, 0.1, 0.15], popping: 1.5, luminance: [0.1], luminancePopping: 1 },
+  zoom: { spacings: [6, 7], spread: 0.1, octaveSpread: 0.05 },
+  ...change,
+});
+
+/** Models on which every technique keeps to everything, but for what is changed of one technique on the one named. */
+function modelsWith(changed: string, change: object, technique: string) {
+  const others = { adjacency: measured({ light: flips(0.3) }) };
+  return Object.fromEntries(
+    ['sphere', 'bunny', 'dragon11k', 'dragon871k'].map((name) => [
+      name,
+      {
+        triangles: 11000,
+        techniques: {
+          ...others,
+          'adjacency, crisp': measured(),
+          triangle: measured(),
+          anchored: measured(),
+          engraved: measured(),
+          'engraved, x': measured({ light: flips(0) }),
+          ...(name === changed && { [technique]: measured(change) }),
+        },
+      },
+    ]),
+  );
+}
+
+function missed(changed: string, change: object, technique = 'anchored'): string[] {
+  const models = modelsWith(changed, change, technique) as never;
+  return requirements.flatMap((requirement) =>
+    Object.keys(requirement.limits)
+      .filter((limited) => !isKept(requirement, limited, requirement.worst(models, limited)!.value))
+      .map((limited) => `${limited}: ${requirement.name}`),
+  );
+}
+
+describe('requirements', () => {
+  it('are kept by strokes that keep them', () => {
+    expect(missed('', {})).toEqual([]);
+  });
+
+  it.each([
+    ['anchored', 'Greyness', { greyness: 0.006 }],
+    ['anchored', 'Length of strokes', { strokeLength: 0.6 }],
+    ['anchored', 'Mean jump', { edgeJump: { mean: 0.002, p95: 0, samples: 9 } }],
+    ['anchored', 'Tone error', { ink: { 0.1: 0.1, 0.8: 0.77 } }],
+    ['anchored', 'Flips', { light: flips(0.11) }],
+    ['anchored', 'Popping index of', { dolly: { flips: [0.1], popping: 2.1 } }],
+    ['anchored', 'Stroke spacing in', { zoom: { spacings: [], spread: 0.16 } }],
+    ['engraved', 'Mean jump', { edgeJump: { mean: 0.002, p95: 0, samples: 9 } }],
+    ['engraved', 'Tone error', { ink: { 0.1: 0.1, 0.8: 0.77 } }],
+    ['engraved', 'Popping index of', { dolly: { popping: 1.6, luminancePopping: 1 } }],
+    ['engraved', 'Popping index by', { dolly: { popping: 1, luminancePopping: 1.6 } }],
+    ['engraved', 'Stroke spacing in', { zoom: { spread: 0.34, octaveSpread: 0 } }],
+    ['engraved', 'Stroke spacing 1', { zoom: { spread: 0.1, octaveSpread: 0.11 } }],
+    ['engraved', 'Coherence', { coherence: 0.89 }],
+    ['engraved, x', 'Flips', { light: flips(0.001) }],
+  ])('are missed by one figure on one model: %s, %s', (technique, name, change) => {
+    const figures = technique === 'engraved, x' ? change : { light: flips(0.05), ...change };
+    expect(missed('bunny', figures, technique)).toEqual([expect.stringContaining(`${technique}: ${name}`)]);
+  });
+
+  it('are missed by strokes that break up on a dense mesh', () => {
+    expect(missed('dragon871k', { coherence: 0.86 })).toEqual([expect.stringContaining('anchored: Coherence')]);
+  });
+
+  it('ignore flips on the sphere, where the paper by Suarez et al. has none to compare with', () => {
+    expect(missed('sphere', { light: flips(0.3) })).toEqual([]);
+  });
+});
+
+describe('the page of the docs', () => {
+  it('holds every model and technique, and what was not measured as an empty cell', () => {
+    const models = modelsWith('bunny', { dolly: undefined, zoom: undefined, coherence: 0.5 }, 'engraved') as never;
+    const page = describeMetrics({ renderer: 'a renderer', models });
+    for (const name of ['sphere', 'bunny', 'dragon11k', 'dragon871k']) expect(page).toContain(`### ${name}, 11,000`);
+    expect(page).not.toMatch(/undefined|NaN|null/);
+    expect(page, 'what is missed').toContain('**0.500 (bunny)**');
+    expect(page.match(/\*\*0\.\d+ /g), 'nothing else').toHaveLength(1);
+    expect(drawMetrics(models)).not.toMatch(/undefined|NaN/);
+  });
+});

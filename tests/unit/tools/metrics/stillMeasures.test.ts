@@ -1,0 +1,156 @@
+import { describe, expect, it } from 'vitest';
+import { edgeJump } from '../../../../tools/metrics/measures/edgeJump.js';
+import { greyness } from '../../../../tools/metrics/measures/greyness.js';
+import { meanInk } from '../../../../tools/metrics/measures/meanInk.js';
+import { strokeCoherence } from '../../../../tools/metrics/measures/strokeCoherence.js';
+import { strokeLength } from '../../../../tools/metrics/measures/strokeLength.js';
+import { halfSpread, strokeSpacing } from '../../../../tools/metrics/measures/strokeSpacing.js';
+import { noise, picture, stripes } from './images.js';
+
+describe('greyness', () => {
+  it('counts what is neither ink nor paper', () => {
+    const row = [0, 0.1, 0.19, 0.21, 0.5, 0.79, 0.81, 1];
+    expect(greyness(picture(8, 1, (x) => row[x]))).toBeCloseTo(3 / 8);
+  });
+
+  it('looks at the surface only', () => {
+    expect(
+      greyness(
+        picture(
+          4,
+          1,
+          () => 0.5,
+          (x) => x === 0,
+        ),
+      ),
+    ).toBe(1);
+    expect(
+      greyness(
+        picture(
+          4,
+          1,
+          (x) => (x === 0 ? 1 : 0.5),
+          (x) => x === 0,
+        ),
+      ),
+    ).toBe(0);
+  });
+});
+
+describe('meanInk', () => {
+  it('is the mean darkness of the surface', () => {
+    expect(
+      meanInk(
+        picture(
+          4,
+          1,
+          (x) => [0, 1, 0.5, 0][x],
+          (x) => x < 3,
+        ),
+      ),
+    ).toBeCloseTo(0.5);
+  });
+});
+
+describe('edgeJump', () => {
+  it('compares where both show an edge', () => {
+    const own = picture(
+      20,
+      1,
+      () => 0.25,
+      (x) => x < 10,
+    );
+    const twin = picture(
+      20,
+      1,
+      (x) => (x === 3 ? 1 : 0.25),
+      (x) => x !== 0,
+    );
+    const jump = edgeJump(own, twin);
+    expect(jump.samples).toBe(9);
+    expect(jump.mean).toBeCloseTo(0.75 / 9);
+    expect(jump.p95).toBe(0);
+  });
+});
+
+describe('strokeSpacing', () => {
+  it.each([
+    [8, 0],
+    [8, Math.PI / 2],
+    [8, 0.3],
+    [12, 0.8],
+    [6.5, 2.2],
+  ])('measures stripes %f px apart at an angle of %f', (spacing, angle) => {
+    const measured = strokeSpacing(stripes(200, spacing, angle, 0.43));
+    expect(Math.abs(measured / spacing - 1)).toBeLessThan(0.04);
+  });
+
+  it('leaves out windows that reach beyond the surface', () => {
+    const image = stripes(200, 8, 0);
+    const half = { ...image, surface: image.surface.map((s, i) => (i % 200 < 100 ? s : 0)) };
+    // Beyond the surface lies what would halve the spacing.
+    half.luminance.forEach((_, i) => {
+      if (i % 200 >= 100) half.luminance[i] = i % 2;
+    });
+    expect(strokeSpacing(half)).toBeCloseTo(8, 0);
+  });
+
+  it('spreads by half the range', () => {
+    expect(halfSpread([8.5, 10, 11.5])).toBeCloseTo(0.15);
+  });
+});
+
+describe('strokeCoherence', () => {
+  it('is 1 for straight strokes at any angle', () => {
+    for (const angle of [0, 0.4, 1.2]) expect(strokeCoherence(stripes(120, 8, angle))).toBeGreaterThan(0.97);
+  });
+
+  it('is low for noise and for crossed strokes', () => {
+    const random = noise(1);
+    expect(strokeCoherence(picture(120, 120, () => (random() < 0.5 ? 0 : 1)))).toBeLessThan(0.3);
+    const crossed = picture(120, 120, (x, y) => (x % 8 < 3 || y % 8 < 3 ? 0 : 1));
+    expect(strokeCoherence(crossed)).toBeLessThan(0.1);
+  });
+
+  it('falls steadily as strokes are broken up', () => {
+    const values = [0, 0.1, 0.3, 0.6].map((share) => {
+      const random = noise(2);
+      const image = stripes(120, 8, 0.4);
+      return strokeCoherence({
+        ...image,
+        luminance: image.luminance.map((l) => (random() < share ? Math.round(random()) : l)),
+      });
+    });
+    for (let i = 1; i < values.length; i++) expect(values[i]).toBeLessThan(values[i - 1] - 0.02);
+  });
+
+  it('does not take the outline of the model for a stroke', () => {
+    const image = stripes(120, 8, 0);
+    const surface = image.surface.map((_, i) => (i % 120 < 60 === Math.floor(i / 120) < 60 ? 255 : 0));
+    const luminance = image.luminance.map((l, i) => (surface[i] ? l : 0));
+    expect(strokeCoherence({ ...image, luminance, surface })).toBeGreaterThan(0.97);
+  });
+});
+
+describe('strokeLength', () => {
+  /** Strokes of a length along a direction, gaps as long between them, staggered. */
+  const strokes = (length: number, angle: number) =>
+    picture(240, 240, (x, y) => {
+      const across = x * Math.cos(angle) + y * Math.sin(angle);
+      const along = y * Math.cos(angle) - x * Math.sin(angle);
+      const line = Math.floor(across / 9);
+      const way = (along + 37 * line) / (2 * length);
+      return across / 9 - line < 0.35 && way - Math.floor(way) < 0.5 ? 0 : 1;
+    });
+
+  it.each([0, 0.4, 1.2])('is the length of the strokes, at an angle of %d', (angle) => {
+    for (const length of [20, 40]) expect(Math.abs(strokeLength(strokes(length, angle)) - length)).toBeLessThan(4);
+  });
+
+  it('leaves out strokes that run off the surface', () => {
+    expect(strokeLength(stripes(120, 8, 0.4))).toBeNaN();
+    const whole = strokes(30, 0.4);
+    const surface = whole.surface.map((_, i) => (i % 240 > 120 ? 0 : 255));
+    expect(Math.abs(strokeLength({ ...whole, surface }) - 30)).toBeLessThan(4);
+  });
+});

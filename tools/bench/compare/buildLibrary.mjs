@@ -1,0 +1,48 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+const run = (cwd, command, ...args) => execFileSync(command, args, { cwd, stdio: ['ignore', 'ignore', 'inherit'] });
+
+/** Where commits have the configuration that builds the library: older ones in their root. */
+const CONFIGS = ['tools/building/vite.lib.config.ts', 'vite.lib.config.ts'];
+
+/**
+ * Builds the library of a commit, or of the working tree if there is none, by that commit's own configuration.
+ *
+ * @param {string | undefined} commit
+ * @param {string} outDir
+ */
+export function buildLibrary(commit, outDir) {
+  if (commit === undefined) {
+    build(root, outDir);
+    return;
+  }
+  const folder = mkdtempSync(join(tmpdir(), 'hatching-compare-'));
+  try {
+    run(root, 'git', 'worktree', 'add', '--detach', '--quiet', folder, commit);
+    install(folder);
+    build(folder, outDir);
+  } finally {
+    // Removed by us first: whether git would follow the link to our packages is not to be found out.
+    rmSync(join(folder, 'node_modules'), { recursive: true, force: true });
+    run(root, 'git', 'worktree', 'remove', '--force', folder);
+  }
+}
+
+/** The packages of the commit: ours, where it locks the same. */
+function install(folder) {
+  const lock = (of) => readFileSync(join(of, 'package-lock.json'), 'utf8');
+  if (lock(folder) === lock(root)) symlinkSync(join(root, 'node_modules'), join(folder, 'node_modules'), 'junction');
+  else run(folder, 'npm', 'ci', '--no-audit', '--no-fund');
+}
+
+function build(folder, outDir) {
+  const vite = join(folder, 'node_modules/vite/bin/vite.js');
+  const config = CONFIGS.find((path) => existsSync(join(folder, path)));
+  const flags = ['--config', config, '--outDir', outDir, '--emptyOutDir', '--logLevel', 'error'];
+  run(folder, process.execPath, vite, 'build', ...flags);
+}

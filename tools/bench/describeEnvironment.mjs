@@ -1,0 +1,29 @@
+import { execFileSync } from 'node:child_process';
+import { cpus } from 'node:os';
+import { describeRenderer } from '../browser/describeRenderer.mjs';
+
+const git = (...args) => execFileSync('git', args, { encoding: 'utf8' }).trim();
+
+/**
+ * What figures depend on beside the code, and which code that was. HATCH_RASTERISER says who draws.
+ *
+ * @throws when another rasteriser draws than was asked for.
+ */
+export async function describeEnvironment() {
+  const { browser, renderer } = await describeRenderer();
+  const wanted = process.env.HATCH_RASTERISER;
+  if (wanted && wanted !== 'gpu' && !renderer.toLowerCase().includes(wanted)) {
+    throw new Error(
+      `bench: ${wanted} was asked for, but ${renderer} draws. For llvmpipe, Debian needs libegl1 and libgl1-mesa-dri; --rasteriser=swiftshader does without.`,
+    );
+  }
+  const changes = git('status', '--porcelain', '--', '.', ':!tools/bench/results', ':!docs/benchmarks.md');
+  return {
+    commit: `${git('rev-parse', '--short', 'HEAD')}${changes ? ' with changes' : ''}`,
+    renderer,
+    chromium: browser,
+    node: process.version,
+    cpu: cpus()[0]?.model,
+    cores: cpus().length,
+  };
+}

@@ -1,0 +1,52 @@
+/**
+ * `npm run bench`: runs every benchmark, those that draw once per rasteriser, each in a browser of its own; prints tables,
+ * keeps the figures in tools/bench/results and writes docs/benchmarks.md from them.
+ *
+ * `npm run bench -- bake frame` runs some of them, `--rasteriser=llvmpipe` draws with one rasteriser alone. `--quick` runs a
+ * small version of everything and writes to tests/output/bench.
+ */
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { benchmarks } from './benchmarks.mjs';
+import { describeBenchmarks } from './describeBenchmarks.mjs';
+import { describeEnvironment } from './describeEnvironment.mjs';
+import { openBrowser } from './openBrowser.mjs';
+
+const { values, positionals } = parseArgs({
+  options: { quick: { type: 'boolean' }, rasteriser: { type: 'string' } },
+  allowPositionals: true,
+});
+const unknown = positionals.find((word) => !benchmarks.some(({ name }) => name === word));
+if (unknown) {
+  const known = benchmarks.map(({ name }) => name).join(', ');
+  throw new Error(`tools/bench/run.mjs: no benchmark is called ${unknown}; there are ${known}.`);
+}
+const rasterisers = values.rasteriser ? [values.rasteriser] : ['swiftshader', 'llvmpipe'];
+const folder = fileURLToPath(new URL(values.quick ? '../../tests/output/bench/' : './results/', import.meta.url));
+mkdirSync(folder, { recursive: true });
+
+for (const benchmark of benchmarks) {
+  if (positionals.length > 0 && !positionals.includes(benchmark.name)) continue;
+  for (const rasteriser of benchmark.perRasteriser ? rasterisers : rasterisers.slice(0, 1)) {
+    process.env.HATCH_RASTERISER = rasteriser;
+    const environment = await describeEnvironment();
+    const start = performance.now();
+    const browser = await openBrowser(rasteriser);
+    try {
+      const result = await benchmark.run(browser, values.quick);
+      const seconds = Math.round((performance.now() - start) / 1000);
+      const name = benchmark.perRasteriser ? `${benchmark.name}.${rasteriser}` : benchmark.name;
+      writeFileSync(`${folder}${name}.json`, `${JSON.stringify({ environment, seconds, result }, rounded, 2)}\n`);
+      console.log(`\n${name}, ${seconds} s, ${environment.renderer}\n\n${benchmark.describe(result)}`);
+    } finally {
+      await browser.close();
+    }
+  }
+}
+if (!values.quick) describeBenchmarks();
+
+/** More digits than five are noise, and would fill the files. */
+function rounded(_, value) {
+  return typeof value === 'number' ? Number(value.toPrecision(5)) : value;
+}

@@ -1,0 +1,139 @@
+import { readFile } from 'node:fs/promises';
+import { expect, type Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+
+import type { TestFile } from '../modelFiles/modelFiles.js';
+
+/** A page that draws no frame for so long is idle. Longer than the pause before it restores the full resolution. */
+const QUIET_MILLISECONDS = 500;
+
+/** Opens the playground with the hash of a link and waits until it shows the drawing. */
+export async function openPlayground(page: Page, hash = ''): Promise<void> {
+  await page.goto(`./#${hash}`);
+  await ready(page);
+}
+
+/** Waits until the page is idle: nothing is loading, baking or moving. */
+export async function ready(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.documentElement.dataset.state === 'ready', null, { timeout: 60_000 });
+  await page.waitForFunction(
+    (quiet) => {
+      const state = window as unknown as { __seen?: { frames: number; since: number } };
+      const { framesDrawn: frames, isIdle } = window.__playground!;
+      if (!isIdle || state.__seen?.frames !== frames) state.__seen = { frames, since: performance.now() };
+      return performance.now() - state.__seen.since > quiet;
+    },
+    QUIET_MILLISECONDS,
+    { polling: 100 },
+  );
+}
+
+/** Longer than anything here should take, also on a slow machine. */
+const STUCK_MILLISECONDS = 120_000;
+
+/** As {@link ready}, without the pause: nothing is loading or baking. A clip that plays is stopped, because it would go on for ever. */
+export async function idle(page: Page): Promise<void> {
+  // What follows from an event comes in tasks of its own.
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
+  await page.waitForFunction(
+    () => {
+      const playing = [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Pause');
+      playing?.click();
+      return window.__playground!.isIdle;
+    },
+    null,
+    { timeout: STUCK_MILLISECONDS, polling: 50 },
+  );
+}
+
+/** Follows a link in the open page. */
+export async function follow(page: Page, hash: string): Promise<void> {
+  await page.evaluate((link) => {
+    location.hash = link;
+  }, hash);
+  await idle(page);
+}
+
+/** Drags files over the page and drops them. */
+export async function drop(page: Page, files: readonly TestFile[]): Promise<void> {
+  const plain = files.map(({ name, buffer }) => ({ name, base64: buffer.toString('base64') }));
+  const transfer = await page.evaluateHandle((dropped) => {
+    const data = new DataTransfer();
+    for (const { name, base64 } of dropped) {
+      data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    }
+    return data;
+  }, plain);
+  await page.dispatchEvent('body', 'dragenter', { dataTransfer: transfer });
+  await expect(page.getByText('Drop a model to have it drawn')).toBeVisible();
+  await page.dispatchEvent('body', 'drop', { dataTransfer: transfer });
+  await transfer.dispose();
+  await expect(page.getByText('Drop a model to have it drawn')).toBeHidden();
+}
+
+export const framesDrawn = (page: Page): Promise<number> => page.evaluate(() => window.__playground!.framesDrawn);
+
+/** A screenshot of the drawing alone, without lamp, divider, focus ring and sentences that lie over it. */
+export async function readDrawing(page: Page): Promise<PNG> {
+  await ready(page);
+  const overlays = page.locator('.lamp, #divider, #status');
+  const canvas = page.locator('#drawing');
+  await canvas.evaluate((element) => {
+    element.style.outline = 'none';
+  });
+  await overlays.evaluateAll((elements) => {
+    for (const element of elements) (element as HTMLElement).style.visibility = 'hidden';
+  });
+  const picture = PNG.sync.read(await page.locator('#viewport').screenshot());
+  await overlays.evaluateAll((elements) => {
+    for (const element of elements) (element as HTMLElement).style.visibility = '';
+  });
+  await canvas.evaluate((element) => {
+    element.style.outline = '';
+  });
+  return picture;
+}
+
+/** The picture that the page saves. */
+export async function savePicture(page: Page): Promise<PNG> {
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save PNG' }).last().click();
+  return PNG.sync.read(await readFile(await (await download).path()));
+}
+
+/** The position of a light, by the label of its handle, after the next frame is drawn. */
+export async function lampPlace(
+  page: Page,
+  selector = '#lamp',
+): Promise<{ azimuth: number; elevation: number; distance: number }> {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  const text = (await page.locator(selector).getAttribute('aria-valuetext')) ?? '';
+  const number = (pattern: RegExp): number => Number(pattern.exec(text)?.[1]);
+  return {
+    azimuth: number(/(-?[\d.]+)° around/),
+    elevation: number(/(-?[\d.]+)° high/),
+    distance: number(/([\d.]+) radii/),
+  };
+}
+
+export interface Point {
+  x: number;
+  y: number;
+}
+
+/** The middle of an element in the page. */
+export async function middleOf(page: Page, selector: string): Promise<Point> {
+  const box = await page.locator(selector).boundingBox();
+  expect(box, `${selector} is shown`).not.toBeNull();
+  return { x: box!.x + box!.width / 2, y: box!.y + box!.height / 2 };
+}
+
+/** Drags a lamp with the mouse, in several steps. @param by in pixels */
+export async function dragLamp(page: Page, by: Point, selector = '#lamp'): Promise<void> {
+  const from = await middleOf(page, selector);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + by.x, from.y + by.y, { steps: 6 });
+  await page.mouse.up();
+  await ready(page);
+}

