@@ -8,41 +8,41 @@ import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.j
 import { savedFormat } from '../settings/settingValues.js';
 import { readLink, writeLink } from '../settings/shareLink.js';
 import { createScene } from '../stage/createScene.js';
-import type { CodeDialog } from './CodeDialog.js';
-import type { CompareDivider } from './CompareDivider.js';
-import type { ContactSheet } from './ContactSheet.js';
-import { copyPicture } from './copyPicture.js';
-import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
-import { dropFiles } from './dropFiles.js';
-import type { ExportActions } from './ExportActions.js';
+import type { ContactSheet } from './dialogs/ContactSheet.js';
+import type { Gallery } from './dialogs/Gallery.js';
+import type { KeysDialog } from './dialogs/KeysDialog.js';
+import type { RecentDialog } from './dialogs/RecentDialog.js';
+import { page } from './elements/page.js';
+import { pageForm } from './elements/pageForm.js';
+import { drawnView } from './elements/viewSize.js';
 import { toggleFullScreen } from './fullScreen.js';
-import type { Gallery } from './Gallery.js';
-import { Keeper } from './Keeper.js';
-import { KeptPicture } from './KeptPicture.js';
-import type { KeysDialog } from './KeysDialog.js';
-import type { LightHandles } from './LightHandles.js';
-import type { LinkFollower } from './LinkFollower.js';
-import { MapLoader } from './MapLoader.js';
-import { ModelLoader, type OpenedModel } from './ModelLoader.js';
-import type { MotionPanel } from './MotionPanel.js';
-import { OcclusionLoader } from './OcclusionLoader.js';
-import { PageAddress } from './PageAddress.js';
-import { PresetBar } from './PresetBar.js';
-import { page } from './page.js';
-import { pageForm } from './pageForm.js';
+import { dropFiles } from './loading/dropFiles.js';
+import { MapLoader } from './loading/MapLoader.js';
+import { ModelLoader, type OpenedModel } from './loading/ModelLoader.js';
+import { OcclusionLoader } from './loading/OcclusionLoader.js';
+import { sortDrop } from './loading/sortDrop.js';
+import type { CompareDivider } from './overlay/CompareDivider.js';
+import type { LightHandles } from './overlay/LightHandles.js';
+import type { SheetFrame } from './overlay/SheetFrame.js';
+import { TurnHint } from './overlay/TurnHint.js';
 import { listenToKeys } from './pageKeys.js';
-import type { RecentDialog } from './RecentDialog.js';
-import { SavedViews } from './SavedViews.js';
-import type { SettingsPanel } from './SettingsPanel.js';
-import type { SheetFrame } from './SheetFrame.js';
-import type { Shelf } from './Shelf.js';
-import type { Status } from './Status.js';
-import { sentenceFor } from './sentenceFor.js';
-import { sortDrop } from './sortDrop.js';
-import { TaskRunner } from './TaskRunner.js';
-import { TurnHint } from './TurnHint.js';
-import { drawnView } from './viewSize.js';
-import { watchPresses } from './watchPresses.js';
+import type { MotionPanel } from './panel/MotionPanel.js';
+import { PresetBar } from './panel/PresetBar.js';
+import type { SettingsPanel } from './panel/SettingsPanel.js';
+import { type DrawingState, isSameState, type LookState } from './session/DrawingState.js';
+import { Keeper } from './session/Keeper.js';
+import { KeptPicture } from './session/KeptPicture.js';
+import type { LinkFollower } from './session/LinkFollower.js';
+import { PageAddress } from './session/PageAddress.js';
+import { watchPresses } from './session/watchPresses.js';
+import { SavedViews } from './shelf/SavedViews.js';
+import type { Shelf } from './shelf/Shelf.js';
+import type { CodeDialog } from './takeAway/CodeDialog.js';
+import { copyPicture } from './takeAway/copyPicture.js';
+import type { ExportActions } from './takeAway/ExportActions.js';
+import type { Status } from './tasks/Status.js';
+import { sentenceFor } from './tasks/sentenceFor.js';
+import { TaskRunner } from './tasks/TaskRunner.js';
 
 declare global {
   interface Window {
@@ -112,7 +112,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   let divider: CompareDivider | undefined;
   const presets = new PresetBar(page.presets, settings, (name) => useLook(wholeLook(name)));
   let shelf: Shelf | undefined;
-  const fetchedShelf = import('./Shelf.js').then(({ Shelf }) => {
+  const fetchedShelf = import('./shelf/Shelf.js').then(({ Shelf }) => {
     shelf = new Shelf(scene, settings, views, useLook);
     return shelf;
   });
@@ -123,7 +123,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   );
   // Not before the drawing: it would delay it. The shelf lies above the panel, and comes first so that nothing moves.
   let panel: SettingsPanel | undefined;
-  void Promise.all([import('./SettingsPanel.js'), fetchedShelf]).then(
+  void Promise.all([import('./panel/SettingsPanel.js'), fetchedShelf]).then(
     ([{ SettingsPanel }]) => {
       panel = new SettingsPanel(
         page.panel,
@@ -198,7 +198,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   let lights: LightHandles | undefined;
-  whenFetched(import('./LightHandles.js'), ({ LightHandles }) => {
+  whenFetched(import('./overlay/LightHandles.js'), ({ LightHandles }) => {
     lights = new LightHandles(scene, settings, recordChange);
     scene.invalidate();
   });
@@ -207,7 +207,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   /** Shows the controls of a model that moves. */
   function showMotion(): void {
     if (!motion && !scene.model?.motion) return;
-    whenFetched(import('./MotionPanel.js'), ({ MotionPanel }) => {
+    whenFetched(import('./panel/MotionPanel.js'), ({ MotionPanel }) => {
       motion ??= new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
       motion.show(scene.model?.motion);
       scene.invalidate();
@@ -216,7 +216,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   let exportActions: ExportActions | undefined;
   const fetchExports = (): Promise<ExportActions> =>
-    import('./ExportActions.js').then(({ ExportActions }) => {
+    import('./takeAway/ExportActions.js').then(({ ExportActions }) => {
       exportActions ??= new ExportActions(
         scene,
         settings,
@@ -243,14 +243,14 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   let sheetFrame: SheetFrame | undefined;
   function showSheet(isShown: boolean): void {
-    whenFetched(import('./SheetFrame.js'), ({ SheetFrame }) => {
+    whenFetched(import('./overlay/SheetFrame.js'), ({ SheetFrame }) => {
       sheetFrame ??= new SheetFrame(scene, settings);
       sheetFrame.show(isShown);
     });
   }
 
   function openCode(): void {
-    whenFetched(import('./CodeDialog.js'), ({ CodeDialog }) => {
+    whenFetched(import('./takeAway/CodeDialog.js'), ({ CodeDialog }) => {
       codeDialog ??= new CodeDialog({
         drawing: () => ({
           model: modelLoader.codeModel,
@@ -274,7 +274,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   function openKeys(): void {
-    whenFetched(import('./KeysDialog.js'), ({ KeysDialog }) => {
+    whenFetched(import('./dialogs/KeysDialog.js'), ({ KeysDialog }) => {
       keysDialog ??= new KeysDialog();
       keysDialog.open();
     });
@@ -286,7 +286,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   }
 
   function showMap(): void {
-    whenFetched(import('./ContactSheet.js'), ({ ContactSheet }) => {
+    whenFetched(import('./dialogs/ContactSheet.js'), ({ ContactSheet }) => {
       contactSheet ??= new ContactSheet(page.contactSheet);
       fillSheet(contactSheet);
       contactSheet.open();
@@ -377,7 +377,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     const isCompared = compare !== 'none';
     scene.compareWith(isCompared ? () => divider?.share ?? 0.5 : undefined);
     if (isCompared && !divider) {
-      whenFetched(import('./CompareDivider.js'), ({ CompareDivider }) => {
+      whenFetched(import('./overlay/CompareDivider.js'), ({ CompareDivider }) => {
         divider ??= new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
         showComparison();
       });
@@ -427,7 +427,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   let gallery: Gallery | undefined;
   page.openGallery.addEventListener('click', () => {
     openCard(false);
-    whenFetched(import('./Gallery.js'), ({ Gallery }) => {
+    whenFetched(import('./dialogs/Gallery.js'), ({ Gallery }) => {
       gallery ??= new Gallery(page.gallery, ({ link }) => {
         showState({ ...readLink(link), files: undefined });
         recordChange();
@@ -470,7 +470,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     following++;
     status.solveProblem('link');
     try {
-      const { LinkFollower } = await import('./LinkFollower.js');
+      const { LinkFollower } = await import('./session/LinkFollower.js');
       links ??= new LinkFollower({
         ...{ settings, address, keeper, modelLoader, mapLoader },
         ...{ showState, showLook, recordChange },
@@ -558,7 +558,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   page.undo.addEventListener('click', () => step(history.undo()));
   page.redo.addEventListener('click', () => step(history.redo()));
   page.recent.addEventListener('click', () => {
-    whenFetched(import('./RecentDialog.js'), ({ RecentDialog }) => {
+    whenFetched(import('./dialogs/RecentDialog.js'), ({ RecentDialog }) => {
       recent ??= new RecentDialog(keeper, (id) => void openKept(id));
       return recent.open();
     });
@@ -570,7 +570,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     const { kind, files } = sortDrop(dropped, modelLoader.shownFiles, !page.contactSheet.sheet.hidden);
     if (kind === 'model') await modelLoader.showFiles(files);
     else {
-      const isMap = kind === 'map' || (await (await import('./ask.js')).askForStrokes(files.map(({ name }) => name)));
+      const isMap =
+        kind === 'map' || (await (await import('./loading/ask.js')).askForStrokes(files.map(({ name }) => name)));
       if (isMap) await mapLoader.showFiles(files);
     }
   }

@@ -2,8 +2,8 @@ import { errorMessage } from '../files/errorMessage.js';
 import { setPageState } from '../page/setPageState.js';
 import { drawsInSoftware } from '../stage/drawsInSoftware.js';
 import { createPlayground } from './createPlayground.js';
-import { page } from './page.js';
-import { Status } from './Status.js';
+import { page } from './elements/page.js';
+import { Status } from './tasks/Status.js';
 
 const status = new Status(page.status);
 const context = page.canvas.getContext('webgl2', {

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { describeBundle } from '../../../../src/demo/files/bundle.js';
-import { zipDrawing } from '../../../../src/demo/playground/zipDrawing.js';
+import { zipDrawing } from '../../../../src/demo/playground/takeAway/zipDrawing.js';
 import {
   colorsOf,
   colouredBoxMtl,

@@ -1,0 +1,272 @@
+import type { CodeModel } from '../../code/CodeModel.js';
+import { hatchModel } from '../../drawing/hatchModel.js';
+import type { Report } from '../../drawing/Report.js';
+import { standInFor } from '../../drawing/standInFor.js';
+import type { BundledDrawing } from '../../files/bundle.js';
+import { loadModelFiles } from '../../files/loadModelFiles.js';
+import type { ModelFile, ReadModel } from '../../files/readModel.js';
+import { shownName } from '../../files/shownText.js';
+import type { BuiltInScene } from '../../models/BuiltInScene.js';
+import { BUILT_IN_MODELS, type BuiltInModel } from '../../models/models.js';
+import { setPageState } from '../../page/setPageState.js';
+import type { CameraView } from '../../settings/CameraView.js';
+import { SETTINGS, type Settings } from '../../settings/settings.js';
+import type { HatchingScene } from '../../stage/createScene.js';
+import { page } from '../elements/page.js';
+import type { TaskRunner } from '../tasks/TaskRunner.js';
+import { type CaptionContent, ModelCaption } from './ModelCaption.js';
+import type { ShownFiles } from './sortDrop.js';
+
+interface LoadedModel {
+  title: string;
+  view?: [number, number, number] | undefined;
+  read: ReadModel | BuiltInScene;
+  shown?: ShownFiles;
+  drawing?: BundledDrawing | undefined;
+}
+
+/** The setting of a model, and the files of the user's own. */
+interface WantedModel {
+  model: Settings['model'];
+  files?: readonly ModelFile[] | undefined;
+}
+
+/** A model that the user has opened. */
+export interface OpenedModel {
+  /** Whether it is another than before, not the same with pictures that it lacked. */
+  isOther: boolean;
+  /** How it is drawn, if it came with that. */
+  drawing: BundledDrawing | undefined;
+}
+
+/** How loading has ended: with files that the user has opened, with a model that the settings ask for, or with the previous one. */
+export type ModelEnd = 'opened' | 'restored' | 'failed';
+
+/** Loads models and shows them. While one is loading, and if it fails, the previous one stays. */
+export class ModelLoader {
+  /** The name of the model that is shown. */
+  title = '';
+  /** The radius of a model that is drawn as a scene, before it was fitted. Undefined for one mesh. */
+  sceneRadius: number | undefined;
+  /** Whether surfaces of one mesh are drawn from both sides, because it is open. */
+  isOpen = false;
+  /** What the shown model was read from. Built-in models ask for nothing. */
+  shownFiles: ShownFiles = { files: [], missing: [] };
+  /** What a stand-in has changed on the page. */
+  private beforeStandIn:
+    | { upAxis: Settings['upAxis']; title: string; caption: CaptionContent | undefined; place: CameraView | undefined }
+    | undefined;
+  /** The value of the setting for the model that is shown. */
+  private shownModel: Settings['model'];
+  /** The model that is shown or being loaded, if one is: its setting, and its files if it is the user's own. */
+  private wanted: WantedModel | undefined;
+  private readonly caption = new ModelCaption(page.modelCaption);
+  private readonly addresses = new WeakMap<readonly ModelFile[], string>();
+
+  constructor(
+    private readonly scene: HatchingScene,
+    private readonly settings: Settings,
+    private readonly tasks: TaskRunner,
+    /** Called when loading has changed the settings. */
+    private readonly onChange: (end: ModelEnd, opened?: OpenedModel) => void,
+  ) {
+    this.shownModel = settings.model;
+  }
+
+  /** Shows the built-in model that the settings ask for. */
+  showChosen(): void {
+    const { settings } = this;
+    // A link may have placed the camera.
+    if (settings.model !== 'file') void this.showBuiltIn(settings.model, false);
+  }
+
+  /** As {@link showChosen}, where nothing is shown or being loaded: the page is not left empty. */
+  showSomething(): void {
+    if (!this.scene.model && !this.isLoading) this.showChosen();
+  }
+
+  /**
+   * Goes back to a model that was shown before, or that a link asks for, with the settings that are there already.
+   *
+   * @param files of the user's own model
+   * @param isFramed whether the camera goes to where it sees the whole model
+   */
+  restore({ model, files }: WantedModel, isFramed: boolean): void {
+    if (model === this.wanted?.model && files === this.wanted.files) return;
+    if (model !== 'file') void this.showBuiltIn(model, isFramed);
+    else if (files) void this.showOwn(files, { isFramed, isRestored: true });
+  }
+
+  /**
+   * As {@link showChosen}, after another model was chosen. Resets the up axis.
+   *
+   * @param isFramed whether the camera goes to where it sees the whole model
+   */
+  changeModel(isFramed = true): void {
+    const { settings } = this;
+    if (settings.model === 'file') return;
+    settings.upAxis = SETTINGS.upAxis.default;
+    void this.showBuiltIn(settings.model, isFramed);
+  }
+
+  get isLoading(): boolean {
+    return this.tasks.isRunning('model');
+  }
+
+  /** The files of the shown model, if it is the user's own. */
+  get ownFiles(): readonly ModelFile[] | undefined {
+    return this.shownModel === 'file' ? this.shownFiles.files : undefined;
+  }
+
+  /** The model that is shown, for the code that draws it elsewhere. */
+  get codeModel(): CodeModel {
+    const { shownModel: model, title, sceneRadius, isOpen } = this;
+    const { root, motion } = this.scene.model ?? {};
+    const { clip: index = -1, time = 0, isPlaying = false } = motion ?? {};
+    return {
+      model,
+      title,
+      sceneRadius,
+      isOpen,
+      place: root && sceneRadius ? { scale: root.scale.x, position: root.position.toArray() } : undefined,
+      clip: index === -1 ? undefined : { index, time, isPlaying },
+    };
+  }
+
+  /** Fetches a model from another site, as the user has agreed to, and shows it with the settings that are there already. */
+  showAddress(address: string, isFramed: boolean): void {
+    const wanted: WantedModel = { model: 'file' };
+    void this.show(wanted, { isFramed, isRestored: true }, async (report, signal) => {
+      const { describeAddress, fetchModel } = await import('./fetchModel.js');
+      const stage = `fetching ${shownName(describeAddress(address).name)}`;
+      report(stage);
+      const files = [await fetchModel(address, { signal, onProgress: (progress) => report(stage, progress) })];
+      wanted.files = files;
+      this.addresses.set(files, address);
+      const read = await loadModelFiles(files, { signal, onStage: report });
+      const { name: title, missing, unpacked } = read;
+      return { title, read, shown: { files, missing, unpacked } };
+    });
+  }
+
+  /** Where the shown model lies on the web, if it came from there. */
+  get address(): string | undefined {
+    return this.ownFiles && this.addresses.get(this.ownFiles);
+  }
+
+  /** Notes where files came from that the browser has kept. */
+  cameFrom(files: readonly ModelFile[], address: string): void {
+    this.addresses.set(files, address);
+  }
+
+  /** Shows a model of the user's own. */
+  showFiles(files: readonly ModelFile[]): Promise<void> {
+    // The same model, with pictures that it lacked, stays where it is.
+    const isFramed = !files.some((file) => this.shownFiles.files.includes(file));
+    return this.showOwn(files, { isFramed, isRestored: false });
+  }
+
+  private showOwn(
+    files: readonly ModelFile[],
+    { isFramed, isRestored }: { isFramed: boolean; isRestored: boolean },
+  ): Promise<void> {
+    return this.show({ model: 'file', files }, { isFramed, isRestored }, async (report, signal) => {
+      const read = await loadModelFiles(files, { signal, onStage: report });
+      const { name: title, missing, unpacked, drawing } = read;
+      return { title, read, shown: { files, missing, unpacked }, drawing };
+    });
+  }
+
+  private showBuiltIn(model: BuiltInModel, isFramed: boolean): Promise<void> {
+    return this.show({ model }, { isFramed, isRestored: true }, async (report, signal) => {
+      const { title, view, load } = BUILT_IN_MODELS[model];
+      report(`fetching ${title}`);
+      return { title, view, read: await load({ signal, onStage: report }) };
+    });
+  }
+
+  private async show(
+    wanted: WantedModel,
+    { isFramed, isRestored }: { isFramed: boolean; isRestored: boolean },
+    load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
+  ): Promise<void> {
+    const { settings, scene } = this;
+    const { model } = wanted;
+    this.wanted = wanted;
+    if (!scene.isLost) setPageState('loading');
+    const end = await this.tasks.run('model', async (report, signal) => {
+      const loaded = await load(report, signal);
+      this.showStandIn(loaded, isFramed, isRestored);
+      const { model: next, notes } = await hatchModel(loaded.read, report, signal);
+      try {
+        await scene.dress(next, signal);
+      } catch (error) {
+        next.dispose();
+        throw error;
+      }
+      report('drawing', 1);
+      const hasStandIn = scene.isStandIn;
+      this.beforeStandIn = undefined;
+      this.shownModel = model;
+      this.title = loaded.title;
+      this.shownFiles = loaded.shown ?? { files: [], missing: [] };
+      this.sceneRadius = loaded.read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
+      const { borderEdges, nonManifoldEdges } = next.statistics;
+      this.isOpen = loaded.read.kind === 'mesh' && borderEdges + nonManifoldEdges > 0;
+      settings.model = model;
+      if (!isRestored && !hasStandIn) settings.upAxis = loaded.read.upAxis;
+      // What is left out of our own models is no news to anyone.
+      const told = model === 'file' ? notes : [];
+      const details = model === 'file' && 'details' in loaded.read ? loaded.read.details : [];
+      this.name({ title: loaded.title, statistics: next.statistics, notes: told, details });
+      scene.setModel(next, loaded.view);
+      // Who has looked around the stand-in goes on from there.
+      if (isFramed && !hasStandIn) scene.view.frame();
+      if (isRestored) this.onChange('restored');
+      else this.onChange('opened', { isOther: isFramed, drawing: loaded.drawing });
+      page.lamp.hidden = false;
+    });
+    if (end === 'failed') {
+      this.takeStandInAway();
+      // The previous model stays, and the panel must show its name again.
+      settings.model = this.shownModel;
+      this.wanted = { model: this.shownModel, files: this.ownFiles };
+      this.onChange('failed');
+    }
+  }
+
+  /** Draws a large mesh at once with what is known of it. */
+  private showStandIn({ read, title, view }: LoadedModel, isFramed: boolean, isRestored: boolean): void {
+    const { scene, settings } = this;
+    const standIn = standInFor(read, settings);
+    if (!standIn) return;
+    this.beforeStandIn ??= {
+      upAxis: settings.upAxis,
+      title: document.title,
+      caption: this.caption.content,
+      place: scene.view.ownPlace,
+    };
+    if (!isRestored) settings.upAxis = read.upAxis;
+    this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
+    scene.setStandIn(standIn, view);
+    if (isFramed) scene.view.frame();
+  }
+
+  /** Puts back the page as it was before a stand-in for a model that does not come. */
+  private takeStandInAway(): void {
+    const { scene, settings, beforeStandIn: before } = this;
+    if (!before) return;
+    this.beforeStandIn = undefined;
+    settings.upAxis = before.upAxis;
+    scene.removeStandIn();
+    document.title = before.title;
+    this.caption.show(before.caption);
+    if (before.place) scene.view.place = before.place;
+    else scene.view.frame();
+  }
+
+  private name(content: CaptionContent): void {
+    this.caption.show(content);
+    document.title = `${shownName(content.title)}, hatched`;
+  }
+}

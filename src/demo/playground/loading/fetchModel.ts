@@ -1,0 +1,78 @@
+import type { FetchMessage } from '../../fetch/FetchMessage.js';
+import { baseName } from '../../files/fileName.js';
+import { ModelError } from '../../files/ModelError.js';
+import type { ModelFile } from '../../files/readModel.js';
+import { shownName } from '../../files/shownText.js';
+
+/** The name of the file at an address, and of the site where it lies, in the ASCII form: there no letter looks like another. */
+export function describeAddress(address: string): { name: string; site: string } {
+  const { host, pathname } = new URL(address);
+  let name = baseName(pathname);
+  try {
+    name = decodeURIComponent(name);
+  } catch {
+    // It stays as it is written.
+  }
+  return { name: name || 'model', site: host };
+}
+
+/**
+ * Fetches a model from another site, through a page in a frame that may do so. The caller has asked the user.
+ *
+ * @throws ModelError with one sentence for the user
+ */
+export function fetchModel(
+  address: string,
+  { signal, onProgress }: { signal: AbortSignal; onProgress: (progress: number | undefined) => void },
+): Promise<ModelFile> {
+  const { name, site } = describeAddress(address);
+  const shown = shownName(name);
+  const frame = document.createElement('iframe');
+  frame.hidden = true;
+  frame.src = new URL('fetch/', document.baseURI).href;
+  return new Promise<ModelFile>((resolve, reject) => {
+    const end = (error?: unknown, content?: Blob): void => {
+      removeEventListener('message', onMessage);
+      // Ends what it is doing.
+      frame.remove();
+      if (content) resolve({ name, content });
+      else reject(error);
+    };
+    const onMessage = ({ source, origin, data }: MessageEvent<FetchMessage>): void => {
+      if (source !== frame.contentWindow || origin !== location.origin) return;
+      switch (data.kind) {
+        case 'ready':
+          frame.contentWindow?.postMessage({ address }, location.origin);
+          return;
+        case 'progress':
+          onProgress(data.total && data.bytes / data.total);
+          return;
+        case 'done':
+          end(undefined, data.content);
+          return;
+        case 'refused':
+          end(new ModelError(`${site} has no such file: it answered ${data.status} for ${shown}.`));
+          return;
+        case 'too large':
+          end(new ModelError(`${shown} has more than 512 MB, which is too much for a page.`));
+          return;
+        case 'sent on':
+          end(
+            new ModelError(
+              `${shown} did not come: ${site} sends on to another site, which you have not agreed to. Download it there, and drop it here.`,
+            ),
+          );
+          return;
+        case 'failed':
+          end(
+            new ModelError(
+              `${shown} did not come: ${site} cannot be reached, or does not let other pages fetch its files (CORS). Download it there, and drop it here.`,
+            ),
+          );
+      }
+    };
+    addEventListener('message', onMessage);
+    signal.addEventListener('abort', () => end(signal.reason), { once: true });
+    document.body.append(frame);
+  });
+}

@@ -1,0 +1,71 @@
+import { acceptSetting } from '../../settings/acceptSetting.js';
+import { SETTINGS, type Settings } from '../../settings/settings.js';
+import { placeOfLight, placeOfSecondLight } from '../../settings/settingValues.js';
+import type { HatchingScene } from '../../stage/createScene.js';
+import { LightHandle } from '../../stage/LightHandle.js';
+import { page } from '../elements/page.js';
+
+/** The handles of the light and of the second sun, which change the settings. */
+export class LightHandles {
+  private readonly first: LightHandle;
+  private readonly second: LightHandle;
+
+  /** @param onChange called with what was changed, after each change */
+  constructor(
+    scene: HatchingScene,
+    private readonly settings: Settings,
+    onChange: (source: string) => void,
+  ) {
+    const change = (source: string, values: Partial<Settings>): void => {
+      // As controls and links have them, so that a link gives back the very drawing.
+      for (const [key, value] of Object.entries(values))
+        Object.assign(settings, { [key]: acceptSetting(key as keyof Settings, value) });
+      onChange(source);
+    };
+    const common = {
+      viewport: page.viewport,
+      camera: scene.camera,
+      outline: () => scene.view.modelOutline,
+      framedCount: () => scene.view.framedCount,
+      isWithViewer: () => settings.lightFollows === 'viewer',
+      onDrag: (dragging: boolean) => {
+        scene.view.controls.enabled = !dragging;
+        if (dragging) page.lamp.classList.add('is-known');
+      },
+    };
+    this.first = new LightHandle(page.lamp, {
+      ...common,
+      name: 'Light',
+      lightPosition: scene.lightPosition,
+      place: () => placeOfLight(settings),
+      home: () => ({
+        azimuth: SETTINGS.lightAzimuth.default,
+        elevation: SETTINGS.lightElevation.default,
+        distance: SETTINGS.lightDistance.default,
+      }),
+      onMove: ({
+        azimuth = settings.lightAzimuth,
+        elevation = settings.lightElevation,
+        distance = settings.lightDistance,
+      }) => change('lamp', { lightAzimuth: azimuth, lightElevation: elevation, lightDistance: distance }),
+    });
+    const secondPlace = () => placeOfSecondLight(settings) ?? { azimuth: 0, elevation: 0 };
+    this.second = new LightHandle(page.secondLamp, {
+      ...common,
+      name: 'Second light',
+      lightPosition: scene.secondLightPosition,
+      place: secondPlace,
+      home: () => ({ azimuth: SETTINGS.secondAzimuth.default, elevation: SETTINGS.secondElevation.default }),
+      // Once it is moved, it no longer goes with the light.
+      onMove: ({ azimuth = secondPlace().azimuth, elevation = secondPlace().elevation }) =>
+        change('second lamp', { secondLight: 'free', secondAzimuth: azimuth, secondElevation: elevation }),
+    });
+  }
+
+  /** Moves the handles to where the lights are seen. To be called with every frame. */
+  update(): void {
+    page.secondLamp.hidden = page.lamp.hidden || this.settings.secondLight === 'none';
+    this.first.update();
+    if (!page.secondLamp.hidden) this.second.update();
+  }
+}

@@ -1,0 +1,32 @@
+import { thumbnailOf } from '../../kept/thumbnailOf.js';
+import type { HatchingScene } from '../../stage/createScene.js';
+
+/** Takes a thumbnail of a drawing when it has come to rest and is drawn whole. */
+export class KeptPicture {
+  private isWanted = false;
+
+  constructor(
+    private readonly scene: HatchingScene,
+    /** Whether nothing is being done that changes the drawing. */
+    private readonly isSettled: () => boolean,
+    private readonly take: (picture: string) => void,
+  ) {}
+
+  want(): void {
+    this.isWanted = true;
+    if (this.isAtRest && this.scene.redraw()) this.frameDrawn();
+  }
+
+  /** To be called with every frame, in its task. */
+  frameDrawn(): void {
+    if (!this.isWanted || !this.isAtRest) return;
+    this.isWanted = false;
+    this.take(thumbnailOf(this.scene.canvas));
+  }
+
+  /** If not, another frame follows: a whole one after a sketch, a fine one after a coarse one, and one with what a task brings. */
+  private get isAtRest(): boolean {
+    const { scene } = this;
+    return scene.isComplete && !scene.isWaiting && !scene.isCoarse && !scene.isStandIn && this.isSettled();
+  }
+}

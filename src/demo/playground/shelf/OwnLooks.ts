@@ -1,0 +1,80 @@
+import { KeptLooks, MOST_LOOKS } from '../../kept/KeptLooks.js';
+import { newId } from '../../kept/newId.js';
+import { acceptLook, hasLook, type OwnLook } from '../../settings/ownLook.js';
+import { plainName } from '../../settings/plainName.js';
+import type { Settings } from '../../settings/settings.js';
+import { freeName, type NamedItem, type NamedList } from './NamedList.js';
+
+/** The looks of the user's own, which this browser keeps. */
+export class OwnLooks implements NamedList {
+  private readonly kept = new KeptLooks(() => localStorage);
+
+  constructor(
+    private readonly settings: Settings,
+    /** Draws the drawing and returns a thumbnail of it. */
+    private readonly picture: () => string | undefined,
+    private readonly onChoose: (look: OwnLook) => void,
+    /** Called when they have changed. */
+    private readonly onChange: () => void,
+  ) {
+    // Another tab has changed them.
+    addEventListener('storage', () => {
+      this.kept.refresh();
+      onChange();
+    });
+  }
+
+  get items(): readonly NamedItem[] {
+    return this.kept.list;
+  }
+
+  get isFull(): boolean {
+    return this.kept.list.length >= MOST_LOOKS;
+  }
+
+  get freeName(): string {
+    return freeName('Look', this.items);
+  }
+
+  add(name: string): string | undefined {
+    const { settings } = this;
+    const added = {
+      id: newId(),
+      name: plainName(name) || this.freeName,
+      look: acceptLook(settings),
+      picture: this.picture(),
+    };
+    const sentence = this.change((looks) => [...looks, added].slice(0, MOST_LOOKS));
+    if (sentence || settings.mapStyle !== 'file') return sentence;
+    return 'Your own strokes stay with the drawing: the look draws with Hatching.';
+  }
+
+  choose(index: number): void {
+    const kept = this.kept.list[index];
+    if (kept) this.onChoose(kept.look);
+  }
+
+  rename(index: number, name: string): string | undefined {
+    const id = this.kept.list[index]?.id;
+    return this.change((looks) =>
+      looks.map((look) => (look.id === id ? { ...look, name: plainName(name) || look.name } : look)),
+    );
+  }
+
+  remove(index: number): string | undefined {
+    const id = this.kept.list[index]?.id;
+    return this.change((looks) => looks.filter((look) => look.id !== id));
+  }
+
+  isShown(index: number): boolean {
+    return hasLook(this.settings, this.kept.list[index].look);
+  }
+
+  private change(edit: Parameters<KeptLooks['change']>[0]): string | undefined {
+    const isKept = this.kept.change(edit);
+    this.onChange();
+    return isKept
+      ? undefined
+      : 'This browser keeps nothing here, or has no room: your looks are there until the page is closed.';
+  }
+}

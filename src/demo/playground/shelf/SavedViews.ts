@@ -1,0 +1,65 @@
+import { plainName } from '../../settings/plainName.js';
+import { isLitBy, lightOf, MOST_VIEWS, type SavedView } from '../../settings/savedViews.js';
+import type { Settings } from '../../settings/settings.js';
+import type { HatchingScene } from '../../stage/createScene.js';
+import { freeName, type NamedItem, type NamedList } from './NamedList.js';
+
+/** The views that are kept with the drawing: from where it is seen, and where its lights are. */
+export class SavedViews implements NamedList {
+  /** Never changed in place: Undo goes back to earlier ones. */
+  list: readonly SavedView[] = [];
+
+  constructor(
+    private readonly scene: HatchingScene,
+    private readonly settings: Settings,
+    /** Called when the user has changed them, or goes to one of them. */
+    private readonly onChange: () => void,
+  ) {}
+
+  get items(): readonly NamedItem[] {
+    return this.list.map(({ name }, i) => ({ name, key: String(i + 1) }));
+  }
+
+  get isFull(): boolean {
+    return this.list.length >= MOST_VIEWS;
+  }
+
+  get freeName(): string {
+    return freeName('View', this.list);
+  }
+
+  add(name: string): undefined {
+    const { ownPlace: camera } = this.scene.view;
+    this.change([...this.list, { name: plainName(name) || this.freeName, camera, light: lightOf(this.settings) }]);
+  }
+
+  choose(index: number): void {
+    const view = this.list[index];
+    if (!view) return;
+    const { scene, settings } = this;
+    Object.assign(settings, view.light);
+    // A model is framed with its shadow, which is that of the lights.
+    scene.apply(settings);
+    if (view.camera) scene.view.place = view.camera;
+    else scene.view.frame();
+    this.onChange();
+  }
+
+  rename(index: number, name: string): undefined {
+    this.change(this.list.map((view, i) => (i === index ? { ...view, name: plainName(name) || view.name } : view)));
+  }
+
+  remove(index: number): undefined {
+    this.change(this.list.filter((_, i) => i !== index));
+  }
+
+  isShown(index: number): boolean {
+    const { camera, light } = this.list[index];
+    return isLitBy(this.settings, light) && JSON.stringify(camera) === JSON.stringify(this.scene.view.ownPlace);
+  }
+
+  private change(list: readonly SavedView[]): void {
+    this.list = list;
+    this.onChange();
+  }
+}

@@ -1,0 +1,53 @@
+import { thumbnailOf } from '../../kept/thumbnailOf.js';
+import { findElement } from '../../page/findElement.js';
+import type { OwnLook } from '../../settings/ownLook.js';
+import type { Settings } from '../../settings/settings.js';
+import type { HatchingScene } from '../../stage/createScene.js';
+import { NamedBar } from './NamedBar.js';
+import { type ListWords, NamedListDialog } from './NamedListDialog.js';
+import { OwnLooks } from './OwnLooks.js';
+import type { SavedViews } from './SavedViews.js';
+
+const WORDS = {
+  looks: {
+    title: 'Looks of your own',
+    about:
+      'A look is how things are drawn: strokes, lines, tone, colours, shadows. This browser keeps it, beside the presets.',
+    add: 'Keep this look',
+    full: 'There is no room for more: delete one first.',
+  },
+  views: {
+    title: 'Views of this drawing',
+    about:
+      'A view is where the drawing is seen from, and where its lights are. Views go with the drawing, and with a link to it.',
+    add: 'Keep this view',
+    full: 'There is one for each of the keys 1 to 9: delete one first.',
+  },
+} as const satisfies Record<string, ListWords>;
+
+/** What the user keeps at hand: looks and views, as buttons beside the presets and in dialogs. */
+export class Shelf {
+  private readonly looks: OwnLooks;
+  private readonly bars: readonly NamedBar[];
+  private readonly dialog = new NamedListDialog();
+
+  constructor(
+    scene: HatchingScene,
+    settings: Settings,
+    private readonly views: SavedViews,
+    onLook: (look: OwnLook) => void,
+  ) {
+    const picture = () => (scene.isComplete && scene.redraw() ? thumbnailOf(scene.canvas) : undefined);
+    this.looks = new OwnLooks(settings, picture, onLook, () => this.refresh());
+    this.bars = [new NamedBar(findElement('own-looks'), this.looks), new NamedBar(findElement('saved-views'), views)];
+  }
+
+  /** To be called when settings or the view have changed. */
+  refresh(): void {
+    for (const bar of this.bars) bar.refresh();
+  }
+
+  open(which: keyof typeof WORDS): void {
+    this.dialog.open(this[which], WORDS[which]);
+  }
+}

@@ -1,0 +1,73 @@
+import type { CodeDrawing } from '../../code/CodeModel.js';
+import { findElement } from '../../page/findElement.js';
+import { copyText } from './copyText.js';
+import { download } from './download.js';
+import { fileStem } from './fileStem.js';
+
+/** What the dialog shows. */
+interface CodeForm {
+  /** Says what the code is for, in one sentence. */
+  about: string;
+  code: string;
+  /** Of the file that it is saved as. */
+  extension: string;
+}
+
+export interface CodeDialogHost {
+  drawing(): CodeDrawing;
+  /** The address of this page with the drawing in it, in the form for other pages. */
+  embedAddress(): string;
+  /** Whether such an address brings back the model. */
+  isModelInLink(): boolean;
+}
+
+/** Shows the drawing as code, in one of several forms, to be copied or saved. */
+export class CodeDialog {
+  private readonly dialog = findElement('code') as HTMLDialogElement;
+  private readonly form = findElement('code-form') as HTMLSelectElement;
+  private readonly about = findElement('code-about');
+  private readonly text = findElement('code-text') as HTMLTextAreaElement;
+  private readonly said = findElement('code-said');
+  private shown: CodeForm | undefined;
+
+  constructor(private readonly host: CodeDialogHost) {
+    this.form.addEventListener('change', () => void this.show());
+    findElement('code-copy').addEventListener('click', () => void this.copy());
+    findElement('code-save').addEventListener('click', () => this.save());
+    findElement('code-close').addEventListener('click', () => this.dialog.close());
+  }
+
+  async open(): Promise<void> {
+    await this.show();
+    this.dialog.showModal();
+  }
+
+  private async show(): Promise<void> {
+    // Loaded when it is asked for: few come for code.
+    const { codeForms } = await import('../../code/codeForms.js');
+    const { host } = this;
+    const make = codeForms[this.form.value as keyof typeof codeForms];
+    this.shown = make(host.drawing(), { address: host.embedAddress(), isModelInLink: host.isModelInLink() });
+    this.about.textContent = this.shown.about;
+    this.text.value = this.shown.code;
+    this.text.scrollTop = 0;
+    this.said.textContent = '';
+  }
+
+  private async copy(): Promise<void> {
+    if (await copyText(this.text.value)) {
+      this.said.textContent = 'The code is on the clipboard.';
+      return;
+    }
+    this.text.focus();
+    this.text.select();
+    this.said.textContent =
+      'The browser keeps the clipboard from this page: the code is selected, copy it with the keyboard.';
+  }
+
+  private save(): void {
+    if (!this.shown) return;
+    const { code, extension } = this.shown;
+    download(new Blob([code], { type: 'text/plain' }), `${fileStem(this.host.drawing().model.title)}.${extension}`);
+  }
+}

@@ -1,0 +1,147 @@
+import type { ModelFile } from '../../files/readModel.js';
+import type { Settings } from '../../settings/settings.js';
+import type { HatchingScene } from '../../stage/createScene.js';
+import type { ModelLoader } from '../loading/ModelLoader.js';
+import { zipMap } from '../loading/mapFiles.js';
+import type { PageAddress } from '../session/PageAddress.js';
+import type { Remedy, Status } from '../tasks/Status.js';
+import { sentenceFor } from '../tasks/sentenceFor.js';
+import type { TaskRunner } from '../tasks/TaskRunner.js';
+import { copyText } from './copyText.js';
+import { download } from './download.js';
+import { fileStem } from './fileStem.js';
+import type { SaveDrawing } from './SaveDrawing.js';
+
+/** The actions that export a drawing: as a picture, as a link, as code; and the map it is drawn with. */
+export class ExportActions {
+  constructor(
+    private readonly scene: HatchingScene,
+    private readonly settings: Settings,
+    private readonly modelLoader: ModelLoader,
+    private readonly status: Status,
+    private readonly tasks: TaskRunner,
+    private readonly currentLink: () => string,
+    private readonly address: PageAddress,
+    /** The images of the user's own map, if it is drawn with. */
+    private readonly ownStrokes: () => readonly ModelFile[] | undefined,
+  ) {}
+
+  /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
+  readonly savePng = (): Promise<void> =>
+    this.save(async () => (await import('./savePicture.js')).savePicture, {
+      label: 'Save it again',
+      run: this.savePng,
+    });
+
+  /** Records the video that the settings ask for, frame by frame. */
+  readonly saveVideo = (): Promise<void> =>
+    this.save(async () => (await import('./saveVideo.js')).saveVideo, {
+      label: 'Record it again',
+      run: this.saveVideo,
+    });
+
+  /** The picture that the settings ask for, as one PNG. @throws Error where there is none; the status line says why */
+  readonly drawPicture = async (): Promise<Blob> => {
+    const picture = await this.draw(async () => (await import('./savePicture.js')).drawForClipboard);
+    if (!picture) throw new Error('There is no picture; the status line says why.');
+    return picture;
+  };
+
+  private async save(fetchSave: () => Promise<SaveDrawing>, again: Remedy): Promise<void> {
+    const sentence = await this.draw(fetchSave, again);
+    if (sentence !== undefined) this.status.say(sentence);
+  }
+
+  /** Draws by what `fetchDraw` fetches. Nothing else is drawn meanwhile. Undefined where that fails. */
+  private async draw<Result>(
+    fetchDraw: () => Promise<SaveDrawing<Result>>,
+    again?: Remedy,
+  ): Promise<Result | undefined> {
+    const { scene, status } = this;
+    if (this.tasks.isRunning('picture')) return undefined;
+    if (scene.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
+    else if (!scene.isComplete) status.fail('There is no drawing to save yet.');
+    else {
+      const settings = { ...this.settings };
+      let result: Result | undefined;
+      const end = await this.tasks.run(
+        'picture',
+        async (report, signal) => {
+          const draw = await fetchDraw();
+          signal.throwIfAborted();
+          result = await draw(scene, settings, fileStem(this.modelLoader.title), report, signal);
+        },
+        again,
+      );
+      if (end === 'done') return result;
+    }
+    return undefined;
+  }
+
+  /** Saves the model with how it is drawn, for others to open here. */
+  readonly saveDrawing = async (): Promise<void> => {
+    const { modelLoader, status } = this;
+    const { unpacked, files } = modelLoader.shownFiles;
+    if (!modelLoader.ownFiles) {
+      status.say('This model is one of the page: a link to the drawing carries all of it.');
+      return;
+    }
+    const link = new URLSearchParams(this.currentLink());
+    // It comes along.
+    link.delete('model');
+    try {
+      const { zipDrawing } = await import('./zipDrawing.js');
+      const drawing = { model: unpacked ?? files, strokes: this.ownStrokes() ?? [], link: link.toString() };
+      download(await zipDrawing(drawing), `${fileStem(modelLoader.title)}-drawing.zip`);
+      status.say(
+        'Saved as a ZIP: the model, its look, the view and the light. Dropped here, it is this drawing again.',
+      );
+    } catch (error) {
+      status.fail(sentenceFor(error));
+    }
+  };
+
+  readonly saveMap = async (): Promise<void> => {
+    const map = this.scene.tonalArtMap;
+    if (!map) return;
+    const { mapStyle } = this.settings;
+    try {
+      download(await zipMap(map), `${mapStyle === 'file' ? 'map' : mapStyle}.zip`);
+      this.status.say('The map is saved, as PNG in a ZIP.');
+    } catch (error) {
+      this.status.fail(sentenceFor(error));
+    }
+  };
+
+  /** Hands the link to the system's sheet for sharing. */
+  readonly share = async (): Promise<void> => {
+    try {
+      await navigator.share({ title: document.title, url: this.link });
+      if (!this.isModelInLink) this.status.say('The link is on its way. It cannot carry your own model.');
+    } catch (error) {
+      // Closing the sheet is an answer, too.
+      if ((error as Error).name !== 'AbortError') await this.copyLink();
+    }
+  };
+
+  readonly copyLink = async (): Promise<void> => {
+    const isInAddress = this.address.write(this.currentLink(), this.address.drawing);
+    const isCopied = await copyText(this.link);
+    if (!isCopied && !isInAddress) {
+      this.status.fail(
+        'The browser lets this page neither use the clipboard nor write its address, so there is no link.',
+      );
+      return;
+    }
+    const where = isCopied ? 'The link is on the clipboard.' : "The link is in the browser's address line.";
+    this.status.say(this.isModelInLink ? where : `${where} It cannot carry your own model.`);
+  };
+
+  private get link(): string {
+    return new URL(`#${this.currentLink()}`, location.href).href;
+  }
+
+  private get isModelInLink(): boolean {
+    return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
+  }
+}

@@ -1,0 +1,44 @@
+import type { HatchingScene } from '../../stage/createScene.js';
+import { page } from '../elements/page.js';
+
+/** What lies over the drawing while it is saved. */
+interface Curtain {
+  /** Shows another picture in the place of the drawing: the whole of it, on paper. */
+  show(picture: HTMLCanvasElement): void;
+  /** Takes the curtain away. */
+  lower(): void;
+}
+
+/**
+ * Puts a copy of the drawing over it, and lets nothing but Cancel be used, while a picture is drawn on the same canvas in tiles, or
+ * a video frame by frame.
+ */
+export function raiseCurtain(scene: HatchingScene, paper: string): Curtain {
+  const { canvas, viewport, card, bar } = page;
+  const copy = document.createElement('canvas');
+  copy.className = 'curtain';
+  copy.setAttribute('aria-hidden', 'true');
+  // In one task, because the canvas does not keep its content for longer.
+  scene.draw();
+  const { width, height } = Object.assign(copy, { width: canvas.width, height: canvas.height });
+  const context = copy.getContext('2d');
+  context?.drawImage(canvas, 0, 0);
+  canvas.after(copy);
+  const focused = document.activeElement;
+  for (const part of [viewport, card, bar]) part.inert = true;
+  return {
+    show(picture) {
+      if (!context) return;
+      const scale = Math.min(width / picture.width, height / picture.height);
+      const [wide, high] = [scale * picture.width, scale * picture.height];
+      context.fillStyle = paper;
+      context.fillRect(0, 0, width, height);
+      context.drawImage(picture, (width - wide) / 2, (height - high) / 2, wide, high);
+    },
+    lower() {
+      for (const part of [viewport, card, bar]) part.inert = false;
+      if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
+      copy.remove();
+    },
+  };
+}

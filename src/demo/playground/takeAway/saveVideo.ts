@@ -1,0 +1,22 @@
+import { recordVideo } from '../../video/recordVideo.js';
+import { viewSize } from '../elements/viewSize.js';
+import { download } from './download.js';
+import { raiseCurtain } from './raiseCurtain.js';
+import type { SaveDrawing } from './SaveDrawing.js';
+
+/** Records the video that the settings ask for, and shows its frames meanwhile. */
+export const saveVideo: SaveDrawing = async (scene, settings, name, report, signal) => {
+  const view = viewSize();
+  const curtain = raiseCurtain(scene, settings.paper);
+  try {
+    const { content, extension, sentence } = await recordVideo(scene, settings, {
+      ...{ view, name, signal },
+      onProgress: (progress) => report('recording the video', progress),
+      onFrame: curtain.show,
+    });
+    download(content, `${name}${extension}`);
+    return sentence;
+  } finally {
+    curtain.lower();
+  }
+};

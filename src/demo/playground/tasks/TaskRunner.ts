@@ -1,0 +1,133 @@
+import type { Report } from '../../drawing/Report.js';
+import { LostContextError } from '../../stage/LostContextError.js';
+import type { Remedy, Status } from './Status.js';
+import { sentenceFor } from './sentenceFor.js';
+
+type Slot = 'model' | 'map' | 'occlusion' | 'picture';
+type TaskEnd = 'done' | 'failed' | 'replaced';
+
+/**
+ * Runs the page's long tasks, at most one for the model, one for the map, one for occlusion and one for a saved picture. The status line shows them and can cancel
+ * them.
+ */
+export class TaskRunner {
+  private readonly running = new Map<
+    Slot,
+    { controller: AbortController; stage: string; progress: number | undefined; cancel: () => void }
+  >();
+  /** Called when a task has ended. */
+  private readonly waiting = new Set<() => void>();
+
+  constructor(
+    private readonly status: Status,
+    private readonly page: {
+      /** Whether there is a drawing. What failed before there was one is said until it is mended. */
+      hasDrawing(): boolean;
+      /** Called when the last task has ended. */
+      onIdle(): void;
+    },
+  ) {}
+
+  get isIdle(): boolean {
+    return this.running.size === 0;
+  }
+
+  isRunning(slot: Slot): boolean {
+    return this.running.has(slot);
+  }
+
+  /**
+   * For a task that nobody waits for: resolves when all others have ended, so that what was wished for last comes first, or when the
+   * task itself is aborted. Undefined if there are none.
+   */
+  others(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
+    const isAlone = (): boolean => signal.aborted || [...this.running.keys()].every((one) => one === slot);
+    if (isAlone()) return undefined;
+    return new Promise((resolve) => {
+      const look = (): void => {
+        if (!isAlone()) return;
+        this.waiting.delete(look);
+        signal.removeEventListener('abort', look);
+        resolve();
+      };
+      this.waiting.add(look);
+      signal.addEventListener('abort', look);
+    });
+  }
+
+  /**
+   * Runs a task. One that is still running in the same slot is aborted. A failure is shown in the status line until the task is tried
+   * again or, where there is a drawing all the same, another is begun.
+   *
+   * @param again offered where the task failed because the graphics card has let go of the drawing, which is no fault of the task
+   * @returns how it ended: `replaced` if a later task took its slot, `failed` also if the user cancelled it
+   */
+  async run(
+    slot: Slot,
+    task: (report: Report, signal: AbortSignal) => Promise<void>,
+    again?: Remedy,
+  ): Promise<TaskEnd> {
+    const { status, page } = this;
+    this.running.get(slot)?.controller.abort();
+    // Occlusion is baked by itself, after a model: that is no answer to what is on the status line.
+    if (slot !== 'occlusion' && page.hasDrawing()) for (const about of SLOTS) status.solveProblem(about);
+    status.solveProblem(slot);
+    const controller = new AbortController();
+    const entry = {
+      controller,
+      stage: 'starting',
+      progress: undefined as number | undefined,
+      cancel: () => this.cancel(),
+    };
+    this.running.set(slot, entry);
+    const report: Report = (stage, progress) => {
+      if (controller.signal.aborted) return;
+      Object.assign(entry, { stage, progress });
+      this.show();
+    };
+    let failure: unknown;
+    let finished = false;
+    try {
+      await task(report, controller.signal);
+      finished = !controller.signal.aborted;
+    } catch (error) {
+      if (!controller.signal.aborted) failure = error;
+    }
+    const isLatest = this.running.get(slot) === entry;
+    if (isLatest) this.running.delete(slot);
+    for (const look of [...this.waiting]) look();
+    if (failure !== undefined)
+      status.addProblem(slot, sentenceFor(failure), failure instanceof LostContextError ? again : undefined);
+    else if (isLatest && controller.signal.aborted) this.sayCancelled(slot);
+    this.show();
+    if (this.isIdle) page.onIdle();
+    if (!isLatest) return 'replaced';
+    return finished ? 'done' : 'failed';
+  }
+
+  /** Stops a task that nobody needs any more, without a word. */
+  stop(slot: Slot): void {
+    this.running.get(slot)?.controller.abort();
+    if (!this.running.delete(slot)) return;
+    for (const look of [...this.waiting]) look();
+    this.show();
+  }
+
+  private sayCancelled(slot: Slot): void {
+    if (this.page.hasDrawing()) this.status.say('Cancelled; the drawing is as it was.');
+    else this.status.addProblem(slot, 'Cancelled, so there is no drawing yet: choose a model, or reload the page.');
+  }
+
+  private show(): void {
+    const slot = SLOTS.find((one) => this.running.has(one));
+    const entry = slot && this.running.get(slot);
+    if (!entry) this.status.idle();
+    else this.status.working(entry.stage, entry.progress, entry.cancel, slot === 'occlusion');
+  }
+
+  private cancel(): void {
+    for (const { controller } of this.running.values()) controller.abort();
+  }
+}
+
+const SLOTS: readonly Slot[] = ['model', 'map', 'occlusion', 'picture'];

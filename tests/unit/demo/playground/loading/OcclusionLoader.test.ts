@@ -1,0 +1,46 @@
+import { BoxGeometry, Group, InstancedMesh, Mesh } from 'three';
+import { expect, test, vi } from 'vitest';
+import { bakeOcclusion } from '../../../../../src/demo/drawing/bakeOcclusion.js';
+import { OcclusionLoader } from '../../../../../src/demo/playground/loading/OcclusionLoader.js';
+import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
+import { fakeStatus } from '../tasks/fakeStatus.js';
+
+vi.mock('../../../../../src/demo/drawing/bakeOcclusion.js', () => ({
+  bakeOcclusion: vi.fn(() => new Promise(() => {})),
+}));
+
+/** How many bakes are begun for a model of these meshes, however often the settings change. */
+function bakesOf(...meshes: Mesh[]): number {
+  const run = vi.fn();
+  const scene = { model: { root: new Group().add(...meshes) }, frameMilliseconds: undefined as number | undefined };
+  const loader = new OcclusionLoader(scene as never, { occlusion: 50 } as never, { run, stop: vi.fn() } as never);
+  loader.update();
+  expect(run, 'before the model was drawn').not.toHaveBeenCalled();
+  scene.frameMilliseconds = 20;
+  loader.update();
+  loader.update();
+  return run.mock.calls.length;
+}
+
+const box = new BoxGeometry();
+
+test('occlusion is baked once, and not for models of instances alone, which have no place to keep it', () => {
+  expect(bakesOf(new Mesh(box))).toBe(1);
+  expect(bakesOf(new InstancedMesh(box, undefined, 2), new Mesh(box))).toBe(1);
+  expect(bakesOf(new InstancedMesh(box, undefined, 2))).toBe(0);
+});
+
+test('hollows wait for what was wished for later', async () => {
+  const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
+  const scene = { model: { root: new Group().add(new Mesh(box)) }, frameMilliseconds: 20 };
+  new OcclusionLoader(scene as never, { occlusion: 50 } as never, tasks).update();
+  await vi.waitFor(() => expect(bakeOcclusion).toHaveBeenCalled());
+  const { pause } = vi.mocked(bakeOcclusion).mock.lastCall![1]!;
+  expect(pause!()).toBeUndefined();
+  void tasks.run('map', () => new Promise(() => {}));
+  const waiting = pause!();
+  expect(waiting).toBeInstanceOf(Promise);
+  tasks.stop('map');
+  await waiting;
+  expect(pause!()).toBeUndefined();
+});
