@@ -18,6 +18,13 @@ export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
 export type { HatchingMaterialOptions } from './material/HatchingMaterialProperties.js';
 export type {
+  HatchingCondition,
+  HatchingFacts,
+  HatchingMeasure,
+  HatchingProperty,
+} from './material/HatchingProperty.js';
+export { HATCHING_FACTS } from './material/hatchingFacts.js';
+export type {
   DebugView,
   HatchingTechnique,
   InkBlend,
@@ -30,8 +37,16 @@ export type {
   ToneModel,
   ToneNormal,
 } from './material/hatchingProperties.js';
-export { HATCHING_DEFAULTS } from './material/hatchingProperties.js';
-export { counts, type HatchingLook, needsAdjacency, needsMap, pixelPower, scaledSizes } from './material/lookFacts.js';
+export { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './material/hatchingProperties.js';
+export {
+  counts,
+  type HatchingLook,
+  measureOf,
+  needsAdjacency,
+  needsMap,
+  pixelPower,
+  scaledSizes,
+} from './material/lookFacts.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';

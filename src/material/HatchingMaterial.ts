@@ -43,7 +43,7 @@ import {
 import { hatchingShaders } from './hatchingShaders.js';
 import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
-import { isUsedBy, needsAdjacency } from './lookFacts.js';
+import { isUsedBy, needsAdjacency, usesThresholds } from './lookFacts.js';
 import { writePictureOffset } from './pictureOffset.js';
 import { isRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
@@ -346,8 +346,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /** Properties are plain values; this is the one place that brings them to the shader. Allocates nothing. */
   private writeUniforms(maxTextureSize = Infinity): void {
     const u = this.uniforms;
-    const usesThresholds = this.crisp || HATCHING_TECHNIQUES[this.technique].map === 'thresholdMap';
-    const map = fittingMap(this.tonalArtMap, usesThresholds, maxTextureSize);
+    const isOfThresholds = usesThresholds(this);
+    const map = fittingMap(this.tonalArtMap, isOfThresholds, maxTextureSize);
     writePropertyUniforms(this, u);
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
@@ -385,7 +385,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       u.thresholdMoments.value.set(1, 1, 0);
       u.thresholdMapSize.value = 1;
       u.thresholdMapTexel.value.set(1, 1);
-    } else if (usesThresholds) {
+    } else if (isOfThresholds) {
       u.thresholdMap.value = map.thresholdTexture;
       u.thresholdMapLevels.value = map.levels;
       const { variance, coarserVariance, covariance } = map.thresholdMoments;
@@ -430,7 +430,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     // As three.js has USE_UV1 to USE_UV3.
     write('USE_UV0', usesFirstChannel ? '' : undefined);
     // Strokes that are sized on the object alone need one lattice, and no code for a second.
-    write('SIZED_ON_SCREEN', technique === 'anchored' && this.screenConstancy > 0 ? '' : undefined);
+    const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];
+    write('SIZED_ON_SCREEN', hasProgramForObject && this.screenConstancy > 0 ? '' : undefined);
     write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
     write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(needsAdjacency(this) ? this.vertexLayout : 'corner'));
     if (hasChanged) this.needsUpdate = true;

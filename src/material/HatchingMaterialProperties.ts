@@ -26,16 +26,21 @@ export interface HatchingMaterialOptions {
   /**
    * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
    * surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all. Default `null`.
+   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   tonalArtMap: TonalArtMap | null;
   /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
   technique: HatchingTechnique;
-  /** Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`. */
+  /**
+   * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
+   * Only with `screenConstancy` other than `1`.
+   */
   strokeScale: number;
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
-   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
+   * `medium` `'ink'` or `'dry'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -56,29 +61,31 @@ export interface HatchingMaterialOptions {
   /**
    * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
    * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
-   * which is cheaper. In [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   * which is cheaper. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
    */
   screenConstancy: number;
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
    * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
+   * `crisp` `true`, or `levelRule` `'depth'`.
    */
   texelPixels: number;
   /**
    * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
    * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
-   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
    */
   strokeWidth: number | null;
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
-   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp`
+   * `true` and `medium` `'ink'` or `'stipple'`.
    */
   edgePixels: number;
   /**
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
-   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`.
+   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   anchorSpacing: number;
   /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
@@ -101,19 +108,20 @@ export interface HatchingMaterialOptions {
   strokeLayers: StrokeLayers;
   /**
    * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
-   * 1 none do. In [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   * 1 none do. Tone in [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
+   * `strokeLayers` `'tone'`.
    */
   crossFrom: number;
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
    * cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.
-   * Radians in (0, 1.5707963267948966]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
-   * `'engraved'`.
+   * Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
+   * `strokeLayers` `'tone'`.
    */
   crossAngle: number;
   /**
-   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. In [0,
-   * 1]. Default `0.4`. Only `'engraved'`.
+   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. Share in
+   * [0, 1]. Default `0.4`. Only `'engraved'`.
    */
   handmade: number;
   /**
@@ -139,23 +147,32 @@ export interface HatchingMaterialOptions {
   medium: Medium;
   /**
    * How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1
-   * there is nothing but grain. In [0, 1]. Default `0.4`. Only `'anchored'`.
+   * there is nothing but grain. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
    */
   tooth: number;
-  /** Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`. */
+  /**
+   * Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`, with
+   * `medium` `'dry'`.
+   */
   toothSize: number;
   /**
    * How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a
-   * grey. In [0, 1]. Default `0.6`. Only `'anchored'`.
+   * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
    */
   softness: number;
-  /** How much of a dry medium is rubbed into plain tone below the strokes. In [0, 1]. Default `0`. Only `'anchored'`. */
+  /**
+   * How much of a dry medium is rubbed into plain tone below the strokes. Share in [0, 1]. Default `0`. Only
+   * `'anchored'`, with `medium` `'dry'`.
+   */
   smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
-  /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
+  /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
   toneSteps: number;
-  /** Exponent of the highlight of the tone model `'phong'`. In [0, ∞). Default `30`. */
+  /**
+   * Exponent of the highlight of the tone model `'phong'`. Exponent in [0, ∞). Default `30`. Only with `toneModel`
+   * `'phong'`.
+   */
   shininess: number;
   /**
    * The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again. Default
@@ -171,51 +188,60 @@ export interface HatchingMaterialOptions {
   toneCurve: ToneCurve;
   /**
    * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. In [0, 1]. Default `0`.
+   * shade is darkest at the terminator, as engravers draw it. Share in [0, 1]. Default `0`.
    */
   reflectedLight: number;
   /**
    * How much ambient occlusion counts that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
-   * light. Without such a bake it does nothing. In [0, 1]. Default `1`.
+   * light. Without such a bake it does nothing. Share in [0, 1]. Default `1`.
    */
   occlusion: number;
-  /** Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. In [0, 1]. Default `0`. */
+  /**
+   * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
+   * `0`.
+   */
   keepHighlight: number;
   /**
-   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. In [0, 1]. Default
-   * `0`.
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. Share in [0, 1].
+   * Default `0`. Only with `keepHighlight` other than `0`.
    */
   highlightSoftness: number;
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
-   * normals stay those of the triangles. Default `null`.
+   * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.
    */
   normalMap: Texture | null;
-  /** How far the normal map turns the normal, along x and y. Default `(1, 1)`. */
+  /**
+   * How far the normal map turns the normal, along x and y. Factor. Default `(1, 1)`. Only with `toneNormal` `'smooth'`
+   * and `normalMap` other than `null`.
+   */
   normalScale: Vector2;
   /**
    * Heights that turn the smooth tone normal, where there is no normal map; face normals stay those of the triangles.
-   * Default `null`.
+   * Default `null`. Only with `toneNormal` `'smooth'` and `normalMap` `null`.
    */
   bumpMap: Texture | null;
-  /** How far the bump map turns the normal. Default `1`. */
+  /**
+   * How far the bump map turns the normal. Factor. Default `1`. Only with `toneNormal` `'smooth'` and `normalMap`
+   * `null` and `bumpMap` other than `null`.
+   */
   bumpScale: number;
   /**
-   * Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it. Default `false`.
-   * Another value builds another program.
+   * Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it. Default `false`. Only
+   * with `toneNormal` `'smooth'`. Another value builds another program.
    */
   flatShading: boolean;
   /** Ambient occlusion (red channel): dims light without a direction, the environment and the light map. Default `null`. */
   aoMap: Texture | null;
-  /** How much the ambient occlusion counts. In [0, ∞). Default `1`. */
+  /** How much the ambient occlusion counts. Factor in [0, ∞). Default `1`. Only with `aoMap` other than `null`. */
   aoMapIntensity: number;
   /** Light baked into a map, added to that of the scene; coloured light counts by its luminance. Default `null`. */
   lightMap: Texture | null;
-  /** How much the light map counts. In [0, ∞). Default `1`. */
+  /** How much the light map counts. Factor in [0, ∞). Default `1`. Only with `lightMap` other than `null`. */
   lightMapIntensity: number;
   /** Light that the surface gives off; its luminance lowers the tone. Default black. */
   emissive: ColorRepresentation;
-  /** How strong that light is. In [0, ∞). Default `1`. */
+  /** How strong that light is. Factor in [0, ∞). Default `1`. */
   emissiveIntensity: number;
   /** Map of that light, multiplied by `emissive`. Default `null`. */
   emissiveMap: Texture | null;
@@ -229,7 +255,7 @@ export interface HatchingMaterialOptions {
   inkBlend: InkBlend;
   /**
    * Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or
-   * `alphaHash`: a material that is drawn opaque keeps its paper. In [0, 1]. Default `1`.
+   * `alphaHash`: a material that is drawn opaque keeps its paper. Share in [0, 1]. Default `1`.
    */
   paperOpacity: number;
   /** Surface colour map, multiplied by `color`. Default `null`. */
@@ -280,6 +306,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
    * surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all. Default `null`.
+   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   get tonalArtMap(): TonalArtMap | null {
     return this.hatchImages;
@@ -298,7 +325,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.choose('technique', value);
   }
 
-  /** Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`. */
+  /**
+   * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
+   * Only with `screenConstancy` other than `1`.
+   */
   get strokeScale(): number {
     return this.numbers.strokeScale;
   }
@@ -310,7 +340,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
-   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
+   * `medium` `'ink'` or `'dry'`.
    */
   get strokeRotation(): number {
     return this.numbers.strokeRotation;
@@ -360,7 +391,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
    * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
-   * which is cheaper. In [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   * which is cheaper. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
    */
   get screenConstancy(): number {
     return this.numbers.screenConstancy;
@@ -373,7 +404,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
    * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
+   * `crisp` `true`, or `levelRule` `'depth'`.
    */
   get texelPixels(): number {
     return this.numbers.texelPixels;
@@ -387,7 +419,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
    * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
-   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
    */
   get strokeWidth(): number | null {
     return this.numbers.strokeWidth;
@@ -401,7 +433,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
-   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`.
+   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp`
+   * `true` and `medium` `'ink'` or `'stipple'`.
    */
   get edgePixels(): number {
     return this.numbers.edgePixels;
@@ -413,7 +446,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
-   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`.
+   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   get anchorSpacing(): number {
     return this.numbers.anchorSpacing;
@@ -471,7 +504,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
-   * 1 none do. In [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`.
+   * 1 none do. Tone in [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
+   * `strokeLayers` `'tone'`.
    */
   get crossFrom(): number {
     return this.numbers.crossFrom;
@@ -484,8 +518,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
    * cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.
-   * Radians in (0, 1.5707963267948966]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
-   * `'engraved'`.
+   * Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
+   * `strokeLayers` `'tone'`.
    */
   get crossAngle(): number {
     return this.numbers.crossAngle;
@@ -496,8 +530,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. In [0,
-   * 1]. Default `0.4`. Only `'engraved'`.
+   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. Share in
+   * [0, 1]. Default `0.4`. Only `'engraved'`.
    */
   get handmade(): number {
     return this.numbers.handmade;
@@ -558,7 +592,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1
-   * there is nothing but grain. In [0, 1]. Default `0.4`. Only `'anchored'`.
+   * there is nothing but grain. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
    */
   get tooth(): number {
     return this.numbers.tooth;
@@ -568,7 +602,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.numbers.tooth = checkNumber('tooth', value, HATCHING_PROPERTIES.tooth.range);
   }
 
-  /** Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`. */
+  /**
+   * Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`, with
+   * `medium` `'dry'`.
+   */
   get toothSize(): number {
     return this.numbers.toothSize;
   }
@@ -579,7 +616,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a
-   * grey. In [0, 1]. Default `0.6`. Only `'anchored'`.
+   * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
    */
   get softness(): number {
     return this.numbers.softness;
@@ -589,7 +626,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.numbers.softness = checkNumber('softness', value, HATCHING_PROPERTIES.softness.range);
   }
 
-  /** How much of a dry medium is rubbed into plain tone below the strokes. In [0, 1]. Default `0`. Only `'anchored'`. */
+  /**
+   * How much of a dry medium is rubbed into plain tone below the strokes. Share in [0, 1]. Default `0`. Only
+   * `'anchored'`, with `medium` `'dry'`.
+   */
   get smudge(): number {
     return this.numbers.smudge;
   }
@@ -607,7 +647,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.choose('toneModel', value);
   }
 
-  /** Number of bands of the tone model `'toon'`. In [2, ∞). Default `4`. */
+  /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
   get toneSteps(): number {
     return this.numbers.toneSteps;
   }
@@ -616,7 +656,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.numbers.toneSteps = checkNumber('toneSteps', value, HATCHING_PROPERTIES.toneSteps.range);
   }
 
-  /** Exponent of the highlight of the tone model `'phong'`. In [0, ∞). Default `30`. */
+  /**
+   * Exponent of the highlight of the tone model `'phong'`. Exponent in [0, ∞). Default `30`. Only with `toneModel`
+   * `'phong'`.
+   */
   get shininess(): number {
     return this.numbers.shininess;
   }
@@ -647,7 +690,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. In [0, 1]. Default `0`.
+   * shade is darkest at the terminator, as engravers draw it. Share in [0, 1]. Default `0`.
    */
   get reflectedLight(): number {
     return this.numbers.reflectedLight;
@@ -659,7 +702,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * How much ambient occlusion counts that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
-   * light. Without such a bake it does nothing. In [0, 1]. Default `1`.
+   * light. Without such a bake it does nothing. Share in [0, 1]. Default `1`.
    */
   get occlusion(): number {
     return this.numbers.occlusion;
@@ -669,7 +712,10 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.numbers.occlusion = checkNumber('occlusion', value, HATCHING_PROPERTIES.occlusion.range);
   }
 
-  /** Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. In [0, 1]. Default `0`. */
+  /**
+   * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
+   * `0`.
+   */
   get keepHighlight(): number {
     return this.numbers.keepHighlight;
   }
@@ -679,8 +725,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. In [0, 1]. Default
-   * `0`.
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. Share in [0, 1].
+   * Default `0`. Only with `keepHighlight` other than `0`.
    */
   get highlightSoftness(): number {
     return this.numbers.highlightSoftness;
@@ -696,20 +742,26 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
-   * normals stay those of the triangles. Default `null`.
+   * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.
    */
   normalMap: Texture | null = HATCHING_DEFAULTS.normalMap;
 
-  /** How far the normal map turns the normal, along x and y. Default `(1, 1)`. */
+  /**
+   * How far the normal map turns the normal, along x and y. Factor. Default `(1, 1)`. Only with `toneNormal` `'smooth'`
+   * and `normalMap` other than `null`.
+   */
   readonly normalScale: Vector2 = new Vector2(...HATCHING_DEFAULTS.normalScale);
 
   /**
    * Heights that turn the smooth tone normal, where there is no normal map; face normals stay those of the triangles.
-   * Default `null`.
+   * Default `null`. Only with `toneNormal` `'smooth'` and `normalMap` `null`.
    */
   bumpMap: Texture | null = HATCHING_DEFAULTS.bumpMap;
 
-  /** How far the bump map turns the normal. Default `1`. */
+  /**
+   * How far the bump map turns the normal. Factor. Default `1`. Only with `toneNormal` `'smooth'` and `normalMap`
+   * `null` and `bumpMap` other than `null`.
+   */
   get bumpScale(): number {
     return this.numbers.bumpScale;
   }
@@ -719,8 +771,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it. Default `false`.
-   * Another value builds another program.
+   * Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it. Default `false`. Only
+   * with `toneNormal` `'smooth'`. Another value builds another program.
    */
   get flatShading(): boolean {
     return this.choice('flatShading') as boolean;
@@ -733,7 +785,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /** Ambient occlusion (red channel): dims light without a direction, the environment and the light map. Default `null`. */
   aoMap: Texture | null = HATCHING_DEFAULTS.aoMap;
 
-  /** How much the ambient occlusion counts. In [0, ∞). Default `1`. */
+  /** How much the ambient occlusion counts. Factor in [0, ∞). Default `1`. Only with `aoMap` other than `null`. */
   get aoMapIntensity(): number {
     return this.numbers.aoMapIntensity;
   }
@@ -745,7 +797,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /** Light baked into a map, added to that of the scene; coloured light counts by its luminance. Default `null`. */
   lightMap: Texture | null = HATCHING_DEFAULTS.lightMap;
 
-  /** How much the light map counts. In [0, ∞). Default `1`. */
+  /** How much the light map counts. Factor in [0, ∞). Default `1`. Only with `lightMap` other than `null`. */
   get lightMapIntensity(): number {
     return this.numbers.lightMapIntensity;
   }
@@ -761,7 +813,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /** Light that the surface gives off; its luminance lowers the tone. Default black. */
   readonly emissive: Color = new Color(HATCHING_DEFAULTS.emissive);
 
-  /** How strong that light is. In [0, ∞). Default `1`. */
+  /** How strong that light is. Factor in [0, ∞). Default `1`. */
   get emissiveIntensity(): number {
     return this.numbers.emissiveIntensity;
   }
@@ -797,7 +849,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or
-   * `alphaHash`: a material that is drawn opaque keeps its paper. In [0, 1]. Default `1`.
+   * `alphaHash`: a material that is drawn opaque keeps its paper. Share in [0, 1]. Default `1`.
    */
   get paperOpacity(): number {
     return this.numbers.paperOpacity;

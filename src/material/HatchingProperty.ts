@@ -13,10 +13,8 @@ export interface HatchingOther extends UsedByTechniques {
 }
 
 interface UsedByTechniques {
-  /** The techniques it counts for. Left out: all. */
+  /** The techniques that read it. Left out: all. */
   techniques?: readonly string[];
-  /** Other properties, and their values that it counts for. One that does not count itself is not asked. */
-  when?: Readonly<Record<string, readonly (string | boolean)[]>>;
 }
 
 /** A value that the shader reads from a uniform. */
@@ -31,8 +29,6 @@ export interface HatchingNumber extends UsedByTechniques {
   kind: 'number';
   uniform?: string;
   range?: NumberRange;
-  /** Whether it is measured in pixels: always, or as far as `screenConstancy` says. Left out: never. */
-  pixels?: 'always' | 'onScreen';
 }
 
 /** Above a bound or from it on, and up to another. */
@@ -55,8 +51,6 @@ export interface HatchingChoice extends UsedByTechniques {
   /** Left out for the technique: it chooses the shaders themselves. */
   define?: string;
   choices: readonly string[];
-  /** Choices that draw without a map, with every technique that they count for. */
-  withoutMap?: readonly string[];
   /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
 }
@@ -73,4 +67,38 @@ export interface HatchingTechniqueData {
   vertexData: 'adjacency' | 'hatchNormal';
   /** The texture it reads, unless the material is crisp: that takes thresholds. */
   map: 'tonalArtMap' | 'thresholdMap' | 'none';
+  /** Whether strokes that are sized on the object alone have a program of their own, which is cheaper. */
+  hasProgramForObject: boolean;
 }
+
+/** What a property means beside what the shader reads. What is left out does not apply. */
+export interface HatchingFacts {
+  /** Of a number or a vector. */
+  measure?: HatchingMeasure;
+  /** What it measures at a `screenConstancy` of 1, where that is something else. In between it is a mean of the two. */
+  measureOnScreen?: HatchingMeasure;
+  /** What other properties must be for it to count. Several conditions: it is enough that one holds. */
+  when?: HatchingCondition | readonly HatchingCondition[];
+}
+
+/**
+ * Other properties, with the values of theirs that something counts with, or the one that it does not count with. All must
+ * hold. A property that the technique does not read is not asked.
+ */
+export type HatchingCondition = Readonly<Record<string, readonly PlainValue[] | { readonly not: PlainValue }>>;
+
+type PlainValue = string | number | boolean | null;
+
+/** What a number measures. */
+export type HatchingMeasure =
+  | 'pixels'
+  | 'gridPixels'
+  | 'radians'
+  | 'tiles'
+  | 'tileParts'
+  | 'tilesPerUnit'
+  | 'share'
+  | 'tone'
+  | 'factor'
+  | 'count'
+  | 'exponent';

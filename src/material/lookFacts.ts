@@ -1,5 +1,6 @@
 import { defaultOf } from './defaultOf.js';
-import type { HatchingProperty } from './HatchingProperty.js';
+import type { HatchingCondition, HatchingFacts, HatchingMeasure, HatchingProperty } from './HatchingProperty.js';
+import { HATCHING_FACTS } from './hatchingFacts.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
@@ -17,32 +18,37 @@ export type HatchingLook = { readonly [Name in HatchingPropertyName]?: unknown }
 
 const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
+const factsOf = (name: HatchingPropertyName): HatchingFacts => HATCHING_FACTS[name] ?? {};
 
 const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: HatchingLook) => technique as HatchingTechnique;
 
-/** Whether a property is one of those that the technique of a look reads. */
+/** Whether a property is one of those that the technique of a look reads. Allocates nothing. */
 export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
   techniques?.includes(technique) ?? true;
 
 /** Whether a property counts for a look: its technique reads it, and so do its medium and what else it depends on. */
 export function counts(look: HatchingLook, name: HatchingPropertyName): boolean {
-  const { when = {}, ...property } = propertyOf(name);
-  if (!isUsedBy(techniqueOf(look), property)) return false;
-  return Object.entries(when).every(
-    ([other, values]) =>
-      !counts(look, other as HatchingPropertyName) ||
-      (values as readonly unknown[]).includes(valueIn(look, other as HatchingPropertyName)),
-  );
+  if (!isUsedBy(techniqueOf(look), propertyOf(name))) return false;
+  const { when = {} } = factsOf(name);
+  return [when].flat().some((condition) => holds(look, condition));
 }
 
-/** Whether a look is drawn with a tonal art map. Without one it would be blank paper. */
-export const needsMap = (look: HatchingLook): boolean =>
-  HATCHING_TECHNIQUES[techniqueOf(look)].map !== 'none' && !NAMES.some((name) => drawsWithoutMap(look, name));
+const holds = (look: HatchingLook, condition: HatchingCondition): boolean =>
+  Object.entries(condition).every(([key, values]) => {
+    const name = key as HatchingPropertyName;
+    if (!isUsedBy(techniqueOf(look), propertyOf(name))) return true;
+    const value = valueIn(look, name);
+    return 'not' in values ? value !== values.not : (values as readonly unknown[]).includes(value);
+  });
 
-function drawsWithoutMap(look: HatchingLook, name: HatchingPropertyName): boolean {
-  const property = propertyOf(name);
-  const isSo = property.kind === 'choice' && property.withoutMap?.includes(valueIn(look, name) as string);
-  return isSo === true && counts(look, name);
+/** Whether a look is drawn with a tonal art map. Without one it would be blank paper. */
+export const needsMap = (look: HatchingLook): boolean => counts(look, 'tonalArtMap');
+
+/** Whether a look decides ink from the thresholds of its map, and not from the greys of its strokes. Allocates nothing. */
+export function usesThresholds(look: HatchingLook): boolean {
+  const technique = techniqueOf(look);
+  if (HATCHING_TECHNIQUES[technique].map === 'thresholdMap') return true;
+  return look.crisp === true && isUsedBy(technique, HATCHING_PROPERTIES.crisp);
 }
 
 /** Whether a look draws only geometries that were prepared with triangle adjacency. */
@@ -50,13 +56,24 @@ export const needsAdjacency = (look: HatchingLook): boolean =>
   HATCHING_TECHNIQUES[techniqueOf(look)].vertexData === 'adjacency';
 
 /**
+ * What a number or a vector measures in a look; undefined for other properties, and for one that is a mean of two measures, as far as
+ * `screenConstancy` says.
+ */
+export function measureOf(look: HatchingLook, name: HatchingPropertyName): HatchingMeasure | undefined {
+  const { measure, measureOnScreen = measure } = factsOf(name);
+  const onScreen = Number(valueIn(look, 'screenConstancy'));
+  if (measure === measureOnScreen || onScreen === 0) return measure;
+  return onScreen === 1 ? measureOnScreen : undefined;
+}
+
+/**
  * How a property goes with the number of pixels of a picture: 1 if it is measured in pixels, 0 if it is not, and for one that
  * is as far as `screenConstancy` says, that. In a picture of twice as many pixels to a side it is 2 to this power as large.
  */
 export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
-  const property = propertyOf(name);
-  if (property.kind !== 'number' || property.pixels === undefined) return 0;
-  return property.pixels === 'always' ? 1 : Number(look.screenConstancy ?? HATCHING_DEFAULTS.screenConstancy);
+  const { measure, measureOnScreen } = factsOf(name);
+  if (measure === 'pixels') return 1;
+  return measureOnScreen === 'pixels' ? Number(valueIn(look, 'screenConstancy')) : 0;
 }
 
 /**

@@ -11,6 +11,8 @@ export function warnOfUnused(parameters: HatchingMaterialParameters, technique: 
   for (const name of Object.keys(parameters)) {
     if (!Object.hasOwn(HATCHING_PROPERTIES, name)) continue;
     const property: HatchingProperty = HATCHING_PROPERTIES[name as HatchingPropertyName];
+    // A map is shared by materials of every technique.
+    if (property.kind === 'tonalArtMap') continue;
     const key = `${name} ${technique}`;
     if (isUsedBy(technique, property) || warned.has(key)) continue;
     if (isDefault(name as HatchingPropertyName, parameters[name as HatchingPropertyName], technique)) continue;

@@ -1,5 +1,4 @@
-import type { NumberRange } from '../../src/material/HatchingProperty.js';
-import type { MeasureName } from './measures.js';
+import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/material/HatchingProperty.js';
 
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
@@ -10,10 +9,10 @@ interface BaseRow {
   group: PropertyGroup;
   /** What it is, for JSDoc and documentation; Markdown. Unit, range, default and techniques are added to it. */
   sentence: string;
-  /** The techniques it counts for. Left out: all. */
+  /** The techniques that read it. Left out: all. */
   techniques?: readonly string[];
-  /** Other properties, and their values that it counts for. One that does not count itself is not asked. */
-  when?: Readonly<Record<string, readonly (string | boolean)[]>>;
+  /** What other properties must be for it to count. Several conditions: it is enough that one holds. */
+  when?: HatchingCondition | readonly HatchingCondition[];
 }
 
 /** A uniform of the same name, unless `uniform` says otherwise; `false` where other uniforms are computed from it. */
@@ -25,10 +24,9 @@ export interface NumberRow extends BaseRow {
   clears?: string;
   /** How the default is written where digits would hide what it is. */
   defaultSource?: string;
-  /** Left out: a share, a factor or a count. */
-  measure?: MeasureName;
+  measure: HatchingMeasure;
   /** What it measures at a `screenConstancy` of 1, where that is something else. In between it is a mean of the two. */
-  measureOnScreen?: MeasureName;
+  measureOnScreen?: HatchingMeasure;
   /** Left out: every finite number. */
   range?: NumberRange;
   uniform?: false;
@@ -47,7 +45,7 @@ export interface ColorRow extends BaseRow {
 export interface Vector2Row extends BaseRow {
   kind: 'vector2';
   default: readonly [number, number];
-  measure?: MeasureName;
+  measure: HatchingMeasure;
   uniform?: false;
 }
 
@@ -73,8 +71,6 @@ export interface ChoiceRow extends BaseRow {
   default: string;
   /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
-  /** Choices that draw without a map, with every technique that they count for. */
-  withoutMap?: readonly string[];
   /** `false` for the technique: it chooses the shaders themselves. */
   isDefine?: false;
 }

@@ -1,4 +1,5 @@
 import { describeRange } from '../../src/material/checkNumber.js';
+import type { HatchingCondition } from '../../src/material/HatchingProperty.js';
 import { measureWords } from './measures.js';
 import type { PropertyRow } from './PropertyRow.js';
 
@@ -11,6 +12,8 @@ export interface PropertyDescription {
   measure: string;
   /** As in `'triangle'`, `'adjacency'`; empty if it counts for all techniques. */
   techniques: string;
+  /** What other properties must be, as in `medium: 'dry'`; empty if it counts with all. */
+  when: string;
   /** Whether another value may need another program. */
   isDefine: boolean;
 }
@@ -21,6 +24,7 @@ export function describe(row: PropertyRow): PropertyDescription {
     default: describeDefault(row),
     measure: describeMeasure(row),
     techniques: (row.techniques ?? []).map((name) => `\`'${name}'\``).join(', '),
+    when: describeConditions(row.when ?? []),
     isDefine: row.kind === 'choice' || row.kind === 'switch' || row.kind === 'curve',
   };
 }
@@ -46,8 +50,24 @@ function describeDefault(row: PropertyRow): string {
 
 function describeMeasure(row: PropertyRow): string {
   if (row.kind !== 'number' && row.kind !== 'vector2') return '';
-  const measure = row.measure && measureWords(row.measure, row.kind === 'number' ? row.measureOnScreen : undefined);
-  if (row.kind === 'vector2') return measure ?? '';
-  const range = row.range && `in ${describeRange(row.range).replace(`${Math.PI}`, 'π')}`;
+  const measure = measureWords(row.measure, row.kind === 'number' ? row.measureOnScreen : undefined);
+  if (row.kind === 'vector2') return measure;
+  const range =
+    row.range &&
+    `in ${describeRange(row.range)
+      .replace(`${Math.PI / 2}`, 'π/2')
+      .replace(`${Math.PI}`, 'π')}`;
   return [measure, range].filter(Boolean).join(' ');
 }
+
+const describeConditions = (when: HatchingCondition | readonly HatchingCondition[]): string =>
+  [when].flat().map(describeCondition).join(', or ');
+
+function describeCondition(condition: HatchingCondition): string {
+  const parts = Object.entries(condition).map(([name, values]) =>
+    'not' in values ? `\`${name}\` other than ${inCode(values.not)}` : `\`${name}\` ${values.map(inCode).join(' or ')}`,
+  );
+  return parts.join(' and ');
+}
+
+const inCode = (value: unknown): string => `\`${typeof value === 'string' ? `'${value}'` : value}\``;

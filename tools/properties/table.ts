@@ -7,7 +7,7 @@ const ofTechniques = (read: (row: TechniqueRow) => string): Record<Techniques, s
   Object.fromEntries(Object.entries(TECHNIQUES).map(([name, row]) => [name, read(row)])) as Record<Techniques, string>;
 
 /** Techniques whose strokes come from a map. */
-const WITH_MAP = ['triangle', 'adjacency', 'anchored'] as const;
+const WITH_MAP = Object.entries<TechniqueRow>(TECHNIQUES).flatMap(([name, { map }]) => (map === 'none' ? [] : [name]));
 
 /**
  * Every property of `HatchingMaterial`. `npm run properties` writes from it the fields with their documentation, what the
@@ -18,6 +18,8 @@ export const PROPERTIES = {
     kind: 'tonalArtMap',
     group: 'Strokes',
     default: null,
+    techniques: WITH_MAP,
+    when: { medium: ['ink', 'dry'] },
     sentence:
       'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all.',
   },
@@ -37,6 +39,7 @@ export const PROPERTIES = {
     default: 3,
     measure: 'tilesPerUnit',
     range: { above: 0 },
+    when: { screenConstancy: { not: 1 } },
     sentence: 'Size of the strokes: larger is finer.',
   },
   strokeRotation: {
@@ -46,6 +49,7 @@ export const PROPERTIES = {
     measure: 'radians',
     uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
+    when: { medium: ['ink', 'dry'] },
     sentence:
       "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
   },
@@ -97,6 +101,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Strokes',
     default: 0,
+    measure: 'share',
     range: { from: 0, to: 1 },
     techniques: ['anchored', 'engraved'],
     sentence:
@@ -111,6 +116,7 @@ export const PROPERTIES = {
     uniform: false,
     clears: 'strokeWidth',
     techniques: WITH_MAP,
+    when: [{ crisp: [true] }, { levelRule: ['depth'] }],
     sentence:
       'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels wide.',
   },
@@ -124,6 +130,7 @@ export const PROPERTIES = {
     uniform: false,
     clears: 'texelPixels',
     techniques: WITH_MAP,
+    when: [{ crisp: [true] }, { levelRule: ['depth'] }],
     sentence:
       'Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words. Setting one of the two clears the other. `null` leaves it to `texelPixels`.',
   },
@@ -145,6 +152,7 @@ export const PROPERTIES = {
     measure: 'tiles',
     range: { above: 0 },
     techniques: ['anchored'],
+    when: { medium: ['ink', 'dry'] },
     sentence:
       'Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes.',
   },
@@ -204,6 +212,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Strokes',
     default: 0.52,
+    measure: 'tone',
     range: { from: 0, to: 1 },
     techniques: [...WITH_MAP, 'engraved'],
     when: { strokeLayers: ['tone'] },
@@ -227,6 +236,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Strokes',
     default: 0.4,
+    measure: 'share',
     range: { from: 0, to: 1 },
     techniques: ['engraved'],
     sentence:
@@ -278,7 +288,6 @@ export const PROPERTIES = {
       stipple:
         'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone. Draws without a map.',
     },
-    withoutMap: ['stipple'],
     default: 'ink',
     techniques: ['anchored'],
     sentence: 'What strokes are drawn with ([media.md](media.md)). The tone is the same with all.',
@@ -287,6 +296,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Medium',
     default: 0.4,
+    measure: 'share',
     range: { from: 0, to: 1 },
     techniques: ['anchored'],
     when: { medium: ['dry'] },
@@ -307,6 +317,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Medium',
     default: 0.6,
+    measure: 'share',
     range: { from: 0, to: 1 },
     techniques: ['anchored'],
     when: { medium: ['dry'] },
@@ -317,6 +328,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Medium',
     default: 0,
+    measure: 'share',
     range: { from: 0, to: 1 },
     techniques: ['anchored'],
     when: { medium: ['dry'] },
@@ -342,6 +354,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 4,
+    measure: 'count',
     range: { from: 2 },
     when: { toneModel: ['toon'] },
     sentence: "Number of bands of the tone model `'toon'`.",
@@ -350,6 +363,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 30,
+    measure: 'exponent',
     range: { from: 0 },
     when: { toneModel: ['phong'] },
     sentence: "Exponent of the highlight of the tone model `'phong'`.",
@@ -379,6 +393,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 0,
+    measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
       'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it.',
@@ -387,6 +402,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 1,
+    measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
       'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
@@ -395,6 +411,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 0,
+    measure: 'tone',
     range: { from: 0, to: 1 },
     uniform: false,
     sentence: 'Tone, after the tone curve, below which the paper stays blank: a highlight with an edge.',
@@ -403,14 +420,17 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Tone',
     default: 0,
+    measure: 'share',
     range: { from: 0, to: 1 },
     uniform: false,
+    when: { keepHighlight: { not: 0 } },
     sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`.',
   },
   normalMap: {
     kind: 'texture',
     group: 'Surface',
     default: null,
+    when: { toneNormal: ['smooth'] },
     sentence:
       "Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face normals stay those of the triangles.",
   },
@@ -418,12 +438,15 @@ export const PROPERTIES = {
     kind: 'vector2',
     group: 'Surface',
     default: [1, 1],
+    measure: 'factor',
+    when: { toneNormal: ['smooth'], normalMap: { not: null } },
     sentence: 'How far the normal map turns the normal, along x and y.',
   },
   bumpMap: {
     kind: 'texture',
     group: 'Surface',
     default: null,
+    when: { toneNormal: ['smooth'], normalMap: [null] },
     sentence:
       'Heights that turn the smooth tone normal, where there is no normal map; face normals stay those of the triangles.',
   },
@@ -431,12 +454,15 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Surface',
     default: 1,
+    measure: 'factor',
+    when: { toneNormal: ['smooth'], normalMap: [null], bumpMap: { not: null } },
     sentence: 'How far the bump map turns the normal.',
   },
   flatShading: {
     kind: 'switch',
     group: 'Surface',
     default: false,
+    when: { toneNormal: ['smooth'] },
     sentence: 'Makes the smooth tone normal that of the flat triangle, before a normal or bump map turns it.',
   },
   aoMap: {
@@ -449,7 +475,9 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Surface',
     default: 1,
+    measure: 'factor',
     range: { from: 0 },
+    when: { aoMap: { not: null } },
     sentence: 'How much the ambient occlusion counts.',
   },
   lightMap: {
@@ -462,7 +490,9 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Surface',
     default: 1,
+    measure: 'factor',
     range: { from: 0 },
+    when: { lightMap: { not: null } },
     sentence: 'How much the light map counts.',
   },
   emissive: {
@@ -476,6 +506,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Surface',
     default: 1,
+    measure: 'factor',
     range: { from: 0 },
     sentence: 'How strong that light is.',
   },
@@ -523,6 +554,7 @@ export const PROPERTIES = {
     kind: 'number',
     group: 'Colour',
     default: 1,
+    measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
       'Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or `alphaHash`: a material that is drawn opaque keeps its paper.',

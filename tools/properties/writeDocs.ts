@@ -18,21 +18,21 @@ export function writePropertyDocs(page: string, table: Readonly<Record<string, P
 }
 
 function propertyTable(table: Readonly<Record<string, PropertyRow>>): string {
-  const lines = ['| property | default | unit and range | techniques | meaning |', '| --- | --- | --- | --- | --- |'];
+  const lines = ['| property | default | unit and range | counts for | meaning |', '| --- | --- | --- | --- | --- |'];
   let group = '';
   for (const [name, row] of Object.entries(table)) {
     if (row.group !== group) {
       group = row.group;
       lines.push(`| **${group}** | | | | |`);
     }
-    const { sentence, default: fallback, measure, techniques, isDefine } = describe(row);
+    const { sentence, default: fallback, measure, techniques, when, isDefine } = describe(row);
     const choices =
       row.kind === 'choice'
         ? Object.entries(row.choices).map(([choice, meaning]) => `<br>\`'${choice}'\`: ${meaning}`)
         : [];
     const meaning = `${sentence}${choices.join('')}`;
     lines.push(
-      `| \`${name}\`${isDefine ? ' ●' : ''} | ${fallback} | ${measure} | ${techniques || 'all'} | ${meaning} |`,
+      `| \`${name}\`${isDefine ? ' ●' : ''} | ${fallback} | ${measure} | ${techniques || 'all'}${when && `, with ${when}`} | ${meaning} |`,
     );
   }
   return lines.join('\n');

@@ -1,7 +1,6 @@
 import type { NumberRange } from '../../src/material/HatchingProperty.js';
 import { constantCase } from './constantCase.js';
 import { describe } from './describe.js';
-import { pixelsOf } from './measures.js';
 import type { NumberRow, PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';
 
@@ -31,9 +30,30 @@ export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;
 /** What the material needs to know of every technique. */
 export const HATCHING_TECHNIQUES = {
 ${Object.entries(techniques)
-  .map(([name, { vertexData, map }]) => `${name}: { vertexData: '${vertexData}', map: '${map}' },`)
+  .map(
+    ([name, { vertexData, map, hasProgramForObject }]) =>
+      `${name}: { vertexData: '${vertexData}', map: '${map}', hasProgramForObject: ${hasProgramForObject} },`,
+  )
   .join('\n')}
 } as const satisfies Record<HatchingTechnique, HatchingTechniqueData>;
+`;
+}
+
+/** src/material/hatchingFacts.ts: what numbers measure and what properties count with, which drawing alone does not need. */
+export function writePropertyFacts(table: Table): string {
+  const facts = Object.entries(table).flatMap(([name, row]) => {
+    const measure = row.kind === 'number' || row.kind === 'vector2' ? row.measure : undefined;
+    const measureOnScreen = row.kind === 'number' ? row.measureOnScreen : undefined;
+    const known = JSON.stringify({ measure, measureOnScreen, when: row.when });
+    return known === '{}' ? [] : [`${name}: ${known},`];
+  });
+  return `${HEADER}import type { HatchingFacts } from './HatchingProperty.js';
+import type { HatchingPropertyName } from './hatchingProperties.js';
+
+/** What the properties of \`HatchingMaterial\` measure, and what they count with; those that neither applies to are left out. */
+export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, HatchingFacts>>> = {
+${facts.join('\n')}
+};
 `;
 }
 
@@ -97,12 +117,8 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
   }
   if (row.kind === 'number') {
     if (row.range) fields.push(`range: ${rangeSource(row.range)}`);
-    const pixels = pixelsOf(row.measure, row.measureOnScreen);
-    if (pixels) fields.push(`pixels: '${pixels}'`);
   }
-  if (row.kind === 'choice' && row.withoutMap) fields.push(`withoutMap: ${list(row.withoutMap)}`);
   if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
-  if (row.when) fields.push(`when: ${JSON.stringify(row.when)}`);
   return fields;
 }
 
@@ -195,11 +211,11 @@ set ${name}(value: ${valueType(row)}) {
 const LINE_LENGTH = 115;
 
 function jsDoc(row: PropertyRow): string {
-  const { sentence, default: fallback, measure, techniques, isDefine } = describe(row);
+  const { sentence, default: fallback, measure, techniques, when, isDefine } = describe(row);
   const words = [plain(sentence)];
   if (measure) words.push(`${measure.charAt(0).toUpperCase()}${measure.slice(1)}.`);
   words.push(`Default ${fallback}.`);
-  if (techniques) words.push(`Only ${techniques}.`);
+  if (techniques || when) words.push(`Only ${[techniques, when && `with ${when}`].filter(Boolean).join(', ')}.`);
   if (isDefine && row.kind !== 'curve') words.push('Another value builds another program.');
   return comment(wrapped(words.join(' ')));
 }

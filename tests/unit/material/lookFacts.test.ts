@@ -4,11 +4,14 @@ import type { HatchingPropertyName, Medium } from '../../../src/material/hatchin
 import {
   counts,
   type HatchingLook,
+  measureOf,
   needsAdjacency,
   needsMap,
   pixelPower,
   scaledSizes,
+  usesThresholds,
 } from '../../../src/material/lookFacts.js';
+import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../tools/properties/table.js';
 import { TECHNIQUES } from '../../../tools/properties/techniques.js';
 
@@ -31,6 +34,17 @@ describe('what follows from a look', () => {
   });
 
   test.each([
+    [{}, false],
+    [{ crisp: true }, true],
+    [{ technique: 'anchored' }, true],
+    [{ technique: 'anchored', medium: 'stipple' }, true],
+    // The crispness of another technique.
+    [{ technique: 'engraved', crisp: true }, false],
+  ] as const)('%j decides ink from thresholds: %s', (look, expected) => {
+    expect(usesThresholds(look)).toBe(expected);
+  });
+
+  test.each([
     ['tooth', { technique: 'anchored', medium: 'dry' }, true],
     ['tooth', { technique: 'anchored' }, false],
     // The medium of another technique.
@@ -49,20 +63,60 @@ describe('what follows from a look', () => {
     ['ink', {}, true],
     ['lineSpacing', { technique: 'engraved' }, true],
     ['lineSpacing', {}, false],
+    // Greys whose level follows from derivatives have the width that the map draws.
+    ['strokeWidth', {}, false],
+    ['strokeWidth', { levelRule: 'depth' }, true],
+    ['strokeWidth', { crisp: true }, true],
+    ['strokeWidth', { technique: 'anchored' }, true],
+    ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
+    ['anchorSpacing', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeRotation', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeRotation', { technique: 'engraved', medium: 'stipple' }, true],
+    ['strokeScale', { technique: 'anchored', screenConstancy: 0.9 }, true],
+    ['strokeScale', { technique: 'anchored', screenConstancy: 1 }, false],
+    // Strokes of triangles are sized on the object, whatever the others are.
+    ['strokeScale', { screenConstancy: 1 }, true],
+    ['bumpScale', {}, false],
+    ['bumpScale', { bumpMap: {}, toneNormal: 'smooth' }, true],
+    ['bumpScale', { bumpMap: {} }, false],
+    ['bumpMap', { bumpMap: {}, normalMap: {}, toneNormal: 'smooth' }, false],
+    ['normalMap', { technique: 'anchored', toneNormal: 'auto' }, true],
+    ['normalMap', { technique: 'anchored', toneNormal: 'face' }, false],
+    ['highlightSoftness', { keepHighlight: 0 }, false],
+    ['highlightSoftness', { keepHighlight: 0.2 }, true],
   ] as const)('%s under %j counts: %s', (name, look, expected) => {
     expect(counts(look, name)).toBe(expected);
   });
 
   test('what a property depends on is there, with these values', () => {
-    const rows: Record<string, { kind: string; when?: object; choices?: object }> = PROPERTIES;
+    const rows: Record<string, PropertyRow> = PROPERTIES;
     for (const [name, { when = {} }] of Object.entries(rows)) {
-      for (const [other, values] of Object.entries(when)) {
-        const { kind, choices } = rows[other];
-        const known = kind === 'switch' ? [true, false] : Object.keys(choices!);
-        expect(known, name).toEqual(expect.arrayContaining(values as unknown[]));
+      for (const condition of [when].flat()) {
+        for (const [other, values] of Object.entries(condition)) {
+          const row = rows[other];
+          const named = 'not' in values ? [values.not] : values;
+          if (row.kind === 'choice') expect(Object.keys(row.choices), name).toEqual(expect.arrayContaining([...named]));
+          else
+            expect(named, name).toEqual([
+              row.kind === 'switch' ? true : row.kind === 'texture' ? null : expect.any(Number),
+            ]);
+        }
       }
     }
   });
+});
+
+test.each([
+  ['strokeWidth', {}, 'pixels'],
+  ['edgePixels', {}, 'gridPixels'],
+  ['handmade', {}, 'share'],
+  ['lineSpacing', {}, 'tileParts'],
+  ['lineSpacing', { screenConstancy: 1 }, 'pixels'],
+  // A mean of the two.
+  ['lineSpacing', { screenConstancy: 0.5 }, undefined],
+  ['ink', {}, undefined],
+] as const)('%s of %j measures %s', (name, look, expected) => {
+  expect(measureOf(look, name)).toBe(expected);
 });
 
 describe('sizes for a picture of more pixels', () => {

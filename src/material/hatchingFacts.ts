@@ -1,0 +1,41 @@
+// Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
+import type { HatchingFacts } from './HatchingProperty.js';
+import type { HatchingPropertyName } from './hatchingProperties.js';
+
+/** What the properties of `HatchingMaterial` measure, and what they count with; those that neither applies to are left out. */
+export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, HatchingFacts>>> = {
+  tonalArtMap: { when: { medium: ['ink', 'dry'] } },
+  strokeScale: { measure: 'tilesPerUnit', when: { screenConstancy: { not: 1 } } },
+  strokeRotation: { measure: 'radians', when: { medium: ['ink', 'dry'] } },
+  strokeOffset: { measure: 'tiles' },
+  screenConstancy: { measure: 'share' },
+  texelPixels: { measure: 'pixels', when: [{ crisp: [true] }, { levelRule: ['depth'] }] },
+  strokeWidth: { measure: 'pixels', when: [{ crisp: [true] }, { levelRule: ['depth'] }] },
+  edgePixels: { measure: 'gridPixels', when: { crisp: [true], medium: ['ink', 'stipple'] } },
+  anchorSpacing: { measure: 'tiles', when: { medium: ['ink', 'dry'] } },
+  lineSpacing: { measure: 'tileParts', measureOnScreen: 'pixels' },
+  finestSpacing: { measure: 'pixels' },
+  crossFrom: { measure: 'tone', when: { strokeLayers: ['tone'] } },
+  crossAngle: { measure: 'radians', when: { strokeLayers: ['tone'] } },
+  handmade: { measure: 'share' },
+  creaseAngle: { measure: 'radians' },
+  tooth: { measure: 'share', when: { medium: ['dry'] } },
+  toothSize: { measure: 'pixels', when: { medium: ['dry'] } },
+  softness: { measure: 'share', when: { medium: ['dry'] } },
+  smudge: { measure: 'share', when: { medium: ['dry'] } },
+  toneSteps: { measure: 'count', when: { toneModel: ['toon'] } },
+  shininess: { measure: 'exponent', when: { toneModel: ['phong'] } },
+  reflectedLight: { measure: 'share' },
+  occlusion: { measure: 'share' },
+  keepHighlight: { measure: 'tone' },
+  highlightSoftness: { measure: 'share', when: { keepHighlight: { not: 0 } } },
+  normalMap: { when: { toneNormal: ['smooth'] } },
+  normalScale: { measure: 'factor', when: { toneNormal: ['smooth'], normalMap: { not: null } } },
+  bumpMap: { when: { toneNormal: ['smooth'], normalMap: [null] } },
+  bumpScale: { measure: 'factor', when: { toneNormal: ['smooth'], normalMap: [null], bumpMap: { not: null } } },
+  flatShading: { when: { toneNormal: ['smooth'] } },
+  aoMapIntensity: { measure: 'factor', when: { aoMap: { not: null } } },
+  lightMapIntensity: { measure: 'factor', when: { lightMap: { not: null } } },
+  emissiveIntensity: { measure: 'factor' },
+  paperOpacity: { measure: 'share' },
+};
