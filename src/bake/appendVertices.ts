@@ -1,6 +1,6 @@
 import type { VertexWords, Words } from './expandPerCorner.js';
 
-/** The words of an attribute with those of some vertices repeated at the end. */
+/** Returns the words of an attribute, followed by copies of the entries of `vertices`. */
 export function appendVertices({ words, wordsPerVertex }: VertexWords, vertices: Uint32Array): Words {
   if (vertices.length === 0) return words;
   const appended = new (words.constructor as new (length: number) => Words)(

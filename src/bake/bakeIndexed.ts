@@ -5,11 +5,11 @@ import { lineBuffers } from './packLines.js';
 import { packNormals } from './packNormals.js';
 import { splitVertices } from './splitVertices.js';
 
-/** What the bake of the `indexed` layout returns. Plain data: the worker posts it back. */
+/** What `bakeIndexed` returns. Plain data: the worker posts it back. */
 export interface BakeIndexedResult extends BakeReport {
-  /** The vertex of each corner, added vertices included. 16 bits where that is enough. */
+  /** The vertex of each corner, added vertices included. Each index has 16 bits if that is enough. */
   indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
-  /** For each added vertex, the one it is a copy of. Added vertices follow those of the mesh. */
+  /** For each added vertex, the vertex that it is a copy of. Added vertices follow those of the mesh. */
   addedVertices: Uint32Array<ArrayBuffer>;
   /** Each vertex's `hatchNormal`. */
   hatchNormals: Int16Array<ArrayBuffer>;
@@ -17,13 +17,13 @@ export interface BakeIndexedResult extends BakeReport {
   normals: Float32Array<ArrayBuffer> | null;
 }
 
-/** Most vertices for a 16-bit index: index 65535 would restart primitives. */
-const MOST_SHORT_VERTICES = 0xffff;
+/** The largest number of vertices for 16-bit indices: index 65535 would restart primitives. */
+const MAX_SHORT_VERTICES = 0xffff;
 
 /**
- * Bakes the `indexed` layout: the vertices as they are, a `hatchNormal` for each, and copies of the vertices that need two.
- * Other attributes are not part of the request: the caller appends copies of the entries that `addedVertices` names. Pure,
- * and throws as `bake` does.
+ * Bakes the `indexed` layout: the vertices as they are, a `hatchNormal` for each, and copies of those vertices that need more
+ * than one. Other attributes are not part of the request: the caller appends copies of the entries that `addedVertices`
+ * names. It is pure, and throws as `bakeCorners` does.
  */
 export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeIndexedResult, void> {
   const surface = yield* asPhase(bakeSurface(request), 0, 0.85);
@@ -32,14 +32,14 @@ export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeInd
   const { indices, addedVertices, cornerOfVertex } = split;
   return {
     ...(yield* asPhase(reportOf(surface, indices), 0.95, 0.97)),
-    indices: cornerOfVertex.length <= MOST_SHORT_VERTICES ? new Uint16Array(indices) : indices,
+    indices: cornerOfVertex.length <= MAX_SHORT_VERTICES ? new Uint16Array(indices) : indices,
     addedVertices,
     hatchNormals: yield* asPhase(packHatchNormals(hatchNormals, cornerOfVertex), 0.97, 0.99),
     normals: smoothNormals && (yield* asPhase(packNormals(smoothNormals, cornerOfVertex), 0.99, 1)),
   };
 }
 
-/** The buffers of a result, to be transferred with it. */
+/** The buffers of a result, which are transferred with it. */
 export const bakeIndexedResultBuffers = ({
   indices,
   addedVertices,

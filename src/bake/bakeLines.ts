@@ -11,58 +11,60 @@ import { fanDirections } from '../normals/fanDirections.js';
 import type { Patches } from '../normals/findPatches.js';
 import { asPhase } from '../slices/asPhase.js';
 
-/** What a bake is asked for lines. Plain data. */
+/** What the bake of lines needs to know. Plain data: it is posted to the worker. */
 export interface LineRequest {
-  /** See `CreaseLimits`. */
+  /** Edges where the surface turns by at least this angle, in radians, are creases. See `CreaseLimits`. */
   creaseAngle?: number | undefined;
-  /** In object units. Default: see `CREASE_SHARE`. */
+  /** Shorter chains of creases are left out, in object units. Default: see `CREASE_SHARE`. */
   creaseLength?: number | undefined;
-  /** The group of each triangle; null where there is one alone. */
+  /** The geometry group of each triangle; null if there is only one. */
   triangleGroups: Uint16Array<ArrayBuffer> | null;
 }
 
-/** What lines are drawn from, before it is packed. */
+/** The surface that contours and feature edges are drawn from, before it is packed. */
 export interface LineSurface {
   mesh: TriangleMesh;
-  /** Those of the hatch normals. */
+  /** The fans of the hatch normals, except for the specks. */
   fans: Fans;
   /** Unit normals, three per fan. */
   normals: Float32Array<ArrayBuffer>;
   /** See `fanCurvatures`. */
   curvatures: Float32Array<ArrayBuffer>;
   edges: FeatureEdges;
-  /** Of the bounding sphere. */
+  /** Radius of the bounding sphere. */
   radius: number;
 }
 
-/** The scale of the normals that contours follow, as a share of the bounding radius: fine enough not to leave the outline. */
+/** Smoothing radius of the normals for contours, as a share of the bounding radius. Larger would leave the outline. */
 const CONTOUR_SHARE = 0.01;
 
-/** The scale of the normals that curvatures are measured on. */
+/** Smoothing radius of the normals for curvatures, as a share of the bounding radius. */
 const CURVATURE_SHARE = 0.015;
 
-/** Meshes of fewer triangles are no scans, and their small patches are faces. */
-const LEAST_IN_SCAN = 5000;
-/** A speck has so many triangles at most, */
-const MOST_IN_SPECK = 2;
-/** and so many times the area of a mean triangle. */
-const LARGEST_SPECK = 1.5;
+/** A mesh with fewer triangles is not a scan: its small patches are faces that someone has modelled. */
+const MIN_SCAN_TRIANGLES = 5000;
 
-/** Creases that hang together are drawn from this length on, as a share of the bounding radius. */
+/** The largest number of triangles in a speck. */
+const MAX_SPECK_TRIANGLES = 2;
+
+/** The largest area of a speck, as a multiple of the mean area of a triangle. */
+const MAX_SPECK_AREA = 1.5;
+
+/** Connected creases are drawn if they are at least this long in total, as a share of the bounding radius. */
 const CREASE_SHARE = 0.2;
 
-/** The scales, in object units, of the normals that contours follow and of those that curvatures are measured on. */
+/** The smoothing radii, in object units, of the normals for contours and for curvatures. */
 export const lineSmoothingRadii = (radius: number): [contours: number, curvatures: number] => [
   CONTOUR_SHARE * radius,
   CURVATURE_SHARE * radius,
 ];
 
 /**
- * Computes what contours, borders and creases are drawn from. On a coarse mesh each triangle keeps its own normal, and contours
- * run along its edges.
+ * Computes the surface that contours, borders and creases are drawn from. On a coarse mesh each triangle keeps its own normal,
+ * and contours run along its edges.
  *
- * @param surface whose twins are cut at sharp edges, and its fans after small patches were absorbed
- * @param joinedTwins that no edge was cut from
+ * @param surface with twins that are cut at sharp edges, and with fans that have absorbed small patches
+ * @param joinedTwins the twins before any edge was cut
  * @param smoothed the normals of the fans at each of the `lineSmoothingRadii`; null for a coarse mesh
  */
 export function* bakeLines(
@@ -114,20 +116,25 @@ function* smoothSurface(
 }
 
 /**
- * Moves the corners of specks to the fans around them. Reduced scans have many triangles that lie folded over, and a line around
- * each would be dust.
+ * Moves the corners of specks to the fans around them. A speck is a tiny patch between sharp edges. Decimated scans have many
+ * triangles that are folded over, and without this step each would get a line around it.
  */
 function* absorbSpecks(surface: FanSurface, patches: Patches, fans: Fans): Generator<number, void, void> {
   const { areaNormals } = surface;
   const count = areaNormals.length / 3;
-  if (count < LEAST_IN_SCAN) return;
+  if (count < MIN_SCAN_TRIANGLES) return;
   let whole = 0;
   for (let triangle = 0; triangle < count; triangle++) whole += 0.5 * doubleArea(areaNormals, triangle);
-  const largest = (LARGEST_SPECK * whole) / count;
-  yield* absorbSmallPatches(surface, patches, fans, (area, triangles) => triangles <= MOST_IN_SPECK && area <= largest);
+  const largest = (MAX_SPECK_AREA * whole) / count;
+  yield* absorbSmallPatches(
+    surface,
+    patches,
+    fans,
+    (area, triangles) => triangles <= MAX_SPECK_TRIANGLES && area <= largest,
+  );
 }
 
-/** Every corner is a fan of its own, with the normal of its triangle. */
+/** The surface of a coarse mesh: every corner is a fan of its own, with the normal of its triangle. */
 function* facets(areaNormals: Float64Array): Generator<number, SmoothSurface, void> {
   const count = areaNormals.length;
   const fans = { ofCorner: Uint32Array.from({ length: count }, (_, corner) => corner), count };

@@ -1,7 +1,7 @@
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { asPhase } from '../slices/asPhase.js';
 import { appendVertices } from './appendVertices.js';
-import type { BakeRequest } from './bake.js';
+import type { BakeRequest } from './bakeCorners.js';
 import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
 import { expandPerCorner } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
@@ -9,20 +9,20 @@ import { lineBuffers } from './packLines.js';
 import { type PackedPull, packPull } from './packPull.js';
 import { splitVertices } from './splitVertices.js';
 
-/** What the bake of the `pull` layout returns. Plain data: the worker posts it back. */
+/** What `bakePull` returns. Plain data: the worker posts it back. */
 export interface BakePullResult extends PackedPull, CornerAttributes, BakeReport {
   /** x, y, z of each corner. */
   positions: Float32Array<ArrayBuffer>;
 }
 
-/** Bakes triangle adjacency into the `pull` layout (see `pullLayout.ts`). Pure, and throws as `bake` does. */
+/** Bakes triangle adjacency into the `pull` layout (`pullLayout.ts`). It is pure, and throws as `bakeCorners` does. */
 export function* bakePull(request: BakeRequest): Generator<number, BakePullResult, void> {
   const { mesh, attributes } = request;
   const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
   const { adjacency, smoothNormals } = surface;
   let { positions, indices }: TriangleMesh = mesh;
   if (smoothNormals) {
-    // A vertex at a crease has several smooth normals: it is split, so that each vertex has one.
+    // A vertex at a crease has several smooth normals. It is split, so that each vertex has only one.
     const split = yield* asPhase(splitVertices(mesh, adjacency.areaNormals, smoothNormals.fans), 0.7, 0.75);
     const words = { words: new Uint32Array(positions.buffer), wordsPerVertex: 3 };
     positions = new Float32Array(appendVertices(words, split.addedVertices).buffer);
@@ -36,7 +36,7 @@ export function* bakePull(request: BakeRequest): Generator<number, BakePullResul
   return { ...packed, ...report, ...ofCorners, positions: new Float32Array(expanded.buffer) };
 }
 
-/** The buffers of a result, to be transferred with it. */
+/** The buffers of a result, which are transferred with it. */
 export const bakePullResultBuffers = (result: BakePullResult): ArrayBuffer[] => [
   result.positions.buffer,
   result.triangleVertices.buffer,

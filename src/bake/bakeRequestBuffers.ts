@@ -2,8 +2,8 @@ import type { SurfaceRequest } from './bakeSurface.js';
 import type { VertexWords } from './expandPerCorner.js';
 
 /**
- * The buffers of a request, to be transferred with it. Apart from the bakes themselves: the page needs this even where only
- * the worker has their code.
+ * The buffers of a request, which are transferred with it. This function has a file of its own because the page needs it even
+ * where only the worker loads the code of the bakes.
  */
 export const bakeRequestBuffers = ({
   mesh,

@@ -22,51 +22,51 @@ import { type PackedLines, packLines } from './packLines.js';
 
 /** The input of the bake for every layout. Plain data: it is posted to the worker. */
 export interface SurfaceRequest {
-  /** Begins every error message: the function that was called and the geometry it was given. */
+  /** The beginning of every error message: the function that was called and the geometry that was passed. */
   label: string;
   mesh: TriangleMesh;
   /** Triangles whose normals differ by this angle or more, in radians, are not neighbours. */
   creaseAngle: number;
-  /** How near borders are joined, as a share of the bounding radius. See `nearnessOf`. */
+  /** Borders this near to each other are joined, as a share of the bounding radius. See `nearnessOf`. */
   weldTolerance?: number | undefined;
   /** Detail finer than this, in object units, does not turn the hatch normals. See `DEFAULT_SMOOTHING_SHARE`. */
   smoothingRadius?: number | undefined;
-  /** Whether to compute smooth normals, for a mesh that has none. */
+  /** Whether to compute smooth normals, for a mesh that has no normals. */
   wantsNormals: boolean;
-  /** What lines to bake, if any. */
+  /** The lines to bake, if any. */
   lines?: LineRequest | null | undefined;
 }
 
-/** The part of the bake that all layouts share. */
+/** The result of the part of the bake that all layouts share. */
 export interface Surface {
-  /** After cutting the creases. */
+  /** The adjacency after the creases were cut. */
   adjacency: TriangleAdjacency;
   bounds: Bounds;
   hatchNormals: FanNormals;
-  /** The smooth normals, if requested. Their fans are those of the hatch normals or unions of them, except small patches. */
+  /** The smooth normals, if requested. Small patches aside, each of their fans is a union of fans of the hatch normals. */
   smoothNormals: FanNormals | null;
-  /** What lines are drawn from, if requested. */
+  /** The surface that lines are drawn from, if requested. */
   lines: LineSurface | null;
 }
 
 /**
- * The smoothing radius, as a share of the radius of the bounding sphere. A stroke is about a tenth of that radius long. Scan
- * noise is far finer; the folds of a robe or the scales of a dragon are as large or larger.
+ * The default smoothing radius, as a share of the radius of the bounding sphere. A stroke is about a tenth of that radius
+ * long. The noise of a scan is far finer; the folds of a robe or the scales of a dragon are as large or larger.
  */
 export const DEFAULT_SMOOTHING_SHARE = 0.03;
 
-/** The weld tolerance, as a share of the bounding radius: some roundings of single precision, far below any detail. */
+/** The default weld tolerance, as a share of the bounding radius: a few rounding errors of single precision. */
 export const DEFAULT_WELD_TOLERANCE = 1e-6;
 
-/** A smaller share counts as 0: single precision would not notice. */
-const LEAST_WELD_TOLERANCE = 2 ** -40;
+/** A smaller weld tolerance counts as 0, because it is far below what single precision resolves. */
+const MIN_WELD_TOLERANCE = 2 ** -40;
 
-/** The relative rounding of single precision. */
+/** The relative rounding error of single precision. */
 const SINGLE_ROUNDING = 2 ** -23;
 
-/** How near the borders of a mesh are joined, in object units. */
+/** How near to each other the borders of a mesh must lie to be joined, in object units. */
 export function nearnessOf({ radius }: Bounds, share = DEFAULT_WELD_TOLERANCE): Nearness {
-  const used = share < LEAST_WELD_TOLERANCE ? 0 : share;
+  const used = share < MIN_WELD_TOLERANCE ? 0 : share;
   return { tolerance: used * radius, rounding: Math.min(used, SINGLE_ROUNDING) * radius };
 }
 
@@ -85,7 +85,7 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
     ? yield* asPhase(bakeSmoothNormals(twins, adjacency.areaNormals), 0.34 * share, 0.4 * share)
     : null;
   const surface = yield* asPhase(separateFans(mesh, adjacency, twins), 0.4 * share, 0.5 * share);
-  // A coarse mesh has contours along its edges, and needs no smoother normals for them.
+  // The contours of a coarse mesh run along its edges, so it needs no smoothed normals for them.
   const hasSmoothLines =
     joinedTwins !== null &&
     !(yield* asPhase(isCoarse(mesh, surface.twins, adjacency.areaNormals, bounds.radius), 0.5 * share, 0.52 * share));
@@ -116,7 +116,7 @@ function* bakeSmoothNormals(twins: Int32Array, areaNormals: Float64Array): Gener
   return { fans, normals: yield* asPhase(computeSmoothNormals(areaNormals, fans), 0.5, 1) };
 }
 
-/** Cuts the surface at sharp edges, and finds the fans that are left. `twins` is cut in place. */
+/** Cuts the surface at sharp edges and finds the fans that this leaves. `twins` is changed in place. */
 function* separateFans(
   mesh: TriangleMesh,
   { canonicalCorners, areaNormals }: TriangleAdjacency,
@@ -128,8 +128,8 @@ function* separateFans(
 }
 
 /**
- * Unit normals from those that were smoothed at the scale of `radius`. Patches smaller than a disc of that diameter take the
- * normals of the surface around them and do not influence it: their corners are moved to its fans, in place.
+ * Computes unit normals from normals that were smoothed with `radius`. A patch smaller than a disc of that diameter takes the
+ * normals of the surface around it and does not influence them: its corners are moved to the fans around it, in place.
  */
 function* directHatchNormals(
   surface: FanSurface,
@@ -148,14 +148,18 @@ function* directHatchNormals(
   return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.6, 1) };
 }
 
-/** What a bake of any layout found out about the mesh. */
+/** What a bake reports about the mesh, whatever the layout. */
 export interface BakeReport extends EdgeCounts {
   bounds: Bounds;
-  /** What lines are drawn from, if requested. */
+  /** The packed lines, if requested. */
   lines: PackedLines | null;
 }
 
-/** @param indices the vertex of each corner in the layout that is baked */
+/**
+ * Packs the lines and collects what the bake reports about the mesh.
+ *
+ * @param indices the vertex of each corner in the layout that is baked
+ */
 export function* reportOf(
   { adjacency, bounds, lines }: Surface,
   indices: Uint32Array,

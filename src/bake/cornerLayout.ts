@@ -3,10 +3,10 @@
  * adjacency vertices V0, V1, V2, Vα, Vβ, Vγ of its triangle (Suarez et al., figure 5).
  *
  * The triangle's own vertices are stored in the order own, next, previous, so that `position` stays what three.js expects.
- * With the corner id the shader turns them back into V0, V1, V2, so all three corners compute bit-identical frames.
+ * With the corner id the shader restores the order V0, V1, V2, so all three corners compute bit-identical frames.
  *
- * The bake, the geometry, the shader assembly and the tests read this table. Its attributes lie interleaved, in this order,
- * in one Float32Array of `CORNER_STRIDE` floats per corner. `position` and `hatchNormal` have buffers of their own.
+ * The bake, the geometry, the assembly of the shaders and the tests read this table. Its attributes are interleaved, in this
+ * order, in one Float32Array of `CORNER_STRIDE` floats per corner. `position` and `hatchNormal` have buffers of their own.
  */
 export const cornerLayout = [
   /** xyz: position of the next corner of the triangle; w: the corner id k ∈ {0, 1, 2}. */

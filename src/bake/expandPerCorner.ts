@@ -1,6 +1,6 @@
 import { forEachChunk } from '../slices/forEachChunk.js';
 
-/** Vertex data as plain words, so that one function copies every type bit by bit. */
+/** Vertex data as unsigned integers, so that one function can copy values of every type bit by bit. */
 export type Words = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 
 /** An attribute whose values are copied from vertices to corners unchanged. */
@@ -9,7 +9,7 @@ export interface VertexWords {
   wordsPerVertex: number;
 }
 
-/** Gives each corner a copy of its vertex's words. */
+/** Copies the words of each corner's vertex to the corner. */
 export function* expandPerCorner(source: VertexWords, indices: Uint32Array): Generator<number, Words, void> {
   const { words, wordsPerVertex } = source;
   const expanded = new (words.constructor as new (length: number) => Words)(indices.length * wordsPerVertex);

@@ -1,5 +1,5 @@
 /**
- * The attribute that gives strokes their frame, in every layout: the unit normal at the scale of a stroke, in object space.
- * x, y, z are normalised 16-bit integers. The fourth is 0; `bakeOcclusion` writes minus the ambient occlusion there.
+ * The attribute that orients strokes, in every layout: the unit normal at the scale of a stroke, in object space. x, y, z are
+ * normalised 16-bit integers. w is 0, unless `bakeOcclusion` has written minus the ambient occlusion to it.
  */
 export const hatchNormal = { name: 'hatchNormal', itemSize: 4 } as const;

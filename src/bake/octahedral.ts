@@ -1,8 +1,9 @@
 const ONE = 0x7fff;
 
 /**
- * A unit vector as two normalised 16-bit integers in one word: projected onto an octahedron, whose lower half is folded out
- * (Cigolle et al., "A survey of efficient representations for independent unit vectors", 2014). Off by 0.004° at most.
+ * Packs a unit vector into one word, as two normalised 16-bit integers. The vector is projected onto an octahedron whose lower
+ * half is folded outwards (Cigolle et al., "A survey of efficient representations for independent unit vectors", 2014). The
+ * error is at most 0.004°.
  */
 export function octahedral(x: number, y: number, z: number): number {
   const sum = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
@@ -16,7 +17,7 @@ export function octahedral(x: number, y: number, z: number): number {
   return (Math.round(u * ONE) & 0xffff) | ((Math.round(v * ONE) & 0xffff) << 16);
 }
 
-/** Writes the unit vector that `word` stands for to `target`, at `offset`. */
+/** Unpacks the unit vector in `word` into `target`, at `offset`. */
 export function readOctahedral(word: number, target: Float32Array, offset: number): void {
   let x = Math.max(((word << 16) >> 16) / ONE, -1);
   let y = Math.max((word >> 16) / ONE, -1);

@@ -4,13 +4,13 @@ import { expandPerCorner, type VertexWords, type Words } from './expandPerCorner
 import { packHatchNormals } from './packHatchNormals.js';
 import { packNormals } from './packNormals.js';
 
-/** The attributes per corner in the layouts that give each corner a vertex of its own. */
+/** The vertex attributes of the layouts that give each corner a vertex of its own. */
 export interface CornerAttributes {
   /** Each corner's `hatchNormal`. */
   hatchNormals: Int16Array<ArrayBuffer>;
   /** x, y, z of each corner's smooth normal, if requested. */
   normals: Float32Array<ArrayBuffer> | null;
-  /** The attributes of the request, in its order, one entry per corner. */
+  /** The attributes of the request, in the same order, with one entry per corner. */
   attributes: Words[];
 }
 
@@ -31,7 +31,7 @@ export function* packCornerAttributes(
   return { hatchNormals: packedHatchNormals, normals, attributes: expanded };
 }
 
-/** The buffers of the attributes, to be transferred with them. */
+/** The buffers of the attributes, which are transferred with them. */
 export const cornerAttributeBuffers = ({ hatchNormals, normals, attributes }: CornerAttributes): ArrayBuffer[] => [
   hatchNormals.buffer,
   ...(normals ? [normals.buffer] : []),

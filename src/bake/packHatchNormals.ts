@@ -7,7 +7,7 @@ import { packNormals } from './packNormals.js';
 /** The normalised 16-bit integer that stands for 1. */
 const ONE = 0x7fff;
 
-/** The attribute per vertex or per corner; see `packNormals`. */
+/** Packs the `hatchNormal` attribute, per vertex or per corner as `packNormals` does. */
 export function* packHatchNormals(
   hatchNormals: FanNormals,
   cornerOfVertex: Uint32Array | null,

@@ -8,15 +8,15 @@ import { POINT_BITS, POINT_WORDS, PRIMITIVE_WORDS } from './lineLayout.js';
 import { octahedral } from './octahedral.js';
 import { paddedWords } from './packPull.js';
 
-/** What lines are drawn from (see `lineLayout.ts`). Plain data: the worker posts it back. */
+/** The data that lines are drawn from (`lineLayout.ts`). Plain data: the worker posts it back. */
 export interface PackedLines {
   /** `POINT_WORDS` words per point, padded to whole rows of a texture. */
   points: Uint32Array<ArrayBuffer>;
-  /** `PRIMITIVE_WORDS` words per primitive, padded as well: all triangles, then all edges. */
+  /** `PRIMITIVE_WORDS` words per primitive, all triangles before all edges, padded to whole rows. */
   primitives: Uint32Array<ArrayBuffer>;
   triangleCount: number;
   edgeCount: number;
-  /** x, y, z of each point, to look for contours in. */
+  /** x, y, z of each point, for the search for contours. */
   positions: Float32Array<ArrayBuffer>;
   /** x, y, z of each point's unit normal. */
   normals: Float32Array<ArrayBuffer>;
@@ -24,10 +24,9 @@ export interface PackedLines {
 }
 
 /**
- * Packs the lines of a surface.
+ * Packs the surface that lines are drawn from.
  *
- * @param positions of the vertices that `indices` names
- * @param indices the vertex of each corner in the layout that is baked; its positions are those of the mesh
+ * @param indices the vertex of each corner in the layout that is baked
  */
 export function* packLines(
   { fans, normals, curvatures, edges, radius, mesh }: LineSurface,
@@ -68,11 +67,11 @@ export function* packLines(
   return { points, primitives, triangleCount, edgeCount, positions, normals, radius };
 }
 
-/** The buffers of packed lines, to be transferred with them. */
+/** The buffers of packed lines, which are transferred with them. */
 export const lineBuffers = (lines: PackedLines | null): ArrayBuffer[] =>
   lines === null ? [] : [lines.points.buffer, lines.primitives.buffer, lines.positions.buffer, lines.normals.buffer];
 
-/** Finds the position and a vertex of each fan that some corners belong to. */
+/** Writes the position and a vertex of the fan of each corner in a range. */
 function placeRange(
   meshPositions: Float32Array,
   meshIndices: Uint32Array,

@@ -3,8 +3,8 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import { NO_CORNER } from './splitVertices.js';
 
 /**
- * The normals as an attribute of three floats. With `cornerOfVertex`, one normal per vertex: that of its corner's fan, or +z
- * for NO_CORNER. With null, one normal per corner.
+ * Packs the normals of fans into an attribute of three floats. With `cornerOfVertex` it has one normal per vertex: that of its
+ * corner's fan, or +z for NO_CORNER. With null it has one normal per corner.
  */
 export function* packNormals(
   { fans, normals }: FanNormals,

@@ -5,7 +5,7 @@ import { pullColumns, pullTextureSize, TRIANGLE_WORDS, VERTEX_WORDS } from './pu
 
 /** The textures of the `pull` layout, padded to whole rows (`pullTextureSize`). */
 export interface PackedPull {
-  /** Texels in a row of either texture, if there is more than one row. */
+  /** The number of texels in a row of either texture, if it has more than one row. */
   columns: number;
   /** `TRIANGLE_WORDS` words per triangle. */
   triangleVertices: Uint32Array<ArrayBuffer>;
@@ -13,7 +13,7 @@ export interface PackedPull {
   vertexPositions: Float32Array<ArrayBuffer>;
 }
 
-/** Writes the textures of the `pull` layout. `positions` are those of the vertices that `indices` names. */
+/** Writes the textures of the `pull` layout. `indices` refers to the vertices in `positions`. */
 export function* packPull(
   positions: Float32Array,
   indices: Uint32Array,
@@ -43,7 +43,7 @@ export function* packPull(
   return packed;
 }
 
-/** Words of a texture that holds `entries` entries. A texel has four words. */
+/** The number of words in a texture that holds `entries` entries, padding included. A texel has four words. */
 export function paddedWords(entries: number, wordsPerEntry: number, columns?: number): number {
   const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4, columns);
   return 4 * width * height;

@@ -6,21 +6,21 @@ import type { Fans } from '../normals/buildFans.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
-/** The corner of a vertex that no triangle uses. */
+/** Stands for the corner of a vertex that no triangle uses. */
 export const NO_CORNER = 0xffffffff;
 
 /** What `splitVertices` returns. */
 export interface VertexSplit {
   /** The vertex of each corner. Added vertices follow those of the mesh. */
   indices: Uint32Array<ArrayBuffer>;
-  /** For each added vertex, the one it is a copy of. */
+  /** For each added vertex, the vertex that it is a copy of. */
   addedVertices: Uint32Array<ArrayBuffer>;
-  /** For each vertex, added ones included, a corner that uses it, or NO_CORNER. All corners that use it are of one fan. */
+  /** For each vertex, added ones included, a corner that uses it, or NO_CORNER. All corners that use it belong to one fan. */
   cornerOfVertex: Uint32Array<ArrayBuffer>;
 }
 
 /**
- * Adds copies of the vertices that lie in several fans: one for each fan but the first. Degenerate triangles draw nothing;
+ * Copies the vertices that lie in several fans: one copy for each fan but the first. Degenerate triangles draw nothing, so
  * they keep their vertices and do not count.
  *
  * Few vertices lie in several fans, so the copies are kept in a hash table (open addressing, load of at most one half).
@@ -64,9 +64,11 @@ export function* splitVertices(
   return { indices, addedVertices: corners.map((corner) => mesh.indices[corner]), cornerOfVertex };
 }
 
-/** Copies of vertices: `corners` has the first corner of each. The hash table holds indices into `corners` + 1; 0 is empty. */
+/** The copies of vertices, as a hash table. */
 interface Copies {
+  /** Indices into `corners` + 1; 0 is an empty slot. */
   table: Uint32Array;
+  /** The first corner of each copy. */
   corners: Uint32Array<ArrayBuffer>;
   count: number;
 }
@@ -123,7 +125,7 @@ function splitRange(
   }
 }
 
-/** The number of the copy of the corner's vertex for its fan, made if there is none yet. */
+/** The number of the copy of the corner's vertex for the corner's fan. The copy is made if it does not exist yet. */
 function copyFor(vertices: Uint32Array, ofCorner: Uint32Array, copies: Copies, corner: number): number {
   const { table, corners } = copies;
   const mask = table.length - 1;

@@ -1,7 +1,7 @@
 import { POINT_WORDS } from './lineLayout.js';
 import { readOctahedral } from './octahedral.js';
 
-/** The positions and unit normals of the first `count` points that `packLines` has packed. */
+/** Unpacks the positions and unit normals of the first `count` points that `packLines` has written. */
 export function unpackPoints(
   words: Uint32Array<ArrayBuffer>,
   count: number,

@@ -1,5 +1,5 @@
 import { BufferAttribute, type BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
-import type { BakeResult } from '../bake/bake.js';
+import type { BakeCornersResult } from '../bake/bakeCorners.js';
 import { CORNER_STRIDE, cornerLayout } from '../bake/cornerLayout.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
 import { finishGeometry, setNormals } from './preparedGeometry.js';
@@ -10,7 +10,7 @@ import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
 export function applyCorners(
   geometry: BufferGeometry,
   kept: readonly KeptAttribute[],
-  result: BakeResult & Repairs,
+  result: BakeCornersResult & Repairs,
 ): void {
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   const buffer = new InterleavedBuffer(result.corners, CORNER_STRIDE);

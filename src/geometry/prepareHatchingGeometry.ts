@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import type { BakeRequest } from '../bake/bake.js';
+import type { BakeRequest } from '../bake/bakeCorners.js';
 import type { LineRequest } from '../bake/bakeLines.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
@@ -23,51 +23,56 @@ import { extractWords, type KeptAttribute, keptAttributes } from './vertexAttrib
 /** Options of `prepareHatchingGeometry`. */
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
   /**
-   * What is stored per vertex.
+   * The vertex layout: how the adjacency is stored.
    *
-   * - `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per triangle. For every technique.
-   * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and corners read all six from it: 32 bytes per
-   *   triangle and 16 per vertex. Draws the same pixels. For every technique, and for meshes that deform.
-   * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. Only for `anchored` and `engraved`, which draw without adjacency.
-   * - `'auto'` (default): `'pull'` for a geometry with a skin, with morph targets of position or normal or with more than 200,000
-   *   triangles, where uploading the corners would block the page for some hundred milliseconds; else `'corner'`.
+   * - `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per triangle. It works with every
+   *   technique.
+   * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and every corner reads all six from it: 32 bytes per
+   *   triangle and 16 per vertex. It works with every technique and with meshes that deform, and draws the same pixels as
+   *   `'corner'`.
+   * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. It works only with `anchored` and `engraved`, which
+   *   need no adjacency.
+   * - `'auto'` (default): `'pull'` for a geometry with a skin, with morph targets of position or normal, or with more than
+   *   200,000 triangles, where the upload of all corners would block the page for some hundred milliseconds; otherwise
+   *   `'corner'`.
    */
   layout?: 'auto' | 'corner' | 'pull' | 'indexed' | undefined;
   /**
-   * Triangles whose normals differ by this angle or more, in radians from 0 to π, do not blend across their common edge.
-   * Default π/2, the rule of Suarez et al., section 3.3. Where normals are computed because the geometry has none, they are
-   * split at these edges too.
+   * Triangles whose normals differ by this angle or more, in radians from 0 to π, do not blend across their common edge. If
+   * normals are computed because the geometry has none, they are split at these edges too. Default π/2, the rule of Suarez et
+   * al., section 3.3.
    */
   creaseAngle?: number | undefined;
   /**
-   * The scale of `hatchNormal`, which gives strokes their frame, in object units. Detail finer than this, such as the noise of a
-   * scan, does not bend strokes. Sharp edges stay sharp at any scale. Default: 0.03 times the radius of the bounding sphere;
-   * 0 leaves the normals unsmoothed.
+   * The scale at which `hatchNormal`, the normal that orients strokes, is smoothed, in object units, 0 or more. Detail finer than
+   * this, such as the noise of a scan, does not bend strokes. Sharp edges stay sharp at any scale. 0 leaves the normals as they
+   * are. Default: 0.03 times the radius of the bounding sphere.
    */
   smoothingRadius?: number | undefined;
   /**
-   * Borders whose vertices lie this near each other, along each axis, count as one, as a share of the radius of the bounding
-   * sphere. Default 1e-6, which closes seams that rounding has opened, such as those of three's own sphere and torus; 0 joins
-   * only what lies at exactly the same position. What is drawn keeps its positions.
+   * Borders whose vertices lie this near to each other along each axis are joined, as a share of the radius of the bounding
+   * sphere, 0 or more. 0 joins only vertices at exactly the same position. The positions that are drawn do not change. Default
+   * 1e-6, which closes seams that rounding has opened, such as those of three's own sphere and torus.
    */
   weldTolerance?: number | undefined;
   /**
-   * Bakes what `HatchingLines` draws contours, borders and creases from: 16 bytes per triangle, 32 per vertex and 16 per
-   * feature edge, and 24 per vertex on the heap. `true` or limits of the creases that are drawn. Default: nothing.
+   * Bakes the data that `HatchingLines` draws contours, borders and creases from: on the GPU 16 bytes per triangle, 32 per vertex
+   * and 16 per feature edge, and 24 bytes per vertex on the heap. Pass `true`, or options that decide which edges are creases.
+   * Default: no lines.
    */
   lines?: boolean | LineOptions | undefined;
 }
 
-/** Which edges are creases. */
+/** Decides which edges are drawn as creases. */
 export interface LineOptions {
   /**
-   * Edges whose triangles' normals differ by this angle or more, in radians from 0 to π, are creases. Default: edges sharper
-   * than 50° once the normals are freed of noise.
+   * Edges are creases if the normals of their triangles differ by this angle or more, in radians from 0 to π. Default: edges
+   * with an angle of more than 50° after the normals were filtered against noise.
    */
   creaseAngle?: number | undefined;
   /**
-   * Creases that hang together are drawn if they are this long in all, in object units; 0 draws all. Default: 0.2 times the
-   * radius of the bounding sphere, without which scans bristle.
+   * Connected creases are drawn if they are at least this long in total, in object units; 0 draws all. Default: 0.2 times the
+   * radius of the bounding sphere, because scans have many short creases.
    */
   creaseLength?: number | undefined;
 }
@@ -83,10 +88,10 @@ const PREPARE_OPTIONS = {
 } satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions>, true>;
 
 /**
- * Checks the names of the options and what all tasks have in common.
+ * Checks the names of the options, and the values of those that all tasks have in common.
  *
  * @param more the names of further options that the caller has
- * @throws TypeError naming the caller and the option
+ * @throws TypeError that names the caller and the option
  */
 export const checkPrepareOptions = (
   caller: string,
@@ -96,36 +101,41 @@ export const checkPrepareOptions = (
 
 const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
-/** Triangles above which `'auto'` avoids the layout `'corner'`. */
+/** For more triangles than this, `'auto'` chooses the layout `'pull'`. */
 const MANY_TRIANGLES = 200_000;
 
 /**
- * Makes the geometry that `HatchingMaterial` draws. Runs in a worker. Every layout has the attribute `hatchNormal`, the
- * normal at the scale of a stroke (four normalised 16-bit integers; the last is 0, and `bakeOcclusion` writes there).
+ * Prepares a geometry for `HatchingMaterial`, in a worker. In every layout the new geometry has the attribute `hatchNormal`: the
+ * normal at the scale of a stroke, as four normalised 16-bit integers. The last of them is 0 until `bakeOcclusion` writes to it.
  *
- * - Layout `'corner'`: finds the three neighbours of every triangle and stores, for each corner, the positions of the six
- *   adjacency vertices (Suarez et al., section 3.2, figure 5; see `cornerLayout.ts`). Non-indexed; positions become 32-bit
- *   floats. With normal, uv, colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
- * - Layout `'pull'`: non-indexed too. The indices of the adjacency vertices and their positions lie in two textures that belong
- *   to the geometry and to its clones. They do not survive `toJSON`, and a `BatchedMesh` cannot draw them.
- * - Layout `'indexed'`: the vertices of the source, plus copies of those at sharp edges, which need a normal on either side.
- *   Has an index even if the source had none, 16-bit where that is enough.
+ * - Layout `'corner'` stores, for each corner, the positions of the six adjacency vertices of its triangle (Suarez et al.,
+ *   section 3.2, figure 5; see `cornerLayout.ts`). The geometry has no index; positions become 32-bit floats. With normal, uv,
+ *   colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
+ * - Layout `'pull'` has no index either. The indices and positions of the adjacency vertices lie in two textures that belong to
+ *   the geometry and its clones. They do not survive `toJSON`, and a `BatchedMesh` cannot draw them.
+ * - Layout `'indexed'` keeps the vertices of the source, and adds copies of those at sharp edges, which need a normal for each
+ *   side. The geometry has an index even if the source had none; the index has 16 bits if that is enough.
  *
- * The result is a new geometry of the triangles in the draw range. All other attributes of the source keep their types; morph
- * targets, groups, name and user data are kept too. Normals that are missing, or zero or not finite at a vertex that a triangle
- * uses, are computed. Other values that three reads and that are not finite become 0. Both are counted. `userData.hatching`
- * holds a `HatchingStatistics`. `geometry` itself is never changed.
+ * The result is a new geometry with the triangles in the draw range; `geometry` itself is never changed. The other attributes of
+ * the source keep their types; morph targets, groups, name and user data are kept too. Normals are computed where they are
+ * missing, and where they are zero or not finite at a vertex that a triangle uses. Other values that three.js reads become 0 if
+ * they are not finite. `userData.hatching` holds a `HatchingStatistics`, which counts both.
  *
- * Vertices at the same position count as one, so seams of uv or normal do not separate triangles; so do vertices at borders
- * within the `weldTolerance`, unless that would join a chain wider than four tolerances or collapse a triangle. Border edges,
- * non-manifold edges without a partner and degenerate triangles contribute nothing to their neighbours, and are counted.
+ * Vertices at the same position count as one, so that seams of uvs or normals do not separate triangles. Vertices at borders
+ * count as one if they lie within the `weldTolerance`, unless that would join a chain wider than four tolerances or collapse a
+ * triangle. Border edges, non-manifold edges without a partner and degenerate triangles contribute nothing to their neighbours;
+ * they are counted.
  *
- * Rejects with a TypeError or RangeError that says what to repair, for: something that is not a BufferGeometry; no
- * `position`; no triangles; a count that is not a multiple of three; an index out of range; a position that is not
- * finite; memory that is gone; an attribute shorter than `position`; an option that is unknown or out of its range. Rejects
- * with the signal's reason when aborted, and with an Error when the worker is disposed of meanwhile. When the worker dies, the
- * bake starts once more in a new one, then on the main thread, each with a warning in the console; if `geometry` was changed
- * since, it rejects with an Error instead.
+ * The promise is rejected
+ *
+ * - with a TypeError or RangeError that names the remedy, if `geometry` is not a BufferGeometry, has no `position`, no triangles, a
+ *   count that is not a multiple of three, an index out of range, a position that is not finite, memory that was freed or an
+ *   attribute shorter than `position`; or if an option is unknown or out of its range;
+ * - with the signal's reason, when aborted;
+ * - with an Error, when the worker is disposed of before the bake is finished.
+ *
+ * If the worker dies, the bake starts over in a new worker, and if that dies too, on the main thread, each time with a warning in
+ * the console. If `geometry` has changed since the call, the promise is rejected with an Error instead.
  */
 export async function prepareHatchingGeometry(
   geometry: BufferGeometry,
@@ -170,20 +180,26 @@ export async function prepareHatchingGeometry(
     applyIndexed(prepared, attributes, { ...result, ...repairs });
     return withWorker(prepared, options);
   }
-  const baking = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
-  const bakeAgain = (): BakeRequest => baking(extractAgain());
+  const requestFor = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
+  const requestAgain = (): BakeRequest => requestFor(extractAgain());
   if (layout === 'pull') {
-    applyPull(prepared, kept, { ...(await runTask('bakePull', baking(source), options, bakeAgain)), ...repairs });
+    applyPull(prepared, kept, {
+      ...(await runTask('bakePull', requestFor(source), options, requestAgain)),
+      ...repairs,
+    });
   } else {
-    applyCorners(prepared, kept, { ...(await runTask('bake', baking(source), options, bakeAgain)), ...repairs });
+    applyCorners(prepared, kept, {
+      ...(await runTask('bakeCorners', requestFor(source), options, requestAgain)),
+      ...repairs,
+    });
   }
   return withWorker(prepared, options);
 }
 
-/** What is copied out of a geometry, with its repairs. */
+/** Copies of the data of a geometry that the bake needs, repaired where necessary. */
 interface ExtractedSource extends Repairs {
   mesh: TriangleMesh;
-  /** Of every kept attribute. */
+  /** The values of every kept attribute. */
   copied: VertexWords[];
 }
 
@@ -198,7 +214,7 @@ function extractSource(geometry: BufferGeometry, range: CornerRange, kept: reado
   return { mesh, copied, computedNormals: countUnusableNormals(geometry, mesh.indices), zeroedValues };
 }
 
-/** Lets lines search for contours in the worker that the options name. */
+/** Makes the lines search for contours in a worker of the same `createWorker`. */
 function withWorker(prepared: BufferGeometry, { createWorker }: TaskOptions): BufferGeometry {
   const lines = lineDataOf(prepared);
   if (lines) lines.createWorker = createWorker;

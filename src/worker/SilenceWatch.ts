@@ -1,33 +1,33 @@
-/** Milliseconds between two questions. */
+/** Milliseconds between two pings. */
 const TICK_MS = 1000;
 
-/** Ticks without a sign of life after which the other side counts as gone. */
+/** The number of ticks without a message after which the worker counts as gone. */
 const SILENT_TICKS = 30;
 
-/** Seconds of silence after which the other side counts as gone. */
+/** Seconds without a message after which the worker counts as gone. */
 export const SILENCE_SECONDS = (SILENT_TICKS * TICK_MS) / 1000;
 
 /**
- * Notices that a worker is gone although no event says so: it was terminated, closed itself or was killed by the system. Asks
- * for a sign of life every second; any message is one.
+ * Notices that a worker is gone when no event reports it: because it was terminated, closed itself or was killed by the
+ * system. The watch pings the worker every second; any message from it is a sign of life.
  *
- * A second counts as silent only if the page is visible and the own timer was punctual. In a hidden page, a sleeping computer
- * or under a busy main thread, the worker or its messages may be held up as well, and the count starts anew.
+ * A second counts as silent only if the page is visible and the watch's own timer was punctual. If the page is hidden, the
+ * computer asleep or the main thread busy, the worker or its messages may be delayed too, so the count starts again.
  */
 export class SilenceWatch {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private silentTicks = 0;
 
   /**
-   * @param ask asks for a sign of life
-   * @param onSilence called once, when there was none for {@link SILENCE_SECONDS} seconds
+   * @param ping asks the worker for a sign of life
+   * @param onSilence called once, after {@link SILENCE_SECONDS} seconds without any
    */
   constructor(
-    private readonly ask: () => void,
+    private readonly ping: () => void,
     private readonly onSilence: () => void,
   ) {}
 
-  /** Begins to watch, if it is not watching already. */
+  /** Starts to watch, unless it does already. */
   start(): void {
     if (this.timer !== undefined) return;
     this.silentTicks = 0;
@@ -39,7 +39,7 @@ export class SilenceWatch {
     this.timer = undefined;
   }
 
-  /** To be called with every sign of life. */
+  /** Must be called with every message of the worker. */
   hear(): void {
     this.silentTicks = 0;
   }
@@ -57,7 +57,7 @@ export class SilenceWatch {
       this.onSilence();
       return;
     }
-    this.ask();
+    this.ping();
     this.wait();
   }
 }

@@ -5,16 +5,16 @@ import { requestBuffers } from './requestBuffers.js';
 import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 
-/** Milliseconds after which an idle worker is ended. It holds a thread and tens of megabytes. */
+/** Milliseconds after which an idle worker is terminated, because it holds a thread and tens of megabytes. */
 const IDLE_MS = 10_000;
 
 /** Milliseconds to wait for a new worker's `ready` before falling back to the main thread. */
 const START_MS = 15_000;
 
-/** With so many workers a task may die. Then it runs on the main thread. */
-const MOST_DEATHS = 2;
+/** After a task has died with this many workers, it runs on the main thread. */
+const MAX_DEATHS = 2;
 
-/** Makes a request anew, once its buffers are lost with a worker. */
+/** Makes a request again after its buffers were lost with a worker. */
 export type MakeAgain<Request> = () => Request | Promise<Request>;
 
 /** A request whose promise is pending. */
@@ -23,9 +23,9 @@ interface Pending {
   task: TaskName;
   request: unknown;
   makeAgain: MakeAgain<unknown> | undefined;
-  /** `lost`: its buffers are gone, and are being made anew. */
+  /** Where the request is. `lost`: its buffers are gone, and the request is being made again. */
   place: 'waiting' | 'worker' | 'mainThread' | 'lost';
-  /** How many workers have died with it. */
+  /** The number of workers that have died while they ran the request. */
   deaths: number;
   /** Highest progress reported so far. */
   progress: number;
@@ -36,39 +36,39 @@ interface Pending {
   release(): void;
 }
 
-/** `starting`: waits for `ready`. `unavailable`: there is no worker, tasks run on the main thread. */
+/** `starting`: the worker has not yet sent `ready`. `unavailable`: there can be no worker, so tasks run on the main thread. */
 type State = 'none' | 'starting' | 'ready' | 'unavailable';
 
 /**
- * Runs tasks in one worker. It starts with the first request and ends after it has been idle for a while.
+ * Runs tasks in one worker. The worker starts with the first request, and is terminated after it has been idle for a while.
  *
  * - Any number of requests may be pending; the worker interleaves them.
- * - Without a worker, the tasks run in slices on the main thread. That is so where there is no `Worker`, and where a
- *   Content-Security-Policy forbids it, by an exception or by an error event. Requests are posted only after the worker has
- *   reported `ready`, so a worker that never starts loses nothing.
- * - When a running worker dies, the buffers of its requests are lost with it. Requests that can be made anew start once more in a
- *   new worker, and if that dies too, on the main thread; the others are rejected. That it has died is told by an event, by the
- *   lock that it held, or by its silence.
+ * - If there is no `Worker`, or a Content-Security-Policy forbids it (which shows as an exception or as an error event), the
+ *   tasks run in slices on the main thread. Requests are posted only after the worker has sent `ready`, so a worker that never
+ *   starts loses nothing.
+ * - When a running worker dies, the buffers of its requests are lost with it. Requests that can be made again start over in a
+ *   new worker and, if that dies too, on the main thread; the others are rejected. The client learns of a death from an event,
+ *   from the lock that the worker held, or from its silence.
  */
 export class TaskClient {
   private worker: Worker | null = null;
   private state: State = 'none';
   private nextId = 0;
   private readonly pending = new Map<number, Pending>();
-  /** While starting: the limit for `ready`. While idle: the time until the worker is ended. */
+  /** While starting: the time limit for `ready`. While idle: the time until the worker is terminated. */
   private timer: ReturnType<typeof setTimeout> | undefined;
-  /** Stops waiting for the end of the worker. */
+  /** Stops waiting for the lock that the worker holds. */
   private forgetLock: () => void = () => {};
-  /** Watches over a worker that has work to do. */
+  /** Watches a worker while it has work to do. */
   private readonly watch = new SilenceWatch(
     () => this.send({ type: 'ping' }),
     () => this.onWorkerError(`it gave no sign of life for ${SILENCE_SECONDS} s`),
   );
 
   /**
-   * @param createWorker makes the worker, or returns null if there is none; may throw.
-   * @param onIdle called after an idle worker has been ended.
-   * @param warn says that no worker could be started, or that one has died and what becomes of its tasks.
+   * @param createWorker creates the worker, or returns null if there is none; may throw.
+   * @param onIdle called after an idle worker was terminated.
+   * @param warn called with a sentence when no worker could be started, or when a worker has died.
    */
   constructor(
     private readonly createWorker: () => Worker | null,
@@ -76,12 +76,12 @@ export class TaskClient {
     private readonly warn: (sentence: string) => void = (sentence) => console.warn(sentence),
   ) {}
 
-  /** How many requests are pending. */
+  /** The number of pending requests. */
   get pendingCount(): number {
     return this.pending.size;
   }
 
-  /** Whether there is no worker, and tasks run on the main thread. */
+  /** Whether there can be no worker, so that tasks run on the main thread. */
   get isUnavailable(): boolean {
     return this.state === 'unavailable';
   }
@@ -89,10 +89,10 @@ export class TaskClient {
   /**
    * Runs a task. The buffers of `request` are transferred: pass copies of what you want to keep. Rejects with the signal's
    * reason when aborted, with the task's error, with an Error when the worker is disposed of, or with a TypeError when
-   * `createWorker` makes no Worker.
+   * `createWorker` returns no Worker.
    *
-   * @param makeAgain makes the same request once more. Without it, or if it fails, the promise is rejected with an Error when
-   *   the worker dies.
+   * @param makeAgain makes the same request again. Without it, or if it fails, the promise is rejected with an Error when the
+   *   worker dies.
    */
   run<Name extends TaskName>(
     task: Name,
@@ -103,7 +103,7 @@ export class TaskClient {
     const { signal } = options;
     if (signal?.aborted) return Promise.reject(signal.reason);
     return new Promise<unknown>((resolve, reject) => {
-      // What this throws rejects the promise.
+      // An exception in here rejects the promise.
       this.start();
       const id = this.nextId++;
       const onAbort = () => {
@@ -130,7 +130,7 @@ export class TaskClient {
     }) as Promise<TaskResult<Name>>;
   }
 
-  /** Ends the worker and rejects all pending requests. The client stays usable: the next request starts a new worker. */
+  /** Terminates the worker and rejects all pending requests. The client stays usable: the next request starts a new worker. */
   dispose(): void {
     this.fail(
       new Error(
@@ -182,7 +182,7 @@ export class TaskClient {
       this.beginAll();
       this.startIdleTimer();
     } else if (message.type === 'alive') {
-      // It was heard; there is no more to it.
+      // The watch has heard it, and that is all it is for.
     } else if (message.type === 'progress') {
       this.report(message.id, message.progress);
     } else if (message.type === 'done') {
@@ -213,17 +213,17 @@ export class TaskClient {
     for (const entry of this.pending.values()) this.begin(entry);
   }
 
-  /** Lets a request run that waits, unless it must wait for a worker that is starting. */
+  /** Runs a waiting request, unless the worker is still starting. */
   private begin(entry: Pending): void {
     if (entry.place !== 'waiting') return;
-    if (this.state === 'unavailable' || entry.deaths >= MOST_DEATHS) this.runOnMainThread(entry);
+    if (this.state === 'unavailable' || entry.deaths >= MAX_DEATHS) this.runOnMainThread(entry);
     else if (this.state === 'ready') this.dispatch(entry);
   }
 
   private dispatch(entry: Pending): void {
     const { id, task, request } = entry;
     entry.place = 'worker';
-    // They are given away. What is left of them need not be kept.
+    // Its buffers are about to be transferred, so there is nothing left to keep.
     entry.request = undefined;
     this.watch.start();
     try {
@@ -242,7 +242,7 @@ export class TaskClient {
       controller.abort();
     };
     const onProgress = (progress: number) => this.report(id, progress);
-    // Loaded only here: the worker has this code already, and no page should carry it twice.
+    // Loaded only when it is needed: the worker contains this code already, and most pages need it only there.
     import('./tasks.js')
       .then(({ taskNamed }) => runSliced(taskNamed(task).run(request), { signal: controller.signal, onProgress }))
       .then(
@@ -251,7 +251,7 @@ export class TaskClient {
       );
   }
 
-  /** The worker did not start: run this and all later tasks on the main thread. */
+  /** The worker did not start: this and all later tasks run on the main thread. */
   private fallBack(reason: unknown): void {
     const text = reason instanceof Error ? reason.message : String(reason);
     this.warn(
@@ -273,13 +273,13 @@ export class TaskClient {
     );
     for (const entry of lost) this.startAgain(entry, death);
     if (!lost.some(({ makeAgain }) => makeAgain)) return;
-    const isLast = lost.some(({ deaths }) => deaths >= MOST_DEATHS);
+    const isLast = lost.some(({ deaths }) => deaths >= MAX_DEATHS);
     this.warn(
-      `three-hatching: the worker died (${reason}). ${isLast ? 'The main thread computes once more what it was doing, in slices.' : 'A new worker starts once more what it was doing.'}`,
+      `three-hatching: the worker died (${reason}). ${isLast ? 'Its tasks start over on the main thread, in slices.' : 'Its tasks start over in a new worker.'}`,
     );
   }
 
-  /** Makes a request anew that was lost with a worker, and lets it run where no worker has died with it yet. */
+  /** Makes a request again that was lost with a worker, and runs it: in a new worker after one death, else on the main thread. */
   private async startAgain(entry: Pending, death: Error): Promise<void> {
     entry.place = 'lost';
     entry.deaths++;
@@ -287,7 +287,7 @@ export class TaskClient {
       if (!entry.makeAgain) throw death;
       entry.request = await entry.makeAgain();
       if (!this.pending.has(entry.id)) return;
-      if (entry.deaths < MOST_DEATHS) this.start();
+      if (entry.deaths < MAX_DEATHS) this.start();
       entry.place = 'waiting';
       this.begin(entry);
     } catch (cause) {
@@ -296,7 +296,7 @@ export class TaskClient {
     }
   }
 
-  /** Ends the worker and rejects all pending requests. */
+  /** Terminates the worker and rejects all pending requests. */
   private fail(error: Error): void {
     this.end('none');
     for (const id of [...this.pending.keys()]) this.settle(id)?.reject(error);
@@ -308,7 +308,7 @@ export class TaskClient {
     this.forgetLock();
     this.forgetLock = () => {};
     if (this.worker) {
-      // Messages of the ended worker may still arrive.
+      // Messages of the terminated worker may still arrive.
       this.worker.onmessage = this.worker.onmessageerror = this.worker.onerror = null;
       this.worker.terminate();
     }
@@ -316,7 +316,7 @@ export class TaskClient {
     this.state = state;
   }
 
-  /** Removes a request from the pending ones. Returns undefined if it was settled before. */
+  /** Removes a request from the pending ones and returns it, or undefined if it was settled before. */
   private settle(id: number): Pending | undefined {
     const entry = this.pending.get(id);
     if (!entry) return undefined;

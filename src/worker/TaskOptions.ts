@@ -5,15 +5,15 @@ export interface TaskOptions {
   /** Called with rising values in [0, 1]. */
   onProgress?: ((progress: number) => void) | undefined;
   /**
-   * Makes the worker. The default worker is inlined. Where the Content-Security-Policy forbids that (`worker-src` without
-   * `blob:`), pass one from your own origin. With Vite for example:
+   * Creates a worker. By default the library inlines its worker. If your Content-Security-Policy forbids that (`worker-src`
+   * without `blob:`), create one from your own origin. With Vite for example:
    *
    *     import BakeWorker from 'three-hatching/bake.worker?worker';
    *     const createWorker = () => new BakeWorker();
    *
-   * Anything but a Worker is refused with a TypeError. Requests with the same function share workers: one
-   * per core while there is work for them, four at most. So keep the function.
-   * Where no worker can be made, tasks run on the main thread in slices of a few milliseconds.
+   * A function that returns anything but a Worker causes a TypeError. Requests with the same function share their workers (one
+   * per core while there is work for them, four at most), so always pass the same function. If no worker can be started, tasks
+   * run on the main thread in slices of a few milliseconds.
    */
   createWorker?: (() => Worker) | undefined;
 }

@@ -2,26 +2,26 @@ import type { SlicedOptions } from '../slices/runSliced.js';
 import { type MakeAgain, TaskClient } from './TaskClient.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
 
-/** More workers than this at once hold more memory than they save time. */
-const MOST_WORKERS = 4;
+/** The largest number of workers at once. More of them would cost more memory than they save time. */
+const MAX_WORKERS = 4;
 
-/** How many workers a page uses at most: one per core, up to four. */
-export function mostWorkers(): number {
+/** The largest number of workers that a page uses: one per core, up to four. */
+export function maxWorkers(): number {
   const cores = typeof navigator === 'undefined' ? 1 : navigator.hardwareConcurrency || 1;
-  return Math.min(cores, MOST_WORKERS);
+  return Math.min(cores, MAX_WORKERS);
 }
 
 /**
- * Runs tasks in several workers. Each request goes to the worker that has the fewest; another one starts while all of them are
- * busy, up to `mostWorkers`. Where one could not be started, no other is tried.
+ * Runs tasks in several workers. Each request goes to the worker with the fewest pending requests; while all workers are busy,
+ * another one is started, up to `maxWorkers`. If a worker could not be started, no other is tried.
  */
 export class WorkerPool {
   private readonly clients: TaskClient[] = [];
   private readonly warnings = new Set<string>();
 
   /**
-   * @param createWorker makes a worker, or returns null if there is none; may throw.
-   * @param onIdle called after the last idle worker has been ended.
+   * @param createWorker creates a worker, or returns null if there is none; may throw.
+   * @param onIdle called after the last idle worker was terminated.
    */
   constructor(
     private readonly createWorker: () => Worker | null,
@@ -38,7 +38,7 @@ export class WorkerPool {
     return this.choose().run(task, request, options, makeAgain);
   }
 
-  /** Ends all workers and rejects all pending requests. */
+  /** Terminates all workers and rejects all pending requests. */
   dispose(): void {
     for (const client of this.clients.splice(0)) client.dispose();
   }
@@ -47,14 +47,14 @@ export class WorkerPool {
     const { clients } = this;
     let least: TaskClient | undefined;
     for (const client of clients) if (!least || client.pendingCount < least.pendingCount) least = client;
-    const mayGrow = clients.length < mostWorkers() && clients.every(({ isUnavailable }) => !isUnavailable);
+    const mayGrow = clients.length < maxWorkers() && clients.every(({ isUnavailable }) => !isUnavailable);
     if (least && (least.pendingCount === 0 || !mayGrow)) return least;
     const client = new TaskClient(this.createWorker, () => this.remove(client), this.warnOnce);
     clients.push(client);
     return client;
   }
 
-  /** Several may have been started before the first was refused, or die one after another. */
+  /** Warns only once, since several workers may fail to start, or die, for the same reason. */
   private readonly warnOnce = (sentence: string): void => {
     if (!this.warnings.has(sentence)) console.warn(sentence);
     this.warnings.add(sentence);

@@ -3,9 +3,9 @@ import { holdLifeLock } from './lifeLock.js';
 import { type FromWorker, packError, type ToWorker } from './protocol.js';
 import { taskNamed } from './tasks.js';
 
-/** The worker: runs requests in slices, so that several can take turns and abort messages arrive. */
+/** The worker runs requests in slices, so that several can take turns and abort messages can arrive in between. */
 
-/** The members of a worker's global scope that are used here; TypeScript's DOM types describe a window. */
+/** The members of a worker's global scope that are used here. TypeScript's DOM types only describe a window. */
 interface WorkerScope {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
   postMessage(message: FromWorker, transfer?: Transferable[]): void;

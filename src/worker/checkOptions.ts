@@ -4,9 +4,9 @@ import type { TaskOptions } from './TaskOptions.js';
 const TASK_OPTIONS = { signal: true, onProgress: true, createWorker: true } satisfies Record<keyof TaskOptions, true>;
 
 /**
- * Checks that `options` is an object with no other names than those in `known`.
+ * Checks that `options` is an object that has no other names than those in `known`.
  *
- * @throws TypeError naming the caller, what is wrong and the names that are known
+ * @throws TypeError that names the caller, the fault and the known names
  */
 export function checkNames(
   caller: string,
@@ -25,10 +25,10 @@ export function checkNames(
 }
 
 /**
- * Checks the names of all options and the values of those that every long task has.
+ * Checks the names of all options, and the values of those that every long task has (`TaskOptions`).
  *
- * @param own the names of the options beside those
- * @throws TypeError naming the caller, the option and what it may be
+ * @param own the names of the options that the caller has beside those of `TaskOptions`
+ * @throws TypeError that names the caller, the option and the values it may have
  */
 export function checkOptions(caller: string, options: TaskOptions, own: Readonly<Record<string, true>> = {}): void {
   checkNames(caller, 'options', options, { ...own, ...TASK_OPTIONS });
@@ -44,10 +44,10 @@ export function checkOptions(caller: string, options: TaskOptions, own: Readonly
   }
 }
 
-/** null stands for left out, as for `fetch`. */
+/** null counts as left out, as it does for `fetch`. */
 const isGiven = <Value>(value: Value | null | undefined): value is Value => value !== undefined && value !== null;
 
-/** Not `instanceof`: a signal may come from another frame. */
+/** `instanceof` would refuse a signal that comes from another frame. */
 const isSignal = (signal: Partial<AbortSignal>): boolean =>
   typeof signal.aborted === 'boolean' && typeof signal.throwIfAborted === 'function';
 

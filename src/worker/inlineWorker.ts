@@ -1,4 +1,4 @@
 import BakeWorker from './bake.worker.js?worker&inline';
 
-/** A worker from the code that the library carries within itself. A file of its own, loaded with the first task. */
+/** Creates the worker that is inlined in the library. It has a file of its own, which is loaded with the first task. */
 export const createInlineWorker = (): Worker => new BakeWorker();

@@ -1,9 +1,10 @@
 /**
- * The browser gives back the locks of a worker as soon as it has ended, whatever has ended it. So whoever waits for a lock that a
- * worker holds all its life knows at once when it is gone, where no event tells. Only in secure contexts (https, localhost).
+ * The browser releases the locks of a worker as soon as the worker has ended, whatever the reason. So a page that waits for a
+ * lock which the worker holds all its life learns at once that the worker is gone, even if no event reports it. Locks exist only
+ * in secure contexts (https, localhost).
  */
 
-/** Takes a lock until this worker ends. Returns its name; undefined where there are no locks. */
+/** Holds a lock until this worker ends. Returns the name of the lock, or undefined if there are no locks. */
 export function holdLifeLock(): Promise<string | undefined> {
   const { locks } = navigator;
   if (!locks) return Promise.resolve(undefined);
@@ -13,12 +14,12 @@ export function holdLifeLock(): Promise<string | undefined> {
       resolve(name);
       return new Promise(() => {});
     };
-    // Refused where the worker has no origin, as from a data: address.
+    // The request is refused if the worker has no origin, for example if it comes from a data: URL.
     locks.request(name, hold).catch(() => resolve(undefined));
   });
 }
 
-/** Calls `onEnd` when the worker that holds a lock has ended. Returns what stops waiting. */
+/** Calls `onEnd` when the worker that holds `lock` has ended. Returns a function that stops waiting. */
 export function awaitEnd(lock: string, onEnd: () => void): () => void {
   const waiting = new AbortController();
   navigator.locks.request(lock, { signal: waiting.signal }, onEnd).catch(() => {});

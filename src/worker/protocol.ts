@@ -1,6 +1,6 @@
 import type { TaskName } from './tasks.js';
 
-/** What the client sends to the worker. `id` is the client's number for one request. */
+/** The messages from the client to the worker. `id` is the client's number for a request. */
 export type ToWorker =
   | { type: 'run'; id: number; task: TaskName; request: unknown }
   /** Stops the request. The worker sends no reply. */
@@ -8,9 +8,9 @@ export type ToWorker =
   /** Asks for a sign of life. */
   | { type: 'ping' };
 
-/** What the worker sends to the client. */
+/** The messages from the worker to the client. */
 export type FromWorker =
-  /** The first message: the script has loaded. Requests are posted only after it. `lock` is what it holds as long as it lives. */
+  /** The first message: the script has loaded, and requests may be posted. The worker holds `lock` as long as it lives. */
   | { type: 'ready'; lock?: string | undefined }
   /** The answer to `ping`, between two slices of work. */
   | { type: 'alive' }
@@ -18,7 +18,7 @@ export type FromWorker =
   | { type: 'done'; id: number; result: unknown }
   | { type: 'failed'; id: number; error: TransportedError };
 
-/** An error as plain data. Structured clone would also carry errors, but not in the same way in every browser. */
+/** An error as plain data. Structured clones of errors would differ between browsers. */
 export interface TransportedError {
   name: string;
   message: string;
@@ -31,7 +31,7 @@ export function packError(error: unknown): TransportedError {
   return { name: 'Error', message: String(error) };
 }
 
-/** Rebuilds the error: as an instance of its class if that is a common one, otherwise as an Error of the same name. */
+/** Rebuilds the error as an instance of its class if that is one of `errorClasses`, otherwise as an Error of the same name. */
 export function unpackError({ name, message }: TransportedError): Error {
   const error = new (errorClasses[name] ?? Error)(message);
   error.name = name;

@@ -5,7 +5,7 @@ import { occlusionMeshBuffers, occlusionSceneBuffers } from '../occlusion/occlus
 import type { TaskName, TaskRequest } from './tasks.js';
 
 const buffersOf: { [Name in TaskName]: (request: TaskRequest<Name>) => ArrayBuffer[] } = {
-  bake: bakeRequestBuffers,
+  bakeCorners: bakeRequestBuffers,
   bakeIndexed: bakeRequestBuffers,
   bakePull: bakeRequestBuffers,
   searchContours: contourSearchBuffers,
@@ -16,5 +16,5 @@ const buffersOf: { [Name in TaskName]: (request: TaskRequest<Name>) => ArrayBuff
   addDirections: ({ scene }) => occlusionSceneBuffers(scene),
 };
 
-/** The buffers transferred with a request, whose type `runTask` has checked: the sender loses them. */
+/** The buffers that are transferred with a request, so that the sender loses them. `runTask` has checked its type. */
 export const requestBuffers = (name: TaskName, request: unknown): ArrayBuffer[] => buffersOf[name](request as never);

@@ -9,7 +9,7 @@ const createNoWorker: CreateWorker = () => null;
 
 let inlineWorker: Promise<CreateWorker> | undefined;
 
-/** Loads what makes the library's own worker, once; again if that failed, as without a network. */
+/** Loads the code that creates the inlined worker, once. If that fails, as it does without a network, the next call tries again. */
 function loadInlineWorker(): Promise<CreateWorker> {
   inlineWorker ??= import('./inlineWorker.js').then(
     ({ createInlineWorker }) => createInlineWorker,
@@ -21,7 +21,7 @@ function loadInlineWorker(): Promise<CreateWorker> {
   return inlineWorker;
 }
 
-/** One pool per `createWorker` function, for as long as it has a worker. */
+/** The pool of each `createWorker` function, as long as it has a worker. */
 const pools = /* @__PURE__ */ new Map<CreateWorker, WorkerPool>();
 
 function poolFor(createWorker: CreateWorker): WorkerPool {
@@ -34,10 +34,10 @@ function poolFor(createWorker: CreateWorker): WorkerPool {
 }
 
 /**
- * Runs a task in a worker of the page, or in one of `options.createWorker`; without workers, in slices on the main
- * thread. The buffers of `request` are transferred: pass copies of what you want to keep.
+ * Runs a task in a worker: in one that `options.createWorker` creates, or else in the inlined one. Without workers it runs in
+ * slices on the main thread. The buffers of `request` are transferred: pass copies of what you want to keep.
  *
- * @param makeAgain makes the same request once more, with which the task starts again if its worker dies
+ * @param makeAgain makes the same request again, so that the task can start over if its worker dies
  */
 export function runTask<Name extends TaskName>(
   name: Name,
@@ -52,8 +52,8 @@ export function runTask<Name extends TaskName>(
 }
 
 /**
- * Ends every worker that three-hatching has started and rejects all pending requests. Rarely needed: idle workers end by
- * themselves. The next request starts a new one.
+ * Terminates every worker that three-hatching has started and rejects all pending requests. You will rarely need it: idle
+ * workers end after a few seconds. The next request starts a new worker.
  */
 export function disposeHatchingWorkers(): void {
   for (const pool of pools.values()) pool.dispose();

@@ -1,4 +1,4 @@
-import { bake, bakeResultBuffers } from '../bake/bake.js';
+import { bakeCorners, bakeCornersResultBuffers } from '../bake/bakeCorners.js';
 import { bakeIndexed, bakeIndexedResultBuffers } from '../bake/bakeIndexed.js';
 import { bakePull, bakePullResultBuffers } from '../bake/bakePull.js';
 import { type ContourSearchResult, searchContours } from '../features/contourCandidates.js';
@@ -16,7 +16,7 @@ import { startOcclusion } from '../occlusion/startOcclusion.js';
 interface Task<Request, Result> {
   /** Yields its progress in [0, 1] every few milliseconds of work. */
   run(request: Request): Generator<number, Result, void>;
-  /** The buffers transferred back with the result. */
+  /** The buffers that are transferred back with the result. */
   resultBuffers(result: Result): ArrayBuffer[];
 }
 
@@ -25,9 +25,9 @@ const task = <Request, Result>(definition: Task<Request, Result>): Task<Request,
 const thresholdBuffers = (levels: ThresholdLevel[]): ArrayBuffer[] =>
   levels.flatMap(({ thresholds, encoded }) => [thresholds.buffer as ArrayBuffer, encoded.buffer as ArrayBuffer]);
 
-/** Every task of the worker, by name. */
+/** All tasks of the worker, by name. */
 export const tasks = {
-  bake: /* @__PURE__ */ task({ run: bake, resultBuffers: bakeResultBuffers }),
+  bakeCorners: /* @__PURE__ */ task({ run: bakeCorners, resultBuffers: bakeCornersResultBuffers }),
   bakeIndexed: /* @__PURE__ */ task({ run: bakeIndexed, resultBuffers: bakeIndexedResultBuffers }),
   bakePull: /* @__PURE__ */ task({ run: bakePull, resultBuffers: bakePullResultBuffers }),
   searchContours: /* @__PURE__ */ task({
@@ -54,5 +54,5 @@ export type TaskName = keyof typeof tasks;
 export type TaskRequest<Name extends TaskName> = Parameters<(typeof tasks)[Name]['run']>[0];
 export type TaskResult<Name extends TaskName> = Parameters<(typeof tasks)[Name]['resultBuffers']>[0];
 
-/** The task `name` without its types, which `runTask` has checked. */
+/** The task called `name`, without its types, which `runTask` has checked. */
 export const taskNamed = (name: TaskName): Task<unknown, unknown> => tasks[name] as unknown as Task<unknown, unknown>;

@@ -45,10 +45,8 @@ test('though worker after worker dies midway, the geometry has the same bytes, a
   expect(died).toEqual(expected);
   const told = pageProblems.splice(0);
   expect(told).toHaveLength(2);
-  expect(told[0]).toMatch(
-    /the worker died \(.*killed by the test.*\)\. A new worker starts once more what it was doing/,
-  );
-  expect(told[1]).toMatch(/the worker died \(.*killed by the test.*\)\. The main thread computes once more/);
+  expect(told[0]).toMatch(/the worker died \(.*killed by the test.*\)\. Its tasks start over in a new worker/);
+  expect(told[1]).toMatch(/the worker died \(.*killed by the test.*\)\. Its tasks start over on the main thread/);
 });
 
 test('a worker that closes itself midway without an event is replaced at once', async ({ page, pageProblems }) => {
@@ -61,7 +59,7 @@ test('a worker that closes itself midway without an event is replaced at once', 
   expect(closed).toEqual({ triangles: [180_000, 12], workers: 2 });
   const told = pageProblems.splice(0);
   expect(told).toHaveLength(1);
-  expect(told[0]).toMatch(/the worker died \(it has ended\)\. A new worker starts once more what it was doing/);
+  expect(told[0]).toMatch(/the worker died \(it has ended\)\. Its tasks start over in a new worker/);
 });
 
 test('requests take turns in one worker: a small one does not wait for a large one', async ({ page }) => {

@@ -3,7 +3,7 @@
 export { consistentTwins } from '../../src/adjacency/consistentTwins.js';
 export { joinBorders } from '../../src/adjacency/joinBorders.js';
 export { pairEdges } from '../../src/adjacency/pairEdges.js';
-export { bake } from '../../src/bake/bake.js';
+export { bakeCorners } from '../../src/bake/bakeCorners.js';
 export { bakeIndexed } from '../../src/bake/bakeIndexed.js';
 export { bakePull } from '../../src/bake/bakePull.js';
 export { DEFAULT_SMOOTHING_SHARE, nearnessOf, type Surface } from '../../src/bake/bakeSurface.js';

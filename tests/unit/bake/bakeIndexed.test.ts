@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { bake } from '../../../src/bake/bake.js';
+import { bakeCorners } from '../../../src/bake/bakeCorners.js';
 import { bakeIndexed, bakeIndexedResultBuffers } from '../../../src/bake/bakeIndexed.js';
 import { bakeRequestBuffers } from '../../../src/bake/bakeRequestBuffers.js';
 import type { SurfaceRequest } from '../../../src/bake/bakeSurface.js';
@@ -162,7 +162,7 @@ test('every corner of any mesh has the normal and position it has in the corner 
           seeds.map((seed) => seed.map((value) => value % vertices.length)),
         );
         const options = { smoothingRadius };
-        const corners = finish(bake({ ...requestFor(mesh, options), attributes: [] }));
+        const corners = finish(bakeCorners({ ...requestFor(mesh, options), attributes: [] }));
         const { indices, addedVertices, hatchNormals, degenerateTriangles } = bakeOf(mesh, options);
         const sourceOf = (vertex: number) =>
           vertex < vertices.length ? vertex : addedVertices[vertex - vertices.length];

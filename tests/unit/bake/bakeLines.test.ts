@@ -2,7 +2,7 @@ import { isDeepStrictEqual } from 'node:util';
 import fc from 'fast-check';
 import { DataUtils, IcosahedronGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import { type BakeRequest, bake, bakeResultBuffers } from '../../../src/bake/bake.js';
+import { type BakeRequest, bakeCorners, bakeCornersResultBuffers } from '../../../src/bake/bakeCorners.js';
 import { bakeIndexed, bakeIndexedResultBuffers } from '../../../src/bake/bakeIndexed.js';
 import { bakePull, bakePullResultBuffers } from '../../../src/bake/bakePull.js';
 import { POINT_MASK } from '../../../src/bake/lineLayout.js';
@@ -40,7 +40,7 @@ const flagsOf = ({ primitives, triangleCount, edgeCount }: PackedLines): number[
 
 describe.each(meshes)('%s', (_, mesh) => {
   test('has the same bytes with lines as without, apart from the lines', () => {
-    for (const task of [bake, bakeIndexed, bakePull]) {
+    for (const task of [bakeCorners, bakeIndexed, bakePull]) {
       const run = (options: Partial<BakeRequest>) =>
         finish<{ lines: PackedLines | null }>(task(requestFor(mesh, options)));
       const without = run({});
@@ -58,7 +58,7 @@ describe.each(meshes)('%s', (_, mesh) => {
   test('transfers the lines with every layout, each buffer once', () => {
     const request = requestFor(mesh, { lines });
     const all = [
-      [finish(bake(request)), bakeResultBuffers] as const,
+      [finish(bakeCorners(request)), bakeCornersResultBuffers] as const,
       [finish(bakeIndexed(request)), bakeIndexedResultBuffers] as const,
       [finish(bakePull(request)), bakePullResultBuffers] as const,
     ];
@@ -75,7 +75,7 @@ describe.each(meshes)('%s', (_, mesh) => {
 
   test('has the same lines in every layout, with the vertices of that layout', () => {
     const request = requestFor(mesh, { lines });
-    const corner = finish(bake(request)).lines!;
+    const corner = finish(bakeCorners(request)).lines!;
     const indexed = finish(bakeIndexed(request));
     const pull = finish(bakePull(request));
     const withoutVertices = (packed: PackedLines) => ({
@@ -104,14 +104,14 @@ describe.each(meshes)('%s', (_, mesh) => {
   });
 
   test('reports a progress that rises and ends at 1', () => {
-    const progress = [...bake(requestFor(mesh, { lines }))];
+    const progress = [...bakeCorners(requestFor(mesh, { lines }))];
     expect(progress).toEqual(progress.toSorted((a, b) => a - b));
     expect(progress.at(-1)).toBe(1);
   });
 });
 
 test('normals of the lines are those of the shape, of unit length, one on each side of a sharp edge', () => {
-  const box = finish(bake(requestFor(cube(2), { lines }))).lines!;
+  const box = finish(bakeCorners(requestFor(cube(2), { lines }))).lines!;
   expect(box.triangleCount).toBe(48);
   for (let i = 0; i < box.normals.length; i += 3) {
     expect([...box.normals.subarray(i, i + 3)].map(Math.abs).sort()).toEqual([0, 0, 1]);
@@ -156,7 +156,7 @@ test('creases are drawn from a fifth of the bounding radius on, and as the optio
       ],
     );
   const creases = (length: number, options = {}) => {
-    const found = finish(bake(requestFor(tent(length), { lines: { ...lines, ...options } }))).lines!;
+    const found = finish(bakeCorners(requestFor(tent(length), { lines: { ...lines, ...options } }))).lines!;
     return flagsOf(found).filter((flags) => flags & CREASE).length;
   };
   // The radius is about 10.5.
@@ -190,12 +190,12 @@ test('specks of a scan take the normals of what they lie on, in the lines alone'
   );
   expect(tilted(linesOf(few, { smoothingRadius: 0 }))).toEqual([true, true, true]);
   const hatchNormals = (options: Partial<BakeRequest>) =>
-    finish(bake(requestFor(scan, { smoothingRadius: 0, ...options }))).hatchNormals;
+    finish(bakeCorners(requestFor(scan, { smoothingRadius: 0, ...options }))).hatchNormals;
   expect(isDeepStrictEqual(hatchNormals({ lines }), hatchNormals({}))).toBe(true);
 });
 
 test('the crease angle of the adjacency cuts no borders into the lines', () => {
-  const found = finish(bake(requestFor(cube(2), { creaseAngle: 0, lines }))).lines!;
+  const found = finish(bakeCorners(requestFor(cube(2), { creaseAngle: 0, lines }))).lines!;
   expect(flagsOf(found).filter((flags) => flags & BORDER)).toEqual([]);
   expect(flagsOf(found).filter((flags) => flags & CREASE)).toHaveLength(24);
 });
@@ -221,7 +221,7 @@ test('any mesh has lines without NaN, that name points at the places of their co
         expect(surface.normals.every(Number.isFinite)).toBe(true);
         expect(surface.curvatures.some(Number.isNaN)).toBe(false);
         const { points, primitives, positions, triangleCount, edgeCount } = finish(
-          bake(requestFor(mesh, { lines: { ...lines, creaseAngle } })),
+          bakeCorners(requestFor(mesh, { lines: { ...lines, creaseAngle } })),
         ).lines!;
         const count = positions.length / 3;
         for (let point = 0; point < count; point++) {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { type BakeRequest, bake } from '../../../src/bake/bake.js';
+import { type BakeRequest, bakeCorners } from '../../../src/bake/bakeCorners.js';
 import { bakePull, bakePullResultBuffers } from '../../../src/bake/bakePull.js';
 import { bakeRequestBuffers } from '../../../src/bake/bakeRequestBuffers.js';
 import { CORNER_STRIDE } from '../../../src/bake/cornerLayout.js';
@@ -29,7 +29,7 @@ describe.each(meshes)('%s', (_, mesh) => {
   test.each([false, true])(
     'finds the vertices whose positions the corner layout has (normals added: %s)',
     (wantsNormals) => {
-      const corner = finish(bake(requestFor(mesh, { wantsNormals })));
+      const corner = finish(bakeCorners(requestFor(mesh, { wantsNormals })));
       const pull = finish(bakePull(requestFor(mesh, { wantsNormals })));
       const { triangleVertices: words, vertexPositions } = pull;
       const positionOf = (vertex: number) => [...vertexPositions.subarray(4 * vertex, 4 * vertex + 3)];

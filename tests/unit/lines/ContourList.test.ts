@@ -1,6 +1,6 @@
 import { Vector4 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { bake } from '../../../src/bake/bake.js';
+import { bakeCorners } from '../../../src/bake/bakeCorners.js';
 import { findCandidates } from '../../../src/features/contourCandidates.js';
 import { LineData } from '../../../src/geometry/LineData.js';
 import { ContourList } from '../../../src/lines/ContourList.js';
@@ -14,7 +14,7 @@ afterEach(() => disposeHatchingWorkers());
 
 const packedOf = (mesh: TriangleMesh) =>
   finish(
-    bake({
+    bakeCorners({
       label: 'test',
       mesh,
       creaseAngle: Math.PI / 2,

@@ -1,6 +1,6 @@
 import { BufferGeometry, InstancedMesh, Matrix4, MeshBasicMaterial, Sphere, Vector3, Vector4 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { bake } from '../../../src/bake/bake.js';
+import { bakeCorners } from '../../../src/bake/bakeCorners.js';
 import { findCandidates } from '../../../src/features/contourCandidates.js';
 import { LineData } from '../../../src/geometry/LineData.js';
 import { InstanceList } from '../../../src/lines/InstanceList.js';
@@ -8,7 +8,7 @@ import { finish } from '../mesh/meshes.js';
 import { torus } from '../mesh/shapes.js';
 
 const packed = finish(
-  bake({
+  bakeCorners({
     label: 'test',
     mesh: torus(40, 20),
     creaseAngle: Math.PI / 2,

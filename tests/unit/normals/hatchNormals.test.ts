@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { bake } from '../../../src/bake/bake.js';
+import { bakeCorners } from '../../../src/bake/bakeCorners.js';
 import { bakeIndexed } from '../../../src/bake/bakeIndexed.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { fan, finish, meshOf } from '../mesh/meshes.js';
@@ -10,7 +10,7 @@ const DEGREES = Math.PI / 180;
 /** The hatch normal of each corner, with its position. */
 function cornersOf(mesh: TriangleMesh, smoothingRadius?: number) {
   const request = { label: 'test', mesh, creaseAngle: Math.PI / 2, smoothingRadius, wantsNormals: false };
-  const { positions, hatchNormals } = finish(bake({ ...request, attributes: [] }));
+  const { positions, hatchNormals } = finish(bakeCorners({ ...request, attributes: [] }));
   return Array.from(mesh.indices, (_, corner) => ({
     position: [...positions.subarray(3 * corner, 3 * corner + 3)],
     normal: [...hatchNormals.subarray(4 * corner, 4 * corner + 3)].map((value) => value / 32767),

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { BakeRequest, BakeResult } from '../../../src/bake/bake.js';
+import type { BakeCornersResult, BakeRequest } from '../../../src/bake/bakeCorners.js';
 import { TaskClient } from '../../../src/worker/TaskClient.js';
 import { FakeWorker } from './FakeWorker.js';
 
@@ -13,7 +13,7 @@ const request = (label = 'test', positions = [0, 0, 0, 1, 0, 0, 0, 1, 0]): BakeR
 });
 
 /** Stands for the result of request `id`; the client looks at nothing in it. */
-const result = (id: number) => ({ id }) as unknown as BakeResult;
+const result = (id: number) => ({ id }) as unknown as BakeCornersResult;
 
 /** How the promise stands, without waiting for it. */
 const outcomeOf = async (promise: Promise<unknown>) => {
@@ -48,7 +48,7 @@ afterEach(() => {
 
 /** A client whose worker is ready. */
 function started(): FakeWorker {
-  client.run('bake', request()).catch(() => {});
+  client.run('bakeCorners', request()).catch(() => {});
   const worker = workers[0];
   worker.say({ type: 'ready' });
   worker.say({ type: 'done', id: 0, result: result(0) });
@@ -60,17 +60,17 @@ function started(): FakeWorker {
 describe('one worker', () => {
   test('starts with the first request, is shared, and gets requests once it is ready', async () => {
     expect(workers).toHaveLength(0);
-    const first = client.run('bake', request('first'));
-    const second = client.run('bake', request('second'));
+    const first = client.run('bakeCorners', request('first'));
+    const second = client.run('bakeCorners', request('second'));
     expect(workers).toHaveLength(1);
     const [worker] = workers as [FakeWorker];
     expect(worker.received).toEqual([]);
     worker.say({ type: 'ready' });
     expect(worker.received).toMatchObject([
-      { type: 'run', id: 0, task: 'bake', request: { label: 'first' } },
-      { type: 'run', id: 1, task: 'bake', request: { label: 'second' } },
+      { type: 'run', id: 0, task: 'bakeCorners', request: { label: 'first' } },
+      { type: 'run', id: 1, task: 'bakeCorners', request: { label: 'second' } },
     ]);
-    const third = client.run('bake', request('third'));
+    const third = client.run('bakeCorners', request('third'));
     expect(worker.ids).toEqual([0, 1, 2]);
     // Answers come in any order.
     worker.say({ type: 'done', id: 2, result: result(2) });
@@ -85,7 +85,7 @@ describe('one worker', () => {
   test('transfers the buffers of a request, each once', () => {
     const worker = started();
     const sent = request();
-    client.run('bake', sent);
+    client.run('bakeCorners', sent);
     expect(worker.transferred).toHaveLength(1);
     expect(worker.transferred[0]).toHaveLength(3);
     expect(sent.mesh.positions.byteLength).toBe(0);
@@ -95,8 +95,8 @@ describe('one worker', () => {
   test('reports rising progress to the right request, then 1', async () => {
     const worker = started();
     const seen: Record<string, number[]> = { a: [], b: [] };
-    const a = client.run('bake', request(), { onProgress: (value) => seen.a!.push(value) });
-    client.run('bake', request(), { onProgress: (value) => seen.b!.push(value) });
+    const a = client.run('bakeCorners', request(), { onProgress: (value) => seen.a!.push(value) });
+    client.run('bakeCorners', request(), { onProgress: (value) => seen.b!.push(value) });
     worker.say({ type: 'progress', id: 1, progress: 0.25 });
     worker.say({ type: 'progress', id: 2, progress: 0.5 });
     worker.say({ type: 'progress', id: 1, progress: 0.2 });
@@ -110,7 +110,7 @@ describe('one worker', () => {
   test('a callback that throws rejects its own request and stops it', async () => {
     const worker = started();
     const failure = new Error('in the callback');
-    const promise = client.run('bake', request(), {
+    const promise = client.run('bakeCorners', request(), {
       onProgress: () => {
         throw failure;
       },
@@ -122,7 +122,7 @@ describe('one worker', () => {
 
   test('rebuilds the error of a task', async () => {
     const worker = started();
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     worker.say({ type: 'failed', id: 1, error: { name: 'RangeError', message: 'no triangles' } });
     const error = await promise.catch((reason) => reason);
     expect(error).toBeInstanceOf(RangeError);
@@ -134,14 +134,14 @@ describe('one worker', () => {
     vi.advanceTimersByTime(9_999);
     expect(worker.isTerminated).toBe(false);
     // A request in between starts the count anew.
-    client.run('bake', request());
+    client.run('bakeCorners', request());
     vi.advanceTimersByTime(60_000);
     expect(worker.isTerminated).toBe(false);
     worker.say({ type: 'done', id: 1, result: result(1) });
     vi.advanceTimersByTime(10_000);
     expect(worker.isTerminated).toBe(true);
     expect(onIdle).toHaveBeenCalledOnce();
-    client.run('bake', request());
+    client.run('bakeCorners', request());
     expect(workers).toHaveLength(2);
     expect(vi.getTimerCount()).toBe(1);
   });
@@ -150,13 +150,13 @@ describe('one worker', () => {
 describe('abort', () => {
   test('before the request: no worker is started', async () => {
     const reason = new Error('stop');
-    await expect(client.run('bake', request(), { signal: AbortSignal.abort(reason) })).rejects.toBe(reason);
+    await expect(client.run('bakeCorners', request(), { signal: AbortSignal.abort(reason) })).rejects.toBe(reason);
     expect(workers).toHaveLength(0);
   });
 
   test('while the worker starts: the request is never sent', async () => {
     const controller = new AbortController();
-    const promise = client.run('bake', request(), { signal: controller.signal });
+    const promise = client.run('bakeCorners', request(), { signal: controller.signal });
     controller.abort(new Error('stop'));
     await expect(promise).rejects.toThrow('stop');
     workers[0].say({ type: 'ready' });
@@ -166,8 +166,8 @@ describe('abort', () => {
   test('while it runs: rejects at once, tells the worker, and leaves the others alone', async () => {
     const worker = started();
     const controller = new AbortController();
-    const aborted = client.run('bake', request(), { signal: controller.signal });
-    const other = client.run('bake', request());
+    const aborted = client.run('bakeCorners', request(), { signal: controller.signal });
+    const other = client.run('bakeCorners', request());
     controller.abort();
     await expect(aborted).rejects.toHaveProperty('name', 'AbortError');
     expect(worker.received.at(-1)).toEqual({ type: 'abort', id: 1 });
@@ -181,7 +181,7 @@ describe('abort', () => {
     const worker = started();
     const controller = new AbortController();
     const remove = vi.spyOn(controller.signal, 'removeEventListener');
-    const promise = client.run('bake', request(), { signal: controller.signal });
+    const promise = client.run('bakeCorners', request(), { signal: controller.signal });
     worker.say({ type: 'done', id: 1, result: result(1) });
     await promise;
     expect(remove).toHaveBeenCalledOnce();
@@ -193,20 +193,20 @@ describe('abort', () => {
 describe('dispose', () => {
   test('rejects what is pending, ends the worker, and leaves no timer; the client can be used again', async () => {
     const worker = started();
-    const promises = [client.run('bake', request()), client.run('bake', request())];
+    const promises = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     client.dispose();
     for (const promise of promises)
       await expect(promise).rejects.toThrow(/disposed of before this request was finished/);
     expect(worker.isTerminated).toBe(true);
     expect(vi.getTimerCount()).toBe(0);
-    const again = client.run('bake', request());
+    const again = client.run('bakeCorners', request());
     workers[1].say({ type: 'ready' });
     workers[1].say({ type: 'done', id: 3, result: result(3) });
     expect(await again).toEqual({ id: 3 });
   });
 
   test('while the worker starts', async () => {
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     client.dispose();
     await expect(promise).rejects.toThrow(/disposed/);
     expect(workers[0].isTerminated).toBe(true);
@@ -215,7 +215,7 @@ describe('dispose', () => {
 
   test('of a client on the main thread', async () => {
     client = new TaskClient(() => null);
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     client.dispose();
     await expect(promise).rejects.toThrow(/disposed/);
   });
@@ -224,11 +224,11 @@ describe('dispose', () => {
 describe('death of the worker', () => {
   test('rejects what is pending and says so; the next request gets a new worker', async () => {
     const worker = started();
-    const promises = [client.run('bake', request()), client.run('bake', request())];
+    const promises = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     worker.onerror!({ message: 'out of memory' });
     for (const promise of promises) await expect(promise).rejects.toThrow(/worker died \(out of memory\).*Ask again/);
     expect(worker.isTerminated).toBe(true);
-    const again = client.run('bake', request());
+    const again = client.run('bakeCorners', request());
     expect(workers).toHaveLength(2);
     // What the dead one has sent may still arrive.
     worker.say({ type: 'done', id: 3, result: result(-1) });
@@ -239,14 +239,14 @@ describe('death of the worker', () => {
 
   test('a message that cannot be read counts as death', async () => {
     const worker = started();
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     worker.onmessageerror!();
     await expect(promise).rejects.toThrow(/a message could not be read/);
   });
 
   test('when idle it is simply replaced', () => {
     started().onerror!({ message: 'boom' });
-    client.run('bake', request());
+    client.run('bakeCorners', request());
     expect(workers).toHaveLength(2);
   });
 });
@@ -265,7 +265,7 @@ describe('a request that can be made anew', () => {
   test('starts once more in a new worker when its own dies', async () => {
     const worker = started();
     const makeAgain = remake();
-    const promise = client.run('bake', request('first'), {}, makeAgain);
+    const promise = client.run('bakeCorners', request('first'), {}, makeAgain);
     expect(makeAgain).not.toHaveBeenCalled();
     worker.onerror!({ message: 'out of memory' });
     await settled();
@@ -275,14 +275,14 @@ describe('a request that can be made anew', () => {
     workers[1].say({ type: 'done', id: 1, result: result(1) });
     expect(await promise).toEqual({ id: 1 });
     expect(warnings()).toEqual([
-      'three-hatching: the worker died (out of memory). A new worker starts once more what it was doing.',
+      'three-hatching: the worker died (out of memory). Its tasks start over in a new worker.',
     ]);
   });
 
   test('runs on the main thread when the second worker dies too, and its progress goes on rising', async () => {
     const progress: number[] = [];
     const onProgress = (value: number) => void progress.push(value);
-    const promise = client.run('bake', request('first'), { onProgress }, remake());
+    const promise = client.run('bakeCorners', request('first'), { onProgress }, remake());
     for (const i of [0, 1]) {
       workers[i].say({ type: 'ready' });
       workers[i].say({ type: 'progress', id: 0, progress: 0.3 + 0.1 * i });
@@ -293,17 +293,17 @@ describe('a request that can be made anew', () => {
     expect(workers).toHaveLength(2);
     expect(progress).toEqual(progress.toSorted((a, b) => a - b));
     expect(warnings()).toEqual([
-      'three-hatching: the worker died (out of memory). A new worker starts once more what it was doing.',
-      'three-hatching: the worker died (out of memory). The main thread computes once more what it was doing, in slices.',
+      'three-hatching: the worker died (out of memory). Its tasks start over in a new worker.',
+      'three-hatching: the worker died (out of memory). Its tasks start over on the main thread, in slices.',
     ]);
     // The next request has a worker again.
-    client.run('bake', request());
+    client.run('bakeCorners', request());
     expect(workers).toHaveLength(3);
   });
 
   test('runs on the main thread when no second worker starts', async () => {
     const worker = started();
-    const promise = client.run('bake', request('first'), {}, remake());
+    const promise = client.run('bakeCorners', request('first'), {}, remake());
     worker.onerror!({ message: 'out of memory' });
     await settled();
     workers[1].onerror!({});
@@ -313,7 +313,7 @@ describe('a request that can be made anew', () => {
   test('is rejected with the death, and why it could not be made anew, if it could not', async () => {
     const worker = started();
     const cause = new Error('changed');
-    const promise = client.run('bake', request(), {}, () => Promise.reject(cause));
+    const promise = client.run('bakeCorners', request(), {}, () => Promise.reject(cause));
     worker.onerror!({ message: 'out of memory' });
     const error = await promise.catch((reason) => reason);
     expect(error.message).toMatch(/worker died \(out of memory\)/);
@@ -325,7 +325,7 @@ describe('a request that can be made anew', () => {
     const controller = new AbortController();
     let made: (value: BakeRequest) => void = () => {};
     const makeAgain = () => new Promise<BakeRequest>((resolve) => (made = resolve));
-    const promise = client.run('bake', request(), { signal: controller.signal }, makeAgain);
+    const promise = client.run('bakeCorners', request(), { signal: controller.signal }, makeAgain);
     worker.onerror!({ message: 'out of memory' });
     controller.abort(new Error('stop'));
     await expect(promise).rejects.toThrow('stop');
@@ -336,7 +336,7 @@ describe('a request that can be made anew', () => {
 
   test('starts again although another one, which cannot be made anew, is rejected', async () => {
     const worker = started();
-    const both = [client.run('bake', request(), {}, remake()), client.run('bake', request())];
+    const both = [client.run('bakeCorners', request(), {}, remake()), client.run('bakeCorners', request())];
     worker.onerror!({ message: 'out of memory' });
     await expect(both[1]).rejects.toThrow(/worker died/);
     workers[1].say({ type: 'ready' });
@@ -367,7 +367,7 @@ describe('a worker that holds a lock', () => {
   afterEach(() => vi.unstubAllGlobals());
 
   test('is known to be gone as soon as the lock is free', async () => {
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     workers[0].say({ type: 'ready', lock: 'of worker 0' });
     workers[0].isAlive = false;
     waiting.get('of worker 0')!();
@@ -376,7 +376,7 @@ describe('a worker that holds a lock', () => {
   });
 
   test('is not waited for once it is ended here', async () => {
-    client.run('bake', request()).catch(() => {});
+    client.run('bakeCorners', request()).catch(() => {});
     workers[0].say({ type: 'ready', lock: 'of worker 0' });
     expect([...waiting.keys()]).toEqual(['of worker 0']);
     client.dispose();
@@ -395,7 +395,7 @@ describe('a worker that ends without a word', () => {
 
   test('rejects what is pending after 30 silent seconds; the next request gets a new worker', async () => {
     const worker = silent();
-    const promises = [client.run('bake', request()), client.run('bake', request())];
+    const promises = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     seconds(29);
     expect(await outcomeOf(promises[0])).toBe('pending');
     seconds(1);
@@ -404,7 +404,7 @@ describe('a worker that ends without a word', () => {
     }
     expect(worker.isTerminated).toBe(true);
     expect(vi.getTimerCount()).toBe(0);
-    const again = client.run('bake', request());
+    const again = client.run('bakeCorners', request());
     workers[1].say({ type: 'ready' });
     workers[1].say({ type: 'done', id: 3, result: result(3) });
     expect(await again).toEqual({ id: 3 });
@@ -412,7 +412,7 @@ describe('a worker that ends without a word', () => {
 
   test('while it answers, or reports progress, work may take as long as it takes', async () => {
     const worker = started();
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     seconds(300);
     expect(worker.pings).toBe(300);
     worker.isAlive = false;
@@ -429,7 +429,7 @@ describe('a worker that ends without a word', () => {
     const worker = silent();
     seconds(9);
     expect(worker.pings).toBe(0);
-    client.run('bake', request()).catch(() => {});
+    client.run('bakeCorners', request()).catch(() => {});
     seconds(5);
     worker.say({ type: 'done', id: 1, result: result(1) });
     seconds(9);
@@ -440,7 +440,7 @@ describe('a worker that ends without a word', () => {
     const page = { visibilityState: 'visible' };
     vi.stubGlobal('document', page);
     silent();
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     promise.catch(() => {});
     seconds(29);
     page.visibilityState = 'hidden';
@@ -454,7 +454,7 @@ describe('a worker that ends without a word', () => {
 
   test('nor do those in which timers come late: of a page that sleeps, or works hard', async () => {
     silent();
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     promise.catch(() => {});
     let slept = 0;
     const clock = performance.now.bind(performance);
@@ -478,7 +478,7 @@ describe('a function that makes no worker', () => {
   ])('is refused at once: %s', async (_what, make, says) => {
     client = new TaskClient(make as () => Worker);
     for (let i = 0; i < 2; i++) {
-      const error = await client.run('bake', request()).catch((reason) => reason);
+      const error = await client.run('bakeCorners', request()).catch((reason) => reason);
       expect(error).toBeInstanceOf(TypeError);
       expect(error.message).toMatch(says);
     }
@@ -492,12 +492,12 @@ describe('without a worker the main thread computes', () => {
     warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
   });
 
-  const isBaked = (value: BakeResult) => expect([...value.positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  const isBaked = (value: BakeCornersResult) => expect([...value.positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
 
   test('when there are none: silently', async () => {
     client = new TaskClient(() => null);
     const progress: number[] = [];
-    isBaked(await client.run('bake', request(), { onProgress: (value) => progress.push(value) }));
+    isBaked(await client.run('bakeCorners', request(), { onProgress: (value) => progress.push(value) }));
     expect(progress.at(-1)).toBe(1);
     expect(warn).not.toHaveBeenCalled();
   });
@@ -507,7 +507,7 @@ describe('without a worker the main thread computes', () => {
       throw new Error('blocked by the policy');
     });
     client = new TaskClient(create);
-    const both = [client.run('bake', request()), client.run('bake', request())];
+    const both = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     for (const promise of both) isBaked(await promise);
     expect(create).toHaveBeenCalledOnce();
     expect(warn).toHaveBeenCalledOnce();
@@ -515,18 +515,18 @@ describe('without a worker the main thread computes', () => {
   });
 
   test('when the script cannot be loaded: with the requests that were waiting', async () => {
-    const both = [client.run('bake', request()), client.run('bake', request())];
+    const both = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     workers[0].onerror!({});
     for (const promise of both) isBaked(await promise);
-    isBaked(await client.run('bake', request()));
+    isBaked(await client.run('bakeCorners', request()));
     expect(workers).toHaveLength(1);
     expect(warn.mock.calls[0][0]).toMatch(/its script could not be loaded/);
   });
 
   test('when the worker does not report in time; a second request does not stop the clock', async () => {
-    const promise = client.run('bake', request());
+    const promise = client.run('bakeCorners', request());
     vi.advanceTimersByTime(10_000);
-    const second = client.run('bake', request());
+    const second = client.run('bakeCorners', request());
     vi.advanceTimersByTime(5_000);
     isBaked(await promise);
     isBaked(await second);
@@ -535,11 +535,11 @@ describe('without a worker the main thread computes', () => {
 
   test('errors of the task and aborts come through', async () => {
     client = new TaskClient(() => null);
-    await expect(client.run('bake', request('bad', [Number.NaN, 0, 0, 1, 0, 0, 0, 1, 0]))).rejects.toThrow(
+    await expect(client.run('bakeCorners', request('bad', [Number.NaN, 0, 0, 1, 0, 0, 0, 1, 0]))).rejects.toThrow(
       /^bad: the position/,
     );
     const controller = new AbortController();
-    const promise = client.run('bake', request(), { signal: controller.signal });
+    const promise = client.run('bakeCorners', request(), { signal: controller.signal });
     controller.abort(new Error('stop'));
     await expect(promise).rejects.toThrow('stop');
   });

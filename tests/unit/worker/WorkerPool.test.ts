@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { HatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
-import { mostWorkers, WorkerPool } from '../../../src/worker/WorkerPool.js';
+import { maxWorkers, WorkerPool } from '../../../src/worker/WorkerPool.js';
 import { FakeWorker } from './FakeWorker.js';
 
 /** Small requests; `seed` tells them apart. */
@@ -42,7 +42,7 @@ test.each([
   [undefined, 1],
 ])('of %s cores it uses %s', (hardwareConcurrency, count) => {
   vi.stubGlobal('navigator', { hardwareConcurrency });
-  expect(mostWorkers()).toBe(count);
+  expect(maxWorkers()).toBe(count);
 });
 
 describe('the pool', () => {

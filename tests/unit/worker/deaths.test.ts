@@ -37,8 +37,8 @@ const arraysOf = ({ attributes, index }: BufferGeometry) => [
 const box = () => new BoxGeometry(1, 1, 1, 3, 3, 3);
 
 test.each([
-  ['corner', 'bake', 1],
-  ['corner', 'bake', 2],
+  ['corner', 'bakeCorners', 1],
+  ['corner', 'bakeCorners', 2],
   ['pull', 'bakePull', 1],
   ['indexed', 'bakeIndexed', 2],
 ] as const)('a geometry of layout %s is prepared as ever, though %s kills %i workers', async (layout, task, deaths) => {
@@ -55,10 +55,10 @@ test.each<[string, (geometry: BufferGeometry) => void]>([
   ['freed', ({ attributes }) => void Object.assign(attributes.uv, { array: null })],
 ])('a geometry that was %s since is not prepared with the changes: the death is told', async (_, change) => {
   const geometry = box();
-  const preparing = prepareHatchingGeometry(geometry, { createWorker: mortal('bake', 1) });
+  const preparing = prepareHatchingGeometry(geometry, { createWorker: mortal('bakeCorners', 1) });
   change(geometry);
   const error = await preparing.catch((reason) => reason);
-  expect(error.message).toMatch(/^The hatching worker died \(of bake\) before this request was finished\. Ask again/);
+  expect(error.message).toMatch(/^The hatching worker died \(of bakeCorners\) before this request was finished\. Ask again/);
   expect(error.cause.message).toMatch(/^prepareHatchingGeometry: the geometry was changed while it was being prepared/);
 });
 
@@ -113,6 +113,9 @@ test('a map is loaded as ever, though two workers die: its files are read once m
 
 test('a scene is hatched as ever', async () => {
   const scene = new Group().add(new Mesh(box()));
-  const { skipped, materials } = await applyHatching(scene, { tonalArtMap: null, createWorker: mortal('bake', 2) });
+  const { skipped, materials } = await applyHatching(scene, {
+    tonalArtMap: null,
+    createWorker: mortal('bakeCorners', 2),
+  });
   expect([skipped, materials.length]).toEqual([[], 1]);
 });

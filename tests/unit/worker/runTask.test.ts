@@ -17,7 +17,7 @@ afterEach(() => {
 
 test('where there is no Worker the main thread computes every task', async () => {
   expect(typeof Worker).toBe('undefined');
-  expect((await runTask('bake', request())).borderEdges).toBe(3);
+  expect((await runTask('bakeCorners', request())).borderEdges).toBe(3);
   const { size, images } = await runTask('generateHatchImages', { size: 64, tones: 4, levels: 1 });
   expect([size, images.length]).toEqual([64, 4]);
 });
@@ -27,7 +27,7 @@ test('requests with the same createWorker share a worker for each core; others h
   const create = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
   const other = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
   for (const createWorker of [create, create, create, other])
-    runTask('bake', request(), { createWorker }).catch(() => {});
+    runTask('bakeCorners', request(), { createWorker }).catch(() => {});
   expect(create).toHaveBeenCalledTimes(2);
   expect(other).toHaveBeenCalledOnce();
 });
@@ -35,7 +35,7 @@ test('requests with the same createWorker share a worker for each core; others h
 test('disposeHatchingWorkers ends every worker and rejects what is pending', async () => {
   const workers = [new FakeWorker(), new FakeWorker()];
   const promises = workers.map((worker) =>
-    runTask('bake', request(), { createWorker: () => FakeWorker.asWorker(worker) }),
+    runTask('bakeCorners', request(), { createWorker: () => FakeWorker.asWorker(worker) }),
   );
   disposeHatchingWorkers();
   for (const promise of promises) await expect(promise).rejects.toThrow(/disposed/);

@@ -1,7 +1,7 @@
 import { BoxGeometry, type BufferGeometry, TorusGeometry } from 'three';
 import { expect, test } from 'vitest';
 import { bakeByPhase } from '../../../../tools/bench/bake/bakeByPhase.js';
-import { bake, bakeIndexed, bakePull } from '../../../../tools/bench/internals.js';
+import { bakeCorners, bakeIndexed, bakePull } from '../../../../tools/bench/internals.js';
 import { PhaseClock } from '../../../../tools/bench/PhaseClock.js';
 
 function finish<Result>(task: Generator<number, Result, void>): Result {
@@ -23,7 +23,7 @@ test.each([
   const request = requestFor(geometry);
   const clock = new PhaseClock();
   const { corner, pull, indexed } = bakeByPhase(request.mesh, clock.run);
-  expect(finish(bake(request))).toMatchObject(corner);
+  expect(finish(bakeCorners(request))).toMatchObject(corner);
   expect(finish(bakePull(request))).toMatchObject(pull);
   const { indices, ...rest } = indexed;
   const baked = finish(bakeIndexed(request));

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { type BakeRequest, bake } from '../../../src/bake/bake.js';
+import { type BakeRequest, bakeCorners } from '../../../src/bake/bakeCorners.js';
 import { CORNER_STRIDE, cornerLayout } from '../../../src/bake/cornerLayout.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../mesh/meshes.js';
@@ -8,7 +8,9 @@ import { finish, meshOf } from '../mesh/meshes.js';
 const DEGREES = Math.PI / 180;
 
 const bakeOf = (mesh: TriangleMesh, options: Partial<BakeRequest> = {}) =>
-  finish(bake({ label: 'test', mesh, creaseAngle: Math.PI / 2, wantsNormals: false, attributes: [], ...options }));
+  finish(
+    bakeCorners({ label: 'test', mesh, creaseAngle: Math.PI / 2, wantsNormals: false, attributes: [], ...options }),
+  );
 
 /** The attributes of one corner, cut out of the interleaved buffer. */
 function cornerOf({ corners }: { corners: Float32Array }, corner: number): Record<string, number[]> {
@@ -38,7 +40,7 @@ const foldedQuad = (angle: number) => {
   );
 };
 
-describe('bake', () => {
+describe('bakeCorners', () => {
   test('packs six adjacency vertices per corner', () => {
     const result = bakeOf(foldedQuad(0));
     const [v0, v1, v2, v3] = [
@@ -162,7 +164,7 @@ describe('bake', () => {
 
   test('progress rises from weld to pack and ends at 1', () => {
     const mesh = foldedQuad(0);
-    const task = bake({
+    const task = bakeCorners({
       label: 'test',
       mesh,
       creaseAngle: 1,

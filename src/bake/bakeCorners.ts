@@ -5,21 +5,21 @@ import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } f
 import { type PackedCorners, packCorners } from './packCorners.js';
 import { lineBuffers } from './packLines.js';
 
-/** The input of the bake of the `corner` and `pull` layouts. Plain data: it is posted to the worker. */
+/** The input of the bakes that give each corner a vertex of its own. Plain data: it is posted to the worker. */
 export interface BakeRequest extends SurfaceRequest {
   /** Attributes to copy from vertices to corners. */
   attributes: VertexWords[];
 }
 
-/** What the bake of the `corner` layout returns. Plain data: the worker posts it back. */
-export interface BakeResult extends PackedCorners, CornerAttributes, BakeReport {}
+/** What `bakeCorners` returns. Plain data: the worker posts it back. */
+export interface BakeCornersResult extends PackedCorners, CornerAttributes, BakeReport {}
 
 /**
- * Bakes triangle adjacency into the `corner` layout: welds, pairs the edges, cuts the creases, smooths the normals, packs.
- * Throws a RangeError for a mesh that cannot be baked; see `validateTriangleMesh`. Pure: the same request gives the same
- * bytes on every machine.
+ * Bakes triangle adjacency into the `corner` layout (`cornerLayout.ts`): welds the vertices, pairs the edges, cuts the
+ * creases, smooths the normals and packs the attributes. Throws a RangeError for a mesh that cannot be baked; see
+ * `validateTriangleMesh`. It is pure: the same request gives the same bytes on every machine.
  */
-export function* bake(request: BakeRequest): Generator<number, BakeResult, void> {
+export function* bakeCorners(request: BakeRequest): Generator<number, BakeCornersResult, void> {
   const { mesh, attributes } = request;
   const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
   const packed = yield* asPhase(packCorners(mesh, surface.adjacency.twins), 0.7, 0.85);
@@ -27,8 +27,8 @@ export function* bake(request: BakeRequest): Generator<number, BakeResult, void>
   return { ...packed, ...(yield* asPhase(reportOf(surface, mesh.indices), 0.97, 1)), ...ofCorners };
 }
 
-/** The buffers of a result, to be transferred with it. */
-export const bakeResultBuffers = (result: BakeResult): ArrayBuffer[] => [
+/** The buffers of a result, which are transferred with it. */
+export const bakeCornersResultBuffers = (result: BakeCornersResult): ArrayBuffer[] => [
   result.positions.buffer,
   result.corners.buffer,
   ...cornerAttributeBuffers(result),
