@@ -1,6 +1,6 @@
 const TWO_PI = 2 * Math.PI;
 
-/** Two unit vectors u and v, perpendicular to an edge and to each other: the axes for angles about the edge. */
+/** Measures angles about an edge. Its axes are two unit vectors u and v, perpendicular to the edge and to each other. */
 export class EdgeAxes {
   private readonly ux: number;
   private readonly uy: number;
@@ -21,7 +21,7 @@ export class EdgeAxes {
     x /= length;
     y /= length;
     z /= length;
-    // u = the edge × the coordinate axis it is least aligned with; v = the edge × u.
+    // u is the cross product of the edge with the coordinate axis that it is least aligned with; v = edge × u.
     const ax = Math.abs(x);
     const ay = Math.abs(y);
     const az = Math.abs(z);

@@ -11,7 +11,7 @@ import { pairEdges } from './pairEdges.js';
 export interface TriangleAdjacency extends EdgeCounts {
   /** For each corner the corner that starts the same edge in the neighbouring triangle, or NO_TWIN. Symmetric. */
   twins: Int32Array<ArrayBuffer>;
-  /** For each corner its canonical vertex: corners at one position, or joined ones, have the same. */
+  /** For each corner its canonical vertex. Corners at the same position share one, and so do corners that were joined. */
   canonicalCorners: Uint32Array<ArrayBuffer>;
   /** Three doubles per triangle, see `computeAreaNormals`. Zero where degenerate. */
   areaNormals: Float64Array<ArrayBuffer>;
@@ -19,15 +19,16 @@ export interface TriangleAdjacency extends EdgeCounts {
   steps: number;
 }
 
-/** Nothing is joined but what lies at exactly the same position. */
+/** Only vertices at exactly the same position are joined. */
 const EXACT: Nearness = { tolerance: 0, rounding: 0 };
 
 /**
  * Welds the mesh by exact position and finds the twin of every edge, in O(V + T) however many triangles meet in a vertex.
  *
- * The two half-edges of a manifold edge become twins, also when the windings contradict each other: the shader rebuilds
- * the neighbour from the shared edge, which repairs the winding. A non-manifold edge of n triangles is matched by
- * `matchNonManifoldEdge` in O(n log n). The result does not depend on the order of triangles or vertices. Then borders that are near each other are joined (`joinBorders`).
+ * The two half-edges of a manifold edge become twins even if the windings contradict each other: the shader rebuilds the
+ * neighbour from the shared edge, which repairs the winding. A non-manifold edge of n triangles is matched by
+ * `matchNonManifoldEdge` in O(n log n). Borders that lie near each other are joined afterwards (`joinBorders`). The result
+ * does not depend on the order of triangles or vertices.
  *
  * `mesh` must be valid (see `TriangleMesh`).
  */

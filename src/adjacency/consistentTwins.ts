@@ -2,7 +2,7 @@ import { NO_TWIN } from '../mesh/corners.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { TriangleAdjacency } from './buildTriangleAdjacency.js';
 
-/** A copy of the twins with NO_TWIN also where the two windings contradict each other. */
+/** Returns a copy of the twins that also has NO_TWIN where the windings of the two triangles contradict each other. */
 export function* consistentTwins({
   twins,
   canonicalCorners,
@@ -12,7 +12,7 @@ export function* consistentTwins({
   return consistent;
 }
 
-/** Each half-edge judges itself, and both of an edge come to the same verdict. */
+/** Each half-edge is judged by itself. The two halves of an edge always get the same result. */
 function dropRange(canonicalCorners: Uint32Array, twins: Int32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
     const twin = twins[corner];

@@ -9,13 +9,13 @@ import type { Pairing } from './pairEdges.js';
 
 /** How near positions are joined, in object units. */
 export interface Nearness {
-  /** Positions that differ by no more along each axis may be joined. 0: none are. */
+  /** Positions may be joined if they differ by at most this much along each axis. 0 joins none. */
   tolerance: number;
-  /** A side of a triangle that is no longer along each axis comes from rounding alone. At most the tolerance. */
+  /** A side of a triangle that is at most this long along each axis is taken for a rounding error. At most `tolerance`. */
   rounding: number;
 }
 
-/** What is known of a mesh before its borders are joined. Changed in place. */
+/** A mesh whose edges are paired, before its borders are joined. `joinBorders` changes it in place. */
 export interface PairedMesh {
   positions: Float32Array;
   canonicalCorners: Uint32Array;
@@ -23,16 +23,17 @@ export interface PairedMesh {
   pairing: Pairing;
 }
 
-/** A set of joined positions may not be wider along an axis, in tolerances. */
-const WIDEST = 4;
+/** The largest extent of a set of joined positions along an axis, in tolerances. */
+const MAX_EXTENT = 4;
 
 /**
- * Joins positions at the border that lie within the tolerance, and pairs the edges that coincide then: three.js, for one,
- * computes sin 2π as −2.4e−16, and the seam of its sphere does not close exactly. Edges that are paired already stay so.
+ * Joins border positions that lie within the tolerance of each other, then pairs the edges that coincide as a result. The
+ * sphere of three.js needs it: sin 2π is computed as −2.4e−16, so its seam does not close exactly. Edges that are already
+ * paired stay paired.
  *
- * A set of joined positions is a connected component of those within the tolerance. It stays as it was if it is wider than
- * four tolerances, or if it holds two corners of one triangle: that would lose surface. Triangles with a side that comes from
- * rounding do not count; where their corners are joined they become degenerate, as at the pole of three's capsule.
+ * A cluster is a connected component of positions within the tolerance of each other. It is not joined if it is wider than
+ * four tolerances, or if it holds two corners of one triangle, since surface would be lost. Triangles with a side that is a
+ * rounding error are an exception: they become degenerate when their corners are joined, as at the pole of three's capsule.
  */
 export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness): Generator<number, void, void> {
   const { positions, canonicalCorners, pairing } = mesh;
@@ -54,7 +55,7 @@ export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness
   pairBorders(mesh);
 }
 
-/** The canonical vertices at the ends of all border edges, each once. */
+/** The canonical vertices at the ends of all border edges, without repetition. */
 function endsOf({ positions, canonicalCorners, pairing }: PairedMesh): Uint32Array {
   const isEnd = new Uint8Array(positions.length / 3);
   for (const corner of pairing.borders) {
@@ -68,8 +69,9 @@ function endsOf({ positions, canonicalCorners, pairing }: PairedMesh): Uint32Arr
 }
 
 /**
- * For every vertex the one it is joined with + 1, or 0: of a cluster that is not too wide, the one with the lexicographically
- * smallest position, whatever the order of the vertices. Null if none are joined.
+ * Returns for every vertex the vertex that it is joined with, plus 1; 0 where it is not joined. All vertices of a cluster are
+ * joined with the one at the lexicographically smallest position, so the order of the vertices does not matter. Clusters that
+ * are too wide are left out. Returns null if nothing is joined.
  */
 function joinedVertices(
   positions: Float32Array,
@@ -97,16 +99,16 @@ function joinedVertices(
   for (let i = 0; i < count; i++) sizes[first[i]]++;
   for (let i = 0; i < count; i++) {
     const box = 6 * first[i];
-    const isNarrow = [0, 1, 2].every((axis) => boxes[box + axis] + boxes[box + 3 + axis] <= WIDEST * tolerance);
+    const isNarrow = [0, 1, 2].every((axis) => boxes[box + axis] + boxes[box + 3 + axis] <= MAX_EXTENT * tolerance);
     if (sizes[first[i]] > 1 && isNarrow) joined[ends[i]] = ends[smallest[first[i]]] + 1;
   }
   return joined;
 }
 
-/** The vertex that a vertex is joined with, itself if there is none. */
+/** The vertex that `vertex` is joined with, or `vertex` itself. */
 const partner = (joined: Uint32Array, vertex: number): number => (joined[vertex] === 0 ? vertex : joined[vertex] - 1);
 
-/** Finds the corners at joined vertices. */
+/** Adds those corners of a range that lie at joined vertices to `corners`. */
 function findRange(
   canonicalCorners: Uint32Array,
   joined: Uint32Array,
@@ -117,7 +119,7 @@ function findRange(
   for (let corner = start; corner < end; corner++) if (joined[canonicalCorners[corner]] !== 0) corners.push(corner);
 }
 
-/** Undoes what would collapse a triangle whose sides are no mere rounding. */
+/** Leaves out every cluster that would collapse a triangle whose side is longer than a rounding error. */
 function keepTriangles(
   { positions, canonicalCorners, areaNormals }: PairedMesh,
   joined: Uint32Array,
@@ -139,7 +141,7 @@ function keepTriangles(
   }
 }
 
-/** Makes triangles degenerate that have two corners joined with each other. */
+/** Makes those triangles degenerate that have two corners joined with each other. */
 function collapseTriangles(mesh: PairedMesh, joined: Uint32Array, corners: readonly number[]): void {
   const { canonicalCorners, areaNormals } = mesh;
   for (const corner of corners) {
@@ -150,7 +152,7 @@ function collapseTriangles(mesh: PairedMesh, joined: Uint32Array, corners: reado
   }
 }
 
-/** Makes the triangle that starts at the corner `first` degenerate. Its neighbours' edges become borders. */
+/** Makes the triangle that starts at the corner `first` degenerate. The edges of its neighbours become borders. */
 function collapse({ canonicalCorners, areaNormals, pairing }: PairedMesh, first: number): void {
   pairing.degenerateTriangles++;
   areaNormals.fill(0, first, first + 3);
@@ -164,7 +166,7 @@ function collapse({ canonicalCorners, areaNormals, pairing }: PairedMesh, first:
   }
 }
 
-/** Pairs the border edges whose ends are the same now. */
+/** Pairs the border edges whose ends have become the same. */
 function pairBorders({ positions, canonicalCorners, areaNormals, pairing }: PairedMesh): void {
   const { twins } = pairing;
   const vertexCount = positions.length / 3;

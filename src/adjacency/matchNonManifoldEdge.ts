@@ -14,7 +14,7 @@ interface HalfEdge {
 
 /** Two half-edges next to each other in angle, one forward and one backward, that may become twins. */
 interface Candidate {
-  /** From left to right, in [0, 2π). */
+  /** The angle from `left` to `right`, in [0, 2π). */
   gap: number;
   left: number;
   right: number;
@@ -23,14 +23,14 @@ interface Candidate {
 const TWO_PI = 2 * Math.PI;
 
 /**
- * Pairs the half-edges `corners` of one edge that more than two triangles share. Each pair is a forward and a backward one;
- * those with the closest normals come first (the rule of DirectXMesh), until one kind has run out. The others get no twin.
- * Returns the number of steps taken.
+ * Pairs the half-edges `corners` of an edge that more than two triangles share. A pair consists of a forward and a backward
+ * half-edge. The pair with the closest normals is matched first (the rule of DirectXMesh), then the next, until no forward
+ * or no backward half-edge is left. The rest get no twin. Returns the number of steps taken.
  *
  * All normals are perpendicular to the edge, so each is an angle about it. The closest pair are always neighbours in the
- * order of angles, so O(n log n) steps replace the comparison of all pairs. Angles and tie-breaks come from positions
- * alone: the order of triangles and vertices in the mesh does not matter. Only copies of one triangle, which nothing else
- * tells apart, are ordered by corner.
+ * order of angles, so O(n log n) steps replace the comparison of all pairs. Angles and tie-breaks depend on positions
+ * alone, so the order of triangles and vertices in the mesh does not matter. Only identical copies of a triangle are ordered
+ * by their corners.
  */
 export function matchNonManifoldEdge(
   corners: readonly number[],
@@ -71,7 +71,7 @@ export function matchNonManifoldEdge(
   return steps;
 }
 
-/** Describes the half-edges, in the order of their angles. */
+/** Returns the half-edges, sorted by angle. */
 function sortHalfEdges(corners: readonly number[], positions: Float32Array, canonicalCorners: Uint32Array): HalfEdge[] {
   const start = 3 * canonicalCorners[corners[0]];
   const end = 3 * canonicalCorners[nextCorner(corners[0])];
@@ -100,7 +100,7 @@ export function comparePositions(positions: Float32Array, a: number, b: number):
   return positions[a] - positions[b] || positions[a + 1] - positions[b + 1] || positions[a + 2] - positions[b + 2] || 0;
 }
 
-/** Closest first; equal gaps in the order of angles. */
+/** The order of the heap: the closest pair first, and equal gaps in the order of angles. */
 const precedes = (a: Candidate, b: Candidate): boolean => a.gap < b.gap || (a.gap === b.gap && a.left < b.left);
 
 /** Binary heap: adds a candidate. Returns the number of steps taken. */

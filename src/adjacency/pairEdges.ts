@@ -8,7 +8,7 @@ import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 /** What `pairEdges` returns. See `TriangleAdjacency`. */
 export interface Pairing extends Omit<EdgeCounts, 'borderEdges'> {
   twins: Int32Array<ArrayBuffer>;
-  /** The half-edges of edges with one triangle, each named by the corner it starts from. */
+  /** The half-edges that belong to only one triangle, each named by the corner that it starts from. */
   borders: number[];
   /** Visits of half-edges: a machine-independent measure of the time taken. */
   steps: number;
@@ -20,15 +20,15 @@ interface Buckets {
   starts: Uint32Array;
   /** The half-edge in each slot, named by the corner it starts from. */
   corners: Uint32Array;
-  /** The larger end of each. */
+  /** The larger end of the half-edge in each slot. */
   highs: Uint32Array;
 }
 
-/** Half-edges of one undirected edge, linked from the last to the first. */
+/** Chains the half-edges of each undirected edge, from the last to the first. */
 interface Chains {
-  /** The slot before this one on the same edge, or END. */
+  /** For each slot the previous slot on the same edge, or END. */
   previous: Uint32Array;
-  /** 1 where a later slot links to this one, which is then not the last of its chain. */
+  /** 1 for each slot that a later slot links to, so that it is not the last of its chain. */
   hasSuccessor: Uint8Array;
 }
 
@@ -36,8 +36,8 @@ const END = 0xffffffff;
 
 /**
  * Finds twins by counting sort. Half-edges are sorted into one bucket per smaller end; within a bucket, those with the same
- * larger end are chained. An array remembers the latest half-edge seen per larger end, so nothing is searched: a bucket of
- * any size costs one visit per entry. Half-edges of degenerate triangles are left out.
+ * larger end are chained. An array holds the latest half-edge for each larger end, so nothing is searched: a bucket of any
+ * size costs one visit per entry. Half-edges of degenerate triangles are left out.
  */
 export function* pairEdges(
   positions: Float32Array,
@@ -47,7 +47,7 @@ export function* pairEdges(
   const vertexCount = positions.length / 3;
   const triangleCount = canonicalCorners.length / 3;
 
-  // A histogram over the smaller end, then its prefix sums: every entry is the end of its bucket.
+  // First a histogram over the smaller ends, then its prefix sums: every entry is the end of its bucket.
   const starts = new Uint32Array(vertexCount + 1);
   let degenerateTriangles = 0;
   yield* asPhase(
@@ -102,8 +102,8 @@ export function* pairEdges(
 }
 
 /**
- * Adds the half-edges of some triangles to the histogram `sizes` over their smaller end. Returns the number of
- * degenerate triangles, which are left out.
+ * Adds the half-edges of a range of triangles to `sizes`, the histogram over smaller ends. Returns the number of degenerate
+ * triangles, which are left out.
  */
 function countRange(
   canonicalCorners: Uint32Array,
@@ -129,8 +129,8 @@ function countRange(
 }
 
 /**
- * Puts the half-edges of some triangles into their buckets. Each bucket is filled from its back, so `starts` begins as the
- * bucket ends and finishes as the bucket starts. Triangles are taken backwards, so a bucket keeps their order.
+ * Puts the half-edges of a range of triangles into their buckets. Each bucket is filled from its back: `starts` holds the
+ * ends of the buckets before, and their starts afterwards. Triangles are taken backwards, so that a bucket keeps their order.
  */
 function scatterRange(
   canonicalCorners: Uint32Array,
@@ -152,8 +152,9 @@ function scatterRange(
 }
 
 /**
- * Chains some slots. `latest` holds the latest slot + 1 per larger end. Entries of earlier buckets are recognised by their
- * numbers, so nothing is ever reset. `low` is the bucket of the slot before the range; returns that of the last slot.
+ * Chains the slots of a range. `latest` holds the latest slot + 1 for each larger end. Entries of earlier buckets are
+ * recognised by their lower numbers, so nothing needs to be reset. `low` is the bucket of the slot before the range; the
+ * bucket of the last slot is returned.
  */
 function chainRange(
   { starts, highs }: Buckets,
@@ -176,7 +177,7 @@ function chainRange(
   return low;
 }
 
-/** Pairs the chains that end in some slots, and counts them. */
+/** Pairs the chains that end in the slots of a range, and counts the edges. */
 function pairRange(
   positions: Float32Array,
   canonicalCorners: Uint32Array,

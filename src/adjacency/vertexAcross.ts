@@ -1,6 +1,9 @@
 import { NO_TWIN, previousCorner } from '../mesh/corners.js';
 
-/** The vertex opposite to the edge in the neighbour across it. Without a neighbour, the opposite vertex of the own triangle. */
+/**
+ * The opposite vertex of the neighbour across the edge that starts at `corner`. Without a neighbour it is the opposite vertex
+ * of the corner's own triangle.
+ */
 export function vertexAcross(indices: Uint32Array, twins: Int32Array, corner: number): number {
   const twin = twins[corner];
   return indices[previousCorner(twin === NO_TWIN ? corner : twin)];

@@ -2,22 +2,22 @@ import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import { BORDER, CONTRARY } from './edgeFlags.js';
 
-/** What contours are looked for in. Plain data: it is posted to the worker and back. */
+/** The data that the search for contours needs. Plain data: it is posted to the worker and back. */
 export interface ContourSearch {
   /** x, y, z of each point. */
   positions: Float32Array<ArrayBuffer>;
   /** x, y, z of each point's unit normal. */
   normals: Float32Array<ArrayBuffer>;
-  /** Four words per primitive (`lineLayout.ts` of the bake): points, with flags in the bits above `pointMask`. */
+  /** Four words per primitive (`lineLayout.ts` of the bake): numbers of points, with flags in the bits above `pointMask`. */
   primitives: Uint32Array<ArrayBuffer>;
   pointMask: number;
-  /** How many bits the mask has. */
+  /** The number of bits in the mask. */
   pointBits: number;
   triangleCount: number;
   edgeCount: number;
-  /** Per point, what `findCandidates` keeps in between: 1 faces the eye for sure, 2 looks away for sure, 3 neither. */
+  /** Scratch memory, a value per point: 1 surely faces the eye, 2 surely faces away, 3 may do either. */
   sides: Uint8Array<ArrayBuffer>;
-  /** Room for the number of every primitive. */
+  /** The numbers of the candidates. It has room for every primitive. */
   list: Uint32Array<ArrayBuffer>;
 }
 
@@ -28,11 +28,12 @@ const FACES = 1;
 const LOOKS_AWAY = 2;
 
 /**
- * Lists the primitives that may hold a line as long as the direction to the eye turns by less than an angle: all triangles
- * but those whose three corners face the eye, or look away, by more than that; edges that are borders or creases; and others by
- * the rule of triangles. Fills `list`, first triangles, then edges, and returns how many there are.
+ * Lists the candidates: the primitives that may hold a line as long as the direction to the eye turns by less than an angle. A
+ * triangle is left out if its three corners all face the eye, or all face away, by more than that angle. Borders and creases are
+ * candidates, unless all of a crease faces away; other edges follow the rule for triangles. Fills `list`, with triangles before
+ * edges, and returns the number of candidates.
  *
- * @param sine of the angle
+ * @param sine the sine of the angle
  */
 export function* contourCandidates(search: ContourSearch, eye: Eye, sine: number): Generator<number, number, void> {
   const { triangleCount, edgeCount } = search;
@@ -60,7 +61,7 @@ export function* contourCandidates(search: ContourSearch, eye: Eye, sine: number
   return count;
 }
 
-/** The same at once. */
+/** Does the same as `contourCandidates`, in one go. */
 export function findCandidates(search: ContourSearch, eye: Eye, sine: number): number {
   const { triangleCount, edgeCount } = search;
   judgePoints(search, eye, sine, 0, search.positions.length / 3);
@@ -76,7 +77,6 @@ function judgePoints({ positions, normals, sides }: ContourSearch, eye: Eye, sin
     const y = eyeY - isPlace * positions[i + 1];
     const z = eyeZ - isPlace * positions[i + 2];
     const facing = normals[i] * x + normals[i + 1] * y + normals[i + 2] * z;
-    // Beyond the angle, and on which side.
     const isSure = facing * facing > squaredSine * (x * x + y * y + z * z);
     sides[point] = isSure ? (facing > 0 ? FACES : LOOKS_AWAY) : FACES | LOOKS_AWAY;
   }
@@ -105,8 +105,8 @@ function listEdges(
     const leftSides = sides[first & pointMask] | sides[primitives[i + 1] & pointMask];
     const rightSides = sides[primitives[i + 2]] | sides[primitives[i + 3]];
     const both = leftSides | rightSides;
-    // Borders show their backs, and contrary windings say nothing. Others need a side that faces the eye, and, if they are
-    // nothing themselves, one that looks away, for the contour to run between.
+    // At a border the back of the surface may be visible, and contrary windings leave front and back unknown. A crease is visible
+    // if one of its sides faces the eye. Any other edge can only hold the contour, which needs a side that faces away as well.
     const kinds = (first & ~pointMask) >>> pointBits;
     const isSeen = kinds & (BORDER | CONTRARY) || (kinds === 0 ? both === (FACES | LOOKS_AWAY) : both !== LOOKS_AWAY);
     if (isSeen) list[count++] = edge;
@@ -114,19 +114,20 @@ function listEdges(
   return count;
 }
 
-/** A search that is posted to the worker. */
+/** The input of `searchContours`. Plain data: it is posted to the worker. */
 export interface ContourSearchRequest {
   search: ContourSearch;
   eye: Eye;
   sine: number;
 }
 
-/** The arrays of the search come back with what was found. */
+/** What `searchContours` returns: the arrays of the search come back, with the number of candidates in `list`. */
 export interface ContourSearchResult {
   search: ContourSearch;
   count: number;
 }
 
+/** Runs `contourCandidates` as a task of the worker. */
 export function* searchContours({
   search,
   eye,

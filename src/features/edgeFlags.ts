@@ -1,19 +1,22 @@
-/** What a feature edge is, as bits. An edge may be several things; one without a kind is drawn where the contour runs along it. */
+// The flags of feature edges, as bits. An edge may have several; one without a kind is drawn only where the contour runs along it.
+
+/** The edge belongs to one triangle only. */
 export const BORDER = 1;
-/** Sharp, and part of creases that are long together. */
+/** The edge is sharp, and part of a chain of creases that is long enough. */
 export const CREASE = 2;
-/** Between two groups of triangles. */
+/** The edge lies between two groups of triangles. */
 export const MATERIAL_BORDER = 4;
-/** The windings of its two triangles contradict each other. */
+/** The windings of the two triangles contradict each other. */
 export const CONTRARY = 8;
-/** A straight run ends, branches or turns at the edge's start, or its end. */
+/** At the start of the edge a straight line ends, branches or turns. */
 export const CORNER_AT_START = 16;
+/** At the end of the edge a straight line ends, branches or turns. */
 export const CORNER_AT_END = 32;
 
-/** All kinds that are drawn whole. */
+/** The kinds of edges that are drawn over their whole length. */
 export const DRAWN_WHOLE: number = BORDER | CREASE | MATERIAL_BORDER;
 
-/** Set on every feature edge, to tell it from a triangle. */
+/** Set for every feature edge, to distinguish it from a triangle. */
 export const IS_EDGE = 64;
 
 /** The flags that lie in the first word of an edge; the others lie in the second. */

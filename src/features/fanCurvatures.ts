@@ -7,34 +7,34 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 /** Floats per fan: xx, xy, xz, yy, yz, zz of a symmetric matrix. */
 export const TENSOR_FLOATS = 6;
 
-/** A triangle is too thin to tell its curvature if the determinant of the system is below this share of its scale. */
-const LEAST_DETERMINANT = 1e-6;
+/** A triangle is too thin to measure its curvature if the determinant of the system is below this share of its scale. */
+const MIN_DETERMINANT = 1e-6;
 
-/** What the loops over triangles and fans read and write. */
+/** The arrays that the loops over triangles and fans read and write. */
 interface Curvatures {
   positions: Float32Array;
   indices: Uint32Array;
   ofCorner: Uint32Array;
   areaNormals: Float64Array;
-  /** Unit, three per fan. */
+  /** Unit normals, three floats per fan. */
   normals: Float32Array;
   tensors: Float32Array<ArrayBuffer>;
-  /** The area that each fan's tensor is the sum over. */
+  /** For each fan the area that its tensor was summed over. */
   areas: Float32Array;
-  /** The triangle at hand: its normal, the axes u and v of its frame, and p, q, r of its tensor (p q; q r). */
+  /** The current triangle: its normal, the axes u and v of its frame, and p, q, r of its tensor (p q; q r). */
   fitted: Float64Array;
 }
 
-/** Of `fitted`. */
+/** The number of floats in `fitted`. */
 const FITTED_FLOATS = 12;
 
 /**
- * The curvature tensor K of each fan, per object unit: the surface with normal n bends by wᵀKw along the unit tangent w, more
- * than 0 where it is convex. A sphere of radius r has 1/r along every tangent.
+ * Computes the curvature tensor K of each fan, in 1 / object unit: along the unit tangent w the surface has the normal curvature
+ * wᵀKw, which is positive where the surface is convex. For a sphere of radius r it is 1/r along every tangent.
  *
- * Rusinkiewicz, "Estimating curvatures and their derivatives on triangle meshes", 2004: each triangle's tensor is fitted to the
- * differences of the normals along its edges, turned into the tangent plane of the fan and averaged by area. It is kept as a
- * matrix in object space, which needs no frame that shader and bake would have to agree on.
+ * The method is that of Rusinkiewicz, "Estimating curvatures and their derivatives on triangle meshes", 2004: a tensor is fitted
+ * to the differences of the normals along the edges of each triangle, turned into the tangent plane of each of its fans, and
+ * averaged by area. It is stored as a matrix in object space, so that shader and bake need no common tangent frame.
  *
  * @param normals unit normals, three per fan
  */
@@ -62,7 +62,7 @@ export function* fanCurvatures(
   return tensors;
 }
 
-/** Adds the tensors of some triangles, times their areas, to those of their fans. */
+/** Adds the tensors of a range of triangles, times their areas, to those of their fans. */
 function addTriangles(curvatures: Curvatures, start: number, end: number): void {
   for (let triangle = start; triangle < end; triangle++) {
     const area = doubleArea(curvatures.areaNormals, triangle);
@@ -71,7 +71,7 @@ function addTriangles(curvatures: Curvatures, start: number, end: number): void 
   }
 }
 
-/** Fits the tensor of the triangle whose first corner is `first`. Returns false where it is too thin. */
+/** Fits the tensor of the triangle whose first corner is `first`. Returns false if the triangle is too thin. */
 function fitTensor(
   { positions, indices, ofCorner, areaNormals, normals, fitted }: Curvatures,
   first: number,
@@ -128,7 +128,7 @@ function fitTensor(
   }
   // The system (a b 0; b a+c b; 0 b c)(p q r)ᵀ = right, by elimination of p and r.
   const determinant = a * c * (a + c) - b * b * (a + c);
-  if (!(determinant > LEAST_DETERMINANT * (a + c) * (a + c) * (a + c))) return false;
+  if (!(determinant > MIN_DETERMINANT * (a + c) * (a + c) * (a + c))) return false;
   const q = (right1 * a * c - b * (right0 * c + right2 * a)) / determinant;
   const p = (right0 - b * q) / a;
   const r = (right2 - b * q) / c;
@@ -166,9 +166,9 @@ function addTensor({ ofCorner, normals, tensors, areas, fitted }: Curvatures, co
   const ny = normals[3 * fan + 1];
   const nz = normals[3 * fan + 2];
   const cosine = fx * nx + fy * ny + fz * nz;
-  // Folded back: no turn is the shortest.
+  // The triangle is folded back onto the fan, where no rotation is clearly the shortest.
   if (cosine < -0.5) return;
-  // The shortest rotation that takes f to n, of a vector across f: t − (n·t)/(1 + f·n)·(f + n).
+  // The shortest rotation that takes f to n takes a tangent t of the triangle to t − (n·t)/(1 + f·n)·(f + n).
   const scaleU = (ux * nx + uy * ny + uz * nz) / (1 + cosine);
   const scaleV = (vx * nx + vy * ny + vz * nz) / (1 + cosine);
   const u0 = ux - scaleU * (fx + nx);

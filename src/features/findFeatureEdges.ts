@@ -6,52 +6,58 @@ import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, DRAWN_WHOLE, MATERIAL_BORDER } from './edgeFlags.js';
 
-/** A mesh in which feature edges are looked for. */
+/** The mesh that is searched for feature edges. */
 export interface FeatureSurface {
   mesh: TriangleMesh;
-  /** For each corner the vertex, with all vertices at one position the same. */
+  /** For each corner its canonical vertex: corners at the same position share one. */
   canonicalCorners: Uint32Array;
   areaNormals: Float64Array;
   /** Twins before any edge was cut. */
   joinedTwins: Int32Array;
-  /** Twins with NO_TWIN at sharp edges, and where windings contradict each other. */
+  /** Twins with NO_TWIN at sharp edges and where windings contradict each other. */
   sharpTwins: Int32Array;
   /** The fan of each corner. */
   ofCorner: Uint32Array;
   /** Unit normals, three per fan. */
   normals: Float32Array;
-  /** The group of each triangle; null where there is one alone. */
+  /** The geometry group of each triangle; null if there is only one. */
   triangleGroups: Uint16Array | null;
 }
 
-/** Which sharp edges are drawn. */
+/** Decides which sharp edges are drawn. */
 export interface CreaseLimits {
-  /** Edges whose triangles differ by this angle or more, in radians, are creases; null: those the bake cuts as sharp. */
+  /**
+   * Edges are creases if the normals of their triangles differ by at least this angle, in radians. With null, the edges that the
+   * bake cuts as sharp are creases.
+   */
   creaseAngle: number | null;
-  /** Creases that hang together are drawn if they are this long in all, in object units; straight runs overshoot from it on. */
+  /**
+   * Connected creases are drawn if they are at least this long in total, in object units. Straight lines of at least this length
+   * are drawn a little beyond their ends.
+   */
   creaseLength: number;
 }
 
-/** Edges that are drawn, or that the contour may run along. */
+/** The edges that are drawn, or that the contour may run along. */
 export interface FeatureEdges {
-  /** Per edge the fans to its left, at its start and end, and to its right. A border has the left ones twice. */
+  /** Four fans per edge: left at the start, left at the end, right at the start, right at the end. A border has the left ones twice. */
   fans: Uint32Array<ArrayBuffer>;
-  /** Per edge what it is: the bits of `edgeFlags.ts`. */
+  /** The flags of each edge (`edgeFlags.ts`). */
   flags: Uint8Array<ArrayBuffer>;
 }
 
 /** On a mesh built with exactly the crease angle, rounding must not drop some edges and keep others. */
 const COSINE_TOLERANCE = 1e-6;
 
-/** Sharp edges with a flatter angle than 30° were cut for another reason, such as a `creaseAngle` of 0. This is its cosine. */
+/** The cosine of 30°. Cut edges with a smaller angle are no creases: they were cut because of a `creaseAngle` of 0, for example. */
 const FLATTEST_CREASE = Math.cos(Math.PI / 6);
 
-/** A line turns at a vertex if its two edges lie off a straight line by more than 40°; this is |d₁ + d₂|² of that. */
+/** A line turns at a vertex if its two edges deviate from a straight line by more than 40°. This is |d₁ + d₂|² at that angle. */
 const TURN_SQUARED = 2 - 2 * Math.cos((40 * Math.PI) / 180);
 
 /**
- * Finds borders, creases, edges between groups, and edges along which the contour runs because the normals on either side
- * differ. Creases are filtered by their length: those of scans are many and short, those of machine parts long.
+ * Finds borders, creases, edges between groups, and edges that the contour may run along because the normals on their two sides
+ * differ. Creases are filtered by length: those of scans are many and short, those of machine parts are long.
  */
 export function* findFeatureEdges(
   surface: FeatureSurface,
@@ -68,7 +74,7 @@ export function* findFeatureEdges(
   );
   yield* asPhase(dropShortCreases(surface, corners, kinds, limits.creaseLength), 0.7, 0.85);
 
-  // An edge that is nothing any more and has the same fans on both sides is none.
+  // An edge that has lost its kind is kept only if the fans on its two sides differ, since the contour may run along it.
   const kept: number[] = [];
   for (let i = 0; i < corners.length; i++) if (kinds[i] !== 0 || separatesFans(surface, corners[i])) kept.push(i);
   const numbers = Uint32Array.from(kept);
@@ -86,7 +92,7 @@ export function* findFeatureEdges(
   return { fans, flags };
 }
 
-/** Collects the half-edges of some corners that may be features, one per edge, and what they are. */
+/** Collects the edges in a range of corners that may be feature edges, each by one of its half-edges, and their kinds. */
 function collectRange(
   surface: FeatureSurface,
   creaseCosine: number | null,
@@ -108,7 +114,7 @@ function collectRange(
     if (twin < corner) continue;
     const other = triangleOf(twin);
     let kind = triangleGroups !== null && triangleGroups[triangle] !== triangleGroups[other] ? MATERIAL_BORDER : 0;
-    // Where the windings contradict each other, no angle can be told.
+    // Where the windings contradict each other, the angle between the triangles is unknown.
     if (canonicalCorners[corner] !== canonicalCorners[twin]) {
       const isCrease =
         creaseCosine === null
@@ -130,7 +136,7 @@ function separatesFans({ ofCorner, joinedTwins, canonicalCorners }: FeatureSurfa
   return ofCorner[corner] !== ofCorner[nextCorner(twin)] || ofCorner[nextCorner(corner)] !== ofCorner[twin];
 }
 
-/** Whether the normals on the two sides of an edge with a twin differ by more than those of a flat crease at either end. */
+/** Whether, at the start or the end of an edge with a twin, the normals on its two sides differ by more than 30°. */
 function bends({ ofCorner, joinedTwins, normals }: FeatureSurface, corner: number): boolean {
   const twin = joinedTwins[corner];
   const start = cosineOf(normals, ofCorner[corner], ofCorner[nextCorner(twin)]);
@@ -158,7 +164,7 @@ function writeFans(
   fans[target + 3] = ofCorner[end];
 }
 
-/** Takes CREASE from creases that are shorter than `shortest`, all that hang together counted. */
+/** Removes the flag CREASE from all edges of connected creases whose total length is less than `shortest`. */
 function* dropShortCreases(
   { mesh, canonicalCorners }: FeatureSurface,
   corners: readonly number[],
@@ -190,8 +196,9 @@ function distance(positions: Float32Array, a: number, b: number): number {
 }
 
 /**
- * Marks the ends of edges that are drawn whole at which the line ends, branches or turns, if it has run straight for at least
- * `shortest` before. A hand runs on past such a corner, and not past each of the many corners of a scan.
+ * Marks the ends of edges at which a line ends, branches or turns, if the line has been straight for at least `shortest` before.
+ * A hand draws a little beyond such a corner, but not beyond each of the many corners in a scan. Only edges that are drawn over
+ * their whole length count.
  */
 function markCorners(
   { mesh, canonicalCorners }: FeatureSurface,
@@ -226,7 +233,7 @@ function markCorners(
     return degrees[vertex] !== 2 || x * x + y * y + z * z > TURN_SQUARED;
   };
 
-  // Edges that go on straight into one another are one run.
+  // Edges that continue each other in a straight line form one run.
   const runs = disjointSets(numbers.length);
   const edgeAt = new Map<number, number>();
   for (let i = 0; i < numbers.length; i++) {

@@ -4,16 +4,16 @@ import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
-/** The mean length of an edge from which on a mesh may be coarse, as a share of the bounding radius. */
+/** A mesh may be coarse if the mean length of its edges is above this, as a share of the bounding radius. */
 const LONG_EDGE = 0.1;
-/** The mean angle between neighbours from which on it is. */
+/** Such a mesh is coarse if the mean angle between neighbouring triangles is above this too, in radians. */
 const WIDE_ANGLE = (9 * Math.PI) / 180;
 
 /**
- * Whether a mesh has so few triangles that one sees them on its outline: a sphere of 320, but not one of 1,280. A contour of
- * smooth normals would run well inside of that outline.
+ * Whether a mesh has so few triangles that they show in its outline, as in a sphere of 320 triangles, but not of 1,280. A contour
+ * from smooth normals would run well inside that outline.
  *
- * @param twins with NO_TWIN at sharp edges and where windings contradict each other, which say nothing of how coarse a mesh is
+ * @param twins twins with NO_TWIN at sharp edges and where windings contradict each other: such edges do not count
  */
 export function* isCoarse(
   mesh: TriangleMesh,
@@ -27,7 +27,7 @@ export function* isCoarse(
     0,
     0.5,
   );
-  // Of most meshes the edges are short, and no angle is asked for.
+  // Most meshes have short edges, and their angles need not be measured.
   if (!(sums.length > LONG_EDGE * radius * sums.count)) return false;
   yield* asPhase(
     forEachChunk(twins.length, (start, end) => addAngles(mesh, twins, areaNormals, sums, start, end)),
@@ -37,11 +37,11 @@ export function* isCoarse(
   return sums.turned > WIDE_ANGLE * sums.length;
 }
 
-/** Sums over edges with twins. */
+/** Sums over all edges that have twins. */
 interface EdgeSums {
   count: number;
   length: number;
-  /** Of the angles between neighbours, times the lengths of their edges. */
+  /** The sum of the angles between neighbours, each times the length of the edge. */
   turned: number;
 }
 

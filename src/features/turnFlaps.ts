@@ -2,12 +2,13 @@ import type { Fans } from '../normals/buildFans.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
-/** The cosine of the widest angle between a normal and the mean of those around it. */
+/** The cosine of the widest angle that is allowed between a normal and the mean of the normals around it. */
 const WIDEST = Math.cos((70 * Math.PI) / 180);
 
 /**
- * Replaces, in place, normals that all others in their triangles contradict by the mean of those. Such a fan is a flap: scans
- * have triangles that are folded over at one corner. A contour would run around each of them, as dust.
+ * Replaces, in place, the normals of flaps by the mean of the normals around them. A flap is a fan whose normal contradicts all
+ * others in its triangles: scans have triangles that are folded over at one corner. Without this step a contour would run around
+ * each of them.
  *
  * @param normals unit normals, three per fan
  */
@@ -25,7 +26,7 @@ export function* turnFlaps(normals: Float32Array, { ofCorner, count }: Fans): Ge
   );
 }
 
-/** Adds to each fan the normals of the other two corners of some triangles. */
+/** Adds to the sum of each fan the normals of the other two corners, for each triangle in a range. */
 function addOthers(normals: Float32Array, ofCorner: Uint32Array, sums: Float32Array, start: number, end: number): void {
   for (let first = 3 * start; first < 3 * end; first += 3) {
     const a = 3 * ofCorner[first];

@@ -5,17 +5,17 @@ import { hashWords } from './hashWords.js';
 
 /** What `clusterPositions` returns. */
 export interface Clusters {
-  /** For each entry of the list the first entry of its cluster. */
+  /** For each entry of `vertices` the first entry of its cluster. */
   first: Uint32Array<ArrayBuffer>;
   /** Hash slots and positions visited: a machine-independent measure of the time taken. */
   steps: number;
 }
 
-/** Positions sorted into cubes with sides of one tolerance. */
+/** Positions sorted into cubic cells whose side is the tolerance. */
 interface Cells {
   /** Cell coordinates of each position: x, y, z. */
   coordinates: Float64Array;
-  /** Hash table of cells + 1; 0 is empty. */
+  /** A hash table of the numbers of cells + 1; 0 is an empty slot. */
   table: Uint32Array;
   /** One position of each cell. */
   sample: Uint32Array;
@@ -38,13 +38,13 @@ const NEIGHBOURS = Array.from({ length: 27 }, (_, i) => [
   .flat();
 
 /**
- * Finds the connected components of positions, where two are connected if they differ by no more than `tolerance` along each
- * axis. Neither the order of the positions nor the grid that is used counts.
+ * Finds the connected components of positions, where two positions are connected if they differ by no more than `tolerance`
+ * along each axis. The result depends neither on the order of the positions nor on the grid.
  *
- * Positions in one cell of the grid are connected. Whether two neighbouring cells are is found by halving them (`touch`), so
- * that crowded cells cost little more than their number of positions.
+ * All positions in one cell of the grid are connected. To find out whether two neighbouring cells are connected, the cells are
+ * halved repeatedly (`touch`), so that a crowded cell costs little more than its number of positions.
  *
- * @param vertices which positions, by number
+ * @param vertices the numbers of the positions to look at
  * @param tolerance above 0, and not below 2⁻⁴⁰ of the extent of the positions
  */
 export function* clusterPositions(
@@ -137,7 +137,7 @@ function findSlot(cells: Cells, x: number, y: number, z: number): number {
   }
 }
 
-/** Connects the positions in each of some cells with each other and with those in the neighbouring cells. */
+/** Connects the positions in each cell of a range with each other and with those in the neighbouring cells. */
 function connectRange(
   points: Float32Array,
   cells: Cells,
@@ -165,8 +165,8 @@ function connectRange(
 }
 
 /**
- * Whether some position of `a` and some position of `b` differ by no more than `tolerance` along each axis. The boxes around
- * them decide, or the wider of the two is halved.
+ * Whether some position of `a` and some position of `b` differ by no more than `tolerance` along each axis. If the bounding
+ * boxes of the two do not decide it, the wider one is halved.
  */
 function touch(
   points: Float32Array,

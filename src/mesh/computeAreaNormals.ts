@@ -2,9 +2,9 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
 /**
- * The area normal of each triangle, (V1 − V0) × (V2 − V0) in double precision: its direction is the normal, its length
- * twice the area. All three components are exactly 0 if, and only if, the triangle is degenerate: two corners at one
- * position, or all three on one line.
+ * Computes the area normal of each triangle, (V1 − V0) × (V2 − V0), in double precision. Its direction is the normal, its
+ * length twice the area. All three components are exactly 0 if, and only if, the triangle is degenerate: it has two corners
+ * at one position, or all three on one line.
  */
 export function* computeAreaNormals(mesh: TriangleMesh): Generator<number, Float64Array<ArrayBuffer>, void> {
   const areaNormals = new Float64Array(mesh.indices.length);
@@ -24,7 +24,7 @@ export function cosineBetween(areaNormals: Float64Array, a: number, b: number): 
   const bx = areaNormals[3 * b];
   const by = areaNormals[3 * b + 1];
   const bz = areaNormals[3 * b + 2];
-  // Two roots, not one: the product of the squares could overflow.
+  // Two roots are multiplied, because the product of the squares could overflow.
   const lengths = Math.sqrt(ax * ax + ay * ay + az * az) * Math.sqrt(bx * bx + by * by + bz * bz);
   return (ax * bx + ay * by + az * bz) / lengths;
 }

@@ -13,7 +13,7 @@
  *         α
  */
 
-/** Stands in place of a twin where an edge has none: at a border. */
+/** Stands for the twin of an edge that has none, because it is a border. */
 export const NO_TWIN = -1;
 
 /** The triangle that owns `corner`. */

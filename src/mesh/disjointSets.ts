@@ -1,6 +1,6 @@
 /**
- * Union-find over 0 … count − 1. `parents[i]` is another member of the set of i, or i itself if i is the root: the smallest
- * member. Near-linear, also for one set of 100,000.
+ * Union-find over 0 … count − 1. `parents[i]` is another member of the set of i, or i itself if i is the root, which is the
+ * smallest member. It takes near-linear time, even for a single set of 100,000.
  */
 export function disjointSets(count: number): Uint32Array<ArrayBuffer> {
   const parents = new Uint32Array(count);
@@ -8,7 +8,7 @@ export function disjointSets(count: number): Uint32Array<ArrayBuffer> {
   return parents;
 }
 
-/** The root of a member's set. Halves the path on the way. */
+/** The root of a member's set. The search halves the path to it. */
 export function rootOf(parents: Uint32Array, member: number): number {
   let root = member;
   for (let parent = parents[root]; parent !== root; parent = parents[root]) {

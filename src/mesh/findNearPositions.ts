@@ -3,24 +3,25 @@ import { hashWords } from './hashWords.js';
 
 /** What `findNearPositions` returns. */
 export interface NearPositions {
-  /** Those that may be near another one, in their order. */
+  /** The entries of `vertices` that may be near another position, in the same order. */
   near: Uint32Array<ArrayBuffer>;
   /** Hash slots visited: a machine-independent measure of the time taken. */
   steps: number;
 }
 
-/** Side of a cell of the grid, in tolerances. Most boxes lie in one cell, and few cells hold more than one. */
+/** Side of a cell of the grid, in tolerances. At this size most boxes lie in one cell, and few cells hold more than one box. */
 const CELL = 16;
 
-/** Half a side of the box around a position, in tolerances. Above one half, so that rounding separates no boxes that touch. */
+/** Half a side of the box around a position, in tolerances. Above 0.5, so that rounding cannot separate boxes that touch. */
 const REACH = 0.51;
 
 /**
- * Finds the positions that may differ from another one by no more than `tolerance` along each axis. Most others are left out,
- * at a fraction of what it costs to search their neighbourhood: two near positions have boxes of one tolerance that touch, so
- * some cell of a coarse grid holds a part of both. Which cells do is kept in a hash table that takes collisions for near.
+ * Finds the positions that may differ from another one by no more than `tolerance` along each axis. It leaves out most of the
+ * others, at a fraction of the cost of a search of their neighbourhood. Each position has a box around it with sides of one
+ * tolerance. The boxes of two near positions touch, so some cell of a coarse grid holds a part of both. Cells are kept in a
+ * hash table; positions whose cells collide in it count as near.
  *
- * @param vertices which positions, by number
+ * @param vertices the numbers of the positions to look at
  * @param tolerance above 0, and not below 2⁻⁴⁰ of the extent of the positions
  */
 export function* findNearPositions(
@@ -42,7 +43,7 @@ export function* findNearPositions(
   return { near: near.subarray(0, count), steps };
 }
 
-/** Enters positions into `table` (entry + 1, so that 0 means empty) and marks those that meet. Returns the slots visited. */
+/** Enters positions into `table` (entry + 1; 0 is an empty slot) and marks those that meet. Returns the count of slots visited. */
 function enterRange(
   positions: Float32Array,
   vertices: Uint32Array,
@@ -57,7 +58,7 @@ function enterRange(
   const reach = REACH / CELL;
   let steps = 0;
   for (let i = start; i < end; i++) {
-    // The planes through the origin, where many borders lie, run through the middle of cells.
+    // The offset puts the planes through the origin, where many borders lie, into the middle of cells.
     const x = positions[3 * vertices[i]] * scale + 0.5;
     const y = positions[3 * vertices[i] + 1] * scale + 0.5;
     const z = positions[3 * vertices[i] + 2] * scale + 0.5;

@@ -1,6 +1,6 @@
 /**
- * MurmurHash3 (Austin Appleby, public domain) of three words. Coordinates of regular grids differ only in a few high bits.
- * The final mix carries these into the low bits, which the hash table's mask keeps.
+ * MurmurHash3 (Austin Appleby, public domain) of three words. The coordinates of a regular grid differ only in a few high
+ * bits. The final mix carries these into the low bits, which the mask of a hash table keeps.
  */
 export function hashWords(x: number, y: number, z: number): number {
   let h = mix(mix(mix(0x9747b28c, x), y), z);

@@ -30,7 +30,7 @@ export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, vo
   return bounds;
 }
 
-/** Widens the box to the vertices of some corners. */
+/** Widens the box so that it holds the vertices of a range of corners. */
 function enclose({ positions, indices }: TriangleMesh, { min, max }: Bounds, start: number, end: number): void {
   let [minX, minY, minZ] = min;
   let [maxX, maxY, maxZ] = max;
@@ -50,7 +50,7 @@ function enclose({ positions, indices }: TriangleMesh, { min, max }: Bounds, sta
   max.splice(0, 3, maxX, maxY, maxZ);
 }
 
-/** The greatest distance from the centre. */
+/** The greatest distance from the centre among the vertices of a range of corners. */
 function farthest(
   { positions, indices }: TriangleMesh,
   [centerX, centerY, centerZ]: Bounds['min'],

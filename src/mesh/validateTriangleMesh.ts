@@ -5,7 +5,7 @@ import type { TriangleMesh } from './TriangleMesh.js';
  * Throws a RangeError that says what is wrong with `mesh` and what to do about it. Vertices that no triangle uses are not
  * checked.
  *
- * @param label begins the message: the function that was called and the geometry it was given
+ * @param label the beginning of the message: the function that was called and the geometry that was passed
  */
 export function* validateTriangleMesh(mesh: TriangleMesh, label: string): Generator<number, void, void> {
   const { positions, indices } = mesh;

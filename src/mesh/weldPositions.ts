@@ -11,14 +11,14 @@ export interface Weld {
 
 const NEGATIVE_ZERO_BITS = 0x80000000;
 
-/** The bits of a float with −0 folded into 0, so that equal coordinates have equal bits. */
+/** The bits of a float, with −0 folded into 0 so that equal coordinates have equal bits. */
 const fold = (bits: number): number => (bits === NEGATIVE_ZERO_BITS ? 0 : bits);
 
 /**
- * Finds the vertices that lie at exactly the same position. Seams of uv, normal or colour split vertices, but the surface
- * continues across them. There is no tolerance here: see `joinBorders`.
+ * Finds the vertices that lie at exactly the same position. Vertices are split along the seams of uvs, normals and colours,
+ * but the surface continues across them. This function knows no tolerance; `joinBorders` does.
  *
- * Open addressing with linear probing at a load of at most one half, expected O(V).
+ * The hash table uses open addressing with linear probing, at a load of at most one half. The expected time is O(V).
  */
 export function* weldPositions(positions: Float32Array<ArrayBuffer>): Generator<number, Weld, void> {
   const vertexCount = positions.length / 3;
@@ -34,7 +34,7 @@ export function* weldPositions(positions: Float32Array<ArrayBuffer>): Generator<
   return { canonical, steps };
 }
 
-/** Enters vertices into `table` (vertex + 1, so that 0 means empty). Returns the number of slots visited. */
+/** Enters vertices into `table` (vertex + 1; 0 is an empty slot). Returns the number of slots visited. */
 function weldRange(bits: Uint32Array, table: Uint32Array, canonical: Uint32Array, start: number, end: number): number {
   const mask = table.length - 1;
   let steps = 0;

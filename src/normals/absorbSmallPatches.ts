@@ -7,12 +7,12 @@ import { type Fans, NO_FAN } from './buildFans.js';
 import type { Patches } from './findPatches.js';
 
 /**
- * Moves the corners of small patches, in place, to the largest fan at their vertex that belongs to no small patch, if there
- * is one. Small patches are the folds, spikes and doubled triangles of scans and decimated meshes, and all
- * degenerate triangles: too small for a stroke. An object that is small as a whole keeps its edges. The numbers of emptied
- * fans stay unused.
+ * Moves the corners of small patches, in place, to the largest fan at the same vertex that belongs to no small patch, if such a
+ * fan exists. Small patches are too small for a stroke: the folds, spikes and doubled triangles of scans and decimated meshes,
+ * and all degenerate triangles. An object that is small as a whole keeps its edges. The numbers of fans that become empty stay
+ * unused.
  *
- * @param isSmall says so of a patch, by its area in square object units and its number of triangles
+ * @param isSmall tells whether a patch is small, from its area in square object units and its number of triangles
  */
 export function* absorbSmallPatches(
   { mesh, canonicalCorners, areaNormals }: Pick<FanSurface, 'mesh' | 'canonicalCorners' | 'areaNormals'>,
@@ -47,7 +47,7 @@ export function* absorbSmallPatches(
   );
 }
 
-/** Adds the areas of some triangles to those of their fans. */
+/** Adds the area of each triangle in a range to those of its fans. */
 function addFans(
   areaNormals: Float64Array,
   ofCorner: Uint32Array,

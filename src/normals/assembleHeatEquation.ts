@@ -6,12 +6,12 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
 
 /**
- * Largest cotangent used as a weight, that of 5.7°. Slivers have larger ones, which would force very small steps. All three
- * cotangents of a triangle are scaled down together: heat then flows more slowly through slivers, and is still conserved.
+ * The largest cotangent that is used as a weight, that of 5.7°. The larger ones of slivers would force very small steps. All
+ * three cotangents of a triangle are scaled down together, so that heat flows more slowly through slivers, but is conserved.
  */
 const LARGEST_COTANGENT = 10;
 
-/** A mesh of fans to smooth over. */
+/** A mesh and its fans, over which normals are smoothed. */
 export interface FanSurface {
   mesh: TriangleMesh;
   /** Twins with NO_TWIN wherever two fans meet. */
@@ -25,18 +25,19 @@ export interface FanSurface {
 export interface HeatEquation {
   /** The edges of fan i lie in entries starts[i] … starts[i + 1] − 1. */
   starts: Uint32Array;
-  /** Three times the number of the fan at the other end of each edge: where its vector lies. */
+  /** For each edge the offset of the vector at its other end: three times the number of the fan there. */
   neighbours: Int32Array;
-  /** Half the sum of the cotangents of the angles opposite to each edge. */
+  /** For each edge half the sum of the cotangents of the two angles opposite to it. */
   weights: Float32Array;
-  /** For each fan a third of the area around it. */
+  /** For each fan a third of the area of its triangles. */
   masses: Float64Array;
   /** For each fan the sum of the magnitudes of its weights: a bound on the rate at which heat leaves it. */
   degrees: Float64Array;
 }
 
 /**
- * Sorts the edges by the fan they start from (counting sort). Every edge is entered twice, once for either end.
+ * Assembles the heat equation. The edges are sorted by the fan they start from (counting sort); every edge is entered twice,
+ * once for each end.
  *
  * @param masses see `HeatEquation`
  */
@@ -78,7 +79,7 @@ export function* assembleHeatEquation(
   return heat;
 }
 
-/** The cotangents of the angles of some triangles, limited to LARGEST_COTANGENT; 0 in degenerate ones. */
+/** Writes the cotangents of the angles of a range of triangles, limited to LARGEST_COTANGENT; 0 in degenerate triangles. */
 function cotangentRange(
   { mesh: { positions, indices }, areaNormals }: FanSurface,
   cotangents: Float32Array,
@@ -113,7 +114,7 @@ function dotFrom(positions: Float32Array, origin: number, a: number, b: number):
   );
 }
 
-/** Counts the edges of each fan. A half-edge counts for the fan it starts from and, without a twin, for the one it ends in. */
+/** Counts the edges of each fan. A half-edge counts for the fan it starts from; without a twin it also counts for its end. */
 function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end: number): void {
   const { twins } = surface;
   const { ofCorner } = surface.fans;
@@ -123,7 +124,7 @@ function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end:
   }
 }
 
-/** Enters the edges from the back of each fan's range: `starts` begins as the range ends and finishes as the range starts. */
+/** Fills the range of each fan from its back: `starts` holds the ends of the ranges before, and their starts afterwards. */
 function scatterRange(
   surface: FanSurface,
   cotangents: Float32Array,

@@ -3,7 +3,7 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
 import { fanDirections } from './fanDirections.js';
 
-/** A unit normal per fan, x, y, z: the normalised sum of the area normals of its triangles. */
+/** Computes a unit normal per fan (x, y, z): the normalised sum of the area normals of its triangles. */
 export function* computeSmoothNormals(
   areaNormals: Float64Array,
   fans: Fans,

@@ -28,7 +28,7 @@ function cutRange(
     const twin = twins[corner];
     if (twin < corner) continue;
     const cosine = cosineBetween(areaNormals, triangleOf(corner), triangleOf(twin));
-    // A triangle wound the other way has its normal on the other side.
+    // A triangle with the opposite winding has its normal on the other side.
     const isInconsistent = canonicalCorners[corner] === canonicalCorners[twin];
     if ((isInconsistent ? -cosine : cosine) > creaseCosine) continue;
     twins[corner] = NO_TWIN;

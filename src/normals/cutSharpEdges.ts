@@ -5,22 +5,22 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import { writeNormalized } from './writeNormalized.js';
 
 /**
- * An edge is sharp if the filtered normals of its triangles differ by more than this. Below 60°, so that the edges of a
- * hexagonal prism stay sharp; above 45°, so that an octagonal prism counts as round.
+ * An edge is sharp if the filtered normals of its triangles differ by more than this. It is below 60°, so that the edges of a
+ * hexagonal prism stay sharp, and above 45°, so that an octagonal prism counts as round.
  */
 const CREASE_DEGREES = 50;
 
-/** The same, as the squared distance between the tips of two unit normals. */
+/** The crease angle as the squared distance between the tips of two unit normals. */
 const CREASE_DISTANCE_SQUARED = 2 - 2 * Math.cos((CREASE_DEGREES * Math.PI) / 180);
 
-/** Enough to remove all edges from a plane whose triangles are tilted at random by up to 40°. */
+/** This many passes remove all edges from a plane whose triangles are tilted at random by up to 40°. */
 const PASSES = 4;
 
 /**
- * Sets the twins of every sharp edge to NO_TWIN, in place. Scan noise tilts small triangles by more than some sharp
- * edges do, so the angle is measured between filtered normals. Each normal is averaged with those of the neighbours,
- * weighted by area and by similarity, with weight zero beyond the crease angle (bilateral filtering of normals: Zheng, Fu,
- * Au and Tai, 2011). This removes noise, and the faces of a cube do not influence each other.
+ * Sets the twins of every sharp edge to NO_TWIN, in place. The noise of a scan tilts small triangles more than some sharp edges
+ * do, so the angle is measured between filtered normals. Each normal is averaged with those of the neighbours, weighted by area
+ * and by similarity, with weight zero beyond the crease angle (bilateral filtering of normals: Zheng, Fu, Au and Tai, 2011).
+ * This removes noise, but the faces of a cube do not influence each other.
  *
  * @param twins without those of edges where the windings contradict each other (`consistentTwins`)
  */
@@ -50,7 +50,7 @@ export function* cutSharpEdges(twins: Int32Array, areaNormals: Float64Array): Ge
   );
 }
 
-/** Splits the area normals of some triangles into double area and unit normal. */
+/** Splits the area normals of a range of triangles into double areas and unit normals. */
 function splitRange(
   areaNormals: Float64Array,
   areas: Float64Array,
@@ -97,7 +97,7 @@ function filterRange(
       sumY += weight * neighbourY;
       sumZ += weight * neighbourZ;
     }
-    // Every term lies within the crease angle of the own normal, so the sum cannot cancel.
+    // Every term lies within the crease angle of the triangle's normal, so the sum cannot cancel to zero.
     const length = Math.sqrt(sumX * sumX + sumY * sumY + sumZ * sumZ) || 1;
     filtered[first] = sumX / length;
     filtered[first + 1] = sumY / length;
@@ -105,7 +105,7 @@ function filterRange(
   }
 }
 
-/** Each half-edge is cut by itself; both of an edge are equally far from each other. */
+/** Each half-edge is cut by itself. The distance is the same for both halves of an edge. */
 function cutRange(normals: Float32Array, twins: Int32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
     const twin = twins[corner];

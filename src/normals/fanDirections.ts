@@ -3,8 +3,8 @@ import type { Fans } from './buildFans.js';
 import { writeNormalized } from './writeNormalized.js';
 
 /**
- * Normalises the vector of each fan. A zero vector becomes the normal of the fan's first triangle or, if that is
- * degenerate, +z.
+ * Normalises the vector of each fan. A zero vector is replaced by the normal of the fan's first triangle or, if that triangle
+ * is degenerate, by +z.
  */
 export function* fanDirections(
   vectors: Float32Array | Float64Array,

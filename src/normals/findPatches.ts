@@ -5,17 +5,17 @@ import { disjointSets, join, rootOf } from '../mesh/disjointSets.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
-/** What a mesh falls into along the edges without twins. */
+/** The patches of a mesh: sets of triangles that are connected across edges with twins. */
 export interface Patches {
   /** For each triangle the number of its patch. */
   ofTriangle: Uint32Array;
-  /** The area of each, in square object units. */
+  /** The area of each patch, in square object units. */
   areas: Float64Array;
-  /** How many triangles each has. */
+  /** The number of triangles of each patch. */
   sizes: Uint32Array;
 }
 
-/** Finds the patches: sets of triangles bounded by edges without twins. */
+/** Finds the patches of a mesh. */
 export function* findPatches({
   twins,
   areaNormals,
@@ -48,12 +48,15 @@ export function* findPatches({
 
 function joinRange(twins: Int32Array, parents: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
-    // Each edge once, and none without a twin.
+    // This takes each edge once, and skips those without a twin.
     if (twins[corner] > corner) join(parents, triangleOf(corner), triangleOf(twins[corner]));
   }
 }
 
-/** Numbers the patches of some triangles; `count` are numbered already. The root is the smallest of its set, so it comes first. */
+/**
+ * Numbers the patches of a range of triangles. `count` patches have a number already. The root of a set is its smallest
+ * member, so it gets its number before the others look it up.
+ */
 function numberRange(parents: Uint32Array, ofTriangle: Uint32Array, count: number, start: number, end: number): number {
   let next = count;
   for (let triangle = start; triangle < end; triangle++) {
@@ -63,7 +66,7 @@ function numberRange(parents: Uint32Array, ofTriangle: Uint32Array, count: numbe
   return next;
 }
 
-/** Adds the areas of some triangles to those of their patches, and counts them. */
+/** Adds the area of each triangle in a range to that of its patch, and counts the triangles. */
 function addRange(
   areaNormals: Float64Array,
   ofTriangle: Uint32Array,

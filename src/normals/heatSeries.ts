@@ -1,9 +1,10 @@
 /**
  * The coefficients c₀, c₁, … of e^(−time·(1 − x)) ≈ Σ cₖ·Tₖ(x) on [−1, 1], with Tₖ the Chebyshev polynomials. They are modified
  * Bessel functions of the first kind: c₀ ∝ I₀(time), cₖ ∝ 2·Iₖ(time). They fall off beyond k ≈ √time. The series ends where
- * the rest sums to less than `tolerance`. The coefficients are scaled to sum to 1, so a constant keeps its value.
+ * the remaining coefficients sum to less than `tolerance`. The coefficients are scaled to sum to 1, so a constant keeps its
+ * value.
  *
- * If x is a matrix of weighted means, the series is the result of `time` small steps of heat flow, at the price of only about
+ * If x is a matrix of weighted means, the series gives the result of `time` small steps of heat flow in only about
  * √(2·time·ln(1/tolerance)) steps.
  */
 export function heatSeries(time: number, tolerance: number): number[] {

@@ -3,24 +3,28 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import { assembleHeatEquation, type FanSurface, type HeatEquation } from './assembleHeatEquation.js';
 import { heatSeries, longestHeatTime } from './heatSeries.js';
 
-/** No fan mixes faster than this many times the average rate: fans of very small triangles are slowed down. */
+/** The largest rate of mixing, as a multiple of the mean rate. Fans of very small triangles are slowed down to it. */
 const LARGEST_RATE = 2;
 
-/** Share of the finest noise that may remain. */
+/** The share of the finest noise that may remain. */
 const TOLERANCE = 0.02;
 
-/** Enough for a radius of 40 mean edges, three times what scans need. More would take seconds on a million triangles. */
-const MOST_PASSES = 200;
+/**
+ * The largest number of passes. It is enough for a radius of 40 mean edges, three times what scans need; more passes would take
+ * seconds on a million triangles.
+ */
+const MAX_PASSES = 200;
 
 /**
- * Smooths normals at the scale of each of `radii`, in object units. Starts from the mean normal of each fan and lets it diffuse
- * over the surface like heat, for the time radius²/4, in which heat spreads over about `radius`. Finer noise is averaged
- * away; nothing flows across edges that separate fans. The result depends on the shape and not on its triangulation, thanks
- * to cotangent weights and a time in object units instead of a number of passes.
+ * Smooths normals at the scale of each of `radii`, in object units. The mean normal of each fan diffuses over the surface like
+ * heat, for the time radius²/4, in which heat spreads over about `radius`. Finer noise is averaged away; nothing flows across
+ * edges that separate fans. The result depends on the shape and not on its triangulation, thanks to cotangent weights and a
+ * time in object units instead of a number of passes.
  *
- * Several radii cost little more than the largest: they are parts of one flow.
+ * Several radii cost little more than the largest of them, because they are parts of one flow.
  *
- * @returns for each radius x, y, z per fan, not of unit length; zero where normals cancel and in fans of degenerate triangles
+ * @returns for each radius a vector per fan (x, y, z), not of unit length. It is zero where normals cancel and for fans that
+ *   only have degenerate triangles.
  */
 export function* smoothFanNormals(
   surface: FanSurface,
@@ -55,20 +59,20 @@ export function* smoothFanNormals(
   return smoothed;
 }
 
-/** Parts of a flow that take the same steps, some more of them than others. */
+/** A flow whose parts take the same steps, though some take more of them than others. */
 interface FlowPlan {
   /** The highest rate at which fans mix. */
   rate: number;
-  /** By the index of the radius, how many steps. */
+  /** The index of each radius in this flow, and its number of steps. */
   parts: { radius: number; steps: number }[];
 }
 
-/** Radii that no fan needs to be slowed down for are parts of one flow; each of the others is one by itself. */
+/** Radii for which no fan must be slowed down become parts of one flow; each of the others gets a flow of its own. */
 function planFlows(radii: readonly number[], highest: number): FlowPlan[] {
   const plans: FlowPlan[] = [];
   for (const [i, radius] of radii.entries()) {
     const time = radius ** 2 / 4;
-    const rate = Math.min(highest, longestHeatTime(MOST_PASSES, TOLERANCE) / time);
+    const rate = Math.min(highest, longestHeatTime(MAX_PASSES, TOLERANCE) / time);
     if (!(time * rate > 1e-6)) continue;
     const part = { radius: i, steps: time * rate };
     const plan = plans.find((other) => other.rate === rate);
@@ -78,7 +82,7 @@ function planFlows(radii: readonly number[], highest: number): FlowPlan[] {
   return plans;
 }
 
-/** Adds up the normals and masses of some triangles. */
+/** Adds the normals and masses of a range of triangles to those of their fans. */
 function sumRange(
   areaNormals: Float64Array,
   ofCorner: Uint32Array,
@@ -88,7 +92,7 @@ function sumRange(
   end: number,
 ): void {
   for (let first = 3 * start; first < 3 * end; first += 3) {
-    // A third of the area; area normals are twice the area long.
+    // This makes the length a third of the area, since area normals are twice the area long.
     const x = areaNormals[first] / 6;
     const y = areaNormals[first + 1] / 6;
     const z = areaNormals[first + 2] / 6;
@@ -127,8 +131,8 @@ function highestRate({ masses, degrees }: HeatEquation): number {
 }
 
 /**
- * For each series of coefficients cₖ, Σ cₖ·Tₖ(P)·normals with P = 1 − L/rate, L the Laplacian, by the recurrence of the Chebyshev
- * polynomials: e^(−steps·(1 − P))·normals, if the coefficients are those of `heatSeries`. Overwrites `normals`.
+ * Computes Σ cₖ·Tₖ(P)·normals for each series of coefficients cₖ, where P = 1 − L/rate and L is the Laplacian, by the recurrence
+ * of the Chebyshev polynomials. With the coefficients of `heatSeries` that is e^(−steps·(1 − P))·normals. Overwrites `normals`.
  */
 function* flow(
   heat: HeatEquation,
@@ -158,23 +162,24 @@ function* flow(
   return results;
 }
 
-/** A loop: `map` calls a function for each value, which measured ten times as slow. */
+/** Multiplies values by a factor. `map` would call a function for each value, which was measured to be ten times as slow. */
 function scaled(values: Float32Array, factor: number): Float32Array<ArrayBuffer> {
   const result = new Float32Array(values.length);
   for (let i = 0; i < values.length; i++) result[i] = factor * values[i];
   return result;
 }
 
-/** A term of a series is added to `result`. */
+/** A term of a series, which is added to `result`. */
 interface Term {
   coefficient: number;
   result: Float32Array;
 }
 
 /**
- * Turns `previous`, Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ (scale 2; in the first step 1, and T₋₁ = 0) and adds its terms of the
- * series to their results. A fan with so little area that it would mix faster than the rate is treated as larger, which keeps the
- * eigenvalues of P within [−1, 1]. Differences are summed, not values, so equal neighbours stay equal to the last bit.
+ * Turns `previous`, which holds Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ and adds its terms to the results of the series. `scale` is
+ * 2, except in the first step: there it is 1, and T₋₁ = 0. A fan with so little area that it would mix faster than the rate is
+ * treated as larger, which keeps the eigenvalues of P within [−1, 1]. The sum is one of differences, not of values, so equal
+ * neighbours stay equal to the last bit.
  */
 function stepRange(
   { starts, neighbours, weights }: HeatEquation,

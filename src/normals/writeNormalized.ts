@@ -1,4 +1,4 @@
-/** Writes the vector at `from`, normalised. If it is zero, writes nothing and returns false. */
+/** Normalises the vector at `from` and writes it to `to`. If it is zero, it writes nothing and returns false. */
 export function writeNormalized(
   source: Float32Array | Float64Array,
   from: number,

@@ -7,8 +7,8 @@ const CHUNK_SIZE = 1 << 14;
 /**
  * Calls `body(start, end)` for consecutive ranges that cover [0, count). Yields the finished part in (0, 1] after each.
  *
- * `body` should only call a module-level function with everything it needs. Engines keep what they have optimised in such
- * a function from one bake to the next. A closure is made anew in each bake, which measured half as fast.
+ * `body` should only pass what it has to a module-level function. An engine keeps its optimised code of such a function from
+ * one bake to the next, whereas a closure is made anew in each bake: that was measured to be half as fast.
  */
 export function* forEachChunk(
   count: number,

@@ -5,7 +5,7 @@ const SLICE_MS = 8;
 export interface SlicedOptions {
   signal?: AbortSignal | undefined;
   onProgress?: ((progress: number) => void) | undefined;
-  /** Does the work of a slice, between what must stand around it: it is called once per slice, and calls what it is given. */
+  /** Called once per slice, to do something before and after it. It must call `slice` exactly once. */
   around?: ((slice: () => void) => void) | undefined;
 }
 
@@ -44,8 +44,8 @@ export async function runSliced<Result>(
 }
 
 /**
- * Pauses that let queued events run. In browsers this is a message between two ports: timers would wait 4 ms each once
- * nested, and a second in a hidden tab. Node has `setImmediate`, and would handle a thousand messages before other events.
+ * Pauses that let queued events run. In browsers a pause is a message between two ports: nested timers would wait 4 ms each,
+ * and a second in a hidden tab. Node has `setImmediate`; it would handle a thousand messages before any other event.
  */
 function createPause(): { next(): Promise<void>; close(): void } {
   if (typeof setImmediate === 'function') {
