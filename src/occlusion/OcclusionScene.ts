@@ -1,46 +1,46 @@
-/** A mesh that takes part in a bake of occlusion: what it hides and, if it has normals, what is hidden of it. */
+/** A mesh that takes part in a bake of ambient occlusion. It may occlude others and, if it has normals, receive occlusion. */
 export interface OcclusionMesh {
-  /** x, y, z of each vertex, object space. */
+  /** x, y, z of each vertex, in object space. */
   positions: Float32Array<ArrayBuffer>;
   /** Three entries per triangle. */
   indices: Uint32Array<ArrayBuffer>;
-  /** The normal of each vertex, of any length, object space; null: the mesh only hides others. */
+  /** The normal of each vertex, of any length, in object space. With null the mesh only occludes others. */
   normals: Float32Array<ArrayBuffer> | null;
   /** The matrix from object space to world space, by columns. */
   toWorld: number[];
-  /** Whether its back is what is seen. */
+  /** Whether the mesh is seen from its back, so that its normals must be reversed. */
   isInsideOut: boolean;
-  /** Whether it hides anything. */
-  hides: boolean;
+  /** Whether the mesh occludes others. */
+  occludes: boolean;
 }
 
-/** A part of the scene that depth maps are drawn of, and the samples that are looked up in them. */
+/** A sphere that depth maps are drawn of, and the samples that are looked up in these maps. */
 export interface OcclusionView {
   center: [x: number, y: number, z: number];
   radius: number;
   samples: Uint32Array<ArrayBuffer>;
 }
 
-/** The state of a bake: plain data, which tasks hand on from thread to thread. World space. */
+/** The state of a bake, in world space. Plain data: the tasks pass it from thread to thread. */
 export interface OcclusionScene {
-  /** x, y, z of the vertices of all meshes that hide something. */
+  /** x, y, z of the vertices of all meshes that occlude. */
   positions: Float32Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
-  /** Places on surfaces that are asked how much of the sky they see; lifted off them by a pixel of their view. */
+  /** x, y, z of each sample: a position on a surface where occlusion is measured, lifted off it by a pixel of its view. */
   samplePositions: Float32Array<ArrayBuffer>;
-  /** Unit normals; zero where nothing is known. */
+  /** The unit normal of each sample; zero if it has none. */
   sampleNormals: Float32Array<ArrayBuffer>;
-  /** For each sample the cosines of all directions above the surface so far, and of those that hit nothing, added up. */
+  /** Two sums for each sample: the cosines of all directions so far, and the cosines of those in which the sky is visible. */
   sums: Float32Array<ArrayBuffer>;
   views: OcclusionView[];
   /** For each mesh with normals the sample of each vertex, or NO_SAMPLE. */
   sampleOf: Uint32Array<ArrayBuffer>[];
-  /** How many pairs of opposite directions have been looked along. */
+  /** The number of pairs of opposite directions that have been added. */
   pairs: number;
 }
 
 /** Stands for the sample of a vertex that no triangle uses. */
 export const NO_SAMPLE = 0xffffffff;
 
-/** Pixels along one side of a depth map. */
+/** The width and height of a depth map, in pixels. */
 export const MAP_SIZE = 512;

@@ -7,7 +7,7 @@ import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './
 /** What `addDirections` returns. */
 export interface OcclusionResult {
   scene: OcclusionScene;
-  /** For each mesh with normals, the occlusion of each vertex: from 0, open, to 32767, closed. */
+  /** For each mesh with normals, the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it). */
   occlusions: Int16Array<ArrayBuffer>[];
 }
 
@@ -15,8 +15,8 @@ export interface OcclusionResult {
 const ONE = 0x7fff;
 
 /**
- * Looks along further pairs of opposite directions and adds up, for each sample, in which of them nothing is in the way of the
- * sky. One drawing of the scene serves both directions, and all samples.
+ * Adds further pairs of opposite directions to a bake: for each sample it adds up the directions in which nothing hides the sky.
+ * The scene is rasterized once per pair and view, for both directions and all samples.
  */
 export function* addDirections({
   scene,

@@ -1,15 +1,15 @@
 import type { OcclusionView } from './OcclusionScene.js';
 
-/** Share of the samples that are the many. */
-const MOST = 0.98;
-/** What lies this much farther out than they gets maps of its own. */
+/** The share of the samples that count as the bulk of the scene. */
+const BULK = 0.98;
+/** Samples that lie this many times farther out than the bulk get depth maps of their own. */
 const FARTHER = 1.5;
-/** Pixels on the border of a map stay free. */
+/** The radius of a view is this many times the distance of its farthest sample, which leaves a margin in the map. */
 const MARGIN = 1.02;
 
 /**
- * One view around all samples. Where a few of them lie far out, as the corners of a wide ground, they get a view of
- * their own, and the many are seen from near by.
+ * Chooses one view around all samples, or two: if a few samples lie far out, such as the corners of a wide ground, they get a
+ * view of their own, so that the bulk of the scene is measured at a finer resolution.
  *
  * @param positions x, y, z of each sample
  */
@@ -20,8 +20,8 @@ export function chooseViews(positions: Float32Array): OcclusionView[] {
     for (let i = 0; i < count; i++) along[i] = positions[3 * i + axis];
     along.sort();
     const end = count - 1;
-    // The middle of the many, whatever the few do.
-    return (along[Math.round((1 - MOST) * end)] + along[Math.round(MOST * end)]) / 2;
+    // The middle of the bulk, which a few samples far out do not move.
+    return (along[Math.round((1 - BULK) * end)] + along[Math.round(BULK * end)]) / 2;
   }) as OcclusionView['center'];
   const distances = new Float32Array(count);
   for (let i = 0; i < count; i++) {
@@ -32,7 +32,7 @@ export function chooseViews(positions: Float32Array): OcclusionView[] {
     );
   }
   const sorted = distances.slice().sort();
-  const limit = FARTHER * sorted[Math.round(MOST * (count - 1))];
+  const limit = FARTHER * sorted[Math.round(BULK * (count - 1))];
   const near = sorted.findLast((distance) => distance <= limit) ?? 0;
   const view = (reach: number, isIn: (distance: number) => boolean): OcclusionView => ({
     center,

@@ -2,23 +2,25 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import type { MapAxes } from './directions.js';
 import { MAP_SIZE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
 
-/** What is in the way on either end of every line of sight along one axis. */
+/** The depth maps of a pair of opposite directions. Depth grows towards the first of the two skies. */
 export interface DepthMaps {
-  /** The greatest depth at the middle of each pixel, counted towards the one sky; −∞ where there is nothing. */
+  /** The greatest depth at the middle of each pixel, as seen from the first sky; −∞ where there is nothing. */
   highest: Float32Array;
-  /** The least, as seen from the opposite sky; ∞ where there is nothing. */
+  /** The least depth at the middle of each pixel, as seen from the opposite sky; ∞ where there is nothing. */
   lowest: Float32Array;
   /** x, y in pixels and depth of each vertex. */
-  drawn: Float32Array;
+  projected: Float32Array;
 }
+
+/** Creates depth maps for a scene with this number of vertices. */
 
 export const createDepthMaps = (vertices: number): DepthMaps => ({
   highest: new Float32Array(MAP_SIZE * MAP_SIZE),
   lowest: new Float32Array(MAP_SIZE * MAP_SIZE),
-  drawn: new Float32Array(3 * vertices),
+  projected: new Float32Array(3 * vertices),
 });
 
-/** Takes points to pixels and depth: rows of a matrix. */
+/** A matrix with three rows of four, which takes points to pixels and depth. */
 export type Projection = Float64Array;
 
 /** The projection of a view along an axis, with x, y in pixels and depth in world units. */
@@ -33,7 +35,7 @@ export function projectionOf({ right, up, towards }: MapAxes, { center, radius }
   );
 }
 
-/** Draws all triangles, front and back, for both skies at once. */
+/** Rasterizes all triangles, whether seen from the front or the back, for both skies at once. */
 export function* drawDepths(
   maps: DepthMaps,
   { positions, indices }: OcclusionScene,
@@ -41,37 +43,42 @@ export function* drawDepths(
 ): Generator<number, void, void> {
   maps.highest.fill(-Infinity);
   maps.lowest.fill(Infinity);
-  yield* forEachChunk(positions.length / 3, (start, end) => project(positions, maps.drawn, projection, start, end));
+  yield* forEachChunk(positions.length / 3, (start, end) => project(positions, maps.projected, projection, start, end));
   yield* forEachChunk(indices.length / 3, (start, end) => drawTriangles(maps, indices, start, end));
 }
 
-function project(points: Float32Array, drawn: Float32Array, p: Projection, start: number, end: number): void {
+function project(points: Float32Array, projected: Float32Array, p: Projection, start: number, end: number): void {
   for (let i = 3 * start; i < 3 * end; i += 3) {
     const x = points[i];
     const y = points[i + 1];
     const z = points[i + 2];
-    drawn[i] = p[0] * x + p[1] * y + p[2] * z + p[3];
-    drawn[i + 1] = p[4] * x + p[5] * y + p[6] * z + p[7];
-    drawn[i + 2] = p[8] * x + p[9] * y + p[10] * z + p[11];
+    projected[i] = p[0] * x + p[1] * y + p[2] * z + p[3];
+    projected[i + 1] = p[4] * x + p[5] * y + p[6] * z + p[7];
+    projected[i + 2] = p[8] * x + p[9] * y + p[10] * z + p[11];
   }
 }
 
-/** Edges belong to both their triangles, so that rounding leaves no gap. */
+/** Pixels on an edge belong to both triangles, so that rounding leaves no gap. */
 const EDGE = -1e-5;
 
-function drawTriangles({ highest, lowest, drawn }: DepthMaps, indices: Uint32Array, start: number, end: number): void {
+function drawTriangles(
+  { highest, lowest, projected }: DepthMaps,
+  indices: Uint32Array,
+  start: number,
+  end: number,
+): void {
   const size = MAP_SIZE;
   const last = size - 1;
   for (let corner = 3 * start; corner < 3 * end; corner += 3) {
     const a = 3 * indices[corner];
     const b = 3 * indices[corner + 1];
     const c = 3 * indices[corner + 2];
-    const ax = drawn[a];
-    const ay = drawn[a + 1];
-    const bx = drawn[b] - ax;
-    const by = drawn[b + 1] - ay;
-    const cx = drawn[c] - ax;
-    const cy = drawn[c + 1] - ay;
+    const ax = projected[a];
+    const ay = projected[a + 1];
+    const bx = projected[b] - ax;
+    const by = projected[b + 1] - ay;
+    const cx = projected[c] - ax;
+    const cy = projected[c + 1] - ay;
     const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
     const right = Math.min(last, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
     if (!(left <= right)) continue;
@@ -80,7 +87,7 @@ function drawTriangles({ highest, lowest, drawn }: DepthMaps, indices: Uint32Arr
     if (!(bottom <= top)) continue;
     const area = bx * cy - by * cx;
     if (area === 0) continue;
-    // Shares of b and c at the middle of the first pixel, and how they change to the right and upwards.
+    // The barycentric weights of b and c at the middle of the first pixel, and how they change to the right and upwards.
     const perArea = 1 / area;
     const rightB = cy * perArea;
     const rightC = -by * perArea;
@@ -90,9 +97,9 @@ function drawTriangles({ highest, lowest, drawn }: DepthMaps, indices: Uint32Arr
     const py = bottom + 0.5 - ay;
     let rowB = px * rightB + py * upB;
     let rowC = px * rightC + py * upC;
-    const az = drawn[a + 2];
-    const bz = drawn[b + 2] - az;
-    const cz = drawn[c + 2] - az;
+    const az = projected[a + 2];
+    const bz = projected[b + 2] - az;
+    const cz = projected[c + 2] - az;
     const width = right - left;
     for (let row = bottom * size + left; row <= top * size + left; row += size) {
       let shareB = rowB;

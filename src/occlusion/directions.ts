@@ -1,4 +1,4 @@
-/** The axes of a depth map: `right` and `up` span it, `towards` points at the sky it is seen from. Unit, orthogonal. */
+/** The axes of a depth map: unit vectors, orthogonal. `right` and `up` span the map, `towards` points at the first sky. */
 export interface MapAxes {
   right: Vector;
   up: Vector;
@@ -7,13 +7,13 @@ export interface MapAxes {
 
 type Vector = [x: number, y: number, z: number];
 
-// Martin Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018: the plastic number and its powers in
-// three dimensions. Any beginning of the sequence is spread evenly, so a bake may stop or go on anywhere.
+// The generalised golden ratio in three dimensions (Martin Roberts, "The unreasonable effectiveness of quasirandom sequences",
+// 2018). Any beginning of the sequence is evenly distributed, so a bake may stop or continue after any number of directions.
 const RATIO = 1.2207440846057596;
 
 /**
- * The direction number `index` of an even spread over the upper half of the sphere, and a map across it that is turned by
- * another angle each time, so that the pixels of no two maps agree.
+ * The axes for direction number `index` in an even distribution over the upper half of the sphere. Each map is rotated about its
+ * direction by a different angle, so that the pixel grids of no two maps coincide.
  */
 export function mapAxes(index: number): MapAxes {
   const height = fraction(0.5 + (index + 1) / RATIO);

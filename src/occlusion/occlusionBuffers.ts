@@ -1,6 +1,6 @@
 import type { OcclusionMesh, OcclusionScene } from './OcclusionScene.js';
 
-/** The buffers of meshes that a bake starts with. */
+/** The buffers of the meshes that a bake starts with, which are transferred. */
 export const occlusionMeshBuffers = ({ meshes }: { meshes: OcclusionMesh[] }): ArrayBuffer[] =>
   meshes.flatMap(({ positions, indices, normals }) => [
     positions.buffer,
@@ -8,7 +8,7 @@ export const occlusionMeshBuffers = ({ meshes }: { meshes: OcclusionMesh[] }): A
     ...(normals ? [normals.buffer] : []),
   ]);
 
-/** The buffers of a bake's state. */
+/** The buffers of the state of a bake, which are transferred. */
 export const occlusionSceneBuffers = (scene: OcclusionScene): ArrayBuffer[] => [
   scene.positions.buffer,
   scene.indices.buffer,

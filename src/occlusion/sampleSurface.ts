@@ -4,23 +4,24 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import { NO_SAMPLE, type OcclusionMesh } from './OcclusionScene.js';
 import { toWorldNormals, toWorldPoints } from './worldSpace.js';
 
-/** A mesh in world space, each position once. */
+/** A mesh in world space that has every position only once. */
 export interface OcclusionSurface {
   positions: Float32Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
   samples: SurfaceSamples | null;
 }
 
-/** Every position and normal that vertices have, once. */
+/** The samples of a mesh: every pair of position and normal among its vertices, without repetition. */
 export interface SurfaceSamples {
   positions: Float32Array<ArrayBuffer>;
   normals: Float32Array<ArrayBuffer>;
-  /** Along the surface, away from its border; of length 1 at a straight one and 0 within, in between at random. */
+  /** A tangent vector that points away from the border: of length 1 at a straight border, near 0 in the interior. */
   inward: Float32Array<ArrayBuffer>;
+  /** For each vertex its sample, or NO_SAMPLE. */
   sampleOf: Uint32Array<ArrayBuffer>;
 }
 
-/** Joins what is at the same place, since meshes made for hatching have three vertices per triangle. */
+/** Welds vertices at the same position, since geometries prepared for hatching may have three vertices per triangle. */
 export function* sampleSurface(mesh: OcclusionMesh): Generator<number, OcclusionSurface, void> {
   const { indices, normals, toWorld, isInsideOut } = mesh;
   const { canonical } = yield* asPhase(weldPositions(mesh.positions), 0, 0.3);
@@ -38,7 +39,7 @@ export function* sampleSurface(mesh: OcclusionMesh): Generator<number, Occlusion
     pairs[3 * vertex] = canonical[vertex];
     pairs[3 * vertex + 1] = turned.canonical[vertex];
   }
-  // Bits are compared there, whatever they stand for.
+  // Vertices with equal pairs are welded too: only bits are compared, so integers may stand in for floats.
   const both = yield* asPhase(weldPositions(new Float32Array(pairs.buffer)), 0.6, 0.8);
   const { firsts, numbers } = numbered(both.canonical, indices);
   const samples = {
@@ -56,7 +57,11 @@ export function* sampleSurface(mesh: OcclusionMesh): Generator<number, Occlusion
   return { ...surface, samples };
 }
 
-/** Numbers what triangles use of a weld from 0 on. firsts: a vertex of each number. */
+/**
+ * Numbers the canonical vertices that triangles use, from 0 on.
+ *
+ * @returns for each vertex its number or NO_SAMPLE, and for each number its canonical vertex
+ */
 function numbered(canonical: Uint32Array, indices: Uint32Array) {
   const numbers = new Uint32Array(canonical.length).fill(NO_SAMPLE);
   const firsts = new Uint32Array(canonical.length);
@@ -105,7 +110,7 @@ function addInward({ positions, inward, sampleOf }: SurfaceSamples, indices: Uin
   }
 }
 
-/** Keeps what lies in the surface, of length 1 at most. */
+/** Projects each vector into the tangent plane, and shortens it to length 1 if it is longer. */
 function limitInward({ normals, inward }: SurfaceSamples): void {
   for (let i = 0; i < inward.length; i += 3) {
     const rise = inward[i] * normals[i] + inward[i + 1] * normals[i + 1] + inward[i + 2] * normals[i + 2];

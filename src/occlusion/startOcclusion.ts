@@ -4,27 +4,27 @@ import { MAP_SIZE, NO_SAMPLE, type OcclusionMesh, type OcclusionScene } from './
 import { type OcclusionSurface, sampleSurface } from './sampleSurface.js';
 
 /**
- * Pixels that samples are lifted off their surface. A map holds depth at the middles of pixels, 0.71 away at most: so much
- * less a plane of any slope rises above a point, measured along its normal.
+ * How far samples are lifted off their surface along the normal, in pixels. A map holds the depth at the middle of a pixel, which
+ * is at most 0.71 pixels from the sample. There a plane of any slope is at most that far above the sample, along the normal.
  */
 const LIFT = 1;
-/** Pixels that samples at a border move away from it, lest they lie in the wall that meets the surface there. */
+/** How far samples at a border are moved away from it, in pixels: they must not lie inside a wall that meets the surface there. */
 const INWARD = 1.5;
 
-/** Brings all meshes into one space and chooses where to measure. At least one of them has normals. */
+/** Brings all meshes into world space and chooses the samples and views. At least one of the meshes must have normals. */
 export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Generator<number, OcclusionScene, void> {
   const surfaces: OcclusionSurface[] = [];
   for (const [i, mesh] of meshes.entries()) {
     surfaces.push(yield* asPhase(sampleSurface(mesh), i / (meshes.length + 1), (i + 1) / (meshes.length + 1)));
   }
-  const hiding = surfaces.filter((_, i) => meshes[i].hides);
+  const occluders = surfaces.filter((_, i) => meshes[i].occludes);
   const sampled = surfaces.flatMap(({ samples }) => samples ?? []);
   const scene = {
     positions: joined(
       Float32Array,
-      hiding.map(({ positions }) => positions),
+      occluders.map(({ positions }) => positions),
     ),
-    indices: joinedIndices(hiding.map(({ indices, positions }) => [indices, positions.length / 3])),
+    indices: joinedIndices(occluders.map(({ indices, positions }) => [indices, positions.length / 3])),
     samplePositions: joined(
       Float32Array,
       sampled.map(({ positions }) => positions),
@@ -58,6 +58,7 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
   return { ...scene, sums, views };
 }
 
+/** Concatenates arrays. */
 function joined<A extends Float32Array | Uint32Array>(Type: new (length: number) => A, arrays: readonly A[]): A {
   const whole = new Type(arrays.reduce((sum, { length }) => sum + length, 0));
   let offset = 0;
@@ -68,6 +69,7 @@ function joined<A extends Float32Array | Uint32Array>(Type: new (length: number)
   return whole;
 }
 
+/** Concatenates the indices of several meshes, and shifts them to the concatenated vertices. */
 function joinedIndices(parts: readonly [indices: Uint32Array, vertices: number][]): Uint32Array<ArrayBuffer> {
   let first = 0;
   const shifted = parts.map(([indices, vertices]) => {

@@ -1,4 +1,8 @@
-/** Points in world space. matrix: by columns. */
+/**
+ * Transforms points to world space.
+ *
+ * @param matrix the elements of the matrix, by columns
+ */
 export function toWorldPoints(points: Float32Array, matrix: readonly number[]): Float32Array<ArrayBuffer> {
   const [m0, m1, m2, , m4, m5, m6, , m8, m9, m10, , m12, m13, m14] = matrix;
   const moved = new Float32Array(points.length);
@@ -13,14 +17,18 @@ export function toWorldPoints(points: Float32Array, matrix: readonly number[]): 
   return moved;
 }
 
-/** Unit normals in world space; zero where there is none. sign: −1 turns them round. */
+/**
+ * Transforms normals to unit normals in world space. A normal without direction becomes zero.
+ *
+ * @param sign −1 reverses the normals
+ */
 export function toWorldNormals(
   normals: Float32Array,
   matrix: readonly number[],
   sign: number,
 ): Float32Array<ArrayBuffer> {
   const [a, b, c, , d, e, f, , g, h, i] = matrix;
-  // The cofactors: the inverse transpose times the determinant, of which only the sign counts.
+  // The cofactors are the inverse transpose times the determinant, of which only the sign matters.
   const turn = sign * Math.sign(a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e));
   const cofactors = [
     e * i - f * h,

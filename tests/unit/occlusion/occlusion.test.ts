@@ -18,7 +18,7 @@ function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}):
     normals: Float32Array.from(normal.array),
     toWorld: new Matrix4().toArray(),
     isInsideOut: false,
-    hides: true,
+    occludes: true,
     ...options,
   };
 }
@@ -124,7 +124,7 @@ describe('what must not darken', () => {
   });
 
   test('a plane below one that hides nothing', () => {
-    const roof = meshOf(new PlaneGeometry(3, 3).translate(0, 0, 0.5), { hides: false });
+    const roof = meshOf(new PlaneGeometry(3, 3).translate(0, 0, 0.5), { occludes: false });
     const [ground, above] = bakeOf([meshOf(new PlaneGeometry(1, 1, 4, 4)), roof], 32).occlusions;
     expect(largest(ground)).toBe(0);
     expect(largest(above)).toBe(0);
