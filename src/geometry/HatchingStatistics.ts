@@ -3,10 +3,10 @@ import type { Repairs } from './repairValues.js';
 
 /** The content of `userData.hatching` of a prepared geometry. */
 export interface HatchingStatistics extends EdgeCounts, Repairs {
-  /** Triangles drawn, degenerate ones included. */
+  /** The number of triangles, degenerate ones included. */
   triangles: number;
   /** The vertex layout. */
   layout: 'corner' | 'pull' | 'indexed';
-  /** Bytes of all vertex, index, morph and texture data of the prepared geometry. */
+  /** The size of all vertex, index, morph and texture data of the prepared geometry, in bytes. */
   bytes: number;
 }

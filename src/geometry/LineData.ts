@@ -6,23 +6,23 @@ import { unpackPoints } from '../bake/unpackPoints.js';
 import type { ContourSearch } from '../features/contourCandidates.js';
 import { identityOf } from './identityOf.js';
 
-/** Triangles from which on a search for contours takes more than about a millisecond, and is left to the worker. */
+/** With this many triangles, a search for contours takes more than about a millisecond. Then it runs in the worker. */
 const SEARCHED_IN_WORKER = 100_000;
 
-/** How often a search that was lost with its worker is made anew. */
-const MOST_RESTORES = 3;
+/** How often the data for the search is restored after it was lost with a worker. */
+const MAX_RESTORES = 3;
 
-/** What lines of a geometry are drawn from: the textures of `lineLayout.ts`, and what contours are looked for in. */
+/** The data that the lines of a geometry are drawn from: the textures of `lineLayout.ts`, and the data for the search for contours. */
 export class LineData {
   readonly points: DataTexture;
   readonly primitives: DataTexture;
   readonly triangleCount: number;
   readonly edgeCount: number;
-  /** Of the bounding sphere, at rest. */
+  /** Radius of the bounding sphere, in the rest pose. */
   readonly radius: number;
-  /** Makes the worker that searches for contours, if not the library's own. */
+  /** Creates the worker that searches for contours. By default it is the inlined worker. */
   createWorker: (() => Worker) | undefined;
-  /** What contours are searched in; null while the worker has it. */
+  /** The data that the search for contours needs; null while the worker has it. */
   search: ContourSearch | null;
   private readonly pointCount: number;
   private restored = 0;
@@ -37,17 +37,17 @@ export class LineData {
     this.search = this.searchIn(positions, normals);
   }
 
-  /** Whether a search takes so long that it is left to the worker. */
+  /** Whether the search for contours runs in the worker, because it takes long. */
   get isSearchedInWorker(): boolean {
     return this.triangleCount >= SEARCHED_IN_WORKER;
   }
 
   /**
-   * Makes anew what contours are searched in, from the textures, after a worker has died and taken it along. Not without end:
-   * what kills one worker may kill the next.
+   * Restores the data for the search from the textures, after it was lost with a worker that has died. It does so only a few
+   * times, since the geometry that killed one worker may kill the next.
    */
   restoreSearch(): void {
-    if (this.restored++ >= MOST_RESTORES) return;
+    if (this.restored++ >= MAX_RESTORES) return;
     const { positions, normals } = unpackPoints(this.points.image.data as Uint32Array<ArrayBuffer>, this.pointCount);
     this.search = this.searchIn(positions, normals);
   }
@@ -58,7 +58,7 @@ export class LineData {
     return {
       positions,
       normals,
-      // The worker takes this along, and the texture needs its own after a lost context.
+      // The array is transferred to the worker, and the texture must keep its own for the case that the context is lost.
       primitives: this.isSearchedInWorker ? primitives.slice() : primitives,
       pointMask: POINT_MASK,
       pointBits: POINT_BITS,
@@ -69,7 +69,7 @@ export class LineData {
     };
   }
 
-  /** Of the textures. */
+  /** The size of the textures, in bytes. */
   get bytes(): number {
     return [this.points, this.primitives].reduce((sum, { image }) => sum + image.data!.byteLength, 0);
   }
@@ -87,10 +87,10 @@ function integerTexture(words: Uint32Array<ArrayBuffer>): DataTexture {
   return texture;
 }
 
-/** By the identity of `userData.hatching`, an object that clones of a geometry share. */
+/** The keys are the identities of `userData.hatching`, an object that the clones of a geometry share. */
 const lineData = new WeakMap<object, LineData>();
 
-/** What lines of a geometry are drawn from; undefined if it was prepared without. */
+/** The data that the lines of a geometry are drawn from; undefined if it was prepared without lines. */
 export const lineDataOf = ({ userData: { hatching } }: BufferGeometry): LineData | undefined =>
   typeof hatching === 'object' && hatching !== null ? lineData.get(identityOf(hatching)) : undefined;
 

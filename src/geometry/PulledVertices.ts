@@ -6,9 +6,9 @@ import { identityOf } from './identityOf.js';
 /** The textures of a geometry in the `pull` layout (see `pullLayout.ts`). */
 export class PulledVertices {
   readonly triangleVertices: DataTexture;
-  /** In the rest pose. */
+  /** The positions of the vertices in the rest pose. */
   readonly positions: DataTexture;
-  /** Texels in a row, as a power of two. */
+  /** The base-2 logarithm of the number of texels in a row. */
   readonly rowShift: number;
 
   constructor({ columns, triangleVertices, vertexPositions }: PackedPull) {
@@ -33,9 +33,10 @@ export class PulledVertices {
   }
 }
 
-/** By the identity of `userData.hatching`, an object that clones of a geometry share. */
+/** The keys are the identities of `userData.hatching`, an object that the clones of a geometry share. */
 const pulledVertices = new WeakMap<object, PulledVertices>();
 
+/** The textures of a geometry in the `pull` layout; undefined if it has another layout. */
 export const pulledVerticesOf = ({ userData: { hatching } }: BufferGeometry): PulledVertices | undefined =>
   typeof hatching === 'object' && hatching !== null ? pulledVertices.get(identityOf(hatching)) : undefined;
 

@@ -1,7 +1,7 @@
 import type { BufferGeometry } from 'three';
 import { isInstanced, type VertexAttribute } from './vertexAttributes.js';
 
-/** The arrays of normalized attributes that three.js reads. */
+/** The types of arrays that three.js can read as normalized attributes. */
 const NORMALIZABLE: ReadonlySet<string> = new Set([
   'Float32Array',
   'Uint32Array',
@@ -14,8 +14,10 @@ const NORMALIZABLE: ReadonlySet<string> = new Set([
 ]);
 
 /**
- * Throws a TypeError if something is no geometry, or one without what every geometry has. What an attribute holds is not looked
- * at.
+ * Checks that a value is a BufferGeometry and has the properties that every geometry has. The data of its attributes is not
+ * checked; see `checkGeometry`.
+ *
+ * @throws TypeError that names the caller and the fault
  */
 export function assertGeometry(geometry: BufferGeometry, caller: string): void {
   if (!geometry?.isBufferGeometry) {
@@ -27,12 +29,12 @@ export function assertGeometry(geometry: BufferGeometry, caller: string): void {
   for (const [name, value] of Object.entries({ attributes, morphAttributes, drawRange })) {
     if (typeof value === 'object' && value !== null) continue;
     throw new TypeError(
-      `${labelOf(geometry, caller)}: ${name} is ${kindOf(value)}. Leave the one that three.js has made, and change what it holds.`,
+      `${labelOf(geometry, caller)}: ${name} is ${kindOf(value)}. Keep the object that three.js has created, and change its content.`,
     );
   }
   if (Array.isArray(groups) && groups.every((group) => typeof group === 'object' && group !== null)) return;
   throw new TypeError(
-    `${labelOf(geometry, caller)}: its groups are no list of groups. Use addGroup() and clearGroups().`,
+    `${labelOf(geometry, caller)}: its groups are not an array of groups. Use addGroup() and clearGroups().`,
   );
 }
 
@@ -40,10 +42,11 @@ const labelOf = ({ name }: BufferGeometry, caller: string): string =>
   `${caller}: the geometry${name ? ` "${name}"` : ''}`;
 
 /**
- * Throws a TypeError or RangeError if the vertex data of `geometry` cannot be read. Returns the beginning of all further error
- * messages: the function and the name of the geometry.
+ * Checks that the vertex data of `geometry` can be read.
  *
  * @param caller the function that the geometry was passed to
+ * @returns the beginning of all further error messages: the caller and the name of the geometry
+ * @throws TypeError or RangeError that names the fault and its remedy
  */
 export function checkGeometry(geometry: BufferGeometry, caller = 'prepareHatchingGeometry'): string {
   assertGeometry(geometry, caller);
@@ -71,8 +74,9 @@ export function checkGeometry(geometry: BufferGeometry, caller = 'prepareHatchin
 }
 
 /**
- * Throws a TypeError if something is no attribute whose numbers can be read: of nothing, of numbers that WebGL has not, of memory
- * that is gone, or of an array shorter than its entries, as one is whose buffer was transferred.
+ * Throws a TypeError if a value is not an attribute whose numbers can be read: if it is no attribute at all, if its type is one
+ * that WebGL does not have, if its memory was freed, or if its array is shorter than its entries, because its buffer was
+ * transferred.
  */
 function checkMemory(label: string, what: string, attribute: VertexAttribute): void {
   const fail = (fault: string): never => {
@@ -89,7 +93,7 @@ function checkMemory(label: string, what: string, attribute: VertexAttribute): v
   }
   if (typeof array.BYTES_PER_ELEMENT !== 'number' || /^Big/.test(array.constructor.name)) {
     fail(
-      `${what} is of a ${array.constructor.name}, which WebGL cannot read. Use a Float32Array, or a Uint32Array for an index.`,
+      `${what} has a ${array.constructor.name}, which WebGL cannot read. Use a Float32Array, or a Uint32Array for an index.`,
     );
   }
   const { count, itemSize } = attribute;
@@ -99,7 +103,7 @@ function checkMemory(label: string, what: string, attribute: VertexAttribute): v
   const values = 'data' in attribute ? attribute.data.count * attribute.data.stride : count * itemSize;
   if (array.length >= values) return;
   fail(
-    `the data of ${what} is gone: ${array.length} values for ${count} entries. Its buffer was transferred to a worker, say; pass a geometry whose arrays are still there.`,
+    `the data of ${what} is gone: ${array.length} values for ${count} entries. Its buffer may have been transferred to a worker. Pass a geometry whose arrays are still there.`,
   );
 }
 

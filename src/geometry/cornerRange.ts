@@ -1,6 +1,6 @@
 import type { BufferGeometry } from 'three';
 
-/** A group of a prepared geometry, counted in corners. */
+/** A group of a prepared geometry. `start` and `count` are in corners. */
 export interface CornerGroup {
   start: number;
   count: number;
@@ -9,15 +9,16 @@ export interface CornerGroup {
 
 /** The part of a geometry that is drawn, and its groups relative to that part. All counts are multiples of three. */
 export interface CornerRange {
-  /** First entry of the index, or first vertex where there is none. */
+  /** The first entry of the index, or the first vertex if there is no index. */
   start: number;
   count: number;
   groups: CornerGroup[];
 }
 
 /**
- * The draw range and the groups of a geometry in corners, as three.js would draw them. Throws a RangeError if a range starts
- * or ends inside a triangle.
+ * The draw range and the groups of a geometry, in corners, as three.js would draw them.
+ *
+ * @throws RangeError if a range starts or ends inside a triangle
  */
 export function cornerRange(geometry: BufferGeometry, label: string): CornerRange {
   const unit = geometry.index ? 'index' : 'vertex';

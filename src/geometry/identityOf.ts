@@ -1,11 +1,12 @@
 const identity = Symbol('three-hatching identity');
 
 /**
- * An object that stands for `thing` and for every proxy of it, to key weak maps and sets by: frameworks such as Vue hand out
- * proxies of what they keep (`ref(mesh)`), and one mesh may come in both forms. Lives as long as `thing`.
+ * Returns an object that is the same for `thing` and for every proxy of it, as a key for weak maps and sets. Frameworks such as
+ * Vue return proxies of the objects they hold (`ref(mesh)`), so a mesh may be passed in both forms. The key lives as long as
+ * `thing`.
  *
- * It is kept on `thing`, hidden, and behind a function, which proxies pass on as it is while they wrap objects. What cannot be
- * extended stands for itself.
+ * The key is stored on `thing` under a symbol. A function returns it, since proxies wrap objects but not what functions return.
+ * An object that is not extensible is its own key.
  */
 export function identityOf(thing: object): object {
   const known = (thing as { [identity]?: () => object })[identity];

@@ -8,8 +8,8 @@ import { rememberPositions } from './staleGeometry.js';
 import { isInstanced } from './vertexAttributes.js';
 
 /**
- * A new geometry with everything that the bake does not change: name, user data, groups, instanced attributes. Made before the
- * bake starts, so that later changes of `source` have no effect.
+ * Creates the new geometry with everything that the bake does not change: name, user data, groups and instanced attributes. It
+ * is created before the bake starts, so that later changes of `source` have no effect.
  */
 export function startGeometry(source: BufferGeometry, range: CornerRange): BufferGeometry {
   const geometry = 'isInstancedBufferGeometry' in source ? new InstancedBufferGeometry() : new BufferGeometry();
@@ -28,7 +28,7 @@ export function startGeometry(source: BufferGeometry, range: CornerRange): Buffe
   return geometry;
 }
 
-/** Gives the geometry computed normals, in the place of those that cannot be used. */
+/** Sets the computed normals of a geometry: all of them, or only those that cannot be used as they are. */
 export function setNormals(geometry: BufferGeometry, normals: Float32Array<ArrayBuffer>): void {
   if (geometry.attributes.normal) replaceUnusableNormals(geometry.attributes.normal, normals);
   else geometry.setAttribute('normal', new BufferAttribute(normals, 3));
@@ -63,7 +63,7 @@ export function finishGeometry(
 
 function applyBounds(geometry: BufferGeometry, { bounds }: BakeReport): void {
   if (geometry.morphAttributes.position) {
-    // three.js includes the morph targets in the bounds; the bake knows the rest pose only.
+    // three.js includes the morph targets in the bounds, whereas the bake only knows the rest pose.
     geometry.computeBoundingBox();
     geometry.computeBoundingSphere();
     return;

@@ -2,23 +2,27 @@ import { type BufferGeometry, DataUtils } from 'three';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import type { KeptAttribute, VertexAttribute } from './vertexAttributes.js';
 
-/** What had to be repaired in the source. Part of `HatchingStatistics`. */
+/** Counts the repairs of the source. Part of `HatchingStatistics`. */
 export interface Repairs {
-  /** Vertices whose normal was computed: all if the source had none, else those in triangles where it was zero or not finite. */
+  /**
+   * The number of vertices whose normal was computed: all of them if the source had no normals, otherwise those vertices in
+   * triangles whose normal was zero or not finite.
+   */
   computedNormals: number;
   /**
-   * Values of colours, texture coordinates, tangents, skin indices and weights and morph targets that were not finite. They became 0; in
-   * morph targets that are not relative, the value of the unmorphed vertex.
+   * The number of values of colours, texture coordinates, tangents, skin indices, skin weights and morph targets that were not
+   * finite. They became 0; in morph targets that are not relative they became the value of the unmorphed vertex.
    */
   zeroedValues: number;
 }
 
-/** The attributes that three's shaders read. Others are one's own and are kept as they are. */
+/** The attributes that the shaders of three.js read. All others are kept as they are. */
 const READ_BY_THREE = /^(color|uv\d?|tangent|skinIndex|skinWeight)$/;
 
 /**
- * How many normals cannot be used: all if there are none, else those in `indices` that are zero or not finite. Scans have some
- * vertices without triangles, whose normals are zero. Computing them would lengthen the bake by a tenth, for nothing.
+ * Counts the normals that cannot be used: all if there are none, otherwise those that are zero or not finite at a vertex in
+ * `indices`. Scans have vertices without triangles, whose normals are zero; it would lengthen the bake by a tenth, and serve
+ * nothing, to compute normals for these.
  */
 export function countUnusableNormals({ attributes }: BufferGeometry, indices: Uint32Array): number {
   const { position, normal } = attributes;
@@ -33,14 +37,14 @@ export function countUnusableNormals({ attributes }: BufferGeometry, indices: Ui
   return unusable;
 }
 
-/** 1 for every vertex in `indices`. */
+/** Returns an array with 1 for every vertex in `indices`, and 0 for the others. */
 function markDrawn(indices: Uint32Array, vertexCount: number): Uint8Array {
   const isDrawn = new Uint8Array(vertexCount);
   for (let corner = 0; corner < indices.length; corner++) isDrawn[indices[corner]] = 1;
   return isDrawn;
 }
 
-/** Replaces the normals that cannot be used. */
+/** Replaces the normals that cannot be used by computed ones. */
 export function replaceUnusableNormals(normal: VertexAttribute, computed: Float32Array): void {
   for (let vertex = 0; vertex < normal.count; vertex++) {
     if (isUsable(normal, vertex)) continue;
@@ -56,7 +60,7 @@ function isUsable(normal: VertexAttribute, vertex: number): boolean {
   return square > 0 && square < Infinity;
 }
 
-/** Repairs the copied values of an attribute in place. Returns how many were not finite. */
+/** Repairs the copied values of an attribute in place. Returns the number of values that were not finite. */
 export function zeroBadValues(
   geometry: BufferGeometry,
   kept: KeptAttribute,
@@ -80,10 +84,10 @@ export function zeroBadValues(
   return count;
 }
 
-/** All ones in a half float that is infinite or not a number. */
+/** The bits of a half float that are all set if it is infinite or NaN. */
 const HALF_EXPONENT = 0x7c00;
 
-/** The words as numbers, half floats as they are; null for integers, which are always finite. */
+/** The words as numbers, except that half floats stay words. Returns null for integers, which are always finite. */
 function valuesOf({ array }: VertexAttribute, words: VertexWords['words'], isHalf: boolean) {
   if (isHalf) return words;
   if (array instanceof Float32Array) return new Float32Array(words.buffer, words.byteOffset, words.length);

@@ -1,6 +1,6 @@
 import { BufferGeometry } from 'three';
 
-/** A geometry that shares all buffers, textures and statistics of a prepared one. Its attributes can be exchanged one by one. */
+/** Creates a geometry that shares all data of a prepared one. Single attributes of the clone can be replaced. */
 export function sharingClone(source: BufferGeometry): BufferGeometry {
   const clone = new BufferGeometry();
   clone.name = source.name;
@@ -16,7 +16,7 @@ export function sharingClone(source: BufferGeometry): BufferGeometry {
   return clone;
 }
 
-/** Frees what a clone has for itself. three.js would free every buffer it sees. */
+/** Frees only the attributes that the clone does not share. A plain `dispose()` would free the shared buffers too. */
 export function disposeSharingClone(clone: BufferGeometry, source: BufferGeometry): void {
   clone.index = null;
   for (const name of Object.keys(clone.attributes)) {

@@ -1,6 +1,9 @@
 import type { CornerRange } from './cornerRange.js';
 
-/** For each triangle 1 + the material of its group, 0 in none; null if all are in one, or there are no groups. */
+/**
+ * For each triangle the material index of its group plus 1, or 0 outside of all groups. Returns null if there are no groups, or if
+ * one group holds all triangles.
+ */
 export function triangleGroups({ count, groups }: CornerRange): Uint16Array<ArrayBuffer> | null {
   if (groups.length === 0 || (groups.length === 1 && groups[0].count === count)) return null;
   const ofTriangle = new Uint16Array(count / 3);

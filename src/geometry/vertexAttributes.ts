@@ -14,7 +14,7 @@ export interface KeptAttribute {
   attribute: VertexAttribute;
 }
 
-/** What the bake writes, also as glTF names it. */
+/** The names of the attributes that the bake writes, also in the form that glTF gives to custom attributes. */
 const bakedNames = /* @__PURE__ */ new Set<string>(
   /* @__PURE__ */ [...cornerLayout, hatchNormal].flatMap(({ name }) => [name, `_${name.toLowerCase()}`]),
 );
@@ -24,7 +24,7 @@ export const isInstanced = (attribute: VertexAttribute): boolean =>
   'isInstancedBufferAttribute' in attribute ||
   ('data' in attribute && 'isInstancedInterleavedBuffer' in attribute.data);
 
-/** All attributes per vertex except the position and those the bake writes (present if a prepared geometry is prepared again). */
+/** All attributes per vertex, except the position and those that the bake writes, which a prepared geometry already has. */
 export function keptAttributes(geometry: BufferGeometry): KeptAttribute[] {
   const kept: KeptAttribute[] = [];
   for (const [name, attribute] of Object.entries(geometry.attributes)) {
@@ -37,7 +37,7 @@ export function keptAttributes(geometry: BufferGeometry): KeptAttribute[] {
   return kept;
 }
 
-/** Copies the first `count` entries of an attribute, de-interleaved but otherwise bit by bit, as words of its component size. */
+/** Copies the first `count` entries of an attribute bit by bit, de-interleaved, as words of the size of its components. */
 export function extractWords(attribute: VertexAttribute, count: number): VertexWords {
   const { itemSize } = attribute;
   const source = wordsOf(attribute.array);
@@ -54,7 +54,7 @@ export function extractWords(attribute: VertexAttribute, count: number): VertexW
   return { words, wordsPerVertex };
 }
 
-/** A view of the same memory as words of the component size; doubles become pairs of 32-bit words. */
+/** A view of an array as words of the size of its components. Doubles become pairs of 32-bit words. */
 function wordsOf(array: ArrayBufferView & { BYTES_PER_ELEMENT: number }): Words {
   const buffer = array.buffer as ArrayBuffer;
   if (array.BYTES_PER_ELEMENT === 1) return new Uint8Array(buffer, array.byteOffset, array.byteLength);
@@ -62,12 +62,12 @@ function wordsOf(array: ArrayBufferView & { BYTES_PER_ELEMENT: number }): Words 
   return new Uint32Array(buffer, array.byteOffset, array.byteLength / 4);
 }
 
-/** Makes an attribute from words, with the type, normalisation and GPU type of `source`. */
+/** Creates an attribute from words, with the type, normalisation and GPU type of `source`. */
 export function attributeFromWords(source: VertexAttribute, words: Words): BufferAttribute {
   const { itemSize, normalized } = source;
   const ArrayType = source.array.constructor as new (buffer: ArrayBuffer) => Float32Array;
   const array = new ArrayType(words.buffer);
-  // three.js stores half floats in a Uint16Array and recognises them by the class, which accepts a buffer without copying.
+  // three.js recognises half floats by the class of the attribute. Its constructor uses a buffer without copying it.
   const attribute =
     'isFloat16BufferAttribute' in source
       ? new Float16BufferAttribute(words.buffer as unknown as ArrayLike<number>, itemSize, normalized)
@@ -77,7 +77,7 @@ export function attributeFromWords(source: VertexAttribute, words: Words): Buffe
   return attribute;
 }
 
-/** Puts the attribute where it was in the source: among the attributes or at the end of its morph targets. */
+/** Adds the attribute where it was in the source: to the attributes, or to the end of the morph targets of its name. */
 export function setKeptAttribute(
   geometry: BufferGeometry,
   { name, isMorphTarget, attribute }: KeptAttribute,

@@ -404,13 +404,13 @@ describe('bad input is rejected', () => {
         structuredClone(g.attributes.position.array, { transfer: [g.attributes.position.array.buffer as ArrayBuffer] }),
       ),
       `${beginning}: the data of attribute "position" is gone: 0 values for 4 entries`,
-      /pass a geometry whose arrays are still there/,
+      /[Pp]ass a geometry whose arrays are still there/,
     ],
     [
       'an index whose buffer was transferred',
       changed((g) => structuredClone(g.index!.array, { transfer: [g.index!.array.buffer as ArrayBuffer] })),
       `${beginning}: the data of the index is gone: 0 values for 6 entries`,
-      /pass a geometry whose arrays are still there/,
+      /[Pp]ass a geometry whose arrays are still there/,
     ],
     ['empty index', changed((g) => g.setIndex([])), `${beginning} has no triangles`, /skip it/],
     [
@@ -471,19 +471,19 @@ describe('bad input is rejected', () => {
     ...([BigInt64Array, BigUint64Array] as const).map((Big): [string, BufferGeometry, string, RegExp] => [
       `positions of ${Big.name}`,
       changed((g) => g.setAttribute('position', new BufferAttribute(new Big(12) as never, 3))),
-      `${beginning}: attribute "position" is of a ${Big.name}, which WebGL cannot read`,
+      `${beginning}: attribute "position" has a ${Big.name}, which WebGL cannot read`,
       /Use a Float32Array/,
     ]),
     [
       'an attribute of BigInt64Array',
       changed((g) => g.setAttribute('mine', new BufferAttribute(new BigInt64Array(4) as never, 1))),
-      `${beginning}: attribute "mine" is of a BigInt64Array`,
+      `${beginning}: attribute "mine" has a BigInt64Array`,
       /Use a Float32Array/,
     ],
     [
       'an index of BigUint64Array',
       changed((g) => g.setIndex(new BufferAttribute(new BigUint64Array(6) as never, 1))),
-      `${beginning}: the index is of a BigUint64Array`,
+      `${beginning}: the index has a BigUint64Array`,
       /a Uint32Array for an index/,
     ],
     [
@@ -492,7 +492,7 @@ describe('bad input is rejected', () => {
         const plain = new InterleavedBuffer(new Array(12).fill(0) as never, 3);
         g.setAttribute('color', new InterleavedBufferAttribute(plain, 3, 0));
       }),
-      `${beginning}: attribute "color" is of a Array, which WebGL cannot read`,
+      `${beginning}: attribute "color" has a Array, which WebGL cannot read`,
       /Use a Float32Array/,
     ],
     [
@@ -530,13 +530,13 @@ describe('bad input is rejected', () => {
         `${name} that are null`,
         changed((g) => Reflect.set(g, name, null)),
         `${beginning}: ${name} is null`,
-        /Leave the one that three\.js has made/,
+        /Keep the object that three\.js has created/,
       ],
     ),
     ...[null, [null]].map((groups): [string, BufferGeometry, string, RegExp] => [
       `groups that are ${JSON.stringify(groups)}`,
       changed((g) => Reflect.set(g, 'groups', groups)),
-      `${beginning}: its groups are no list of groups`,
+      `${beginning}: its groups are not an array of groups`,
       /Use addGroup\(\)/,
     ]),
     [
