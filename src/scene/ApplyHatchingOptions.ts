@@ -6,42 +6,44 @@ import type { MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
 import type { HatchedScene } from './HatchedScene.js';
 import type { HatchingPreset, PresetName } from './presets.js';
 
-/** Options of `applyHatching`, beside those of `prepareHatchingGeometry`, which hold for every mesh. */
+/** Options of `applyHatching`. Those of `prepareHatchingGeometry` are among them, and apply to every mesh. */
 export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'lines'> {
   /**
-   * A look to start from, by its name or as an object: material, lines and map. What the other options say counts before it,
-   * parameters of `material` and `lines` one by one. Default: none.
+   * The preset to start from, by its name or as an object: material, lines and map. The other options override it; the
+   * parameters in `material` and `lines` do so one by one. Default: no preset.
    */
   preset?: PresetName | HatchingPreset | undefined;
   /**
-   * What an earlier call made of the same scene, or of a part of it. It is drawn until the new look is ready, and is then disposed
-   * of: the scene never shows its own materials in between. Default: nothing; the scene must not be hatched.
+   * The result of an earlier call for the same scene, or for a part of it. It stays visible until the new look is ready, and is
+   * then disposed of, so that the scene never shows its own materials in between. By default the scene must not be hatched yet.
    */
   replaces?: HatchedScene | undefined;
   /**
-   * The map for materials that need one and whose parameters name none: a map of yours, what `TonalArtMap.generate` is to draw,
-   * or a function that resolves with a map of yours and is called only if a material needs it. By default one in the style
-   * `hatching` is drawn. `dispose()` of the result frees what was drawn. `null`: none for now; the meshes stay blank paper until
-   * you set one.
+   * The tonal art map for those materials that need one and have none among their parameters: your own map, the options of
+   * `TonalArtMap.generate`, or a function that resolves with your own map and is called only if a material needs it. With `null`
+   * the meshes stay blank paper until you set a map. `dispose()` of the result frees a generated map, but not yours. Default: a
+   * map in the style `hatching` is generated.
    */
   tonalArtMap?: TonalArtMap | MapDrawing | (() => Promise<TonalArtMap>) | null | undefined;
   /**
-   * Parameters of the new materials. They override what is taken over from the old ones. A function is called once for every
-   * material made, with the material it replaces and the first mesh that uses it.
+   * Parameters of the new materials. They override what is taken over from the old materials. A function is called once for every
+   * new material, with the material that it replaces and the first mesh that uses it.
    */
   material?: HatchingMaterialParameters | ((source: Material, mesh: Mesh) => HatchingMaterialParameters) | undefined;
   /**
-   * Size of the strokes: tiles of the map per world unit, the same on small and large objects. The default is 3 divided by the
-   * radius of the whole scene. A `strokeScale` among the materials' parameters counts per unit of object space instead.
+   * The size of the strokes, in tiles of the map per world unit: it is the same on small and large objects. In contrast, a
+   * `strokeScale` among the parameters of the materials is per unit of object space. Default: 3 divided by the radius of the
+   * whole scene.
    */
   strokeScale?: number | undefined;
   /**
-   * Draws contours, borders and creases: gives every mesh a child, `HatchingLines`. `true`, or which edges are creases
-   * (`LineOptions`) and how lines look (the properties of `HatchingLineMaterial`). Default: no lines.
+   * Draws contours, borders and creases: every mesh gets a child of the class `HatchingLines`. Pass `true`, or an object that
+   * says which edges are creases (`LineOptions`) and how the lines look (the properties of `HatchingLineMaterial`). Default: no
+   * lines.
    */
   lines?: boolean | (LineOptions & HatchingLineParameters) | undefined;
-  /** Which meshes to hatch. Default: all. */
+  /** Returns whether to hatch a mesh. Default: all meshes are hatched. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
-  /** Called whenever a geometry is done, with how many are, and how many there are. Several are baked at a time. */
+  /** Called whenever a geometry is finished, with the number of finished geometries and of all. Several are baked at a time. */
   onGeometry?: ((done: number, total: number) => void) | undefined;
 }

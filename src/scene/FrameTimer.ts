@@ -1,17 +1,17 @@
 const KEPT_DURATIONS = 7;
-const POLL_MILLISECONDS = 3;
-const GIVE_UP_MILLISECONDS = 10_000;
+const POLL_MS = 3;
+const GIVE_UP_MS = 10_000;
 
 /**
- * Measures how long frames take, from the first command to the last pixel, with a fence after the commands. Unlike the
- * time between frames, this also works when frames are drawn one at a time. Accurate to a few milliseconds.
+ * Measures the time that frames take, from the first command to the last pixel, with a fence after the commands. Unlike the time
+ * between frames, this also works if frames are drawn on demand. It is accurate to a few milliseconds.
  */
 export class FrameTimer {
   private durations: number[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
   private fence: WebGLSync | null = null;
 
-  /** @param onMeasured called when the time of a frame is known */
+  /** @param onMeasured called when a frame was measured */
   constructor(
     private readonly gl: WebGL2RenderingContext,
     private readonly onMeasured: () => void,
@@ -23,7 +23,7 @@ export class FrameTimer {
     return sorted[Math.floor(sorted.length / 2)];
   }
 
-  /** Discards all measurements. To be called when something else is drawn. */
+  /** Discards all measurements. Call it when the scene that is drawn has changed. */
   reset(): void {
     this.durations = [];
     this.stop();
@@ -51,16 +51,16 @@ export class FrameTimer {
     this.timer = setTimeout(() => {
       const elapsed = performance.now() - start;
       const isDone = this.gl.getSyncParameter(fence, this.gl.SYNC_STATUS) === this.gl.SIGNALED;
-      if (!isDone && elapsed < GIVE_UP_MILLISECONDS && !this.gl.isContextLost()) {
+      if (!isDone && elapsed < GIVE_UP_MS && !this.gl.isContextLost()) {
         this.poll(fence, start);
         return;
       }
       this.stop();
       if (this.gl.isContextLost()) return;
-      // That of a frame which takes longer counts as what was waited.
+      // If the frame is still not finished, the time waited so far counts as its duration.
       this.durations.push(elapsed);
       if (this.durations.length > KEPT_DURATIONS) this.durations.shift();
       this.onMeasured();
-    }, POLL_MILLISECONDS);
+    }, POLL_MS);
   }
 }

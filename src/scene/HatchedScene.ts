@@ -4,7 +4,7 @@ import type { HatchingLines } from '../lines/HatchingLines.js';
 import { FIELD_FRAME } from '../material/fieldFrame.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
-/** A mesh that was left as it was, and why. */
+/** A mesh that was left unchanged, and the reason. */
 export interface SkippedMesh {
   mesh: Mesh;
   error: Error;
@@ -15,7 +15,7 @@ export interface MeshLook {
   mesh: Mesh;
   geometry: BufferGeometry;
   material: Material | Material[];
-  /** The matrix from its object space to the frame that its lines are cut in, if it shares one with others. */
+  /** The matrix from the mesh's object space to the coordinate frame of its engraved lines, if it shares that frame with others. */
   fieldFrame: number[] | undefined;
 }
 
@@ -28,11 +28,11 @@ export class HatchedScene {
   /**
    * Gives the meshes their new looks, all at once.
    *
-   * @param materials every material made; change them freely
-   * @param lines the lines of every mesh, if asked for; change their materials freely
+   * @param materials all new materials; you may change them
+   * @param lines the lines of all meshes, if requested; you may change their materials
    * @param skipped meshes that could not be hatched
    * @param disposables everything that `dispose()` frees
-   * @param releaseMeshes called once the meshes are restored
+   * @param releaseMeshes called when the meshes are restored
    */
   constructor(
     looks: readonly MeshLook[],
@@ -45,33 +45,33 @@ export class HatchedScene {
     this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
     this.held = new Set(looks.map(({ mesh }) => identityOf(mesh)));
     for (const { before, after } of this.changes) exchangeLook(before, after);
-    for (const one of lines) one.mesh?.add(one);
+    for (const child of lines) child.mesh?.add(child);
   }
 
   /**
-   * Gives every mesh back the geometry and material it had, and takes its lines. What a mesh was given since stays. A second call does
-   * nothing. The new geometries and materials stay usable until `dispose()`.
+   * Gives every mesh back its former geometry and material, and removes its lines. A geometry or material that you have set since
+   * stays. A second call does nothing. The new geometries and materials stay usable until `dispose()`.
    */
   restore(): void {
-    for (const one of this.lines) one.removeFromParent();
+    for (const child of this.lines) child.removeFromParent();
     for (const { before, after } of this.changes) exchangeLook(after, before);
     this.changes = [];
     this.held = new Set();
     this.releaseMeshes();
   }
 
-  /** Restores, and frees everything that was made: geometries, materials, lines and, unless one was given, the map. */
+  /** Restores the meshes, and frees all new geometries, materials and lines, and the map unless it is yours. */
   dispose(): void {
     this.restore();
     for (const disposable of this.disposables.splice(0)) disposable.dispose();
   }
 
-  /** Whether a mesh has its look from here. @internal */
+  /** Whether this object has hatched `mesh`. @internal */
   holds(mesh: Mesh): boolean {
     return this.held.has(identityOf(mesh));
   }
 
-  /** Does something with the meshes as they were before; afterwards they look hatched again. @internal */
+  /** Runs `work` while the meshes have their former geometries and materials. @internal */
   suspended<Result>(work: () => Result): Result {
     for (const { before, after } of this.changes) exchangeLook(after, before);
     try {
@@ -94,7 +94,7 @@ const lookOf = (mesh: Mesh): MeshLook => ({
   fieldFrame: mesh.userData[FIELD_FRAME],
 });
 
-/** Gives a mesh the geometry and material of `to` in the place of those of `from`. Others were given by somebody else, and stay. */
+/** Replaces the geometry and material of `from` by those of `to`. If someone else has set others in the meantime, these stay. */
 function exchangeLook(from: MeshLook, to: MeshLook): void {
   const { mesh } = from;
   if (isSame(mesh.geometry, from.geometry)) mesh.geometry = to.geometry;
@@ -103,5 +103,5 @@ function exchangeLook(from: MeshLook, to: MeshLook): void {
   else mesh.userData[FIELD_FRAME] = to.fieldFrame;
 }
 
-/** Whether two are one, be it by a proxy. */
-const isSame = (one: object, other: object): boolean => one === other || identityOf(one) === identityOf(other);
+/** Whether two objects are the same, or proxies of the same. */
+const isSame = (a: object, b: object): boolean => a === b || identityOf(a) === identityOf(b);

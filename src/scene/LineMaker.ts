@@ -6,12 +6,12 @@ import { deforms } from '../material/bindVertices.js';
 import type { MeshLook } from './HatchedScene.js';
 import { isBatched, materialsOf } from './surfaceMeshes.js';
 
-/** Whether parts of a surface are cut out by a map. Its lines would show the card, and not what is drawn on it. */
+/** Whether a map cuts out parts of a surface. Its lines would follow the outline of the geometry, and not of the picture on it. */
 const isCutOut = ({ alphaTest, alphaHash }: Material): boolean => alphaTest > 0 || alphaHash;
 
-/** Makes the lines of a scene: one material for meshes that deform, which need another program, and one for all others. */
+/** Makes the lines of a scene. Meshes that deform share a material of their own, since they need another shader program. */
 export class LineMaker {
-  /** Which edges the bake takes for creases. */
+  /** The options that decide which edges are creases. */
   readonly creases: LineOptions;
   private readonly parameters: HatchingLineParameters;
   private readonly materials = new Map<boolean, HatchingLineMaterial>();
@@ -20,11 +20,11 @@ export class LineMaker {
   constructor({ creaseAngle, creaseLength, ...parameters }: LineOptions & HatchingLineParameters) {
     this.creases = { creaseAngle, creaseLength };
     this.parameters = parameters;
-    // What is wrong with them is said before anything is baked.
+    // Wrong parameters throw here, before anything is baked.
     this.materialFor(false);
   }
 
-  /** Makes the lines of a mesh whose geometry was baked, unless it is a cut-out. They are not in the scene yet. */
+  /** Makes the lines of a mesh whose geometry was baked, unless it is a cut-out. They are not yet added to the scene. */
   addLines({ mesh, geometry, material }: MeshLook): void {
     if (isBatched(mesh) || materialsOf({ material }).every(isCutOut)) return;
     const lines = new HatchingLines(mesh, this.materialFor(deforms(geometry, mesh)));
@@ -32,7 +32,7 @@ export class LineMaker {
     this.made.push(lines);
   }
 
-  /** All that were made. */
+  /** All lines that were made. */
   get lines(): readonly HatchingLines[] {
     return this.made;
   }

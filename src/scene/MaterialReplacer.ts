@@ -5,21 +5,21 @@ import type { HatchingMaterialParameters } from '../material/HatchingMaterialPar
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
 import { isSurface } from './surfaceMeshes.js';
 
-/** Scales that are equal to this many digits count as one: they differ by rounding only. */
+/** Scales that agree in this many digits count as equal, because they differ only by rounding. */
 const SCALE_DIGITS = 6;
 
 /** Whether a material is a `HatchingMaterial`. */
 export const isHatching = (material: Material): material is HatchingMaterial => 'isHatchingMaterial' in material;
 
 /**
- * Makes the hatching materials of a scene: one per source material and scale of the meshes that use it. Meshes that deform get
- * a further one, because they need another shader program.
+ * Makes the hatching materials of a scene: one for each source material and scale of the meshes that use it. Meshes that deform
+ * get a material of their own, because they need another shader program.
  */
 export class MaterialReplacer {
   readonly materials: HatchingMaterial[] = [];
-  /** By source, scale and whether the mesh deforms. */
+  /** The keys consist of the source, the scale, and whether the mesh deforms. */
   private readonly replacements = new Map<string, HatchingMaterial>();
-  /** Scales of the materials whose parameters set no `strokeScale`. */
+  /** The scales of those materials whose parameters set no `strokeScale`. */
   private readonly scales = new Map<HatchingMaterial, number>();
 
   constructor(
@@ -29,7 +29,7 @@ export class MaterialReplacer {
   ) {}
 
   /**
-   * The material or materials that replace those of a mesh, made on first use.
+   * The material or materials that replace those of a mesh. They are made on first use.
    *
    * @param old the material or materials of the mesh
    * @param scale world units per unit of the mesh's object space
@@ -40,7 +40,7 @@ export class MaterialReplacer {
     return Array.isArray(old) ? old.map(replace) : replace(old);
   }
 
-  /** Gives the strokes one size in the world, on all materials whose parameters set no `strokeScale`. */
+  /** Gives the strokes the same size in world space, for all materials whose parameters set no `strokeScale`. */
   setStrokeScale(tilesPerWorldUnit: number): void {
     for (const [material, scale] of this.scales) material.strokeScale = tilesPerWorldUnit * scale;
   }

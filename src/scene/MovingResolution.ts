@@ -4,31 +4,31 @@ import { SizeScaler } from './SizeScaler.js';
 
 /** Options of `MovingResolution`. */
 export interface MovingResolutionOptions {
-  /** Factor on the pixel ratio while something moves, in (0, 1]. Default 0.5: a quarter of the pixels. */
+  /** The pixel ratio is multiplied by this factor while something moves, in (0, 1]. Default 0.5: a quarter of the pixels. */
   share?: number | undefined;
-  /** Milliseconds: frames that take longer are slow. Default 55, below which a dragged light does not stutter. */
+  /** Frames that take longer than this are slow, in milliseconds, 0 or more. Default 55: up to it a dragged light is smooth. */
   slow?: number | undefined;
-  /** Milliseconds without a movement after which it is over. Default 350. */
+  /** A movement is over after this time without any, in milliseconds, above 0. Default 350. */
   pause?: number | undefined;
-  /** Called when a movement is over that was drawn in a lower resolution. Where frames are drawn on demand: draw one. */
+  /** Called at the end of a movement that was drawn in a lower resolution. If you draw frames on demand, draw one. */
   onRest?: (() => void) | undefined;
-  /** Called when it is known how long a frame took, a little after it was drawn. */
+  /** Called when a frame was measured, shortly after it was drawn. */
   onMeasured?: (() => void) | undefined;
 }
 
 /**
- * Keeps movement smooth on slow machines: while the camera, a light or a model moves and frames take long, they are drawn in a
- * lower resolution, and in the full one when the movement is over. Strokes and lines stay as wide as they were.
+ * Keeps movement smooth on slow machines. While the camera, a light or a model moves and frames take long, they are drawn in a
+ * lower resolution; when the movement is over, in full resolution again. Strokes and lines keep their widths.
  *
  * ```ts
  * const resolution = new MovingResolution(renderer, { onRest: requestRender });
- * resolution.render(scene, camera); // in the place of renderer.render(scene, camera)
+ * resolution.render(scene, camera); // instead of renderer.render(scene, camera)
  * ```
  *
- * Measures frames with a fence, so it works where frames are drawn on demand as well as in a loop. Does nothing in virtual
- * reality, whose resolution the headset chooses.
+ * Frames are measured with a fence, so this works in a loop as well as with frames on demand. It does nothing in virtual reality,
+ * where the headset chooses the resolution.
  *
- * Throws a RangeError for an option out of its range.
+ * The constructor throws a RangeError for an option out of its range.
  */
 export class MovingResolution {
   private readonly share: number;
@@ -44,7 +44,7 @@ export class MovingResolution {
   private lastMoved = -Infinity;
   private isSlow = false;
   private isLow = false;
-  /** The renderer's pixel ratio in full resolution, and what was put in its place; undefined in full resolution. */
+  /** The pixel ratios of full and of lower resolution; undefined while the renderer draws in full resolution. */
   private ratios: { full: number; low: number } | undefined;
 
   constructor(
@@ -66,7 +66,7 @@ export class MovingResolution {
     });
   }
 
-  /** Factor on the full pixel ratio for the next frame: `share` while something moves and frames are slow, else 1. */
+  /** The factor for the pixel ratio of the next frame: `share` while something moves and frames are slow, otherwise 1. */
   get scale(): number {
     return this.isLow ? this.share : 1;
   }
@@ -77,9 +77,9 @@ export class MovingResolution {
   }
 
   /**
-   * Draws a frame as `renderer.render` does, in the resolution that is right for it.
+   * Draws a frame as `renderer.render` does, in the appropriate resolution.
    *
-   * @param isMoving whether something moves in it; if left out, whether the camera does
+   * @param isMoving whether something moves in this frame. Default: whether the camera has moved.
    */
   render(scene: Object3D, camera: Camera, isMoving = this.hasMoved(camera)): void {
     const { renderer } = this;
@@ -94,17 +94,17 @@ export class MovingResolution {
   }
 
   /**
-   * Draws and measures a frame that is not drawn by `renderer.render` alone, for example by a composer. `draw` sees to the
-   * resolution by {@link scale}, and to the widths of strokes, which are measured in pixels.
+   * Draws and measures a frame that `renderer.render` alone cannot draw, but a composer for example. `draw` must set the
+   * resolution by {@link scale} itself, and multiply the widths of strokes in pixels by it.
    *
-   * @param isMoving whether something moves in it
+   * @param isMoving whether something moves in this frame
    */
   frame(draw: () => void, isMoving = true): void {
     const now = performance.now();
-    const goesOn = isMoving && now - this.lastMoved < this.pause;
+    const continues = isMoving && now - this.lastMoved < this.pause;
     this.isMoving = isMoving;
     if (isMoving) this.lastMoved = now;
-    if ((this.isSlow && goesOn) || (this.isLow && isMoving)) {
+    if ((this.isSlow && continues) || (this.isLow && isMoving)) {
       this.isLow = true;
       clearTimeout(this.restTimer);
       this.restTimer = setTimeout(() => {
@@ -116,13 +116,13 @@ export class MovingResolution {
     this.timer.measure(draw);
   }
 
-  /** Forgets how long frames took. To be called when something else is drawn. */
+  /** Forgets all measurements. Call it when the scene that is drawn has changed. */
   reset(): void {
     this.isSlow = false;
     this.timer.reset();
   }
 
-  /** Goes back to the full resolution and stops measuring. */
+  /** Returns to full resolution and stops measuring. */
   dispose(): void {
     clearTimeout(this.restTimer);
     this.isLow = false;
@@ -132,7 +132,7 @@ export class MovingResolution {
 
   private useScale(scene: Object3D): void {
     const { renderer, ratios } = this;
-    // A ratio that was set from outside is the full one from then on.
+    // A pixel ratio that someone else has set becomes the new full one.
     if (!this.isLow || (ratios && ratios.low !== renderer.getPixelRatio())) this.useFull();
     if (!this.isLow || this.ratios) return;
     const full = renderer.getPixelRatio();

@@ -6,16 +6,16 @@ import type { SkippedMesh } from './HatchedScene.js';
 /** A mesh that gets occlusion. */
 interface OccludedMesh {
   mesh: Mesh;
-  /** What it was drawn with when the bake began. */
+  /** The geometry of the mesh when the bake began. */
   source: BufferGeometry;
-  /** The same, or one that shares everything with it but the occlusion. */
+  /** The geometry that the occlusion is written to: `source`, or a clone that shares everything but the occlusion. */
   own: BufferGeometry;
 }
 
-/** Which bake wrote into an attribute last: what one takes back must not be another's. */
+/** For each attribute the bake that has written to it last: no bake may remove the occlusion of another. */
 const writers = new WeakMap<object, OcclusionBake>();
 
-/** Whether a geometry has room for occlusion. */
+/** Whether a geometry has an attribute that occlusion can be written to. */
 export function hasRoom({ attributes }: BufferGeometry): boolean {
   const attribute = attributes[hatchNormal.name];
   return (
@@ -23,15 +23,15 @@ export function hasRoom({ attributes }: BufferGeometry): boolean {
   );
 }
 
-/** Ambient occlusion that `bakeOcclusion` has given to the meshes of a scene. */
+/** The ambient occlusion that `bakeOcclusion` has given to the meshes of a scene. */
 export class OcclusionBake {
-  /** How many directions each vertex has been asked in so far. */
+  /** The number of directions that the occlusion was measured in so far. */
   directions = 0;
   private occluded: readonly OccludedMesh[];
 
   /**
-   * @param meshes with prepared geometries
-   * @param skipped meshes that could not be read, and count as if they were not there
+   * @param meshes meshes with prepared geometries
+   * @param skipped meshes that could not be read; they neither occlude nor receive occlusion
    */
   constructor(
     meshes: readonly Mesh[],
@@ -51,9 +51,9 @@ export class OcclusionBake {
   }
 
   /**
-   * Gives each mesh its occlusion, but those that have another geometry by now.
+   * Writes the occlusion of each mesh, except of those that have got another geometry in the meantime.
    *
-   * @param occlusions for each mesh, and for each of its vertices from 0, open, to 32767, closed
+   * @param occlusions for each mesh the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it)
    * @internal
    */
   write(occlusions: readonly Int16Array[], directions: number): void {
@@ -66,7 +66,7 @@ export class OcclusionBake {
     }
   }
 
-  /** Takes the occlusion from the meshes, and gives back the geometries of those that shared theirs. A second call does nothing. */
+  /** Removes the occlusion, and gives meshes that shared a geometry the shared one again. A second call does nothing. */
   dispose(): void {
     for (const { mesh, source, own } of this.occluded) {
       if (own !== source) {
@@ -88,7 +88,7 @@ function withOcclusionOfItsOwn(source: BufferGeometry): BufferGeometry {
 function writeOcclusion({ attributes }: BufferGeometry, occlusion: Int16Array | null): void {
   const attribute = attributes[hatchNormal.name] as BufferAttribute;
   const { array } = attribute;
-  // Negative, because WebGL reads 1 where there is no such attribute, and that must be open too.
+  // The values are negative, because WebGL reads 1 if the attribute is missing, which must not darken anything.
   for (let i = 3, vertex = 0; i < array.length; i += 4, vertex++) array[i] = occlusion ? -occlusion[vertex] : 0;
   attribute.needsUpdate = true;
 }

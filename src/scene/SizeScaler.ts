@@ -7,7 +7,7 @@ import { materialsOf } from './surfaceMeshes.js';
 
 type Sizes = Record<string, unknown>;
 
-/** Multiplies what the hatching materials of a scene measure in pixels, and takes it back. */
+/** Multiplies all sizes in pixels of the hatching materials of a scene, and restores them. */
 export class SizeScaler {
   private readonly scaled: { material: Sizes; name: string; own: unknown; value: unknown }[] = [];
 
@@ -23,7 +23,7 @@ export class SizeScaler {
     }
   }
 
-  /** A size that was set meanwhile stays as it was set. */
+  /** Restores the sizes. A size that someone else has set in the meantime stays. */
   restore(): void {
     for (const { material, name, own, value } of this.scaled) {
       if (material[name] === value) material[name] = own;
@@ -31,7 +31,7 @@ export class SizeScaler {
     this.scaled.length = 0;
   }
 
-  /** In the order of the table: of two that clear each other the one that was set remains. */
+  /** Sets the sizes in the order of the table. If setting one clears another, the one that was set before remains set. */
   private set(material: HatchingMaterial | HatchingLineMaterial, sizes: Sizes): void {
     const values = material as unknown as Sizes;
     const changes = Object.entries(sizes).map(([name, value]) => ({

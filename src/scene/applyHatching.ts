@@ -4,10 +4,12 @@ import { assertGeometry } from '../geometry/checkGeometry.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import type { HatchingLines } from '../lines/HatchingLines.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { needsAdjacency, needsMap } from '../material/lookFacts.js';
 import { runSliced } from '../slices/runSliced.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
@@ -21,7 +23,7 @@ import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { withPreset } from './withPreset.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
-/** The names of the options that `prepareHatchingGeometry` has not. */
+/** The names of the options that `prepareHatchingGeometry` does not have. */
 const OWN_OPTIONS = {
   tonalArtMap: true,
   material: true,
@@ -32,48 +34,67 @@ const OWN_OPTIONS = {
   replaces: true,
 } satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
 
-/** A mesh to hatch, with its present geometry and material. */
+type WantedMap = NonNullable<ApplyHatchingOptions['tonalArtMap']> | null;
+
+interface Disposable {
+  dispose(): void;
+}
+
+/** A mesh to hatch, with its geometry and material before. */
 interface OldLook {
   mesh: Mesh;
   geometry: BufferGeometry;
   oldMaterial: Material | Material[];
 }
 
-/** The same with the material it will get. */
+/** A mesh to hatch, with the material that it will get. */
 interface PlannedMesh extends OldLook {
   material: Material | Material[];
 }
 
+/** What `makeLooks` returns: the content of a `HatchedScene`. */
+interface MadeLooks {
+  looks: MeshLook[];
+  materials: HatchingMaterial[];
+  lines: HatchingLines[];
+  skipped: SkippedMesh[];
+}
+
+/** The default stroke scale: tiles of the map per radius of the scene. */
 const TILES_PER_RADIUS = 3;
-/** Share of the progress for the map, if one is made. */
+
+/** The share of the progress for the map, if one is made. */
 const MAP_SHARE = 0.2;
 
 /**
- * Hatches a whole scene, such as a loaded glTF. Bakes the geometry of every mesh at or below `root`, a shared geometry once.
- * Replaces every material by a `HatchingMaterial` with its colour, maps, opacity, sides and vertex colours. Instances,
- * groups, skins and morph targets keep working; lines, points and sprites are left alone. Nothing in the scene changes before
- * everything is ready, and nothing at all if that fails or is aborted. Once aborted, the scene can be hatched again at once.
+ * Hatches a whole scene, such as a loaded glTF. The geometry of every mesh at or below `root` is baked, a shared geometry only
+ * once. Every material is replaced by a `HatchingMaterial` with the same colour, maps, opacity, sides and vertex colours.
+ * Instances, groups, skins and morph targets keep working; lines, points and sprites are left alone. The scene does not change
+ * before everything is ready, and not at all if that fails or is aborted. After an abort it can be hatched again at once.
  *
  *     await applyHatching(gltf.scene, 'pencil');
  *
- * `await renderer.compileAsync(scene, camera)` afterwards builds every program that the first frame uses.
+ * Call `await renderer.compileAsync(scene, camera)` afterwards to compile every program before the first frame.
  *
- * - A material shared by meshes becomes one shared material. If the meshes differ in scale, it becomes one per scale, since
- *   `strokeScale` counts in object space. Meshes that deform get a material of their own.
+ * - A material that meshes share becomes one shared material. If the meshes differ in scale, there is one material per scale,
+ *   because `strokeScale` refers to object space. Meshes that deform get a material of their own.
  * - Meshes that already have a `HatchingMaterial` are left alone.
- * - A mesh whose geometry cannot be baked stays as it is and is listed in `skipped`. So is a mesh whose geometry or material
- *   was exchanged meanwhile.
- * - Lines of `engraved` run on from mesh to mesh: `userData.hatchingField` of each holds the frame they share, as at the time of
- *   the call. Clones keep it. Instances and batches have lines of their own.
- * - Unless given, the layout is `'indexed'` for geometries that only `anchored` or `engraved` draws, and no map is drawn for the
- *   latter.
- * - `lines` draws contours, borders and creases of every mesh but a `BatchedMesh` and cut-outs (`alphaTest`,
- *   `alphaHash`).
- * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals it has; other techniques can draw it only if it
- *   was filled with prepared geometries.
+ * - A mesh whose geometry cannot be baked is left alone and listed in `skipped`. So is a mesh whose geometry or material was
+ *   replaced during the call.
+ * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
+ *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines.
+ * - By default the layout is `'indexed'` for geometries that only `anchored` or `engraved` draws. No map is generated for
+ *   materials that need none.
+ * - `lines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
+ * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
+ *   it was filled with prepared geometries.
  *
- * Rejects with an Error if part of `root` is hatched already, or below itself; with a RangeError for an unknown preset; with the signal's reason when aborted; with the first mesh's
- * error if none can be hatched; with a TypeError for an unknown option; and with the error of a map or a parameter.
+ * The promise is rejected
+ *
+ * - with an Error if a part of `root` is hatched already, or an object is its own descendant;
+ * - with a RangeError for an unknown preset or an option out of its range, and with a TypeError for an unknown option;
+ * - with the error of the first mesh if no mesh can be hatched, or with that of the map or of a parameter;
+ * - with the signal's reason when aborted.
  */
 export async function applyHatching(
   root: Object3D,
@@ -88,76 +109,23 @@ export async function applyHatching(
     throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
   }
   assertTree('applyHatching', root);
-  const { replaces } = options;
+  const { replaces, signal } = options;
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
   let releaseMeshes = claimMeshes(meshes.filter((mesh) => !replaces?.holds(mesh)));
   const onAbort = (): void => releaseMeshes();
-  // At once, not when the work has stopped: whoever aborts may apply again in the same breath, as React's StrictMode does.
-  options.signal?.addEventListener('abort', onAbort);
-  const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
-  const disposables: { dispose(): void }[] = [];
+  // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as
+  // React's StrictMode does.
+  signal?.addEventListener('abort', onAbort);
+  const disposables: Disposable[] = [];
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const replacer = new MaterialReplacer(options.material ?? {});
-    disposables.push(replacer);
-    const { seen, unreadable } = asBefore(() => looksToReplace(meshes));
-    const planned = await runSliced(planMeshes(seen, replacer), { signal: options.signal, around: asBefore });
-
-    const withoutMap = replacer.materials.filter((one) => one.tonalArtMap === null && needsMap(one));
-    const { tonalArtMap: wanted = {} } = options;
-    const isDrawn = withoutMap.length > 0 && isToBeMade(wanted);
-    const mapShare = isDrawn ? MAP_SHARE : 0;
-    const {
-      preset: _preset,
-      replaces: _replaces,
-      tonalArtMap: _map,
-      material: _material,
-      strokeScale,
-      filter: _filter,
-      lines,
-      onGeometry,
-      ...baking
-    } = options;
-    const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;
-    const { onProgress, signal, createWorker } = baking;
-    const baked = await bakeGeometries(
-      layoutsFor(planned, options.layout),
-      {
-        ...baking,
-        lines: lineMaker?.creases ?? false,
-        onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)),
-      },
-      { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
-    );
-    const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
-    skipped.push(...unreadable);
-    if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
-
-    let map = isToBeMade(wanted) ? null : wanted;
-    if (isDrawn && typeof wanted === 'function') map = checkTonalArtMap(await wanted());
-    else if (isDrawn) {
-      const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
-      map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress: onMapProgress });
-      disposables.push(map);
-    }
-    for (const material of withoutMap) material.tonalArtMap = map;
-    signal?.throwIfAborted();
-    const finishing = finish(root, looks, replacer, { strokeScale, lineMaker });
-    if (lineMaker) disposables.push(lineMaker);
-    const made = await runSliced(finishing, { signal });
-    const gone = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
-    const kept = looks.filter(({ mesh }) => !gone.has(mesh));
-    for (const { mesh } of looks) if (gone.has(mesh)) skipped.push({ mesh, error: changedMeanwhile(mesh) });
-    if (kept.length === 0 && looks.length > 0) throw skipped.at(-1)!.error;
-    const drawn = made.filter(({ mesh }) => !gone.has(mesh!));
-    const used = new Set<Material>(kept.flatMap(({ material }) => material));
-    const materials = replacer.materials.filter((material) => used.has(material));
+    const { looks, materials, lines, skipped } = await makeLooks(root, meshes, options, disposables);
     replaces?.dispose();
     releaseMeshes();
     releaseMeshes = claimMeshes(meshes);
-    const scene = new HatchedScene(kept, materials, drawn, skipped, disposables, releaseMeshes);
-    for (const { mesh } of kept) {
+    const scene = new HatchedScene(looks, materials, lines, skipped, disposables, releaseMeshes);
+    for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
     }
     return scene;
@@ -166,11 +134,92 @@ export async function applyHatching(
     releaseMeshes();
     throw error;
   } finally {
-    options.signal?.removeEventListener('abort', onAbort);
+    signal?.removeEventListener('abort', onAbort);
   }
 }
 
-/** What the meshes look like that do not have a `HatchingMaterial` yet, and which of them have no geometry. */
+/** Makes the new looks of meshes. The scene does not change. Everything that must be freed is added to `disposables`. */
+async function makeLooks(
+  root: Object3D,
+  meshes: readonly Mesh[],
+  options: ApplyHatchingOptions,
+  disposables: Disposable[],
+): Promise<MadeLooks> {
+  const { replaces, signal, lines, strokeScale, onGeometry, onProgress, tonalArtMap: wanted = {} } = options;
+  const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
+  const replacer = new MaterialReplacer(options.material ?? {});
+  disposables.push(replacer);
+  const { seen, unreadable } = asBefore(() => looksToReplace(meshes));
+  const planned = await runSliced(planMeshes(seen, replacer), { signal, around: asBefore });
+
+  const withoutMap = replacer.materials.filter((material) => material.tonalArtMap === null && needsMap(material));
+  const isMapMade = withoutMap.length > 0 && isToBeMade(wanted);
+  const mapShare = isMapMade ? MAP_SHARE : 0;
+  const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;
+  const baked = await bakeGeometries(
+    layoutsFor(planned, options.layout),
+    {
+      ...prepareOptions(options),
+      lines: lineMaker?.creases ?? false,
+      onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)),
+    },
+    { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
+  );
+  const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
+  skipped.push(...unreadable);
+  if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
+
+  const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
+  const map = await makeMap(wanted, isMapMade, { ...options, onProgress: onMapProgress }, disposables);
+  for (const material of withoutMap) material.tonalArtMap = map;
+  signal?.throwIfAborted();
+  const finishing = finish(root, looks, replacer, { strokeScale, lineMaker });
+  if (lineMaker) disposables.push(lineMaker);
+  const allLines = await runSliced(finishing, { signal });
+
+  const changed = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
+  const kept = looks.filter(({ mesh }) => !changed.has(mesh));
+  for (const { mesh } of looks) if (changed.has(mesh)) skipped.push({ mesh, error: changedMeanwhile(mesh) });
+  if (kept.length === 0 && looks.length > 0) throw skipped.at(-1)!.error;
+  const used = new Set<Material>(kept.flatMap(({ material }) => material));
+  return {
+    looks: kept,
+    materials: replacer.materials.filter((material) => used.has(material)),
+    lines: allLines.filter(({ mesh }) => !changed.has(mesh!)),
+    skipped,
+  };
+}
+
+/** The options that `prepareHatchingGeometry` has too. */
+function prepareOptions({
+  preset: _preset,
+  replaces: _replaces,
+  tonalArtMap: _map,
+  material: _material,
+  strokeScale: _strokeScale,
+  filter: _filter,
+  onGeometry: _onGeometry,
+  ...options
+}: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'lines'> {
+  return options;
+}
+
+/** Returns the map for the materials that need one. A generated map is added to `disposables`. */
+async function makeMap(
+  wanted: WantedMap,
+  isNeeded: boolean,
+  { signal, createWorker, onProgress }: TaskOptions,
+  disposables: Disposable[],
+): Promise<TonalArtMap | null> {
+  if (!isToBeMade(wanted)) return wanted;
+  if (!isNeeded) return null;
+  if (typeof wanted === 'function') return checkTonalArtMap(await wanted());
+  const map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress });
+  disposables.push(map);
+  return map;
+}
+
+/** Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry. */
 function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable: SkippedMesh[] } {
   const seen: OldLook[] = [];
   const unreadable: SkippedMesh[] = [];
@@ -186,7 +235,7 @@ function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable:
   return { seen, unreadable };
 }
 
-/** What becomes of them. Yields after each: scenes have thousands of materials. */
+/** Makes the materials that the meshes will get. It yields after each mesh, since a scene may have thousands of materials. */
 function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Generator<number, PlannedMesh[], void> {
   const planned: PlannedMesh[] = [];
   for (const look of looks) {
@@ -197,11 +246,11 @@ function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Gen
   return planned;
 }
 
-/** The options of its own and of its tasks; those of the geometry are checked where they are used. */
+/** Checks the options that only `applyHatching` has. Those of the geometry are checked by `prepareHatchingGeometry`. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {
   const { filter, lines = false, onGeometry, material = {}, replaces, strokeScale = 1, tonalArtMap = null } = options;
   if (replaces !== undefined && !(replaces instanceof HatchedScene)) {
-    throw new TypeError('applyHatching: replaces must be what an earlier call resolved with, or left out.');
+    throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
   }
   if (filter !== undefined && typeof filter !== 'function') {
     throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
@@ -210,7 +259,7 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
     throw new TypeError('applyHatching: onGeometry must be a function of two numbers, or left out.');
   }
   if (typeof lines !== 'boolean' && (typeof lines !== 'object' || lines === null)) {
-    throw new TypeError('applyHatching: lines must be true, false or an object of creases and parameters of lines.');
+    throw new TypeError('applyHatching: lines must be true, false or an object with options of creases and lines.');
   }
   if (material === null || !['object', 'function'].includes(typeof material)) {
     throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
@@ -224,17 +273,15 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
   else if (typeof tonalArtMap === 'object') checkHatchImageOptions('applyHatching: tonalArtMap', tonalArtMap);
 }
 
-/** Whether a map is to be drawn with these options, or fetched by this function, once a material needs it. */
-const isToBeMade = (
-  given: NonNullable<ApplyHatchingOptions['tonalArtMap']> | null,
-): given is Exclude<typeof given, TonalArtMap | null> =>
-  typeof given === 'function' || (typeof given === 'object' && given !== null && !isTonalArtMap(given));
+/** Whether the map does not exist yet: these are options to generate it, or a function that resolves with it. */
+const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null> =>
+  typeof wanted === 'function' || (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted));
 
-/** Whether all that draws a mesh does without triangle adjacency. */
+/** Whether no material of a mesh needs triangle adjacency. */
 const needsNoAdjacency = (plan: PlannedMesh): boolean =>
-  materialsOf(plan).every((one) => isHatching(one) && !needsAdjacency(one));
+  materialsOf(plan).every((material) => isHatching(material) && !needsAdjacency(material));
 
-/** Every geometry to bake, with a layout that all materials that draw it can use. */
+/** All geometries to bake, each with a layout that works for all materials that draw it. */
 function layoutsFor(
   planned: readonly PlannedMesh[],
   layout: ApplyHatchingOptions['layout'],
@@ -248,7 +295,7 @@ function layoutsFor(
   return layouts;
 }
 
-/** Divides the meshes into those that get a new look and those that stay as they are. */
+/** Divides the meshes into those that get a new look and those that are skipped. */
 function collectLooks(
   planned: readonly PlannedMesh[],
   baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>,
@@ -283,9 +330,10 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
 }
 
 /**
- * Sizes the strokes, and gives every look its frame and its lines. Yields after each: scenes have thousands of meshes.
+ * Sets the size of the strokes, and gives every look its coordinate frame and its lines. It yields after each look, since a scene
+ * may have thousands of meshes.
  *
- * @returns the lines, which are not in the scene yet
+ * @returns the lines, which are not yet added to the scene
  */
 function* finish(
   root: Object3D,
@@ -304,7 +352,7 @@ function* finish(
   return lineMaker?.lines ?? [];
 }
 
-/** A sphere around all meshes, world space; of radius 1 about the origin if there is none. */
+/** A sphere around all meshes, in world space. If there are none, it is the unit sphere about the origin. */
 function* sphereAround(looks: readonly MeshLook[]): Generator<number, Sphere, void> {
   const whole = new Sphere();
   for (const { mesh, geometry } of looks) {

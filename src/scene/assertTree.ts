@@ -1,18 +1,18 @@
 import type { Object3D } from 'three';
 
 /**
- * Checks that no object at, above or below `root` is below itself, which three.js would follow round until the stack is full, and
- * that all children are objects.
+ * Checks that all children at or below `root` are objects, and that no object is its own descendant, which would make three.js
+ * recurse without end.
  *
- * @throws Error or TypeError naming the caller and the object
+ * @throws Error or TypeError that names the caller and the object
  */
 export function assertTree(caller: string, root: Object3D): void {
   const above = new Set<Object3D>();
   for (let object: Object3D | null = root; object !== null; object = object.parent) {
-    if (above.has(object)) failRound(caller, object);
+    if (above.has(object)) failCycle(caller, object);
     above.add(object);
   }
-  /** The objects from `root` to where the walk is, with the children that are left to visit. */
+  /** The objects from `root` down to the current one, each with the index of the child to visit next. */
   const path = [{ object: root, next: 0 }];
   const onPath = new Set([root]);
   for (let last = path.at(-1); last; last = path.at(-1)) {
@@ -25,10 +25,10 @@ export function assertTree(caller: string, root: Object3D): void {
     const child = object.children[last.next++];
     if (!child?.isObject3D) {
       throw new TypeError(
-        `${caller}: child ${last.next - 1} of the ${nameOf(object)} is no THREE.Object3D. Take it out of the children.`,
+        `${caller}: child ${last.next - 1} of the ${nameOf(object)} is not a THREE.Object3D. Remove it from the children.`,
       );
     }
-    if (onPath.has(child)) failRound(caller, child);
+    if (onPath.has(child)) failCycle(caller, child);
     onPath.add(child);
     path.push({ object: child, next: 0 });
   }
@@ -36,8 +36,8 @@ export function assertTree(caller: string, root: Object3D): void {
 
 const nameOf = ({ name, type, uuid }: Object3D): string => `${type} "${name || uuid}"`;
 
-function failRound(caller: string, object: Object3D): never {
+function failCycle(caller: string, object: Object3D): never {
   throw new Error(
-    `${caller}: the ${nameOf(object)} is below itself, so the scene has no end. Take it out of the children of what is below it.`,
+    `${caller}: the ${nameOf(object)} is its own descendant, so the scene has a cycle. Remove it from the children of its descendants.`,
   );
 }

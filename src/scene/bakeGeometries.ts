@@ -1,28 +1,28 @@
 import type { BufferGeometry } from 'three';
 import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from '../geometry/prepareHatchingGeometry.js';
-import { mostWorkers } from '../worker/WorkerPool.js';
+import { maxWorkers } from '../worker/WorkerPool.js';
 
 type Layout = PrepareHatchingGeometryOptions['layout'];
 
-/** A bake takes some hundred bytes per corner: no more than this are baked at the same time, unless one geometry has more. */
-const MOST_CORNERS = 6_000_000;
+/** The number of corners that are baked at the same time, unless one geometry has more: a bake takes some hundred bytes for each. */
+const MAX_CORNERS = 6_000_000;
 
-/** A worker costs as much to start, and to compile its code, as a bake of some ten thousand triangles: less is not worth another. */
-const LEAST_CORNERS = 600_000;
+/** The number of corners that is worth another worker, which takes as long to start as a bake of some ten thousand triangles. */
+const CORNERS_PER_WORKER = 600_000;
 
-/** What is told while geometries are baked. */
+/** The listeners that are called while geometries are baked. */
 export interface BakeListeners {
-  /** With every geometry as soon as it is ready, so that it can be freed if a later one is aborted. */
+  /** Called with every geometry as soon as it is ready, so that it can be freed if a later one is aborted. */
   onBaked(geometry: BufferGeometry): void;
-  /** With how many geometries are done, faulty ones included, and how many there are. */
+  /** Called with the number of finished geometries, faulty ones included, and the number of all. */
   onCount?: ((done: number, total: number) => void) | undefined;
 }
 
 /**
- * Bakes geometries, several at a time if there is work for several workers. An error in one does not stop the others.
+ * Bakes geometries, several at a time if there is work for several workers. A faulty geometry does not stop the others.
  *
- * @param layouts the layout for each geometry
- * @returns for each geometry the prepared one, or the TypeError or RangeError that says what is wrong with it
+ * @param layouts the geometries, each with its layout
+ * @returns for each geometry the prepared one, or the TypeError or RangeError that names its fault
  */
 export async function bakeGeometries(
   layouts: ReadonlyMap<BufferGeometry, Layout>,
@@ -31,13 +31,13 @@ export async function bakeGeometries(
 ): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
   const total = [...layouts.keys()].reduce((sum, geometry) => sum + cornerCount(geometry), 0);
   const results = new Map<BufferGeometry, BufferGeometry | Error>();
-  // What fails stops all others, and nothing is baked on behind the back of the caller.
+  // Any other error stops all bakes, so that none goes on after the promise was rejected.
   const stop = new AbortController();
   const { signal } = options;
   const abort = (): void => stop.abort(signal?.reason);
   signal?.addEventListener('abort', abort);
   if (signal?.aborted) abort();
-  const tell = (listener: () => void): void => {
+  const notify = (listener: () => void): void => {
     if (stop.signal.aborted) return;
     try {
       listener();
@@ -54,7 +54,7 @@ export async function bakeGeometries(
     const onProgress = (progress: number): void => {
       corners += (progress - share) * count;
       share = progress;
-      tell(report);
+      notify(report);
     };
     try {
       const prepared = await prepareHatchingGeometry(geometry, { ...options, layout, onProgress, signal: stop.signal });
@@ -62,22 +62,22 @@ export async function bakeGeometries(
       results.set(geometry, prepared);
     } catch (error) {
       if (!(error instanceof TypeError || error instanceof RangeError) || stop.signal.aborted) {
-        // The first reason stays.
+        // Only the first reason counts; later calls of abort() have no effect.
         stop.abort(error);
         return;
       }
       results.set(geometry, error);
     }
     corners += (1 - share) * count;
-    tell(() => onCount?.(results.size, layouts.size));
+    notify(() => onCount?.(results.size, layouts.size));
   }
 
-  const lanes = Math.min(mostWorkers(), Math.ceil(total / LEAST_CORNERS));
+  const lanes = Math.min(maxWorkers(), Math.ceil(total / CORNERS_PER_WORKER));
   const running = new Set<Promise<void>>();
   let cornersRunning = 0;
   for (const [geometry, layout] of layouts) {
     const count = cornerCount(geometry);
-    while (running.size > 0 && (running.size >= lanes || cornersRunning + count > MOST_CORNERS)) {
+    while (running.size > 0 && (running.size >= lanes || cornersRunning + count > MAX_CORNERS)) {
       await Promise.race(running);
     }
     if (stop.signal.aborted) break;
@@ -94,7 +94,7 @@ export async function bakeGeometries(
   stop.signal.throwIfAborted();
   corners = total;
   report();
-  // In the order of what was given, whatever was done first.
+  // The results come in the order of `layouts`, whichever bake was finished first.
   return new Map([...layouts.keys()].map((geometry) => [geometry, results.get(geometry)!]));
 }
 

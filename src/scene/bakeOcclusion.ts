@@ -15,18 +15,18 @@ import { worldMatrices } from './worldMatrices.js';
 /** Options of `bakeOcclusion`. */
 export interface BakeOcclusionOptions extends TaskOptions {
   /**
-   * How many directions every vertex is asked in, from 64 to 8192; half of them are below its surface. Time grows with them, and
-   * noise falls. Default 384, which is within 0.01 of the exact values in the mean.
+   * The number of directions in which the sky is sampled, from 64 to 8192; half of them lie below the surface of each vertex. More
+   * directions take longer and give less noise. Default 384, whose mean error is about 0.01.
    */
   directions?: number | undefined;
   /**
-   * Called whenever the meshes have been given a finer result, three times with the default `directions`: draw again. What it throws ends the bake.
+   * Called whenever the meshes have got a finer result, so that you can draw a frame: three times with the default `directions`.
+   * An exception in it ends the bake.
    */
   onPass?: ((bake: OcclusionBake) => void) | undefined;
   /**
-   * Called before each part of the work, of which there are two dozen with the default `directions`, and before each pass is
-   * shown. Where it returns a promise, the bake goes on when that has resolved: other work may go first. What it throws or rejects
-   * with ends the bake.
+   * Called before each part of the work (two dozen with the default `directions`) and before each result is shown. If it returns
+   * a promise, the bake waits for it, so that other work may go first. An exception or a rejection ends the bake.
    */
   pause?: (() => Promise<unknown> | undefined) | undefined;
 }
@@ -37,29 +37,30 @@ const OWN_OPTIONS = { directions: true, onPass: true, pause: true } satisfies Re
 >;
 
 const DEFAULT_DIRECTIONS = 384;
-/** Directions of the results before the last. The first should come soon, and not be too coarse to look at. */
+/** The numbers of directions of the results before the last. The first comes soon, but not so soon that it is too noisy to show. */
 const EARLY_DIRECTIONS = [64, 192];
-/** Pairs of opposite directions in one request to the worker. */
+/** The number of pairs of opposite directions in one request to the worker. */
 const PAIRS_AT_ONCE = 8;
-/** Of the progress: until the first direction. */
+/** The share of the progress before the first direction. */
 const START_SHARE = 0.05;
 
 /**
- * Bakes how much of the sky every vertex sees, as `HatchingMaterial` draws it (`occlusion`): cavities, folds and contacts become
- * darker under any light. It is kept in the geometries, so a frame takes no longer. Runs in the worker. The meshes get a first
- * result soon, and better ones until the promise resolves.
+ * Bakes ambient occlusion: how much of the sky each vertex sees. `HatchingMaterial` draws it (`occlusion`): cavities, folds and
+ * contacts become darker under any light. It is stored in the geometries, so a frame takes no longer. The bake runs in the
+ * worker. The meshes get a first result soon, and finer ones until the promise resolves.
  *
- * - Every mesh at or below `root` with a geometry of `prepareHatchingGeometry` gets it; meshes of `applyHatching` have one. All
- *   visible meshes there hide the sky from each other, front and back, but those that are `transparent`. Instances, batches,
- *   lines and points take no part.
- * - It is a matter of the moment: of meshes where they are, and of skins and morph targets at rest. Bake again after a change.
- * - Meshes that share a geometry get one each, which shares all but eight bytes per vertex. A mesh elsewhere that draws the same
- *   geometry shows the same occlusion.
- * - It is as fine as the mesh: a wide floor of two triangles has no place to keep a shade in. Details are lost that are
- *   smaller than about 1/250 of the size of the scene.
+ * - Every mesh at or below `root` whose geometry comes from `prepareHatchingGeometry` or `applyHatching` receives occlusion. All
+ *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones. Instances, batches, lines
+ *   and points take no part.
+ * - Meshes are baked where they are at the time of the call, skins and morph targets at rest. Bake again after a change.
+ * - Meshes that share a geometry each get a clone of it, which shares all but eight bytes per vertex. A mesh elsewhere with the
+ *   same geometry shows the same occlusion.
+ * - Occlusion is stored per vertex: a wide floor of two triangles cannot hold the shade of an object on it. Details smaller than
+ *   about 1/250 of the size of the scene are lost.
  *
- * Rejects with the signal's reason when aborted, and takes back what was shown; with an Error if no mesh is prepared, or one is below itself; and
- * with a TypeError or RangeError for a wrong option. When the worker dies, it begins anew.
+ * Rejects with the signal's reason when aborted, after it has removed the results that were shown; with an Error if no mesh is
+ * prepared or an object is its own descendant; and with a TypeError or RangeError for a wrong option. If the worker dies, the bake
+ * starts over.
  */
 export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOptions = {}): Promise<OcclusionBake> {
   checkOptions('bakeOcclusion', options, OWN_OPTIONS);
@@ -114,7 +115,7 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
           'addDirections',
           { scene, pairs: next - pairs },
           phase(progressAt(pairs), progressAt(next)),
-          // What was looked at before is lost with the worker.
+          // All directions so far are lost with the worker, so they are added again.
           async () => ({ scene: await start({ signal, createWorker }), pairs: next }),
         ));
       }
@@ -130,10 +131,10 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
   }
 }
 
-/** Copies a mesh as it was found. */
+/** Copies the data of a mesh. */
 type MeshReader = () => OcclusionMesh;
 
-/** Checks all meshes that take part and could be read. */
+/** Checks all meshes that take part in the bake, and lists those that cannot be read as skipped. */
 function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; skipped: SkippedMesh[] } {
   const receivers: Mesh[] = [];
   const skipped: SkippedMesh[] = [];
@@ -143,10 +144,10 @@ function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; 
       assertGeometry(mesh.geometry, 'bakeOcclusion');
       if (isMany(mesh)) continue;
       const receives = hasRoom(mesh.geometry) && mesh.geometry.attributes.normal !== undefined;
-      const hides =
+      const occludes =
         isShown(mesh, root) && materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent);
-      if (!receives && !hides) continue;
-      readers.push(readerOf(mesh, receives, hides));
+      if (!receives && !occludes) continue;
+      readers.push(readerOf(mesh, receives, occludes));
       if (receives) receivers.push(mesh);
     } catch (error) {
       skipped.push({ mesh, error: error as Error });
@@ -155,7 +156,7 @@ function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; 
   return { readers, receivers, skipped };
 }
 
-function readerOf(mesh: Mesh, receives: boolean, hides: boolean): MeshReader {
+function readerOf(mesh: Mesh, receives: boolean, occludes: boolean): MeshReader {
   const { geometry } = mesh;
   const range = cornerRange(geometry, checkGeometry(geometry, 'bakeOcclusion'));
   const toWorld = worldMatrices(mesh)[0].toArray();
@@ -165,11 +166,11 @@ function readerOf(mesh: Mesh, receives: boolean, hides: boolean): MeshReader {
     normals: receives ? copyVectors(geometry.attributes.normal) : null,
     toWorld,
     isInsideOut,
-    hides,
+    occludes,
   });
 }
 
-/** Whether a mesh is drawn at several places. */
+/** Whether a mesh is drawn in several places. */
 const isMany = (mesh: Mesh): boolean =>
   'isInstancedMesh' in mesh || 'isInstancedBufferGeometry' in mesh.geometry || isBatched(mesh);
 

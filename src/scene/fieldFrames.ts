@@ -3,11 +3,12 @@ import { isBatched } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /**
- * Tells the matrix from the object space of each mesh to one frame for all: that of `root`, from a common centre, in units as large
- * as those of the mesh, since `strokeScale` counts in them. Lines cut in this frame run on from mesh to mesh. Meshes of many
- * instances and those that are squeezed flat have none.
+ * Returns a function that computes the matrix from the object space of a mesh to a coordinate frame that all meshes share: the
+ * frame of `root`, with its origin in a common centre. Engraved lines in this frame continue from mesh to mesh. Its unit is that
+ * of the mesh's object space, because `strokeScale` refers to that. Instanced and batched meshes, and meshes with a singular
+ * matrix, have no such frame.
  *
- * @param centre of all meshes, world space
+ * @param centre the centre of all meshes, in world space
  */
 export function fieldFrames(root: Object3D, centre: Vector3): (mesh: Mesh) => number[] | undefined {
   const rootScale = worldScale([root.matrixWorld]);

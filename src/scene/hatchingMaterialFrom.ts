@@ -2,7 +2,7 @@ import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 }
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 
-/** Properties of three's own surface materials beyond the base class. Other materials may have them too. */
+/** The properties that the surface materials of three.js have beyond `Material`. Other materials may have them too. */
 interface SurfaceMaterial extends Material {
   color?: Color;
   map?: Texture | null;
@@ -42,8 +42,9 @@ const plainProperties = [
 ] as const satisfies (keyof SurfaceMaterial)[];
 
 /**
- * A hatching material that replaces `source`, with its colour, maps and what goes with them (shared, not copied), emitted light, opacity, sides, vertex
- * colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility and user data.
+ * Creates the hatching material that replaces `source`. It takes over colour, maps and their settings (the textures are shared,
+ * not copied), emission, opacity, sides, vertex colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility and
+ * user data.
  *
  * @param parameters override what is taken over from `source`
  */
@@ -52,7 +53,7 @@ export function hatchingMaterialFrom(source: Material, parameters: HatchingMater
   // Material.copy clones user data through JSON, which loses some values.
   Material.prototype.copy.call(material, Object.create(source, { userData: { value: {} } }));
   material.userData = { ...source.userData };
-  // Shared, so that planes that move keep clipping.
+  // The planes are shared, so that moving them keeps clipping both materials.
   material.clippingPlanes = source.clippingPlanes;
   const surface: SurfaceMaterial = source;
   const { color, emissive, normalScale, fog, wireframe, wireframeLinewidth } = surface;

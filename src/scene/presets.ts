@@ -4,13 +4,13 @@ import type { ToneCurve } from '../material/fitToneCurve.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { MapDrawing } from '../tam/TonalArtMap.js';
 
-/** Everything that makes a look: strokes, lines and map, as `applyHatching` takes them. */
+/** A complete look: the material, lines and tonal art map, in the form of the options of `applyHatching`. */
 export interface HatchingPreset {
-  /** Parameters of the material, its ink and paper among them. */
+  /** The parameters of the material, including ink and paper. */
   readonly material: Readonly<HatchingMaterialParameters>;
-  /** The lines that suit it. */
+  /** The options and parameters of the lines. */
   readonly lines: Readonly<LineOptions & HatchingLineParameters>;
-  /** What `TonalArtMap.generate` draws for it; `null` if it needs no map. */
+  /** The options of `TonalArtMap.generate`; `null` if the preset needs no map. */
   readonly tonalArtMap: Readonly<MapDrawing> | null;
 }
 
@@ -26,7 +26,7 @@ export type PresetName =
   | 'charcoal'
   | 'chalk';
 
-/** Leaves lights blank and the deepest shade open, as printed line drawings do: much paper, and ink where it counts. */
+/** The tone curve of printed line drawings: lights stay blank, and some paper shows even in the deepest shade. */
 const PRINTED: ToneCurve = [
   [0, 0],
   [0.15, 0],
@@ -38,7 +38,7 @@ const PRINTED: ToneCurve = [
   [1, 0.86],
 ];
 
-/** Bare wood or solid ink, and little between. */
+/** The tone curve of a woodcut: blank paper or solid ink, and little in between. */
 const CUT: ToneCurve = [
   [0, 0],
   [0.25, 0],
@@ -48,7 +48,7 @@ const CUT: ToneCurve = [
   [1, 1],
 ];
 
-/** A tooth that takes a breath of grey in the lights already. */
+/** The tone curve of pencil and charcoal: the tooth of the paper takes a little grey even in the lights. */
 const RUBBED: ToneCurve = [
   [0, 0.04],
   [0.2, 0.08],
@@ -57,7 +57,7 @@ const RUBBED: ToneCurve = [
   [1, 0.95],
 ];
 
-/** Of a light stick on dark paper, which draws the lights and leaves the shade. */
+/** The tone curve of chalk on dark paper, which draws the lights and leaves the shade blank. */
 const CHALKED: ToneCurve = [
   [0, 0.95],
   [0.2, 0.8],
@@ -247,15 +247,15 @@ function frozen<Value>(value: Value): Value {
 }
 
 /**
- * Looks to start from: material, lines and map in one object.
+ * The presets: looks to start from, each with material, lines and map.
  *
  * ```ts
  * await applyHatching(gltf.scene, presets.engraving);
  * await applyHatching(gltf.scene, { ...presets.pen, material: { ...presets.pen.material, ink: 'navy' } });
  * ```
  *
- * They are made for light of intensity π in all. Widths and distances are in pixels of a drawing buffer with one pixel per
- * CSS pixel; `scalePreset` fits them to another.
+ * They are made for lights whose intensities sum to π. Widths and distances are in pixels of a drawing buffer with one pixel per
+ * CSS pixel; `scalePreset` adapts them to other resolutions.
  */
 export const presets: Readonly<Record<PresetName, HatchingPreset>> = /* @__PURE__ */ frozen(
   /* @__PURE__ */ makePresets(),

@@ -3,11 +3,11 @@ import { scaledSizes } from '../material/lookFacts.js';
 import type { HatchingPreset } from './presets.js';
 
 /**
- * A preset with all its widths and distances in pixels multiplied; those on the object stay as they are. Those of a preset are
- * for one pixel of the drawing buffer per CSS pixel, 96 to the inch.
+ * Returns a copy of a preset with all widths and distances in pixels multiplied by a factor. Sizes on the object stay the same.
+ * The presets are made for one pixel of the drawing buffer per CSS pixel, which is 96 pixels per inch.
  *
- * @param factor for a screen `renderer.getPixelRatio()`; for a print its dpi / 96. The edges of strokes stay a pixel soft.
- * @throws RangeError if it is not a positive number
+ * @param factor `renderer.getPixelRatio()` for a screen, dpi / 96 for a print. The edges of strokes stay one pixel soft.
+ * @throws RangeError if the factor is not a positive number
  */
 export function scalePreset(preset: HatchingPreset, factor: number): HatchingPreset {
   if (!(factor > 0 && factor < Infinity)) {

@@ -1,8 +1,8 @@
 import type { BatchedMesh, Material, Mesh, Object3D } from 'three';
 
 /**
- * Every mesh at or below `root` that draws a surface, visible or not. Leaves out lines, points and sprites, also lines that
- * three.js builds from meshes (`Line2`), and meshes that only receive shadows.
+ * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, and so are lines
+ * that three.js builds from meshes (`Line2`) and meshes that only show shadows (`ShadowMaterial`).
  */
 export function surfaceMeshes(root: Object3D): Mesh[] {
   const meshes: Mesh[] = [];
@@ -14,9 +14,9 @@ export function surfaceMeshes(root: Object3D): Mesh[] {
   return meshes;
 }
 
-/** The materials of a mesh. three.js leaves groups undrawn whose place in the array is empty. */
+/** The materials of a mesh. Empty places in the array are left out: three.js does not draw their groups. */
 export const materialsOf = ({ material }: Pick<Mesh, 'material'>): Material[] =>
-  [material].flat().filter((one: Material | null | undefined) => one !== undefined && one !== null);
+  [material].flat().filter((entry: Material | null | undefined) => entry !== undefined && entry !== null);
 
 /** Whether a material draws a surface, so that hatching can replace it. */
 export const isSurface = (material: Material): boolean =>

@@ -2,10 +2,11 @@ import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { type HatchingPreset, type PresetName, presets } from './presets.js';
 
 /**
- * The options of `applyHatching` for a preset, with those of yours over it: parameters of the material and of the lines one by
- * one, everything else as a whole. `lines: false` leaves the lines of the preset out, `lines: true` keeps them.
+ * Returns the options of `applyHatching` for a preset, overridden by your own options. Parameters of the material and of the
+ * lines override those of the preset one by one, all other options as a whole. `lines: false` leaves out the lines of the preset,
+ * `lines: true` keeps them.
  *
- * @param preset its name, or a preset of your own
+ * @param preset the name of a preset, or a preset of your own
  * @throws RangeError if there is no preset of this name
  */
 export function withPreset(
@@ -18,7 +19,7 @@ export function withPreset(
     ...options,
     material: typeof own === 'function' ? (...args) => ({ ...material, ...own(...args) }) : { ...material, ...own },
     lines: typeof ownLines === 'object' && ownLines !== null ? { ...lines, ...ownLines } : ownLines && lines,
-    // A preset without a map needs none; with another technique it may, and gets the usual one.
+    // A preset without a map needs none. If your options change its technique, it may need one, and gets the default map.
     tonalArtMap: options.tonalArtMap === undefined ? (tonalArtMap ?? undefined) : options.tonalArtMap,
   };
 }

@@ -1,8 +1,8 @@
 import { type InstancedMesh, Matrix4, type Mesh, type SkinnedMesh } from 'three';
 
 /**
- * The object-to-world matrix of a mesh, or of each of its instances. For a skinned mesh, which is drawn where its bones are,
- * the transform by the first bone. The world matrices of the scene must be up to date.
+ * The object-to-world matrix of a mesh, or one for each of its instances. A skinned mesh is drawn where its bones are, so its
+ * matrix is the transform of the first bone. The world matrices of the scene must be up to date.
  */
 export function worldMatrices(mesh: Mesh): Matrix4[] {
   if ('isInstancedMesh' in mesh) {
@@ -20,7 +20,7 @@ export function worldMatrices(mesh: Mesh): Matrix4[] {
   return [matrix.multiply(skeleton.boneInverses[0]).multiply(bindMatrix)];
 }
 
-/** World units per object unit: the geometric mean over directions and matrices. 1 if all matrices are singular. */
+/** The number of world units per object unit, as the geometric mean over directions and matrices; 1 if all matrices are singular. */
 export function worldScale(matrices: readonly Matrix4[]): number {
   const logarithms = matrices.map((matrix) => Math.log(Math.abs(matrix.determinant())) / 3).filter(Number.isFinite);
   if (logarithms.length === 0) return 1;

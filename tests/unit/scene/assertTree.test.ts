@@ -39,7 +39,7 @@ describe('a scene that goes round', () => {
   ];
   test.each(scenes)('%s is refused before anything follows it', async (_, make, name) => {
     const says = (caller: string) =>
-      `${caller}: the Group "${name}" is below itself, so the scene has no end. Take it out of the children of what is below it.`;
+      `${caller}: the Group "${name}" is its own descendant, so the scene has a cycle. Remove it from the children of its descendants.`;
     expect(() => assertTree('test', make())).toThrow(says('test'));
     await expect(applyHatching(make(), { tonalArtMap: null })).rejects.toThrow(says('applyHatching'));
     await expect(bakeOcclusion(make())).rejects.toThrow(says('bakeOcclusion'));
@@ -64,7 +64,7 @@ test('an object that stands in two places is no circle, nor is a deep scene', ()
 test.each([null, undefined, {}])('a child that is %s is refused', async (child) => {
   const root = named('root').add(named('a'));
   root.children[0].children.push(child as never);
-  const says = 'child 0 of the Group "a" is no THREE.Object3D. Take it out of the children.';
+  const says = 'child 0 of the Group "a" is not a THREE.Object3D. Remove it from the children.';
   await expect(applyHatching(root, { tonalArtMap: null })).rejects.toThrow(`applyHatching: ${says}`);
   await expect(bakeOcclusion(root)).rejects.toThrow(`bakeOcclusion: ${says}`);
 });

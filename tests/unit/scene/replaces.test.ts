@@ -70,7 +70,7 @@ describe('a look that replaces another', () => {
 
   test('must come from applyHatching', async () => {
     await expect(applyHatching(new Group(), { replaces: {} as never })).rejects.toThrow(
-      'applyHatching: replaces must be what an earlier call resolved with, or left out.',
+      'applyHatching: replaces must be the result of an earlier call, or left out.',
     );
   });
 });
