@@ -58,7 +58,9 @@ test.each<[string, (geometry: BufferGeometry) => void]>([
   const preparing = prepareHatchingGeometry(geometry, { createWorker: mortal('bakeCorners', 1) });
   change(geometry);
   const error = await preparing.catch((reason) => reason);
-  expect(error.message).toMatch(/^The hatching worker died \(of bakeCorners\) before this request was finished\. Ask again/);
+  expect(error.message).toMatch(
+    /^The hatching worker died \(of bakeCorners\) before this request was finished\. Ask again/,
+  );
   expect(error.cause.message).toMatch(/^prepareHatchingGeometry: the geometry was changed while it was being prepared/);
 });
 
