@@ -12,11 +12,17 @@ declare module 'snowden/lo.js' {
 
 /** The functions of `models` that make forms, as JavaScript for copied code. The build writes them: see tools/building/formSources.ts. */
 declare module 'virtual:form-sources' {
+  /** JavaScript that a model is made by, with all that it calls. */
+  export interface FormSource {
+    /** Import declarations, but for those from `three`. */
+    imports: string[];
+    /** What it takes from `three`. */
+    classes: string[];
+    /** Declarations, among them the function. */
+    code: string;
+  }
   const sources: Readonly<
-    Record<
-      'shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot' | 'makeFish',
-      import('../../tools/building/formSources.js').FormSource
-    >
+    Record<'shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot' | 'makeFish', FormSource>
   >;
   export default sources;
 }

@@ -1,4 +1,5 @@
 import { fileURLToPath } from 'node:url';
+import type { FormSource } from 'virtual:form-sources';
 import { build, type Plugin, type Rolldown } from 'vite';
 
 const NAME = 'virtual:form-sources';
@@ -16,16 +17,6 @@ const FORMS = {
   knot: 'forms.ts',
   makeFish: 'makeFish.ts',
 } as const;
-
-/** JavaScript that a model is made by, with all that it calls. */
-export interface FormSource {
-  /** Import declarations, but for those from `three`. */
-  imports: string[];
-  /** What it takes from `three`. */
-  classes: string[];
-  /** Declarations, among them the function. */
-  code: string;
-}
 
 /** Gives copied code the very functions that make the page's own models, as JavaScript: `import sources from 'virtual:form-sources'`. */
 export const formSources: Plugin = {

@@ -1,0 +1,55 @@
+import { expect, test } from 'vitest';
+import { forbiddenImports, objectionTo } from '../../../tools/imports/forbiddenImports.mjs';
+import { ROOMS } from '../../../tools/imports/rooms.mjs';
+
+test('no file imports what its room may not, and nothing outside of the tests imports from them', () => {
+  expect(forbiddenImports()).toEqual([]);
+});
+
+test('the table is a tower: a room imports only rooms that stand before it', () => {
+  const before = new Set<string>();
+  for (const [room, imports] of Object.entries<readonly string[]>(ROOMS)) {
+    const around = room.slice(0, room.lastIndexOf('/') + 1);
+    for (const name of imports.filter((path) => !path.startsWith('/'))) {
+      const known = [...before].some(
+        (path) => `${around}${name}` === path || `${around}${name}`.startsWith(`${path}/`),
+      );
+      expect(known, `${room} imports ${name}`).toBe(true);
+    }
+    before.add(room);
+  }
+});
+
+test.each([
+  ['src/mesh/weldPositions.ts', '../bake/bake.js', 'mesh imports slices'],
+  ['src/mesh/weldPositions.ts', 'three/addons/loaders/GLTFLoader.js', 'mesh knows no three.js'],
+  ['src/material/Pose.ts', '../scene/applyHatching.js', 'material imports'],
+  ['src/demo/files/readPly.ts', '../stage/View.js', 'demo/files imports no other room'],
+  ['src/demo/files/readPly.ts', '../../index.js', 'demo/files imports no other room'],
+  ['src/demo/playground/panel/SettingsPanel.ts', '../shelf/Shelf.js', 'demo/playground/panel imports elements, tasks'],
+  ['src/demo/playground/panel/SettingsPanel.ts', '../main.js', 'demo/playground/panel imports'],
+  ['src/react/Hatcher.tsx', '../scene/applyHatching.js', 'react imports no other room'],
+  ['src/lines/HatchingLines.ts', '../tam/TonalArtMap.js', 'lines imports'],
+  ['tools/soak/soak.ts', '../../tests/browser/test.js', 'only tests import from tests'],
+])('%s may not import %s', (file, name, reason) => {
+  expect(objectionTo(file, name)).toContain(reason);
+});
+
+test.each([
+  ['src/mesh/weldPositions.ts', './TriangleMesh.js'],
+  ['src/bake/bake.ts', '../mesh/TriangleMesh.js'],
+  ['src/lines/HatchingLines.ts', '../tam/toothMap.js'],
+  ['src/lines/HatchingLines.ts', '../../shaders/lines/line.vert?raw'],
+  ['src/demo/files/gltf/readGltf.ts', '../ply/readPly.js'],
+  ['src/demo/playground/panel/SettingsPanel.ts', '../../settings/settings.js'],
+  ['src/demo/playground/createPlayground.ts', './panel/SettingsPanel.js'],
+  ['src/scene/applyHatching.ts', 'three'],
+])('%s may import %s', (file, name) => {
+  expect(objectionTo(file, name)).toBeUndefined();
+});
+
+test('a folder that has no row is told to get one', () => {
+  expect(() => objectionTo('src/newRoom/file.ts', '../mesh/TriangleMesh.js')).toThrow(
+    'newRoom/file.ts lies in no room',
+  );
+});

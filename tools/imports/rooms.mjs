@@ -1,0 +1,65 @@
+/**
+ * The rooms of `src`, lowest first, and which other rooms each may import. A name means the room beside it; a path that starts with `/` lies
+ * in the project's root. A room inside of a room may import what its surroundings may, and nothing of the files around it.
+ */
+export const ROOMS = {
+  // Pure: typed arrays in, typed arrays out.
+  slices: [],
+  mesh: ['slices'],
+  adjacency: ['slices', 'mesh'],
+  normals: ['slices', 'mesh', 'adjacency'],
+  features: ['slices', 'mesh', 'adjacency', 'normals'],
+  bake: ['slices', 'mesh', 'adjacency', 'normals', 'features'],
+  occlusion: ['slices', 'mesh'],
+  strokes: [],
+  hatchImages: ['slices', 'strokes'],
+  mapFiles: ['strokes', 'hatchImages'],
+  worker: ['slices', 'features', 'bake', 'occlusion', 'hatchImages'],
+
+  // With three.js.
+  tam: ['strokes', 'hatchImages', 'mapFiles', 'worker'],
+  geometry: ['mesh', 'adjacency', 'features', 'bake', 'worker'],
+  material: ['bake', 'tam', 'geometry', '/shaders'],
+  lines: ['features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
+  scene: ['slices', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'lines'],
+  'index.ts': ['strokes', 'hatchImages', 'mapFiles', 'worker', 'tam', 'geometry', 'material', 'lines', 'scene'],
+
+  // For Node: the presets are data.
+  command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts'],
+
+  // These import the library by its package name.
+  react: [],
+  element: [],
+  demo: [],
+  'demo/files': [],
+  'demo/models': ['files'],
+  'demo/settings': ['models'],
+  'demo/drawing': ['files', 'models', 'settings'],
+  'demo/stage': ['files', 'models', 'settings', 'drawing'],
+  'demo/page': [],
+  'demo/code': ['files', 'models', 'settings', 'stage', '/package.json'],
+  'demo/kept': ['files', 'settings'],
+  'demo/print': ['settings', 'stage'],
+  'demo/video': ['settings', 'stage', 'print'],
+  'demo/fetch': [],
+  'demo/figures': ['files', 'models', 'settings', 'drawing', 'stage', 'page'],
+  'demo/playground': [
+    ...['files', 'models', 'settings', 'drawing', 'stage', 'page'],
+    ...['code', 'kept', 'print', 'video', 'fetch'],
+  ],
+  'demo/playground/elements': [],
+  'demo/playground/tasks': [],
+  'demo/playground/loading': ['elements', 'tasks'],
+  'demo/playground/overlay': ['elements', 'tasks'],
+  'demo/playground/panel': ['elements', 'tasks'],
+  'demo/playground/shelf': ['elements', 'tasks'],
+  'demo/playground/session': ['elements', 'tasks', 'loading', 'shelf'],
+  'demo/playground/dialogs': ['elements', 'tasks', 'loading', 'session'],
+  'demo/playground/takeAway': ['elements', 'tasks', 'loading', 'session'],
+};
+
+/** Rooms that know no three.js. */
+export const WITHOUT_THREE = [
+  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'bake', 'occlusion'],
+  ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command'],
+];
