@@ -1,7 +1,7 @@
 import { gzipSync } from 'node:zlib';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
-import { describeBundle } from '../../src/demo/files/bundle.js';
+import { describeBundle } from '../../src/demo/files/archives/bundle.js';
 import { encodeDraco } from '../modelFiles/encodeDraco.js';
 import { addTrack, GltfBuilder } from '../modelFiles/GltfBuilder.js';
 import { type PlyFormat, ply } from '../modelFiles/modelWriters.js';

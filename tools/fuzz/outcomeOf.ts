@@ -2,7 +2,7 @@ import { type BufferAttribute, type InstancedMesh, Matrix4, type Mesh, Vector3 }
 import type { HatchedModel } from '../../src/demo/drawing/HatchedModel.js';
 import { hatchModel } from '../../src/demo/drawing/hatchModel.js';
 import { meshesOf } from '../../src/demo/drawing/meshesOf.js';
-import { ModelError } from '../../src/demo/files/ModelError.js';
+import { ModelError } from '../../src/demo/files/common/ModelError.js';
 import { type ModelFile, readModel } from '../../src/demo/files/readModel.js';
 import { checkSentence, checkWords } from './checkWords.js';
 

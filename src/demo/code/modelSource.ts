@@ -1,6 +1,6 @@
 import forms from 'virtual:form-sources';
-import { baseName, extensionOf, withoutGz } from '../files/fileName.js';
-import { shownName } from '../files/shownText.js';
+import { baseName, extensionOf, withoutGz } from '../files/common/fileName.js';
+import { shownName } from '../files/common/shownText.js';
 import { BUST_FOOT } from '../models/models.js';
 import type { CodeModel } from './CodeModel.js';
 import { CDN } from './versions.js';

@@ -9,7 +9,7 @@ import {
   type Texture,
 } from 'three';
 import type { HatchingLineMaterial, HatchingLines, HatchingMaterial, TonalArtMap } from 'three-hatching';
-import type { UpAxis } from '../files/findUpAxis.js';
+import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import { lineLook } from '../settings/lineLook.js';
 import { materialSizes } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
-import type { PlainMesh } from '../files/PlainMesh.js';
+import type { PlainMesh } from '../files/mesh/PlainMesh.js';
 
 /** A mesh baked for hatching. */
 export interface BakedMesh {

@@ -1,8 +1,8 @@
 import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
 import { HatchingLines, HatchingMaterial } from 'three-hatching';
-import type { UpAxis } from '../files/findUpAxis.js';
-import type { MeshPicture } from '../files/meshPictures.js';
-import type { PlainMesh } from '../files/PlainMesh.js';
+import type { UpAxis } from '../files/mesh/findUpAxis.js';
+import type { PlainMesh } from '../files/mesh/PlainMesh.js';
+import type { MeshPicture } from '../files/pictures/meshPictures.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
 import { outlineOf } from './outlineOf.js';

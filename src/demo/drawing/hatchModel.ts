@@ -1,5 +1,5 @@
-import { ModelError, toModelError } from '../files/ModelError.js';
-import { triangleCount } from '../files/PlainMesh.js';
+import { ModelError, toModelError } from '../files/common/ModelError.js';
+import { triangleCount } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import type { HatchedModel } from './HatchedModel.js';
@@ -43,7 +43,9 @@ async function hatch(
   try {
     const { hatchScene } = await import('./hatchScene.js');
     const scene =
-      read.kind === 'scene' ? read.scene : await (await import('../files/parseGltf.js')).parseGltf(read.parts, signal);
+      read.kind === 'scene'
+        ? read.scene
+        : await (await import('../files/gltf/parseGltf.js')).parseGltf(read.parts, signal);
     signal.throwIfAborted();
     const usual = read.kind === 'parts' ? read.usual : undefined;
     let stage = 'joining triangles';

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh } from 'three';
 import { HatchingMaterial } from 'three-hatching';
-import { triangleCount } from '../files/PlainMesh.js';
+import { triangleCount } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import type { Settings } from '../settings/settings.js';

@@ -2,8 +2,8 @@ import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 }
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { prepareHatchingGeometry } from 'three-hatching';
 import { bakeMesh } from '../drawing/bakeMesh.js';
-import { ModelError } from '../files/ModelError.js';
-import type { PlainMesh } from '../files/PlainMesh.js';
+import { ModelError } from '../files/common/ModelError.js';
+import type { PlainMesh } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';

@@ -1,5 +1,5 @@
-import { counted } from './counted.js';
-import type { Picture } from './gltfPictures.js';
+import { counted } from './common/counted.js';
+import type { Picture } from './gltf/gltfPictures.js';
 import type { ReadModel } from './readModel.js';
 
 /** Decodes the pictures of a model. A worker should do it: a large one takes seconds. */

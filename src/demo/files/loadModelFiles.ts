@@ -1,4 +1,4 @@
-import { ModelError } from './ModelError.js';
+import { ModelError } from './common/ModelError.js';
 import type { ModelWorkerMessage } from './model.worker.js';
 import { readingTime } from './readingTime.js';
 import type { ModelFile, ReadModel } from './readModel.js';

@@ -1,6 +1,6 @@
+import { toModelError } from './common/ModelError.js';
 import { withPictures } from './decodePictures.js';
-import { toModelError } from './ModelError.js';
-import { meshBuffers } from './PlainMesh.js';
+import { meshBuffers } from './mesh/PlainMesh.js';
 import { type ModelFile, type OnStage, type ReadModel, readModel } from './readModel.js';
 
 /** Messages of the worker: its progress, its result, or the sentence of its error. */

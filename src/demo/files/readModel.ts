@@ -1,34 +1,35 @@
 import type { Object3D } from 'three';
-import type { BundledDrawing } from './bundle.js';
-import { cleanMesh } from './cleanMesh.js';
-import { counted } from './counted.js';
-import { dropDuplicates } from './dropDuplicates.js';
-import type { FindFile } from './FindFile.js';
-import { baseName, extensionOf, withoutGz } from './fileName.js';
-import { findUpAxis, type UpAxis, type UsualUp } from './findUpAxis.js';
-import { fitModel } from './fitModel.js';
-import { gunzip } from './gunzip.js';
-import type { LoadedScene } from './LoadedScene.js';
-import { ModelError, toModelError } from './ModelError.js';
-import type { ModelFile } from './ModelFile.js';
-import { mergeScene, type WantedPicture } from './mergeScene.js';
-import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './meshPictures.js';
-import { MAX_BYTES } from './modelLimits.js';
-import type { PlainMesh } from './PlainMesh.js';
-import type { GltfParts } from './parseGltf.js';
-import { plainNormals } from './plainNormals.js';
-import { readArchive } from './readArchive.js';
-import { type ReadGltf, readGltf } from './readGltf.js';
-import { readMoving } from './readMoving.js';
-import { readObj } from './readObj.js';
-import { readPly } from './readPly.js';
-import { readScene, type SceneFormat } from './readScene.js';
-import { readStl } from './readStl.js';
-import { shownName } from './shownText.js';
+import type { BundledDrawing } from './archives/bundle.js';
+import { gunzip } from './archives/gunzip.js';
+import { readArchive } from './archives/readArchive.js';
+import { counted } from './common/counted.js';
+import type { FindFile } from './common/FindFile.js';
+import { baseName, extensionOf, withoutGz } from './common/fileName.js';
+import { ModelError, toModelError } from './common/ModelError.js';
+import type { ModelFile } from './common/ModelFile.js';
+import { MAX_BYTES } from './common/modelLimits.js';
+import { shownName } from './common/shownText.js';
+import { toUtf8 } from './common/toUtf8.js';
+import type { GltfParts } from './gltf/parseGltf.js';
+import { type ReadGltf, readGltf } from './gltf/readGltf.js';
+import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
+import { fitModel } from './mesh/fitModel.js';
+import type { PlainMesh } from './mesh/PlainMesh.js';
+import { plainNormals } from './mesh/plainNormals.js';
+import { thinNote } from './mesh/thinNote.js';
+import { surfaceArea } from './mesh/triangleAreas.js';
+import { readMoving } from './moving/readMoving.js';
+import { readObj } from './obj/readObj.js';
+import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './pictures/meshPictures.js';
+import type { WantedPicture } from './pictures/WantedPicture.js';
+import { readPly } from './ply/readPly.js';
+import { cleanMesh } from './repair/cleanMesh.js';
+import { dropDuplicates } from './repair/dropDuplicates.js';
+import type { LoadedScene } from './scenes/LoadedScene.js';
+import { mergeScene } from './scenes/mergeScene.js';
+import { readScene, type SceneFormat } from './scenes/readScene.js';
 import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
-import { thinNote } from './thinNote.js';
-import { toUtf8 } from './toUtf8.js';
-import { surfaceArea } from './triangleAreas.js';
+import { readStl } from './stl/readStl.js';
 
 export type { ModelFile };
 
@@ -109,7 +110,7 @@ async function readMain(
   onStage(`reading ${shown}`, bytes.length);
   let format = sniffFormat(withoutGz(shown), bytes);
   if (format === 'zip') {
-    const archive = await readArchive(bytes, shown);
+    const archive = await readArchive(bytes, shown, MODEL_EXTENSIONS);
     if ('files' in archive) {
       // Archives can be made that hold themselves.
       if (isUnpacked) throw new ModelError(`${shown} is an archive in an archive, which this page does not unpack.`);

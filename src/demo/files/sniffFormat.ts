@@ -1,7 +1,7 @@
-import { extensionOf } from './fileName.js';
-import { ModelError } from './ModelError.js';
-import type { SceneFormat } from './readScene.js';
-import { binaryStlLength } from './readStl.js';
+import { extensionOf } from './common/fileName.js';
+import { ModelError } from './common/ModelError.js';
+import type { SceneFormat } from './scenes/readScene.js';
+import { binaryStlLength } from './stl/readStl.js';
 
 /** What a file is read as. A ZIP archive may be a model in itself, or hold one. */
 export type ModelFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'zip' | SceneFormat;

@@ -1,4 +1,4 @@
-import type { ModelFile } from '../files/ModelFile.js';
+import type { ModelFile } from '../files/common/ModelFile.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { inTime } from './inTime.js';
 

@@ -14,7 +14,7 @@ import {
   Uint16BufferAttribute,
   Vector3,
 } from 'three';
-import type { ModelScene } from '../files/parseGltf.js';
+import type { ModelScene } from '../files/gltf/parseGltf.js';
 
 /** Rings from nose to tail, vertices per ring, bones along the spine. */
 const RINGS = 96;

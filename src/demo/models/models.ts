@@ -1,12 +1,12 @@
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
-import { cleanMesh } from '../files/cleanMesh.js';
-import { errorMessage } from '../files/errorMessage.js';
-import { fitModel } from '../files/fitModel.js';
+import { errorMessage } from '../files/common/errorMessage.js';
+import { ModelError } from '../files/common/ModelError.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
-import { ModelError } from '../files/ModelError.js';
-import type { PlainMesh } from '../files/PlainMesh.js';
+import { fitModel } from '../files/mesh/fitModel.js';
+import type { PlainMesh } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
+import { cleanMesh } from '../files/repair/cleanMesh.js';
 import type { BuiltInScene } from './BuiltInScene.js';
 
 interface BuiltIn {
@@ -38,7 +38,7 @@ const builtIn = {
     async load(options) {
       const [{ default: dataUri }, { dataOf }] = await Promise.all([
         import('@pmndrs/assets/models/suzi.glb.js'),
-        import('../files/readUri.js'),
+        import('../files/common/readUri.js'),
       ]);
       const content = dataOf(dataUri);
       if (!content) throw new ModelError('Suzanne is damaged.');

@@ -1,4 +1,4 @@
-import { errorMessage } from '../files/errorMessage.js';
+import { errorMessage } from '../files/common/errorMessage.js';
 import type { ModelFile } from '../files/readModel.js';
 import { setPageState } from '../page/setPageState.js';
 import { EditHistory } from '../settings/EditHistory.js';

@@ -1,4 +1,4 @@
-import { errorMessage } from '../files/errorMessage.js';
+import { errorMessage } from '../files/common/errorMessage.js';
 import { setPageState } from '../page/setPageState.js';
 import { drawsInSoftware } from '../stage/drawsInSoftware.js';
 import { createPlayground } from './createPlayground.js';

@@ -2,7 +2,7 @@ import { Group, MathUtils, type Matrix4, Scene, Vector3, WebGLRenderer } from 't
 import { MovingResolution, type TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
-import { Slices } from '../files/Slices.js';
+import { Slices } from '../files/common/Slices.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from '../settings/settings.js';
 import { drawsWithMap, UPRIGHT } from '../settings/settingValues.js';

@@ -1,4 +1,4 @@
-import { shownName } from '../../files/shownText.js';
+import { shownName } from '../../files/common/shownText.js';
 import { describeAddress } from './fetchModel.js';
 
 /** A click that was meant for what lay there before agrees to nothing: so long is the first answer out of reach. */

@@ -1,8 +1,8 @@
 import type { FetchMessage } from '../../fetch/FetchMessage.js';
-import { baseName } from '../../files/fileName.js';
-import { ModelError } from '../../files/ModelError.js';
+import { baseName } from '../../files/common/fileName.js';
+import { ModelError } from '../../files/common/ModelError.js';
+import { shownName } from '../../files/common/shownText.js';
 import type { ModelFile } from '../../files/readModel.js';
-import { shownName } from '../../files/shownText.js';
 
 /** The name of the file at an address, and of the site where it lies, in the ASCII form: there no letter looks like another. */
 export function describeAddress(address: string): { name: string; site: string } {

@@ -1,4 +1,4 @@
-import { baseName } from '../../files/fileName.js';
+import { baseName } from '../../files/common/fileName.js';
 import type { ModelFile } from '../../files/readModel.js';
 
 /** The model that is shown: the files it was read from, and the names of those it asks for beside. */

@@ -1,4 +1,4 @@
-import type { UpAxis } from '../../files/findUpAxis.js';
+import type { UpAxis } from '../../files/mesh/findUpAxis.js';
 import type { Settings } from '../../settings/settings.js';
 
 /** Asks whether a model is the wrong way up, where its flat side says so, and turns it. */

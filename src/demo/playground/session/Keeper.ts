@@ -1,5 +1,5 @@
+import { shownName } from '../../files/common/shownText.js';
 import type { ModelFile } from '../../files/readModel.js';
-import { shownName } from '../../files/shownText.js';
 import type { KeptDrawing, KeptDrawings, KeptFiles } from '../../kept/KeptDrawings.js';
 import { newId } from '../../kept/newId.js';
 import type { CameraView } from '../../settings/CameraView.js';

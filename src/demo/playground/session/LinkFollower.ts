@@ -1,4 +1,4 @@
-import { ModelError } from '../../files/ModelError.js';
+import { ModelError } from '../../files/common/ModelError.js';
 import type { Settings } from '../../settings/settings.js';
 import { readLink } from '../../settings/shareLink.js';
 import { askToFetch } from '../loading/ask.js';

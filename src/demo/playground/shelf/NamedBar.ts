@@ -1,4 +1,4 @@
-import { shownName } from '../../files/shownText.js';
+import { shownName } from '../../files/common/shownText.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
 /** A row of buttons, one for each of a list. What is shown is pressed. Hidden where there are none. */

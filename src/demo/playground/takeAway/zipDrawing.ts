@@ -1,5 +1,5 @@
-import { BUNDLE, describeBundle } from '../../files/bundle.js';
-import { baseName } from '../../files/fileName.js';
+import { BUNDLE, describeBundle } from '../../files/archives/bundle.js';
+import { baseName } from '../../files/common/fileName.js';
 import type { ModelFile } from '../../files/readModel.js';
 import { ZipWriter } from '../../print/ZipWriter.js';
 

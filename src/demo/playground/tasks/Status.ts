@@ -1,4 +1,4 @@
-import { shownText } from '../../files/shownText.js';
+import { shownText } from '../../files/common/shownText.js';
 
 /** What users can do about a problem. */
 export interface Remedy {

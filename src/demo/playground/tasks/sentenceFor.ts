@@ -1,5 +1,5 @@
-import { errorMessage } from '../../files/errorMessage.js';
-import { ModelError } from '../../files/ModelError.js';
+import { errorMessage } from '../../files/common/errorMessage.js';
+import { ModelError } from '../../files/common/ModelError.js';
 
 /** What Chromium, Firefox and Safari say where a script that is loaded on demand is missing. */
 const MISSING_SCRIPT = /dynamically imported module|importing a module script/i;

@@ -1,11 +1,11 @@
 import { BoxGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial } from 'three';
 import { describe, expect, test } from 'vitest';
-import { cleanMesh } from '../../../../src/demo/files/cleanMesh.js';
-import { fitModel } from '../../../../src/demo/files/fitModel.js';
-import { ModelError, toModelError } from '../../../../src/demo/files/ModelError.js';
-import { mergeScene } from '../../../../src/demo/files/mergeScene.js';
+import { ModelError, toModelError } from '../../../../src/demo/files/common/ModelError.js';
+import { shownText } from '../../../../src/demo/files/common/shownText.js';
+import { fitModel } from '../../../../src/demo/files/mesh/fitModel.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
-import { shownText } from '../../../../src/demo/files/shownText.js';
+import { cleanMesh } from '../../../../src/demo/files/repair/cleanMesh.js';
+import { mergeScene } from '../../../../src/demo/files/scenes/mergeScene.js';
 
 describe('the sentence of an error', () => {
   test('passes on what a loader says, without its name', () => {

@@ -1,0 +1,84 @@
+import { baseName, extensionOf } from '../common/fileName.js';
+import { ModelError } from '../common/ModelError.js';
+import type { ModelFile } from '../common/ModelFile.js';
+import type { ZipEntry } from './zip.js';
+
+/** In an archive that bundles a model with how it is drawn: what says so, the files of the model, and the images it is drawn with. */
+export const BUNDLE = { description: 'three-hatching.json', model: 'model/', strokes: 'strokes/' } as const;
+
+/** Of the description. A later page may write a higher one, which means something else. */
+const FORMAT = 'three-hatching drawing';
+const VERSION = 1;
+const MAX_DESCRIPTION_BYTES = 64 * 1024;
+
+/** How a bundled model is drawn. What it says has yet to be checked, as that of a link. */
+export interface BundledDrawing {
+  /** Settings, camera and views, as a link has them. */
+  link: string;
+  /** The images of a map of its own. */
+  strokes: ModelFile[];
+}
+
+/** What the description of a bundle says. */
+export const describeBundle = (link: string): string =>
+  JSON.stringify({ format: FORMAT, version: VERSION, drawing: link }, undefined, 2);
+
+/** The folder of an archive in which a bundle lies, with its slash; undefined if it is none. Some programs pack the folder around it along. */
+export function bundleFolder(entries: readonly ZipEntry[]): string | undefined {
+  const { description } = BUNDLE;
+  return entries
+    .filter(({ path }) => baseName(path) === description)
+    .map(({ path }) => path.slice(0, -description.length))
+    .sort((a, b) => a.length - b.length)[0];
+}
+
+/** Whether a file in an archive belongs to the bundle in a folder of it. */
+export function isOfBundle({ path }: Pick<ZipEntry, 'path'>, folder: string): boolean {
+  if (path === folder + BUNDLE.description) return true;
+  if (baseName(path).startsWith('.')) return false;
+  if (path.startsWith(folder + BUNDLE.model)) return true;
+  return path.startsWith(folder + BUNDLE.strokes) && ['png', 'json'].includes(extensionOf(path) ?? '');
+}
+
+/**
+ * The model and the look of a bundle.
+ *
+ * @param unpacked its files, by their paths
+ * @throws ModelError if it has no model, or its description is damaged or of a later version
+ */
+export function readBundle(
+  unpacked: ReadonlyMap<string, Uint8Array>,
+  folder: string,
+  name: string,
+): { files: ModelFile[]; drawing: BundledDrawing } {
+  const filesIn = (part: string): ModelFile[] =>
+    [...unpacked]
+      .filter(([path]) => path.startsWith(folder + part))
+      .map(([path, content]) => ({
+        name: baseName(path),
+        content: new Blob([content as Uint8Array<ArrayBuffer>]),
+      }));
+  const files = filesIn(BUNDLE.model);
+  if (files.length === 0) throw new ModelError(`${name} says how a model is drawn, but holds no model.`);
+  const link = readDescription(unpacked.get(folder + BUNDLE.description), name);
+  return { files, drawing: { link, strokes: filesIn(BUNDLE.strokes) } };
+}
+
+function readDescription(bytes: Uint8Array | undefined, name: string): string {
+  let description: Partial<Record<'format' | 'version' | 'drawing', unknown>> | null | undefined;
+  try {
+    if (bytes && bytes.length <= MAX_DESCRIPTION_BYTES) description = JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    // It is damaged, as is one that is too long.
+  }
+  const { format, version, drawing } = description ?? {};
+  if (format === FORMAT && typeof version === 'number' && version > VERSION) {
+    throw new ModelError(`${name} was saved by a later version of this page, which this one cannot read.`);
+  }
+  if (format !== FORMAT || version !== VERSION || typeof drawing !== 'string') {
+    throw new ModelError(
+      `${name} could not be read; what says how its model is drawn (${BUNDLE.description}) is damaged.`,
+    );
+  }
+  return drawing;
+}

@@ -1,0 +1,59 @@
+import { ModelError } from '../common/ModelError.js';
+import { MAX_BYTES } from '../common/modelLimits.js';
+
+/** What is left of the limit however small the archive is, and how much models shrink at most. */
+const SMALL_BYTES = 64 * 1024 * 1024;
+const MAX_RATIO = 64;
+const MAX_ENTRIES = 10_000;
+
+/** A file in an archive. */
+export interface ZipEntry {
+  path: string;
+  /** Bytes after unpacking, as the archive announces them; no more are unpacked. */
+  size: number;
+  packedSize: number;
+}
+
+/**
+ * Lists the files in an archive, without unpacking them.
+ *
+ * @throws ModelError if it is damaged, or they are too many
+ */
+export async function listZip(bytes: Uint8Array, name: string): Promise<ZipEntry[]> {
+  const entries: ZipEntry[] = [];
+  await unzip(bytes, name, (entry) => {
+    if (entries.push(entry) <= MAX_ENTRIES) return false;
+    throw new ModelError(`${name} holds more than ${MAX_ENTRIES.toLocaleString('en')} files, too many for a page.`);
+  });
+  return entries;
+}
+
+/** @throws ModelError if files are too large together, or for what they are packed to */
+export function checkSizes(entries: readonly ZipEntry[], name: string): void {
+  const packed = entries.reduce((sum, entry) => sum + entry.packedSize, 0);
+  const limit = Math.min(MAX_BYTES, Math.max(SMALL_BYTES, MAX_RATIO * packed));
+  if (entries.reduce((sum, { size }) => sum + size, 0) <= limit) return;
+  throw new ModelError(
+    `${name} unpacks to more than ${Math.round(limit / 2 ** 20)} MB, which is too much for its size.`,
+  );
+}
+
+/** Unpacks the files of an archive that are wanted, by their path. @throws ModelError if it is damaged */
+export async function unzip(
+  bytes: Uint8Array,
+  name: string,
+  isWanted: (entry: ZipEntry) => boolean,
+): Promise<Map<string, Uint8Array>> {
+  const { unzipSync } = await import('three/addons/libs/fflate.module.js');
+  try {
+    const files = unzipSync(bytes, {
+      filter: ({ name: path, size: packedSize, originalSize }) =>
+        // Without packing, the size is that of the packed file, whatever the archive announces.
+        !path.endsWith('/') && isWanted({ path, packedSize, size: Math.max(packedSize, originalSize) }),
+    });
+    return new Map(Object.entries(files));
+  } catch (error) {
+    if (error instanceof ModelError) throw error;
+    throw new ModelError(`${name} could not be unpacked: it is damaged, was cut short or is locked.`);
+  }
+}

@@ -1,0 +1,114 @@
+import { ModelError } from '../common/ModelError.js';
+import { shownName } from '../common/shownText.js';
+import type { GltfDocument } from './gltfDocument.js';
+
+const MAX_NODES = 100_000;
+const MAX_DEPTH = 500;
+
+/** The part of a glTF document that is shown. */
+export interface ChosenScene {
+  name: string | undefined;
+  /** The indices of its topmost nodes. */
+  roots: number[];
+  /** The indices of all its nodes that are visible. */
+  visible: number[];
+  /** What to say about the choice. */
+  notes: string[];
+  /** What only those want to know who look closer. */
+  details: string[];
+}
+
+/**
+ * Chooses the scene that a document calls its own, or else its first. Without a scene, all nodes are shown; without nodes,
+ * every mesh, with a node that is added to the document.
+ *
+ * @throws ModelError if there is no mesh, or nodes contain themselves, or are too many
+ */
+export function chooseScene(document: GltfDocument, fileName: string): ChosenScene {
+  const { scenes, nodes, meshes } = document;
+  if (meshes.length === 0) throw new ModelError(`${fileName} holds no mesh, so there is nothing to draw.`);
+  const hasNodes = nodes.length > 0;
+  if (!hasNodes) nodes.push(...meshes.map((_, mesh) => ({ mesh })));
+  const index = document.scene ?? 0;
+  const scene = hasNodes ? scenes[index] : undefined;
+  const { roots, others } = topmostNodes(document, scene?.nodes ?? [], fileName);
+  if (!scene) roots.push(...others);
+  const notes: string[] = [];
+  const details: string[] = [];
+  if (!scene) details.push(`it has no scene: all its ${hasNodes ? 'nodes' : 'meshes'} are shown`);
+  else if (scenes.length > 1) {
+    notes.push(`scene ${index + 1} of ${scenes.length}${scene.name ? `, “${shownName(scene.name)}”` : ''}`);
+  }
+  return { name: scene?.name, roots, visible: visibleNodes(document, roots), notes, details };
+}
+
+/**
+ * Leaves every node with one parent at most: the loader would wait for ever for one that lies below itself. Nodes of the scene
+ * keep one that is in the scene too; a parent outside of it does not take them away.
+ *
+ * @param listed the nodes of the scene
+ * @returns the nodes without a parent: those of the scene, and all others
+ */
+function topmostNodes(
+  { nodes }: GltfDocument,
+  listed: readonly number[],
+  fileName: string,
+): { roots: number[]; others: number[] } {
+  if (nodes.length > MAX_NODES) {
+    throw new ModelError(`${fileName} has ${nodes.length.toLocaleString('en')} nodes, too many for a page.`);
+  }
+  const isTaken = new Uint8Array(nodes.length);
+  const takeChildren = (node: number): void => {
+    nodes[node].children = nodes[node].children?.filter((child) => {
+      const isNew = isTaken[child] === 0;
+      isTaken[child] = 1;
+      return isNew;
+    });
+  };
+  const free = (among: Iterable<number>): number[] => [...among].filter((node) => isTaken[node] === 0);
+  const inScene = nodesBelow(nodes, listed);
+  for (const node of inScene) takeChildren(node);
+  // What lies below another node of the scene is drawn there.
+  const roots = free(new Set(listed));
+  for (const node of roots) isTaken[node] = 1;
+  for (const node of nodes.keys()) if (!inScene.has(node)) takeChildren(node);
+  const others = free(nodes.keys());
+  checkNesting(nodes, [...roots, ...others], fileName);
+  return { roots, others };
+}
+
+/** Some nodes and all below them, each once. */
+function nodesBelow(nodes: GltfDocument['nodes'], from: readonly number[]): Set<number> {
+  const found = new Set<number>();
+  const pending = [...from];
+  for (let node = pending.pop(); node !== undefined; node = pending.pop()) {
+    if (found.has(node)) continue;
+    found.add(node);
+    for (const child of nodes[node].children ?? []) pending.push(child);
+  }
+  return found;
+}
+
+/** @throws ModelError unless all nodes lie below the topmost ones, and not too deep */
+function checkNesting(nodes: GltfDocument['nodes'], tops: readonly number[], fileName: string): void {
+  const pending = tops.map((node) => ({ node, depth: 0 }));
+  let count = 0;
+  for (let next = pending.pop(); next; next = pending.pop()) {
+    const { node, depth } = next;
+    count++;
+    if (depth > MAX_DEPTH) throw new ModelError(`${fileName} nests its nodes more than ${MAX_DEPTH} deep.`);
+    for (const child of nodes[node].children ?? []) pending.push({ node: child, depth: depth + 1 });
+  }
+  if (count < nodes.length) throw new ModelError(`${fileName} is damaged: some of its nodes contain themselves.`);
+}
+
+function visibleNodes({ nodes }: GltfDocument, roots: readonly number[]): number[] {
+  const visible = new Set<number>();
+  const pending = [...roots];
+  for (let node = pending.pop(); node !== undefined; node = pending.pop()) {
+    if (nodes[node].extensions?.KHR_node_visibility?.visible === false) continue;
+    visible.add(node);
+    for (const child of nodes[node].children ?? []) pending.push(child);
+  }
+  return [...visible];
+}

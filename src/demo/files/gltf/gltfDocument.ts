@@ -1,0 +1,262 @@
+import { ModelError } from '../common/ModelError.js';
+import { shownName } from '../common/shownText.js';
+import {
+  flag,
+  indexIn,
+  listOf,
+  mapOf,
+  oneOf,
+  orNothing,
+  real,
+  reals,
+  record,
+  required,
+  type Shape,
+  type TypeOf,
+  text,
+  whole,
+} from './gltfShape.js';
+
+export const COMPONENT_BYTES = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 } as const;
+export const TYPE_SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 } as const;
+
+const READABLE =
+  /^(KHR_draco_mesh_compression|EXT_meshopt_compression|KHR_meshopt_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|(KHR|EXT)_(texture|materials|lights)_\w+|KHR_node_visibility)$/;
+
+const name = orNothing(text);
+const componentType = oneOf(5120, 5121, 5122, 5123, 5125, 5126);
+const viewIndex = indexIn('bufferViews');
+const accessorIndex = indexIn('accessors');
+const nodeIndex = indexIn('nodes');
+
+const accessor = record({
+  bufferView: viewIndex,
+  byteOffset: whole,
+  componentType: required(componentType),
+  count: required(whole),
+  type: required(oneOf('SCALAR', 'VEC2', 'VEC3', 'VEC4', 'MAT2', 'MAT3', 'MAT4')),
+  normalized: flag,
+  sparse: record({
+    count: required(whole),
+    indices: required(
+      record({ bufferView: required(viewIndex), byteOffset: whole, componentType: required(componentType) }),
+    ),
+    values: required(record({ bufferView: required(viewIndex), byteOffset: whole })),
+  }),
+});
+
+const packing = record({
+  buffer: required(indexIn('buffers')),
+  byteOffset: whole,
+  byteLength: required(whole),
+  byteStride: required(whole),
+  count: required(whole),
+  mode: required(oneOf('ATTRIBUTES', 'TRIANGLES', 'INDICES')),
+  filter: oneOf('NONE', 'OCTAHEDRAL', 'QUATERNION', 'EXPONENTIAL', 'COLOR'),
+});
+
+const bufferView = record({
+  buffer: required(indexIn('buffers')),
+  byteOffset: whole,
+  byteLength: required(whole),
+  byteStride: whole,
+  extensions: record({ EXT_meshopt_compression: packing, KHR_meshopt_compression: packing }),
+});
+
+const fallback = record({});
+const buffer = record({
+  uri: text,
+  byteLength: whole,
+  extensions: record({ EXT_meshopt_compression: fallback, KHR_meshopt_compression: fallback }),
+});
+
+const node = record({
+  name,
+  children: listOf(nodeIndex),
+  mesh: indexIn('meshes'),
+  skin: orNothing(indexIn('skins')),
+  matrix: reals(16),
+  translation: reals(3),
+  rotation: reals(4),
+  scale: reals(3),
+  weights: orNothing(listOf(real)),
+  extensions: record({
+    EXT_mesh_gpu_instancing: record({ attributes: mapOf(accessorIndex) }),
+    KHR_node_visibility: record({ visible: flag }),
+  }),
+});
+
+const primitive = record({
+  attributes: required(mapOf(accessorIndex)),
+  indices: accessorIndex,
+  material: orNothing(indexIn('materials')),
+  mode: oneOf(0, 1, 2, 3, 4, 5, 6),
+  targets: orNothing(listOf(mapOf(accessorIndex))),
+  extensions: record({
+    KHR_draco_mesh_compression: record({ bufferView: required(viewIndex), attributes: required(mapOf(whole)) }),
+  }),
+});
+
+const mesh = record({
+  name,
+  primitives: required(listOf(primitive)),
+  weights: orNothing(listOf(real)),
+  extras: orNothing(record({ targetNames: orNothing(listOf(text)) })),
+});
+
+const skin = record({ joints: required(listOf(nodeIndex)), inverseBindMatrices: orNothing(accessorIndex) });
+
+const textureUse = orNothing(
+  record({
+    index: required(indexIn('textures')),
+    texCoord: oneOf(0, 1, 2, 3),
+    /** Of a normal map. */
+    scale: real,
+    /** Of a map of occlusion. */
+    strength: real,
+    extensions: record({
+      KHR_texture_transform: record({
+        offset: reals(2),
+        rotation: real,
+        scale: reals(2),
+        texCoord: oneOf(0, 1, 2, 3),
+      }),
+    }),
+  }),
+);
+
+const material = orNothing(
+  record({
+    name,
+    alphaMode: orNothing(oneOf('OPAQUE', 'MASK', 'BLEND')),
+    alphaCutoff: orNothing(real),
+    doubleSided: orNothing(flag),
+    pbrMetallicRoughness: orNothing(record({ baseColorFactor: orNothing(reals(4)), baseColorTexture: textureUse })),
+    normalTexture: textureUse,
+    occlusionTexture: textureUse,
+    emissiveTexture: textureUse,
+    emissiveFactor: orNothing(reals(3)),
+    extensions: orNothing(
+      record({
+        KHR_materials_emissive_strength: record({ emissiveStrength: real }),
+        KHR_materials_pbrSpecularGlossiness: record({ diffuseFactor: reals(4), diffuseTexture: textureUse }),
+      }),
+    ),
+  }),
+);
+
+const texture = orNothing(
+  record({
+    source: indexIn('images'),
+    sampler: orNothing(indexIn('samplers')),
+    extensions: record({
+      EXT_texture_webp: record({ source: indexIn('images') }),
+      EXT_texture_avif: record({ source: indexIn('images') }),
+      KHR_texture_basisu: record({ source: indexIn('images') }),
+    }),
+  }),
+);
+
+const sampler = orNothing(record({ magFilter: whole, minFilter: whole, wrapS: whole, wrapT: whole }));
+const image = orNothing(record({ name, uri: text, bufferView: viewIndex }));
+
+const channel = record({
+  sampler: required(whole),
+  target: required(
+    record({ node: nodeIndex, path: required(oneOf('translation', 'rotation', 'scale', 'weights', 'pointer')) }),
+  ),
+});
+const animationSampler = record({
+  input: required(accessorIndex),
+  output: required(accessorIndex),
+  interpolation: oneOf('LINEAR', 'STEP', 'CUBICSPLINE'),
+});
+/** Its channels and samplers of a wrong shape become undefined, and are counted with those of wrong values. */
+const animation = orNothing(
+  record({
+    name,
+    channels: required(listOf(orNothing(channel))),
+    samplers: required(listOf(orNothing(animationSampler))),
+  }),
+);
+
+const scene = record({ name, nodes: listOf(nodeIndex) });
+
+const LISTS = {
+  accessors: listOf(accessor),
+  bufferViews: listOf(bufferView),
+  buffers: listOf(buffer),
+  scenes: listOf(scene),
+  nodes: listOf(node),
+  meshes: listOf(mesh),
+  skins: listOf(orNothing(skin)),
+  materials: listOf(material),
+  textures: listOf(texture),
+  images: listOf(image),
+  samplers: listOf(sampler),
+  animations: listOf(animation),
+};
+
+type Lists = { [List in keyof typeof LISTS]: TypeOf<(typeof LISTS)[List]> };
+
+/** A glTF document in which every field is of its type and every index in range. What is not drawn is left out. */
+export interface GltfDocument extends Lists {
+  /** The index of the scene to show, if it names one. */
+  scene: number | undefined;
+}
+
+export type GltfAccessor = TypeOf<typeof accessor>;
+export type GltfBufferView = TypeOf<typeof bufferView>;
+export type MeshoptPacking = TypeOf<typeof packing>;
+export type GltfNode = TypeOf<typeof node>;
+export type GltfMesh = TypeOf<typeof mesh>;
+export type GltfPrimitive = TypeOf<typeof primitive>;
+export type GltfMaterial = NonNullable<TypeOf<typeof material>>;
+export type GltfTextureUse = NonNullable<TypeOf<typeof textureUse>>;
+export type GltfSampler = NonNullable<TypeOf<typeof sampler>>;
+export type GltfChannel = TypeOf<typeof channel>;
+export type GltfAnimationSampler = TypeOf<typeof animationSampler>;
+
+/**
+ * Reads the text of a glTF document.
+ *
+ * @returns the document, and the number of values that were left out because they have the wrong type and a model can do
+ *   without them; those of animations are undefined and not counted
+ * @throws ModelError with the first value that has the wrong type, if the model cannot do without it
+ */
+export function readGltfDocument(source: string, fileName: string): { document: GltfDocument; leftOut: number } {
+  let json: Record<string, unknown>;
+  try {
+    json = JSON.parse(source) as Record<string, unknown>;
+  } catch {
+    throw new ModelError(`${fileName} is damaged: its description is not valid JSON.`);
+  }
+  checkVersion(json, fileName);
+  const lists = Object.keys(LISTS) as (keyof Lists)[];
+  const lengths = Object.fromEntries(
+    lists.map((list) => [list, Array.isArray(json[list]) ? (json[list] as unknown[]).length : 0]),
+  );
+  const context = { name: fileName, lengths, leftOut: [] as string[] };
+  const read = <List extends keyof Lists>(list: List): Lists[List] =>
+    (LISTS[list] as Shape<Lists[List]>)(json[list] ?? [], list, context);
+  const document = {
+    ...Object.fromEntries(lists.map((list) => [list, read(list)])),
+    scene: json.scene === undefined ? undefined : orNothing(indexIn('scenes'))(json.scene, 'scene', context),
+  } as GltfDocument;
+  const leftOut = context.leftOut.filter((at) => !at.startsWith('animations')).length;
+  return { document, leftOut };
+}
+
+function checkVersion(json: Record<string, unknown> | null, fileName: string): void {
+  const version = (json?.asset as { version?: unknown } | undefined)?.version;
+  if (typeof version !== 'string') throw new ModelError(`${fileName} is not a glTF file: it does not say its version.`);
+  if (!version.startsWith('2')) {
+    throw new ModelError(`${fileName} is glTF version ${version.slice(0, 20)}; this page reads version 2.`);
+  }
+  const { extensionsRequired } = json!;
+  const unknown = Array.isArray(extensionsRequired)
+    ? extensionsRequired.find((one) => typeof one === 'string' && !READABLE.test(one))
+    : undefined;
+  if (unknown)
+    throw new ModelError(`${fileName} needs the glTF extension ${shownName(unknown)}, which this page does not read.`);
+}

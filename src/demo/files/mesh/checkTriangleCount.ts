@@ -1,0 +1,20 @@
+import { ModelError } from '../common/ModelError.js';
+
+/** What a page can get for one model, beside the copies that are held while it is read and baked. */
+const MAX_BYTES = 2 ** 30;
+/** A large mesh as it is baked: layout `pull`, with normals, colours and the data of lines. Measured on a million triangles. */
+const BYTES_PER_TRIANGLE = 205;
+/** In round numbers, as the sentence gives it. */
+const MAX_TRIANGLES = Math.floor(MAX_BYTES / BYTES_PER_TRIANGLE / 1e5) * 1e5;
+
+/** @throws ModelError if there are no triangles to draw, or more than memory allows */
+export function checkTriangleCount(triangles: number): void {
+  if (!(triangles > 0)) {
+    throw new ModelError('The file holds no triangles; only surfaces can be hatched, not points or lines.');
+  }
+  if (triangles > MAX_TRIANGLES) {
+    throw new ModelError(
+      `The model has more than ${MAX_TRIANGLES.toLocaleString('en')} triangles, for which a page has no memory.`,
+    );
+  }
+}

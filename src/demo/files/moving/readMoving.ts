@@ -1,0 +1,41 @@
+import type { Mesh, Object3D } from 'three';
+import { counted } from '../common/counted.js';
+import type { FindFile } from '../common/FindFile.js';
+import { type ReadGltf, readGltf } from '../gltf/readGltf.js';
+
+/** Writing a larger scene anew would take too long, and it would not be drawn in motion anyway. */
+const MAX_VERTICES = 300_000;
+
+/**
+ * Reads a scene that moves, by way of glTF, whose reader checks and keeps motion.
+ *
+ * @param root with its clips; it is of no use afterwards
+ * @returns undefined if it does not move, or not so that it can be shown
+ */
+export async function readMoving(root: Object3D, name: string, findFile: FindFile): Promise<ReadGltf | undefined> {
+  if (root.animations.length === 0 || countVertices(root) > MAX_VERTICES) return undefined;
+  try {
+    const { sceneToGltf } = await import('./sceneToGltf.js');
+    const { glb, pictures, leftOut } = await sceneToGltf(root);
+    const read = await readGltf(glb, name, true, async (uri) => {
+      const inside = pictures.get(uri);
+      return inside ? new Uint8Array(await inside.arrayBuffer()) : findFile(uri);
+    });
+    if (!('arrays' in read.content) || !moves(read.content.json)) return undefined;
+    const notes = leftOut > 0 ? [counted(leftOut, 'damaged animation track', 'left out')] : [];
+    return { ...read, notes: [...read.notes, ...notes] };
+  } catch {
+    // It can still be shown at rest.
+    return undefined;
+  }
+}
+
+const moves = (json: { animations?: unknown[] }): boolean => (json.animations?.length ?? 0) > 0;
+
+function countVertices(root: Object3D): number {
+  let vertices = 0;
+  root.traverse((object) => {
+    vertices += (object as Partial<Mesh>).geometry?.getAttribute('position')?.count ?? 0;
+  });
+  return vertices;
+}

@@ -1,0 +1,47 @@
+import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
+import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
+import type { FindFile } from '../common/FindFile.js';
+import { baseName } from '../common/fileName.js';
+import { toUtf8 } from '../common/toUtf8.js';
+import type { LoadedScene } from '../scenes/LoadedScene.js';
+import { withStandIns } from '../scenes/standIns.js';
+import { cleanMtl, cleanObj, materialLibraries, namesIn } from './cleanObj.js';
+
+/** Reads an OBJ file, with the materials of its MTL files if they were dropped together with it. */
+export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<LoadedScene> {
+  const decoder = new TextDecoder();
+  const text = decoder.decode(bytes);
+  const { materials, missing } = await findMaterials(materialLibraries(text), findFile);
+  const loader = new OBJLoader();
+  const root = withStandIns(() => {
+    if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
+    return loader.parse(cleanObj(text));
+  });
+  return { root, missing };
+}
+
+/** The text of all libraries together, and the names of those that are not there. */
+async function findMaterials(
+  libraries: readonly string[],
+  findFile: FindFile,
+): Promise<{ materials: string; missing: string[] }> {
+  const texts: string[] = [];
+  const missing: string[] = [];
+  const read = async (library: string): Promise<boolean> => {
+    const found = await findFile(library);
+    if (found) texts.push(new TextDecoder().decode(toUtf8(found)));
+    return found !== undefined;
+  };
+  /** A name with spaces that is not there is one name, unless one of its words is. */
+  const missingOf = async (name: string): Promise<string[]> => {
+    const words = name.split(/\s+/);
+    const absent: string[] = [];
+    for (const word of words) if (!(await read(word))) absent.push(word);
+    return (absent.length < words.length ? absent : [name]).map(baseName);
+  };
+  for (const line of new Set(libraries)) {
+    if (await read(line)) continue;
+    for (const name of namesIn(line)) if (!(await read(name))) missing.push(...(await missingOf(name)));
+  }
+  return { materials: texts.join('\n'), missing };
+}

@@ -1,0 +1,18 @@
+import type { Texture } from 'three';
+
+/** A picture that a merged mesh asks for. */
+export interface WantedPicture {
+  /** Its image is a {@link PictureLink}. */
+  texture: Texture;
+  /** Whether its alpha cuts out the surface. */
+  cutOut: boolean;
+}
+
+/** What a texture holds in place of its picture: where the picture lies. */
+export interface PictureLink {
+  url: string;
+  /** The picture itself, if it is a part of the model. */
+  content?: Blob | undefined;
+  width: number;
+  height: number;
+}

@@ -1,0 +1,89 @@
+import { AsciiReader } from '../common/AsciiReader.js';
+import { PLY_BYTES, type PlyElement, type PlyHeader, type PlyType } from './plyHeader.js';
+
+/** What begins a line that is none of data. The format allows them in the header alone, but they are written between rows, too. */
+const COMMENTS = ['comment', 'obj_info', '#'];
+
+/** Reads the numbers of a PLY file, one after the other. */
+export interface PlyNumbers {
+  /** To be called before each row. */
+  startRow(): void;
+  next(type: PlyType): number;
+  /** Bytes that are left. */
+  readonly bytesLeft: number;
+}
+
+/** The numbers after the header. */
+export function plyNumbers(bytes: Uint8Array, { format, end }: PlyHeader): PlyNumbers {
+  return format === 'ascii' ? new AsciiNumbers(bytes, end) : new BinaryNumbers(bytes, end, format === 'little');
+}
+
+/** The bytes that a row has at least. */
+export function leastRowBytes({ properties }: PlyElement, format: PlyHeader['format']): number {
+  // A digit and a space.
+  if (format === 'ascii') return 2 * properties.length;
+  return properties.reduce((sum, { type, countType }) => sum + PLY_BYTES[countType ?? type], 0);
+}
+
+class AsciiNumbers implements PlyNumbers {
+  private readonly reader: AsciiReader;
+
+  constructor(bytes: Uint8Array, at: number) {
+    this.reader = new AsciiReader(bytes, at);
+  }
+
+  startRow(): void {
+    while (COMMENTS.some((comment) => this.reader.isAt(comment))) this.reader.skipLine();
+  }
+
+  next(): number {
+    return this.reader.number();
+  }
+
+  get bytesLeft(): number {
+    return this.reader.isAtEnd ? 0 : this.reader.bytesLeft;
+  }
+}
+
+class BinaryNumbers implements PlyNumbers {
+  private readonly view: DataView;
+
+  constructor(
+    bytes: Uint8Array,
+    private at: number,
+    private readonly isLittle: boolean,
+  ) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  }
+
+  startRow(): void {}
+
+  get bytesLeft(): number {
+    return Math.max(this.view.byteLength - this.at, 0);
+  }
+
+  /** NaN at the end of the file. */
+  next(type: PlyType): number {
+    const { view, at, isLittle } = this;
+    this.at += PLY_BYTES[type];
+    if (this.at > view.byteLength) return NaN;
+    switch (type) {
+      case 'int8':
+        return view.getInt8(at);
+      case 'uint8':
+        return view.getUint8(at);
+      case 'int16':
+        return view.getInt16(at, isLittle);
+      case 'uint16':
+        return view.getUint16(at, isLittle);
+      case 'int32':
+        return view.getInt32(at, isLittle);
+      case 'uint32':
+        return view.getUint32(at, isLittle);
+      case 'float32':
+        return view.getFloat32(at, isLittle);
+      default:
+        return view.getFloat64(at, isLittle);
+    }
+  }
+}

@@ -1,0 +1,245 @@
+import { Color, SRGBColorSpace } from 'three';
+import { ModelError } from '../common/ModelError.js';
+import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import type { PlainMesh } from '../mesh/PlainMesh.js';
+import { GrowingIndices } from './GrowingIndices.js';
+import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './plyHeader.js';
+import { leastRowBytes, type PlyNumbers, plyNumbers } from './plyRows.js';
+
+/** The names that programs give to what is drawn, by its place in a row: position, normal, colour. */
+const COLUMNS: readonly (readonly string[])[] = [
+  ['x', 'px', 'posx'],
+  ['y', 'py', 'posy'],
+  ['z', 'pz', 'posz'],
+  ['nx', 'normalx', 'normal_x'],
+  ['ny', 'normaly', 'normal_y'],
+  ['nz', 'normalz', 'normal_z'],
+  ['red', 'diffuse_red', 'r', 'diffuse_r'],
+  ['green', 'diffuse_green', 'g', 'diffuse_g'],
+  ['blue', 'diffuse_blue', 'b', 'diffuse_b'],
+];
+const NORMAL = 3;
+const COLOR = 6;
+const CORNERS = /^vertex_?(indices|indexes|index)$/;
+
+/**
+ * Reads a PLY file: ASCII or binary of either byte order, its elements in any order, faces with any number of corners, triangle
+ * strips, and colours of vertices or, before these, of faces. three's own loader leaves out faces of more than four corners and triangle strips,
+ * without a word.
+ *
+ * @throws ModelError if it holds points or splats only, or is cut short
+ */
+export function readPly(bytes: Uint8Array, name: string): PlainMesh {
+  const header = readPlyHeader(bytes, name);
+  checkElements(header, name);
+  const numbers = plyNumbers(bytes, header);
+  const indices = new GrowingIndices();
+  let points: Points | undefined;
+  let faceColors: FaceColors | undefined;
+  for (const element of header.elements) {
+    checkLength(element, header.format, numbers, name);
+    if (element.name === 'vertex') points = readPoints(element, numbers, name);
+    else if (element.name === 'face') faceColors = readFaces(element, numbers, indices, name);
+    else if (element.name === 'tristrips') readStrips(element, numbers, indices, name);
+    else skipRows(element, numbers, name);
+  }
+  checkTriangleCount(indices.length / 3);
+  const mesh: PlainMesh = { ...points!, indices: indices.values() };
+  return faceColors ? withFaceColors(mesh, faceColors) : mesh;
+}
+
+type Points = Pick<PlainMesh, 'positions' | 'normals' | 'colors'>;
+
+/** Linear RGB of every triangle. */
+type FaceColors = Float32Array;
+
+function checkElements({ elements }: PlyHeader, name: string): void {
+  const vertex = elements.find((element) => element.name === 'vertex');
+  const has = (property: string): boolean => vertex?.properties.some((other) => other.name === property) ?? false;
+  if ((has('f_dc_0') && has('rot_0')) || has('packed_position')) {
+    throw new ModelError(`${name} holds Gaussian splats, not triangles; only surfaces can be hatched.`);
+  }
+  if (!vertex?.count) throw new ModelError(`${name} holds no points.`);
+  if (!COLUMNS.slice(0, NORMAL).every((names) => names.some(has))) {
+    throw new ModelError(`${name} does not say where its points lie: it has no x, y and z.`);
+  }
+  if (!elements.some((element) => element.count > 0 && /^(face|tristrips)$/.test(element.name))) {
+    throw new ModelError(`${name} holds points but no triangles; only surfaces can be hatched.`);
+  }
+}
+
+function checkLength(element: PlyElement, format: PlyHeader['format'], numbers: PlyNumbers, name: string): void {
+  // The last number of an ASCII file needs no space after it.
+  if (element.count * leastRowBytes(element, format) <= numbers.bytesLeft + 1) return;
+  const what = element.name === 'vertex' ? 'points' : element.name === 'face' ? 'faces' : `"${element.name}"`;
+  throw new ModelError(
+    `${name} is cut short: it announces ${element.count.toLocaleString('en')} ${what} and ends before them.`,
+  );
+}
+
+function readPoints({ count, properties }: PlyElement, numbers: PlyNumbers, name: string): Points {
+  const slots = properties.map((property) => COLUMNS.findIndex((names) => names.includes(property.name)));
+  const row = new Float64Array(COLUMNS.length);
+  const has = (first: number): boolean => [0, 1, 2].every((i) => slots.includes(first + i));
+  const positions = new Float32Array(3 * count);
+  const normals = has(NORMAL) ? new Float32Array(3 * count) : null;
+  const colors = has(COLOR) ? new Float64Array(3 * count) : null;
+  // Doubles are often far from the origin, where single precision is too coarse. The model is centred later anyway.
+  const isDouble = properties.some(({ type }, i) => slots[i] === 0 && type === 'float64');
+  const origin = [0, 0, 0];
+  for (let vertex = 0; vertex < count; vertex++) {
+    numbers.startRow();
+    for (let i = 0; i < properties.length; i++) {
+      const property = properties[i];
+      if (property.countType) skipList(property, numbers, name);
+      else if (slots[i] === -1) numbers.next(property.type);
+      else row[slots[i]] = numbers.next(property.type);
+    }
+    const at = 3 * vertex;
+    for (let axis = 0; axis < 3; axis++) {
+      if (isDouble && vertex === 0 && Number.isFinite(row[axis])) origin[axis] = row[axis];
+      positions[at + axis] = row[axis] - origin[axis];
+      if (colors) colors[at + axis] = row[COLOR + axis];
+    }
+    if (!normals) continue;
+    const length = Math.hypot(row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]);
+    if (length > 0 && length < Infinity) {
+      for (let axis = 0; axis < 3; axis++) normals[at + axis] = row[NORMAL + axis] / length;
+    }
+  }
+  const red = properties[slots.indexOf(COLOR)];
+  return { positions, normals, colors: colors && toLinear(colors, red) };
+}
+
+/** Reads faces. @returns their colours, if they have any */
+function readFaces(
+  { count, properties }: PlyElement,
+  numbers: PlyNumbers,
+  indices: GrowingIndices,
+  name: string,
+): FaceColors | undefined {
+  const corners = cornerList(properties);
+  const slots = properties.map((property) => COLUMNS.findIndex((names) => names.includes(property.name)) - COLOR);
+  const colors = [0, 1, 2].every((slot) => slots.includes(slot)) ? ([] as number[]) : undefined;
+  const color = [0, 0, 0];
+  for (let face = 0; face < count; face++) {
+    const before = indices.length;
+    numbers.startRow();
+    properties.forEach((property, i) => {
+      if (i === corners) readPolygon(property, numbers, indices, name);
+      else if (property.countType) skipList(property, numbers, name);
+      else if (slots[i] >= 0) color[slots[i]] = numbers.next(property.type);
+      else numbers.next(property.type);
+    });
+    if (colors) for (let corner = before; corner < indices.length; corner += 3) colors.push(...color);
+  }
+  return colors && toLinear(colors, properties[slots.indexOf(0)]);
+}
+
+/** Adds a fan of triangles around the first corner, as the format's description has it for four corners. */
+function readPolygon(property: PlyProperty, numbers: PlyNumbers, indices: GrowingIndices, name: string): void {
+  const count = listLength(property, numbers, name);
+  const first = count > 0 ? numbers.next(property.type) : 0;
+  let previous = count > 1 ? numbers.next(property.type) : 0;
+  for (let corner = 2; corner < count; corner++) {
+    const next = numbers.next(property.type);
+    indices.add(first, previous, next);
+    previous = next;
+  }
+}
+
+/** Adds the triangles of strips. Every other one is turned round; -1 begins a new strip. */
+function readStrips(
+  { count, properties }: PlyElement,
+  numbers: PlyNumbers,
+  indices: GrowingIndices,
+  name: string,
+): void {
+  const corners = cornerList(properties);
+  for (let row = 0; row < count; row++) {
+    numbers.startRow();
+    properties.forEach((property, i) => {
+      if (i !== corners) {
+        if (property.countType) skipList(property, numbers, name);
+        else numbers.next(property.type);
+        return;
+      }
+      let length = 0;
+      let a = 0;
+      let b = 0;
+      for (let left = listLength(property, numbers, name); left > 0; left--) {
+        const c = numbers.next(property.type);
+        length = c === -1 ? 0 : length + 1;
+        if (length >= 3) {
+          if (length % 2 === 1) indices.add(a, b, c);
+          else indices.add(b, a, c);
+        }
+        a = b;
+        b = c;
+      }
+    });
+  }
+}
+
+function skipRows({ count, properties }: PlyElement, numbers: PlyNumbers, name: string): void {
+  // Rows without properties take no bytes, however many are announced.
+  if (properties.length === 0) return;
+  for (let row = 0; row < count; row++) {
+    numbers.startRow();
+    for (const property of properties) {
+      if (property.countType) skipList(property, numbers, name);
+      else numbers.next(property.type);
+    }
+  }
+}
+
+/** The property that lists the corners: the one of that name, or else the first list. */
+function cornerList(properties: readonly PlyProperty[]): number {
+  const named = properties.findIndex(({ name, countType }) => countType && CORNERS.test(name));
+  return named !== -1 ? named : properties.findIndex(({ countType }) => countType);
+}
+
+function skipList(property: PlyProperty, numbers: PlyNumbers, name: string): void {
+  for (let left = listLength(property, numbers, name); left > 0; left--) numbers.next(property.type);
+}
+
+/** @throws ModelError if the list is longer than what is left of the file */
+function listLength({ countType }: PlyProperty, numbers: PlyNumbers, name: string): number {
+  const length = numbers.next(countType!);
+  if (length >= 0 && length <= numbers.bytesLeft) return length;
+  throw new ModelError(`${name} is cut short or damaged: one of its lists is longer than the file.`);
+}
+
+/** sRGB as numbers of a type to linear RGB from 0 to 1. What is no number is white. */
+function toLinear(values: ArrayLike<number>, { type }: PlyProperty): Float32Array {
+  const linear = new Float32Array(values.length);
+  const scale = 1 / fullValue(values, type);
+  const color = new Color();
+  const share = (value: number): number => (Number.isFinite(value) ? Math.min(Math.max(value * scale, 0), 1) : 1);
+  for (let i = 0; i < values.length; i += 3) {
+    color.setRGB(share(values[i]), share(values[i + 1]), share(values[i + 2]), SRGBColorSpace).toArray(linear, i);
+  }
+  return linear;
+}
+
+/** The value of full colour. Floats go to 1, but some programs write 0 to 255. */
+function fullValue(values: ArrayLike<number>, type: PlyProperty['type']): number {
+  if (type === 'uint16' || type === 'int16') return 65535;
+  if (!type.startsWith('float')) return 255;
+  for (let i = 0; i < values.length; i++) if (values[i] > 1) return 255;
+  return 1;
+}
+
+/** Gives every corner a vertex of its own, in the colour of its face. */
+function withFaceColors({ positions, normals, indices }: PlainMesh, faceColors: FaceColors): PlainMesh {
+  const pick = (source: Float32Array): Float32Array => {
+    const picked = new Float32Array(3 * indices!.length);
+    indices!.forEach((vertex, corner) => {
+      for (let i = 0; i < 3; i++) picked[3 * corner + i] = source[3 * vertex + i] ?? NaN;
+    });
+    return picked;
+  };
+  const colors = new Float32Array(3 * indices!.length);
+  for (let i = 0; i < colors.length; i++) colors[i] = faceColors[3 * Math.floor(i / 9) + (i % 3)] ?? 1;
+  return { positions: pick(positions), normals: normals && pick(normals), colors, indices: null };
+}

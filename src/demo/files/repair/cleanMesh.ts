@@ -1,0 +1,67 @@
+import { ModelError } from '../common/ModelError.js';
+import { type PictureRange, type PlainMesh, triangleCount } from '../mesh/PlainMesh.js';
+
+/**
+ * Removes what three's loaders let through: triangles with a vertex that is missing, infinite or not a number, and
+ * vertices that no triangle uses, which would spoil the fit.
+ *
+ * @returns the mesh, and how many triangles were left out
+ * @throws ModelError when nothing is left
+ */
+export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } {
+  const { positions, indices } = mesh;
+  const vertexCount = positions.length / 3;
+  const total = triangleCount(mesh);
+  const isValid = (vertex: number): boolean =>
+    vertex < vertexCount &&
+    Number.isFinite(positions[3 * vertex]) &&
+    Number.isFinite(positions[3 * vertex + 1]) &&
+    Number.isFinite(positions[3 * vertex + 2]);
+
+  const kept = new Uint32Array(3 * total);
+  let length = 0;
+  const ranges: PictureRange[] = [];
+  for (const { start, count, picture } of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
+    const first = length;
+    for (let corner = start; corner < start + count; corner += 3) {
+      const a = indices ? indices[corner] : corner;
+      const b = indices ? indices[corner + 1] : corner + 1;
+      const c = indices ? indices[corner + 2] : corner + 2;
+      if (!(isValid(a) && isValid(b) && isValid(c))) continue;
+      kept[length++] = a;
+      kept[length++] = b;
+      kept[length++] = c;
+    }
+    if (length > first) ranges.push({ start: first, count: length - first, picture });
+  }
+  if (length === 0) throw new ModelError('None of the triangles in the file has three valid corners.');
+  const cleaned = compact(mesh, kept.subarray(0, length));
+  return { mesh: mesh.ranges ? { ...cleaned, ranges } : cleaned, broken: total - length / 3 };
+}
+
+/** Removes the vertices that are not in use and renumbers the others. */
+function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
+  const vertexCount = mesh.positions.length / 3;
+  const renumbered = new Uint32Array(vertexCount);
+  for (const vertex of indices) renumbered[vertex] = 1;
+  let count = 0;
+  for (let vertex = 0; vertex < vertexCount; vertex++) if (renumbered[vertex]) renumbered[vertex] = ++count;
+  const pick = (source: Float32Array, size: number): Float32Array => {
+    if (count === vertexCount)
+      return source.length === size * vertexCount ? source : source.slice(0, size * vertexCount);
+    const picked = new Float32Array(size * count);
+    for (let vertex = 0; vertex < vertexCount; vertex++) {
+      const from = size * vertex;
+      const to = size * (renumbered[vertex] - 1);
+      if (to >= 0) for (let i = 0; i < size; i++) picked[to + i] = source[from + i];
+    }
+    return picked;
+  };
+  return {
+    positions: pick(mesh.positions, 3),
+    normals: mesh.normals && pick(mesh.normals, 3),
+    colors: mesh.colors && pick(mesh.colors, 3),
+    indices: indices.map((vertex) => renumbered[vertex] - 1),
+    ...(mesh.uvs && { uvs: pick(mesh.uvs, 2) }),
+  };
+}

@@ -1,0 +1,273 @@
+import {
+  type BufferGeometry,
+  type Color,
+  type Material,
+  Matrix3,
+  type Matrix4,
+  Mesh,
+  type Object3D,
+  type Texture,
+  Vector2,
+  Vector3,
+} from 'three';
+import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import type { PictureRange, PlainMesh } from '../mesh/PlainMesh.js';
+import type { PictureLink, WantedPicture } from '../pictures/WantedPicture.js';
+import { repairScene } from '../repair/repairGeometry.js';
+import { nearOrigin } from './nearOrigin.js';
+import { placements } from './placements.js';
+
+/**
+ * Every mesh below `root`, in its place and in the pose it was saved in, as one mesh: one bake, one draw call. The
+ * colours of materials and vertices become vertex colours; what cannot be drawn from is repaired.
+ *
+ * @param pictures if given, it receives the textures of base colours, and the mesh is drawn in one range for each; otherwise textures
+ *   are left out
+ * @throws ModelError if there are no triangles, or too many
+ */
+export function mergeScene(root: Object3D, pictures?: WantedPicture[]): PlainMesh {
+  root.updateMatrixWorld(true);
+  repairScene(root);
+  const parts = placedParts(root, pictures);
+  const toOrigin = nearOrigin(parts);
+  if (toOrigin) for (const part of parts) part.matrix = part.matrix.clone().premultiply(toOrigin);
+  const pieces = parts.flatMap((part) => part.pieces.map((piece) => ({ part, piece })));
+  const cornerCount = pieces.reduce((sum, { piece }) => sum + piece.count, 0);
+  checkTriangleCount(cornerCount / 3);
+  const vertexCount = parts.reduce((sum, part) => sum + part.vertexCount, 0);
+  const positions = new Float32Array(3 * vertexCount);
+  const normals = parts.some(({ mesh }) => hasUsableNormals(mesh)) ? new Float32Array(3 * vertexCount) : null;
+  const colors = pieces.some(({ part, piece }) => isColored(part.mesh, piece))
+    ? new Float32Array(3 * vertexCount)
+    : null;
+  const uvs = pictures?.length ? new Float32Array(2 * vertexCount) : null;
+  for (const part of parts) {
+    writeVertices(part, positions, normals);
+    if (colors) writeColors(part, colors);
+    if (uvs) writeUvs(part, uvs);
+  }
+
+  const indices = new Uint32Array(cornerCount);
+  const ranges: PictureRange[] = [];
+  let corner = 0;
+  // Sorted, so that the triangles of each picture lie in one range.
+  for (const { part, piece } of pieces.sort((a, b) => a.piece.picture - b.piece.picture)) {
+    const end = writeIndices(part, piece, indices, corner);
+    const last = ranges.at(-1);
+    if (last?.picture === piece.picture) last.count += end - corner;
+    else ranges.push({ start: corner, count: end - corner, picture: piece.picture });
+    corner = end;
+  }
+  return { positions, normals, colors, indices, ...(uvs && { uvs, ranges }) };
+}
+
+/** Corners of a mesh that are drawn with one material. */
+interface Piece {
+  start: number;
+  count: number;
+  material: Material | undefined;
+  /** The index of its picture, or -1. */
+  picture: number;
+  /** The place of its first corner among those of all pieces. */
+  first: number;
+}
+
+/** A mesh in one of its places. */
+interface Part {
+  mesh: Mesh;
+  matrix: Matrix4;
+  pieces: Piece[];
+  /** Whether every corner has a vertex of its own, because materials that share vertices may differ in colour. */
+  isUnshared: boolean;
+  firstVertex: number;
+  vertexCount: number;
+}
+
+function placedParts(root: Object3D, pictures: WantedPicture[] | undefined): Part[] {
+  const parts: Part[] = [];
+  let firstVertex = 0;
+  root.traverseVisible((object) => {
+    if (!(object instanceof Mesh) || !object.geometry.getAttribute('position')) return;
+    const pieces = piecesOf(object, pictures);
+    const isUnshared = pieces.length > 1;
+    const last = pieces.at(-1);
+    const corners = last ? last.first + last.count : 0;
+    const vertexCount = isUnshared ? corners : object.geometry.getAttribute('position').count;
+    for (const matrix of placements(object)) {
+      parts.push({ mesh: object, matrix, pieces, isUnshared, firstVertex, vertexCount });
+      firstVertex += vertexCount;
+    }
+  });
+  return parts;
+}
+
+/** The corners that are drawn, by material. As in three.js, groups count only where there are several materials. */
+function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | undefined): Piece[] {
+  const drawn = drawnCorners(geometry);
+  const materials = Array.isArray(material) ? material : [material];
+  const groups = Array.isArray(material) && geometry.groups.length > 0 ? geometry.groups : [{ ...drawn }];
+  const pieces: Piece[] = [];
+  let first = 0;
+  for (const group of groups as BufferGeometry['groups']) {
+    const start = Math.max(group.start, drawn.start);
+    const available = Math.min(group.start + group.count, drawn.start + drawn.count) - start;
+    const count = available - (available % 3);
+    const groupMaterial = materials[group.materialIndex ?? 0] as Material | undefined;
+    if (!(count > 0) || groupMaterial?.visible === false) continue;
+    pieces.push({
+      start,
+      count,
+      material: groupMaterial,
+      picture: pictureOf(geometry, groupMaterial, pictures),
+      first,
+    });
+    first += count;
+  }
+  return pieces;
+}
+
+function pictureOf(
+  geometry: BufferGeometry,
+  material: Material | undefined,
+  pictures: WantedPicture[] | undefined,
+): number {
+  const texture = mapOf(material);
+  if (!pictures || !texture || !geometry.getAttribute(uvName(texture))) return -1;
+  const cutOut = material!.alphaTest > 0 || material!.transparent;
+  const key = pictureKey({ texture, cutOut });
+  const known = pictures.findIndex((picture) => pictureKey(picture) === key);
+  return known === -1 ? pictures.push({ texture, cutOut }) - 1 : known;
+}
+
+/** What makes two pictures differ on the graphics card. Offsets and scales are written into texture coordinates. */
+function pictureKey({ texture, cutOut }: WantedPicture): string {
+  const { flipY, wrapS, wrapT } = texture;
+  return [linkOf(texture)?.url, flipY, wrapS, wrapT, cutOut].join();
+}
+
+const linkOf = ({ image }: Texture): Partial<PictureLink> | null => image as Partial<PictureLink> | null;
+
+/** The texture of a material's colour, if it says where its picture lies. */
+function mapOf(material: Material | undefined): Texture | undefined {
+  const map = (material as { map?: Texture | null } | undefined)?.map;
+  return map?.isTexture && linkOf(map)?.url ? map : undefined;
+}
+
+const uvName = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${channel}`);
+
+function isDeformed(mesh: Mesh): boolean {
+  return 'isSkinnedMesh' in mesh || (mesh.morphTargetInfluences?.some((influence) => influence !== 0) ?? false);
+}
+
+/** The normals of a skinned or morphed mesh are not deformed here. They are computed from the surface later. */
+function hasUsableNormals(mesh: Mesh): boolean {
+  return mesh.geometry.getAttribute('normal') !== undefined && !isDeformed(mesh);
+}
+
+/** Black would hide a picture, and is what some programs write beside one; a value that is not a number becomes 1. */
+function pieceColor({ material, picture }: Piece): [number, number, number] {
+  const color = (material as { color?: Color } | undefined)?.color;
+  if (!color || (picture !== -1 && color.r + color.g + color.b === 0)) return [1, 1, 1];
+  return color.toArray().map((value) => (Number.isFinite(value) ? value : 1)) as [number, number, number];
+}
+
+function vertexColors({ geometry }: Mesh): ReturnType<BufferGeometry['getAttribute']> | undefined {
+  const color = geometry.getAttribute('color');
+  return color?.count === geometry.getAttribute('position').count ? color : undefined;
+}
+
+const isColored = (mesh: Mesh, piece: Piece): boolean =>
+  vertexColors(mesh) !== undefined || pieceColor(piece).some((value) => value !== 1);
+
+/** Calls back with every vertex that is written, and its number in the geometry. */
+function forEachVertex({ mesh, pieces, isUnshared, firstVertex, vertexCount }: Part, write: VertexWriter): void {
+  if (!isUnshared) {
+    for (let i = 0; i < vertexCount; i++) write(firstVertex + i, i, pieces[0]);
+    return;
+  }
+  const { index } = mesh.geometry;
+  for (const piece of pieces) {
+    for (let corner = 0; corner < piece.count; corner++) {
+      const at = piece.start + corner;
+      write(firstVertex + piece.first + corner, index ? index.getX(at) : at, piece);
+    }
+  }
+}
+
+type VertexWriter = (to: number, from: number, piece: Piece | undefined) => void;
+
+function writeVertices(part: Part, positions: Float32Array, normals: Float32Array | null): void {
+  const { mesh, matrix } = part;
+  const { position, normal } = mesh.geometry.attributes;
+  const normalMatrix = new Matrix3().getNormalMatrix(matrix);
+  const deformed = isDeformed(mesh);
+  const isNormalUsed = normals !== null && hasUsableNormals(mesh);
+  const vector = new Vector3();
+  forEachVertex(part, (to, from) => {
+    // An index out of range gives what is not a number, and its triangle is removed later.
+    if (deformed && from < position.count) mesh.getVertexPosition(from, vector);
+    else vector.fromBufferAttribute(position, from);
+    vector.applyMatrix4(matrix).toArray(positions, 3 * to);
+    if (isNormalUsed)
+      vector
+        .fromBufferAttribute(normal, from)
+        .applyMatrix3(normalMatrix)
+        .normalize()
+        .toArray(normals, 3 * to);
+  });
+}
+
+function writeColors(part: Part, colors: Float32Array): void {
+  const attribute = vertexColors(part.mesh);
+  const ofPiece = new Map(part.pieces.map((piece) => [piece, pieceColor(piece)]));
+  forEachVertex(part, (to, from, piece) => {
+    const [r, g, b] = (piece && ofPiece.get(piece)) ?? [1, 1, 1];
+    colors[3 * to] = r * (attribute?.getX(from) ?? 1);
+    colors[3 * to + 1] = g * (attribute?.getY(from) ?? 1);
+    colors[3 * to + 2] = b * (attribute?.getZ(from) ?? 1);
+  });
+}
+
+function writeUvs(part: Part, uvs: Float32Array): void {
+  const { geometry } = part.mesh;
+  const place = new Vector2();
+  for (const { material } of part.pieces) mapOf(material)?.updateMatrix();
+  forEachVertex(part, (to, from, piece) => {
+    const texture = mapOf(piece?.material);
+    if (!texture || piece?.picture === -1) return;
+    place.fromBufferAttribute(geometry.getAttribute(uvName(texture)) as never, from);
+    place.applyMatrix3(texture.matrix).toArray(uvs, 2 * to);
+  });
+}
+
+function drawnCorners(geometry: BufferGeometry): { start: number; count: number } {
+  const available = geometry.index?.count ?? geometry.getAttribute('position').count;
+  const start = Math.min(geometry.drawRange.start, available);
+  const count = Math.min(geometry.drawRange.count, available - start);
+  return { start, count: count - (count % 3) };
+}
+
+/** Copies the indices. A mirroring matrix turns triangles inside out, so their winding is reversed. */
+function writeIndices(
+  { mesh: { geometry }, matrix, isUnshared, firstVertex }: Part,
+  { start, count, first }: Piece,
+  indices: Uint32Array,
+  at: number,
+): number {
+  const order = matrix.determinant() < 0 ? [0, 2, 1] : [0, 1, 2];
+  const vertexCount = geometry.getAttribute('position').count;
+  let to = at;
+  for (let corner = 0; corner < count; corner += 3) {
+    for (const k of order) {
+      if (isUnshared) {
+        indices[to++] = firstVertex + first + corner + k;
+        continue;
+      }
+      const vertex = geometry.index ? geometry.index.getX(start + corner + k) : start + corner + k;
+      // An index out of range must not refer to a vertex of the next mesh. This one is out of range in the merged mesh
+      // too.
+      indices[to++] = vertex < vertexCount ? firstVertex + vertex : 0xffffffff;
+    }
+  }
+  return to;
+}

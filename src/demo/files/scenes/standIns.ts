@@ -1,0 +1,57 @@
+import { DataTextureLoader, FileLoader, ImageLoader, Texture } from 'three';
+import type { PictureLink } from '../pictures/WantedPicture.js';
+import { XmlParser } from './XmlElement.js';
+
+/**
+ * Runs one of three's loaders where there is no page, as in a worker, and so that it loads nothing but what it is given: every
+ * texture gets a {@link PictureLink}. In its place for so long are the loaders of pictures and files, which need a document and
+ * would fetch what nobody dropped; URLs of blobs, which some pages forbid; the parser of XML and the size of the window, which
+ * workers lack; and the console, where loaders write what the user cannot change.
+ *
+ * @param parse must not wait for anything
+ */
+export function withStandIns<Result>(parse: () => Result): Result {
+  const blobs = new Map<string, Blob>();
+  const link = (url: string): PictureLink => ({ url, content: blobs.get(url), width: 1, height: 1 });
+  // That of a page cannot be replaced.
+  const isPage = 'window' in globalThis;
+  const restore = [
+    replace(ImageLoader.prototype, {
+      load: (url: string, onLoad?: (picture: PictureLink) => void) => {
+        const picture = link(url);
+        onLoad?.(picture);
+        return picture;
+      },
+    }),
+    replace(DataTextureLoader.prototype, { load: (url: string) => new Texture(link(url)) }),
+    replace(FileLoader.prototype, { load: () => undefined }),
+    replace(URL, {
+      createObjectURL: (blob: Blob) => {
+        const url = `blob:${blobs.size}`;
+        blobs.set(url, blob);
+        return url;
+      },
+    }),
+    replace(console, { debug: () => {}, log: () => {}, info: () => {}, warn: () => {}, error: () => {} }),
+    replace(globalThis, { DOMParser: XmlParser, ...(isPage ? {} : { window: { innerWidth: 1, innerHeight: 1 } }) }),
+  ];
+  try {
+    return parse();
+  } finally {
+    for (const undo of restore) undo();
+  }
+}
+
+/** Replaces properties of an object. @returns a function that puts the former ones back */
+function replace(target: object, values: Readonly<Record<string, unknown>>): () => void {
+  const former = Object.keys(values).map((key) => [key, Object.getOwnPropertyDescriptor(target, key)] as const);
+  for (const [key, value] of Object.entries(values)) {
+    Object.defineProperty(target, key, { value, configurable: true, writable: true });
+  }
+  return () => {
+    for (const [key, descriptor] of former) {
+      if (descriptor) Object.defineProperty(target, key, descriptor);
+      else Reflect.deleteProperty(target, key);
+    }
+  };
+}

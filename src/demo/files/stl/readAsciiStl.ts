@@ -1,0 +1,60 @@
+import { AsciiReader } from '../common/AsciiReader.js';
+import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import type { PlainMesh } from '../mesh/PlainMesh.js';
+
+/**
+ * Reads an ASCII STL file, in one pass: three's loader searches it with patterns that take minutes on some files. Loops of more
+ * than three corners are split into triangles; comments are skipped.
+ */
+export function readAsciiStl(bytes: Uint8Array): PlainMesh {
+  const reader = new AsciiReader(bytes);
+  const positions: number[] = [];
+  const normals: number[] = [];
+  let normal = [0, 0, 0];
+  let loop: number[] = [];
+  const endLoop = (): void => {
+    for (let corner = 6; corner + 3 <= loop.length; corner += 3) {
+      positions.push(loop[0], loop[1], loop[2]);
+      for (let i = corner - 3; i < corner + 3; i++) positions.push(loop[i]);
+      for (let i = 0; i < 3; i++) normals.push(...normal);
+    }
+    loop = [];
+  };
+  while (!reader.isAtEnd) {
+    if (reader.isAt('#')) {
+      reader.skipLine();
+      continue;
+    }
+    switch (reader.word().toLowerCase()) {
+      case 'normal':
+        normal = [reader.number(), reader.number(), reader.number()];
+        break;
+      case 'vertex':
+        loop.push(reader.number(), reader.number(), reader.number());
+        break;
+      case 'facet':
+      case 'endloop':
+      case 'endfacet':
+        endLoop();
+        break;
+      case 'solid':
+      case 'endsolid':
+        // A name follows, which may be any words.
+        reader.skipLine();
+        break;
+    }
+  }
+  endLoop();
+  checkTriangleCount(positions.length / 9);
+  return { positions: Float32Array.from(positions), normals: unitLengths(normals), colors: null, indices: null };
+}
+
+/** Normals of length 1; those that cannot be used become zero, and are computed from the surface later. */
+function unitLengths(normals: readonly number[]): Float32Array {
+  const scaled = Float32Array.from(normals);
+  for (let i = 0; i < scaled.length; i += 3) {
+    const length = Math.hypot(scaled[i], scaled[i + 1], scaled[i + 2]);
+    for (let k = i; k < i + 3; k++) scaled[k] = length > 0 && length < Infinity ? scaled[k] / length : 0;
+  }
+  return scaled;
+}
