@@ -62,11 +62,11 @@ export const ROOMS = {
   'demo/playground/elements': [],
   'demo/playground/tasks': [],
   'demo/playground/loading': ['elements', 'tasks'],
-  'demo/playground/overlay': ['elements', 'tasks'],
-  'demo/playground/panel': ['elements', 'tasks'],
   'demo/playground/shelf': ['elements', 'tasks'],
   'demo/playground/session': ['elements', 'tasks', 'loading', 'shelf'],
-  'demo/playground/dialogs': ['elements', 'tasks', 'loading', 'session'],
+  'demo/playground/overlay': ['elements', 'tasks', 'session'],
+  'demo/playground/panel': ['elements', 'tasks', 'shelf', 'session'],
+  'demo/playground/dialogs': ['elements', 'tasks', 'session'],
   'demo/playground/takeAway': ['elements', 'tasks', 'loading', 'session'],
 };
 

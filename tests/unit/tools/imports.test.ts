@@ -28,7 +28,7 @@ test.each([
   ['src/demo/files/readPly.ts', '../../index.js', 'demo/files imports no other room'],
   ['src/demo/files/gltf/readGltf.ts', '../ply/readPly.js', 'demo/files/gltf imports common'],
   ['src/demo/files/gltf/readGltf.ts', '../readModel.js', 'demo/files/gltf imports common'],
-  ['src/demo/playground/panel/SettingsPanel.ts', '../shelf/Shelf.js', 'demo/playground/panel imports elements, tasks'],
+  ['src/demo/playground/panel/SettingsPanel.ts', '../dialogs/Gallery.js', 'demo/playground/panel imports'],
   ['src/demo/playground/panel/SettingsPanel.ts', '../main.js', 'demo/playground/panel imports'],
   ['src/react/Hatcher.tsx', '../scene/applyHatching.js', 'react imports no other room'],
   ['src/lines/HatchingLines.ts', '../tam/TonalArtMap.js', 'lines imports'],

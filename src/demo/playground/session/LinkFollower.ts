@@ -1,67 +1,55 @@
 import { ModelError } from '../../files/common/ModelError.js';
-import type { Settings } from '../../settings/settings.js';
 import { readLink } from '../../settings/shareLink.js';
 import { askToFetch } from '../loading/ask.js';
-import type { MapLoader } from '../loading/MapLoader.js';
-import type { ModelLoader } from '../loading/ModelLoader.js';
-import type { DrawingState, LookState } from './DrawingState.js';
 import type { Keeper } from './Keeper.js';
 import { LatestRequest } from './LatestRequest.js';
 import type { PageAddress } from './PageAddress.js';
-
-/** What links are shown with. */
-interface LinkHost {
-  settings: Settings;
-  address: PageAddress;
-  keeper: Keeper;
-  modelLoader: ModelLoader;
-  mapLoader: MapLoader;
-  /** Takes over settings and camera, and loads the model and the map that they ask for. */
-  showState(state: DrawingState): void;
-  /** As `showState`, but for the model. */
-  showLook(state: LookState): void;
-  recordChange(): void;
-}
+import type { Session } from './Session.js';
 
 /**
- * Shows drawings that take a while, because the user is asked first or the browser keeps them. The latest is shown: of one that was
- * asked for before, nothing more is done.
+ * Shows drawings that take a while, because the user is asked first or the browser has to read them. The latest one is shown: what was
+ * asked for before is dropped.
  */
 export class LinkFollower {
   private readonly asked = new LatestRequest();
 
-  constructor(private readonly host: LinkHost) {}
+  constructor(
+    private readonly session: Session,
+    private readonly address: PageAddress,
+    private readonly keeper: Keeper,
+  ) {}
 
   /** Shows what the page's address asks for. Resolves when that is known and loading. */
   async follow(): Promise<void> {
-    const { settings } = this.host;
+    const { session } = this;
     // Nobody is to agree to what the address does not ask for any more.
     this.asked.drop();
-    const { drawing } = this.host.address;
-    const { settings: next, camera, address, views } = readLink(this.host.address.read());
+    const { drawing } = this.address;
+    const { settings: next, camera, address, views } = readLink(this.address.read());
     if (drawing !== undefined) return this.openKept(drawing);
     // While a model from the web is asked about and fetched, the one that is shown stays.
-    if (address === undefined) this.host.showState({ settings: next, camera, files: undefined, views });
-    else this.host.showLook({ settings: { ...next, model: settings.model }, camera, views });
-    this.host.recordChange();
+    if (address === undefined) session.showState({ settings: next, camera, files: undefined, views });
+    else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views });
+    session.recordChange();
     if (address !== undefined) await this.showAddress(address, camera === undefined);
   }
 
   /** Shows a model from another site, if the user agrees. */
   async showAddress(address: string, isFramed: boolean): Promise<void> {
     const isAgreed = await this.asked.run((signal) => askToFetch(address, signal));
-    const { modelLoader } = this.host;
+    const { modelLoader } = this.session;
     if (isAgreed) modelLoader.showAddress(address, isFramed);
     else if (isAgreed === false) modelLoader.showSomething();
   }
 
   /** Shows a kept drawing. @throws ModelError with one sentence for the user, if there is none */
   async openKept(id: string): Promise<void> {
-    const { keeper, modelLoader, mapLoader } = this.host;
+    const { session, keeper } = this;
+    const { modelLoader, mapLoader } = session;
     const isShown = await this.asked.run(async (signal) => {
-      const kept = await keeper.open(id, signal).catch(() => 'silence' as const);
+      const kept = await keeper.open(id, signal).catch(() => 'unreadable' as const);
       if (signal.aborted) return;
-      if (kept === undefined || kept === 'silence') {
+      if (kept === undefined || kept === 'unreadable') {
         void mapLoader.showChosen();
         throw new ModelError(
           kept === undefined
@@ -73,10 +61,10 @@ export class LinkFollower {
       const { model: files, map } = kept.files;
       if (files) next.model = 'file';
       if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
-      this.host.showState({ settings: next, camera: kept.drawing.camera, files, views });
+      session.showState({ settings: next, camera: kept.drawing.camera, files, views });
       if (map) await mapLoader.showFiles(map, true);
       return true;
     });
-    if (isShown) this.host.recordChange();
+    if (isShown) session.recordChange();
   }
 }

@@ -1,5 +1,6 @@
 import type { CodeDrawing } from '../../code/CodeModel.js';
 import { findElement } from '../../page/findElement.js';
+import type { Session } from '../session/Session.js';
 import { copyText } from './copyText.js';
 import { download } from './download.js';
 import { fileStem } from './fileStem.js';
@@ -13,14 +14,6 @@ interface CodeForm {
   extension: string;
 }
 
-export interface CodeDialogHost {
-  drawing(): CodeDrawing;
-  /** The address of this page with the drawing in it, in the form for other pages. */
-  embedAddress(): string;
-  /** Whether such an address brings back the model. */
-  isModelInLink(): boolean;
-}
-
 /** Shows the drawing as code, in one of several forms, to be copied or saved. */
 export class CodeDialog {
   private readonly dialog = findElement('code') as HTMLDialogElement;
@@ -30,7 +23,7 @@ export class CodeDialog {
   private readonly said = findElement('code-said');
   private shown: CodeForm | undefined;
 
-  constructor(private readonly host: CodeDialogHost) {
+  constructor(private readonly session: Session) {
     this.form.addEventListener('change', () => void this.show());
     findElement('code-copy').addEventListener('click', () => void this.copy());
     findElement('code-save').addEventListener('click', () => this.save());
@@ -42,12 +35,28 @@ export class CodeDialog {
     this.dialog.showModal();
   }
 
+  private get drawing(): CodeDrawing {
+    const { scene, settings, modelLoader } = this.session;
+    return {
+      model: modelLoader.codeModel,
+      settings: { ...settings },
+      camera: scene.view.place,
+      groundHeight: scene.groundHeight,
+      aspect: scene.camera.aspect,
+    };
+  }
+
+  /** The address of this page in the form for other pages, with the drawing in it. */
+  private get embedAddress(): string {
+    return new URL(`?embed#${this.session.link}`, location.href).href;
+  }
+
   private async show(): Promise<void> {
     // Loaded when it is asked for: few come for code.
     const { codeForms } = await import('../../code/codeForms.js');
-    const { host } = this;
+    const { isModelInLink } = this.session;
     const make = codeForms[this.form.value as keyof typeof codeForms];
-    this.shown = make(host.drawing(), { address: host.embedAddress(), isModelInLink: host.isModelInLink() });
+    this.shown = make(this.drawing, { address: this.embedAddress, isModelInLink });
     this.about.textContent = this.shown.about;
     this.text.value = this.shown.code;
     this.text.scrollTop = 0;
@@ -68,6 +77,6 @@ export class CodeDialog {
   private save(): void {
     if (!this.shown) return;
     const { code, extension } = this.shown;
-    download(new Blob([code], { type: 'text/plain' }), `${fileStem(this.host.drawing().model.title)}.${extension}`);
+    download(new Blob([code], { type: 'text/plain' }), `${fileStem(this.session.modelLoader.title)}.${extension}`);
   }
 }

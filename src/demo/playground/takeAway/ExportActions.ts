@@ -1,9 +1,6 @@
-import type { ModelFile } from '../../files/readModel.js';
-import type { Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
-import type { ModelLoader } from '../loading/ModelLoader.js';
 import { zipMap } from '../loading/mapFiles.js';
 import type { PageAddress } from '../session/PageAddress.js';
+import type { Session } from '../session/Session.js';
 import type { Remedy, Status } from '../tasks/Status.js';
 import { sentenceFor } from '../tasks/sentenceFor.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
@@ -15,15 +12,10 @@ import type { SaveDrawing } from './SaveDrawing.js';
 /** The actions that export a drawing: as a picture, as a link, as code; and the map it is drawn with. */
 export class ExportActions {
   constructor(
-    private readonly scene: HatchingScene,
-    private readonly settings: Settings,
-    private readonly modelLoader: ModelLoader,
+    private readonly session: Session,
+    private readonly address: PageAddress,
     private readonly status: Status,
     private readonly tasks: TaskRunner,
-    private readonly currentLink: () => string,
-    private readonly address: PageAddress,
-    /** The images of the user's own map, if it is drawn with. */
-    private readonly ownStrokes: () => readonly ModelFile[] | undefined,
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
@@ -57,19 +49,20 @@ export class ExportActions {
     fetchDraw: () => Promise<SaveDrawing<Result>>,
     again?: Remedy,
   ): Promise<Result | undefined> {
-    const { scene, status } = this;
+    const { status } = this;
+    const { scene, modelLoader } = this.session;
     if (this.tasks.isRunning('picture')) return undefined;
     if (scene.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
     else if (!scene.isComplete) status.fail('There is no drawing to save yet.');
     else {
-      const settings = { ...this.settings };
+      const settings = { ...this.session.settings };
       let result: Result | undefined;
       const end = await this.tasks.run(
         'picture',
         async (report, signal) => {
           const draw = await fetchDraw();
           signal.throwIfAborted();
-          result = await draw(scene, settings, fileStem(this.modelLoader.title), report, signal);
+          result = await draw(scene, settings, fileStem(modelLoader.title), report, signal);
         },
         again,
       );
@@ -80,18 +73,19 @@ export class ExportActions {
 
   /** Saves the model with how it is drawn, for others to open here. */
   readonly saveDrawing = async (): Promise<void> => {
-    const { modelLoader, status } = this;
+    const { session, status } = this;
+    const { modelLoader } = session;
     const { unpacked, files } = modelLoader.shownFiles;
     if (!modelLoader.ownFiles) {
       status.say('This model is one of the page: a link to the drawing carries all of it.');
       return;
     }
-    const link = new URLSearchParams(this.currentLink());
+    const link = new URLSearchParams(session.link);
     // It comes along.
     link.delete('model');
     try {
       const { zipDrawing } = await import('./zipDrawing.js');
-      const drawing = { model: unpacked ?? files, strokes: this.ownStrokes() ?? [], link: link.toString() };
+      const drawing = { model: unpacked ?? files, strokes: session.ownStrokes ?? [], link: link.toString() };
       download(await zipDrawing(drawing), `${fileStem(modelLoader.title)}-drawing.zip`);
       status.say(
         'Saved as a ZIP: the model, its look, the view and the light. Dropped here, it is this drawing again.',
@@ -102,9 +96,10 @@ export class ExportActions {
   };
 
   readonly saveMap = async (): Promise<void> => {
-    const map = this.scene.tonalArtMap;
+    const { scene, settings } = this.session;
+    const map = scene.tonalArtMap;
     if (!map) return;
-    const { mapStyle } = this.settings;
+    const { mapStyle } = settings;
     try {
       download(await zipMap(map), `${mapStyle === 'file' ? 'map' : mapStyle}.zip`);
       this.status.say('The map is saved, as PNG in a ZIP.');
@@ -117,7 +112,7 @@ export class ExportActions {
   readonly share = async (): Promise<void> => {
     try {
       await navigator.share({ title: document.title, url: this.link });
-      if (!this.isModelInLink) this.status.say('The link is on its way. It cannot carry your own model.');
+      if (!this.session.isModelInLink) this.status.say('The link is on its way. It cannot carry your own model.');
     } catch (error) {
       // Closing the sheet is an answer, too.
       if ((error as Error).name !== 'AbortError') await this.copyLink();
@@ -125,7 +120,7 @@ export class ExportActions {
   };
 
   readonly copyLink = async (): Promise<void> => {
-    const isInAddress = this.address.write(this.currentLink(), this.address.drawing);
+    const isInAddress = this.address.write(this.session.link, this.address.drawing);
     const isCopied = await copyText(this.link);
     if (!isCopied && !isInAddress) {
       this.status.fail(
@@ -134,14 +129,10 @@ export class ExportActions {
       return;
     }
     const where = isCopied ? 'The link is on the clipboard.' : "The link is in the browser's address line.";
-    this.status.say(this.isModelInLink ? where : `${where} It cannot carry your own model.`);
+    this.status.say(this.session.isModelInLink ? where : `${where} It cannot carry your own model.`);
   };
 
   private get link(): string {
-    return new URL(`#${this.currentLink()}`, location.href).href;
-  }
-
-  private get isModelInLink(): boolean {
-    return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
+    return new URL(`#${this.session.link}`, location.href).href;
   }
 }

@@ -1,0 +1,69 @@
+import { setPageState } from '../page/setPageState.js';
+import { page } from './elements/page.js';
+import { pageForm } from './elements/pageForm.js';
+import type { DrawingOpener } from './session/DrawingOpener.js';
+import type { Session } from './session/Session.js';
+import type { Status } from './tasks/Status.js';
+import type { TaskRunner } from './tasks/TaskRunner.js';
+
+/** Shows what state the page is in: loading, ready, without a graphics context, or without anything to draw. */
+export class PageState {
+  private fetchesRest = false;
+
+  /** @param hasLights whether the lights have their handles, without which the page is not ready */
+  constructor(
+    private readonly session: Session,
+    private readonly tasks: TaskRunner,
+    private readonly opener: DrawingOpener,
+    private readonly status: Status,
+    hasLights: () => boolean,
+  ) {
+    const { scene } = session;
+    scene.onFrame(() => {
+      if (tasks.isIdle && scene.isComplete && hasLights()) setPageState('ready');
+    });
+    page.canvas.addEventListener('webglcontextlost', () => this.lose());
+    page.canvas.addEventListener('webglcontextrestored', () => this.restore());
+  }
+
+  /** To be called when the last task has ended. */
+  tasksEnded(): void {
+    this.fetchRest();
+    this.showIfFailed();
+    this.session.scene.invalidate();
+  }
+
+  /** Shows that there is nothing to draw, and nothing that could still come. */
+  showIfFailed(): void {
+    const { scene } = this.session;
+    if (this.tasks.isIdle && !this.opener.isOpening && !scene.isComplete && !scene.isLost) setPageState('failed');
+  }
+
+  /** Fetches the parts of the page that nobody has opened yet, once: when the tasks of the first drawing have ended. */
+  private fetchRest(): void {
+    // A page within another one offers little to open.
+    if (this.fetchesRest || pageForm === 'embed') return;
+    this.fetchesRest = true;
+    // Nobody waits for them: what does not come is fetched again when it is opened.
+    import('./fetchRest.js').then(({ fetchRest }) => fetchRest()).catch(() => {});
+  }
+
+  private lose(): void {
+    const { scene, mapLoader } = this.session;
+    setPageState('lost');
+    mapLoader.releaseGraphics();
+    this.status.addProblem(
+      'context',
+      scene.showsLastPicture
+        ? 'The graphics card has let go of the drawing again. This is its last picture; reload the page to go on if it stays.'
+        : 'The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.',
+    );
+  }
+
+  private restore(): void {
+    this.status.solveProblem('context', 'The drawing is back.');
+    setPageState('loading');
+    this.showIfFailed();
+    this.session.scene.invalidate();
+  }
+}

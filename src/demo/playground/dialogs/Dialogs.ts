@@ -1,0 +1,72 @@
+import { page } from '../elements/page.js';
+import type { DrawingOpener } from '../session/DrawingOpener.js';
+import type { Keeper } from '../session/Keeper.js';
+import type { Session } from '../session/Session.js';
+import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
+import type { ContactSheet } from './ContactSheet.js';
+import type { Gallery } from './Gallery.js';
+import type { KeysDialog } from './KeysDialog.js';
+import type { RecentDialog } from './RecentDialog.js';
+
+/** What opens over the drawing. The scripts for it are fetched when it is first opened. */
+export class Dialogs {
+  private readonly gallery: LaterPart<Gallery>;
+  private readonly keys: LaterPart<KeysDialog>;
+  private readonly recent: LaterPart<RecentDialog>;
+  private readonly contactSheet: LaterPart<ContactSheet>;
+
+  constructor(
+    private readonly session: Session,
+    keeper: Keeper,
+    opener: DrawingOpener,
+    parts: LaterParts,
+  ) {
+    this.gallery = parts.later(async () => {
+      const { Gallery } = await import('./Gallery.js');
+      return new Gallery(page.gallery, ({ link }) => session.useLink(link));
+    });
+    this.keys = parts.later(async () => {
+      const { KeysDialog } = await import('./KeysDialog.js');
+      return new KeysDialog();
+    });
+    this.recent = parts.later(async () => {
+      const { RecentDialog } = await import('./RecentDialog.js');
+      return new RecentDialog(keeper, (id) => void opener.openKept(id));
+    });
+    this.contactSheet = parts.later(async () => {
+      const { ContactSheet } = await import('./ContactSheet.js');
+      return new ContactSheet(page.contactSheet);
+    });
+    session.listen({
+      mapShown: () => {
+        if (this.contactSheet.present) this.fill(this.contactSheet.present);
+      },
+    });
+  }
+
+  openGallery(): void {
+    this.gallery.use((gallery) => gallery.open());
+  }
+
+  openKeys(): void {
+    this.keys.use((keys) => keys.open());
+  }
+
+  openRecent(): void {
+    this.recent.use((recent) => recent.open());
+  }
+
+  /** Shows the images of the map, also of one that nothing is drawn with. */
+  showMap(): void {
+    this.contactSheet.use((sheet) => {
+      this.fill(sheet);
+      sheet.open();
+    });
+    void this.session.mapLoader.showChosen(true);
+  }
+
+  private fill(sheet: ContactSheet): void {
+    const { scene, mapLoader } = this.session;
+    if (scene.tonalArtMap) sheet.show(scene.tonalArtMap, mapLoader.shownStyle);
+  }
+}

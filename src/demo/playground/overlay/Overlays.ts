@@ -1,0 +1,50 @@
+import { page } from '../elements/page.js';
+import type { Session } from '../session/Session.js';
+import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
+import { Comparison } from './Comparison.js';
+import type { LightHandles } from './LightHandles.js';
+import type { SheetFrame } from './SheetFrame.js';
+import { TurnHint } from './TurnHint.js';
+
+/** What lies over the drawing: the handles of the lights, the divider of a comparison, the frame of a sheet, and the hint to turn a model. */
+export class Overlays {
+  private readonly lights: LaterPart<LightHandles>;
+  private readonly sheetFrame: LaterPart<SheetFrame>;
+
+  constructor(session: Session, parts: LaterParts) {
+    const { scene, settings } = session;
+    this.lights = parts.later(async () => {
+      const { LightHandles } = await import('./LightHandles.js');
+      return new LightHandles(scene, settings, (source) => session.recordChange(source));
+    });
+    this.sheetFrame = parts.later(async () => {
+      const { SheetFrame } = await import('./SheetFrame.js');
+      return new SheetFrame(scene, settings);
+    });
+    const comparison = new Comparison(scene, settings, parts);
+    const turnHint = new TurnHint(page.turnHint, settings, () => session.recordChange());
+    session.listen({
+      applied: () => {
+        comparison.refresh();
+        turnHint.refresh();
+        this.sheetFrame.present?.refresh();
+      },
+      modelShown: () => turnHint.about(settings.model === 'file' ? scene.model?.stands : undefined),
+    });
+    scene.onFrame(() => {
+      this.lights.present?.update();
+      comparison.place();
+    });
+    this.lights.use(() => scene.invalidate());
+  }
+
+  /** Whether the lights have their handles. */
+  get hasLights(): boolean {
+    return this.lights.present !== undefined;
+  }
+
+  /** Shows the frame of the sheet that a picture will be saved on, as long as the settings ask for a sheet; or hides it. */
+  showSheet(isShown: boolean): void {
+    this.sheetFrame.use((frame) => frame.show(isShown));
+  }
+}

@@ -1,0 +1,71 @@
+import { errorMessage } from '../../files/common/errorMessage.js';
+import { wholeLook } from '../../settings/presets.js';
+import type { SettingGroup } from '../../settings/Setting.js';
+import { page } from '../elements/page.js';
+import { drawnView } from '../elements/viewSize.js';
+import type { Session } from '../session/Session.js';
+import type { Shelf } from '../shelf/Shelf.js';
+import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
+import type { Status } from '../tasks/Status.js';
+import type { MotionPanel } from './MotionPanel.js';
+import { PresetBar } from './PresetBar.js';
+import type { PanelAction, SettingsPanel } from './SettingsPanel.js';
+
+/** The card beside the drawing: presets, the user's own looks and views, the controls of the settings and those of a model that moves. */
+export class Card {
+  readonly shelf: LaterPart<Shelf>;
+  private readonly motion: LaterPart<MotionPanel>;
+  private panel: SettingsPanel | undefined;
+
+  /**
+   * @param actions what the panel has buttons for
+   * @param onFold called when a group of settings is unfolded or folded
+   */
+  constructor(
+    private readonly session: Session,
+    status: Status,
+    parts: LaterParts,
+    actions: readonly PanelAction[],
+    onFold: (group: SettingGroup, isOpen: boolean) => void,
+  ) {
+    const { scene, settings } = session;
+    const presets = new PresetBar(page.presets, settings, (name) => session.useLook(wholeLook(name)));
+    this.shelf = parts.later(async () => {
+      const { Shelf } = await import('../shelf/Shelf.js');
+      return new Shelf(scene, settings, session.views, (look) => session.useLook(look));
+    });
+    this.motion = parts.later(async () => {
+      const { MotionPanel } = await import('./MotionPanel.js');
+      return new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
+    });
+    // Fetched, because it would delay the first drawing. The shelf lies above the panel, and comes first so that nothing moves.
+    void Promise.all([import('./SettingsPanel.js'), this.shelf.fetch()]).then(
+      ([{ SettingsPanel }]) => {
+        const onChange = session.settingChanged.bind(session);
+        this.panel = new SettingsPanel(page.panel, settings, actions, onChange, () => drawnView(scene), onFold);
+      },
+      (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
+    );
+    const refreshShelf = (): void => this.shelf.present?.refresh();
+    session.listen({
+      applied: () => {
+        this.panel?.refresh();
+        presets.refresh();
+        refreshShelf();
+      },
+      moved: refreshShelf,
+      modelShown: () => this.showMotion(),
+    });
+    scene.onFrame(() => this.motion.present?.update());
+  }
+
+  /** Shows the controls of a model that moves. */
+  private showMotion(): void {
+    const { scene } = this.session;
+    if (!this.motion.present && !scene.model?.motion) return;
+    this.motion.use((panel) => {
+      panel.show(scene.model?.motion);
+      scene.invalidate();
+    });
+  }
+}

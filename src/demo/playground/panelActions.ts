@@ -1,0 +1,34 @@
+import { LIGHT_LOOKS } from '../settings/lightLooks.js';
+import { savedFormat } from '../settings/settingValues.js';
+import type { Dialogs } from './dialogs/Dialogs.js';
+import type { PanelAction } from './panel/SettingsPanel.js';
+import type { Session } from './session/Session.js';
+import type { TakeAway } from './takeAway/TakeAway.js';
+
+/** The buttons of the panel, by the group of settings that they stand in. */
+export function panelActions(
+  session: Session,
+  takeAway: TakeAway,
+  dialogs: Dialogs,
+  fillScreen: () => void,
+): readonly PanelAction[] {
+  const { scene, settings } = session;
+  const lights = Object.entries(LIGHT_LOOKS).map(
+    ([label, look]): PanelAction => ({ label, group: 'Light', run: () => session.change(look) }),
+  );
+  const fullScreen: PanelAction = { label: 'Full screen (F)', group: 'View', run: fillScreen };
+  const share: PanelAction = { label: 'Share this drawing', group: 'Picture', run: () => takeAway.run('share') };
+  return [
+    { label: 'Show the map', group: 'Drawing', run: () => dialogs.showMap() },
+    ...lights,
+    { label: 'Show the whole model', group: 'View', run: scene.view.frameForUser },
+    ...(document.fullscreenEnabled ? [fullScreen] : []),
+    { label: () => `Save ${savedFormat(settings)}`, group: 'Picture', run: () => takeAway.run('savePng') },
+    { label: 'Copy the picture', group: 'Picture', run: () => takeAway.copy() },
+    { label: 'Save with the model, as ZIP', group: 'Picture', run: () => takeAway.run('saveDrawing') },
+    ...('share' in navigator ? [share] : []),
+    { label: 'Copy a link to this drawing', group: 'Picture', run: () => takeAway.run('copyLink') },
+    { label: 'Code and embedding', group: 'Picture', run: () => takeAway.openCode() },
+    { label: 'Record a video', group: 'Video', run: () => takeAway.run('saveVideo') },
+  ];
+}

@@ -1,0 +1,222 @@
+import { EditHistory } from '../../settings/EditHistory.js';
+import type { SettingKey, Settings } from '../../settings/settings.js';
+import { readLink, writeLink } from '../../settings/shareLink.js';
+import type { HatchingScene } from '../../stage/createScene.js';
+import { MapLoader } from '../loading/MapLoader.js';
+import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
+import { SavedViews } from '../shelf/SavedViews.js';
+import type { TaskRunner } from '../tasks/TaskRunner.js';
+import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
+import { watchPresses } from './watchPresses.js';
+
+/** What a part of the page wants to be told about the session. */
+export interface SessionListener {
+  /** Called when the settings have been applied to the scene. */
+  applied?(): void;
+  /** Called when the user has moved the camera. */
+  moved?(): void;
+  /** Called when there may be other steps to undo or redo. */
+  stepped?(): void;
+  /** Called when another model is shown, before its settings are applied. */
+  modelShown?(): void;
+  /** Called when another map is drawn with. */
+  mapShown?(): void;
+}
+
+type SessionEvent = keyof SessionListener;
+
+/** Settings on which it depends which map is drawn with, or whether one is. */
+const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed', 'technique', 'compare'];
+
+/** The drawing that the user works on: its settings, its model, its map and its views, and the steps that led to it. */
+export class Session {
+  readonly modelLoader: ModelLoader;
+  readonly mapLoader: MapLoader;
+  readonly views: SavedViews;
+  private readonly history: EditHistory<DrawingState>;
+  private readonly listeners: SessionListener[] = [];
+
+  constructor(
+    readonly scene: HatchingScene,
+    readonly settings: Settings,
+    tasks: TaskRunner,
+  ) {
+    this.mapLoader = new MapLoader(
+      scene,
+      settings,
+      tasks,
+      () => this.tell('mapShown'),
+      (isRestored) => (isRestored ? this.apply() : this.recordChange()),
+      () => this.adopt(),
+    );
+    this.modelLoader = new ModelLoader(scene, settings, tasks, (end, opened) => this.modelLoaded(end, opened));
+    this.views = new SavedViews(scene, settings, () => this.recordChange());
+    this.history = new EditHistory(() => this.state, isSameState, watchPresses());
+    scene.view.onMoved = () => {
+      this.history.changed('camera');
+      this.tell('stepped');
+      this.tell('moved');
+    };
+  }
+
+  /** Listeners are called in the order in which they were added. */
+  listen(listener: SessionListener): void {
+    this.listeners.push(listener);
+  }
+
+  /** Applies the settings, as the state that nothing has led to. */
+  start(): void {
+    this.history.adopt();
+    this.apply();
+  }
+
+  // ── Changes by the user ──
+
+  /**
+   * Applies settings that the user has changed, and keeps the earlier ones for Undo.
+   *
+   * @param source see {@link EditHistory.changed}
+   */
+  recordChange(source?: string): void {
+    // Applied first: what the view does by itself belongs to the step.
+    this.apply();
+    this.history.changed(source);
+    this.tell('stepped');
+  }
+
+  /** Takes over settings that need no other map, as a step of its own. */
+  change(values: Partial<Settings>): void {
+    Object.assign(this.settings, values);
+    this.recordChange();
+  }
+
+  /** Takes over settings, as a step of its own, and loads the map that they ask for. */
+  useLook(look: Partial<Settings>): void {
+    this.change(look);
+    void this.mapLoader.showChosen();
+  }
+
+  /** To be called when the user has changed one setting with its control. */
+  settingChanged(key: SettingKey): void {
+    if (key === 'model') this.modelLoader.changeModel();
+    if (MAP_SETTINGS.includes(key)) void this.mapLoader.showChosen();
+    this.recordChange(key);
+  }
+
+  /** Shows the drawing that a link describes, as a step of its own. */
+  useLink(link: string): void {
+    this.showState({ ...readLink(link), files: undefined });
+    this.recordChange();
+  }
+
+  // ── Steps ──
+
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.history.canRedo;
+  }
+
+  undo(): void {
+    this.step(this.history.undo());
+  }
+
+  redo(): void {
+    this.step(this.history.redo());
+  }
+
+  /** Forgets all steps: the drawing that is shown is where the user begins. */
+  forgetSteps(): void {
+    this.history.clear();
+    this.tell('stepped');
+  }
+
+  private step(state: DrawingState | undefined): void {
+    if (state) this.showState(state);
+    this.apply();
+    this.tell('stepped');
+  }
+
+  // ── States ──
+
+  private get state(): DrawingState {
+    const { settings, scene, views } = this;
+    return {
+      settings: { ...settings },
+      camera: scene.view.state,
+      files: settings.model === 'file' ? this.modelLoader.ownFiles : undefined,
+      views: views.list,
+    };
+  }
+
+  /** The drawing as the text of a link. */
+  get link(): string {
+    return writeLink(this.settings, this.scene.view.ownPlace, this.modelLoader.address, this.views.list);
+  }
+
+  /** Whether a link to the drawing brings back its model. */
+  get isModelInLink(): boolean {
+    return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
+  }
+
+  /** The images of the user's own map, if it is drawn with. */
+  get ownStrokes(): MapLoader['ownFiles'] {
+    return this.settings.mapStyle === 'file' ? this.mapLoader.ownFiles : undefined;
+  }
+
+  /** Takes over settings, camera and views, and loads the model and the map that they ask for. */
+  showState(state: DrawingState): void {
+    const { settings: next, camera: place, files } = state;
+    // Files that are gone cannot be shown again.
+    const { model } = this.settings;
+    this.showLook({ ...state, settings: { ...next, ...(next.model === 'file' && !files && { model }) } });
+    const isFramed = place === undefined || place.framedFor !== undefined;
+    this.modelLoader.restore({ model: this.settings.model, files }, isFramed);
+  }
+
+  /** Takes over settings, camera and views, and loads the map that they ask for. */
+  showLook({ settings: next, camera: place, views: kept }: LookState): void {
+    const { scene, settings } = this;
+    Object.assign(settings, next);
+    this.views.list = kept;
+    void this.mapLoader.showChosen();
+    // Applied first: the model is framed together with its shadow, which depends on the lights.
+    scene.apply(settings);
+    if (place) scene.view.state = place;
+    else scene.view.frame();
+  }
+
+  private apply(): void {
+    this.scene.apply(this.settings);
+    this.tell('applied');
+  }
+
+  /** Applies settings that the page has changed by itself, which is no step. */
+  private adopt(): void {
+    this.apply();
+    this.history.adopt();
+  }
+
+  private modelLoaded(end: ModelEnd, opened: OpenedModel | undefined): void {
+    if (opened) this.takeOver(opened);
+    if (end !== 'failed') this.tell('modelShown');
+    if (end === 'opened') this.recordChange();
+    else this.adopt();
+  }
+
+  /** Draws a model with the look that came with it. Its look is checked as that of a link is; an address in it means nothing. */
+  private takeOver({ isOther, drawing }: OpenedModel): void {
+    if (isOther) this.views.list = [];
+    if (!drawing) return;
+    const { settings: next, camera, views } = readLink(drawing.link);
+    this.showLook({ settings: { ...next, model: this.settings.model }, camera, views });
+    if (drawing.strokes.length > 0)
+      void this.mapLoader.showFiles(drawing.strokes, true).then(() => this.history.adopt());
+  }
+
+  private tell(event: SessionEvent): void {
+    for (const listener of this.listeners) listener[event]?.();
+  }
+}
