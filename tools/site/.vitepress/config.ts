@@ -69,7 +69,6 @@ export default defineConfig({
         'metrics',
         'benchmarks',
         'gpu-cost',
-        'testing',
         'contributing',
         'security',
         'licences',
