@@ -1,4 +1,5 @@
-import { type Pixels, PNG_SIGNATURE } from './Pixels.js';
+import type { Pixels } from './Pixels.js';
+import { PNG_SIGNATURE } from './pngChunks.js';
 
 /** Samples per pixel of each colour type: grey, RGB, palette, grey with alpha, RGB with alpha. */
 const SAMPLES: Record<number, number> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };

@@ -14,7 +14,6 @@ import { drawExamples } from './examples.mjs';
 import { drawGallery } from './gallery.mjs';
 import { PLANS, SUBJECT_FILES } from './plans.mjs';
 import { drawShow } from './show.mjs';
-import { writePalettePng } from './writePalettePng.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const models = resolve(root, process.env.HATCH_MODELS ?? '../shared/models');
@@ -29,6 +28,7 @@ for (const name of wanted) {
 }
 
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
+const { writePalettePng } = await server.ssrLoadModule('/tools/pictures/writePalettePng.ts');
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
 try {

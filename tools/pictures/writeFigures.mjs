@@ -8,7 +8,6 @@ import { chromium } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { createServer } from 'vite';
 import { launchOptions } from '../browser/launchOptions.mjs';
-import { writePalettePng } from './writePalettePng.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const wanted = process.argv.slice(2);
@@ -16,6 +15,7 @@ const wanted = process.argv.slice(2);
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
 const { FIGURES } = await server.ssrLoadModule('/src/demo/figures/figures.ts');
 const chosen = FIGURES.filter(({ number }) => wanted.length === 0 || wanted.includes(String(number)));
+const { writePalettePng } = await server.ssrLoadModule('/tools/pictures/writePalettePng.ts');
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
 let bytes = 0;

@@ -1,6 +1,5 @@
-import { crc32 } from './crc32.js';
+import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../mapFiles/pngChunks.js';
 
-const SIGNATURE = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
 const INCHES_PER_METRE = 1 / 0.0254;
 /** Filter of a row: the difference to the row above. Flat paper becomes zeros. */
 const UP = 2;
@@ -32,26 +31,10 @@ export class PngWriter {
     private readonly write: (part: Uint8Array<ArrayBuffer>) => void,
   ) {
     this.before = new Uint8Array(width * channels);
-    write(SIGNATURE);
-    this.chunk(
-      'IHDR',
-      bytes(13, (view) => {
-        view.setUint32(0, width);
-        view.setUint32(4, height);
-        view.setUint8(8, 8);
-        view.setUint8(9, channels === 4 ? 6 : 2);
-      }),
-    );
-    this.chunk('sRGB', Uint8Array.of(0));
-    this.chunk(
-      'pHYs',
-      bytes(9, (view) => {
-        const dotsPerMetre = Math.round(dpi * INCHES_PER_METRE);
-        view.setUint32(0, dotsPerMetre);
-        view.setUint32(4, dotsPerMetre);
-        view.setUint8(8, 1);
-      }),
-    );
+    write(PNG_SIGNATURE);
+    write(pngHeader(width, height, 8, channels === 4 ? PNG_COLOR_TYPE.rgba : PNG_COLOR_TYPE.rgb));
+    write(pngChunk('sRGB', Uint8Array.of(0)));
+    write(pngChunk('pHYs', physicalSize(dpi)));
     this.output = this.writeCompressed();
     // Whoever writes rows is told; until then it is no uncaught error.
     this.output.catch(() => {});
@@ -81,7 +64,7 @@ export class PngWriter {
   async end(): Promise<void> {
     await this.input.close();
     await this.output;
-    this.chunk('IEND', new Uint8Array());
+    this.write(pngChunk('IEND'));
   }
 
   /** Stops, and frees what it holds. The file stays cut off. */
@@ -95,7 +78,7 @@ export class PngWriter {
     let parts: Uint8Array[] = [];
     let length = 0;
     const flush = (): void => {
-      if (length > 0) this.chunk('IDAT', joined(parts, length));
+      if (length > 0) this.write(pngChunk('IDAT', joined(parts, length)));
       parts = [];
       length = 0;
     };
@@ -106,20 +89,16 @@ export class PngWriter {
     }
     flush();
   }
-
-  private chunk(type: string, content: Uint8Array<ArrayBuffer>): void {
-    const name = Uint8Array.from(type, (character) => character.charCodeAt(0));
-    this.write(bytes(4, (view) => view.setUint32(0, content.length)));
-    this.write(name);
-    if (content.length > 0) this.write(content);
-    this.write(bytes(4, (view) => view.setUint32(0, crc32(name, content))));
-  }
 }
 
-function bytes(length: number, fill: (view: DataView) => void): Uint8Array<ArrayBuffer> {
-  const made = new Uint8Array(length);
-  fill(new DataView(made.buffer));
-  return made;
+/** Dots per metre in both directions. */
+function physicalSize(dpi: number): Uint8Array {
+  const view = new DataView(new ArrayBuffer(9));
+  const dotsPerMetre = Math.round(dpi * INCHES_PER_METRE);
+  view.setUint32(0, dotsPerMetre);
+  view.setUint32(4, dotsPerMetre);
+  view.setUint8(8, 1);
+  return new Uint8Array(view.buffer);
 }
 
 function joined(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {

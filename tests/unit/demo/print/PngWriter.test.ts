@@ -1,7 +1,7 @@
+import { crc32 } from 'node:zlib';
 import { PNG } from 'pngjs';
 import { describe, expect, test } from 'vitest';
 import { BlobWriter } from '../../../../src/demo/print/BlobWriter.js';
-import { crc32 } from '../../../../src/demo/print/crc32.js';
 import { PngWriter } from '../../../../src/demo/print/PngWriter.js';
 
 /** Every chunk of a PNG, its checksum checked. */
@@ -11,7 +11,7 @@ function chunksOf(file: Buffer): Map<string, Buffer> {
     const length = file.readUInt32BE(at);
     const type = file.toString('latin1', at + 4, at + 8);
     const content = file.subarray(at + 8, at + 8 + length);
-    expect(file.readUInt32BE(at + 8 + length)).toBe(crc32(file.subarray(at + 4, at + 8), content));
+    expect(file.readUInt32BE(at + 8 + length)).toBe(crc32(file.subarray(at + 4, at + 8 + length)));
     chunks.set(type, content);
     at += length + 12;
   }
@@ -19,10 +19,6 @@ function chunksOf(file: Buffer): Map<string, Buffer> {
 }
 
 describe('PngWriter', () => {
-  test('has the checksum of the standard', () => {
-    expect(crc32(Buffer.from('1234'), Buffer.from('56789'))).toBe(0xcbf43926);
-  });
-
   test.each([3, 4] as const)('writes what it was given, with %i channels, and its size in print', async (channels) => {
     const [width, height] = [37, 23];
     const pixels = Uint8Array.from({ length: width * height * channels }, (_, i) => (i * 7919) >> 3);

@@ -1,24 +1,30 @@
-import { crc32, deflateSync } from 'node:zlib';
+import { deflateSync } from 'node:zlib';
+import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../src/mapFiles/pngChunks.js';
 
-const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 /** Levels per channel to which colours are rounded before the most frequent are chosen. */
 const LEVELS = 64;
 const MAX_COLOURS = 256;
+
+interface RgbaPicture {
+  width: number;
+  height: number;
+  data: Uint8Array;
+}
 
 /**
  * Encodes a PNG with a palette of at most 256 colours. For a drawing in a few inks it looks the same as one in full
  * colour and is much smaller.
  *
- * @param {{ width: number, height: number, data: Uint8Array }} picture RGBA, opaque
- * @returns {Buffer} the file
+ * @param picture RGBA, opaque
  */
-export function writePalettePng({ width, height, data }) {
+export function writePalettePng({ width, height, data }: RgbaPicture): Buffer {
   const step = 255 / (LEVELS - 1);
-  const keyAt = (i) => {
+  const keyAt = (i: number): number => {
     const [red, green, blue] = [0, 1, 2].map((channel) => Math.round(data[i + channel] / step));
     return (red * LEVELS + green) * LEVELS + blue;
   };
-  const sums = new Map();
+  /** How many pixels are rounded to a colour, and the sums of their red, green and blue. */
+  const sums = new Map<number, number[]>();
   for (let i = 0; i < data.length; i += 4) {
     const key = keyAt(i);
     const sum = sums.get(key) ?? [0, 0, 0, 0];
@@ -43,29 +49,16 @@ export function writePalettePng({ width, height, data }) {
   const rows = Buffer.alloc((rowBytes + 1) * height);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
-      const index = nearest.get(keyAt(4 * (y * width + x)));
+      const index = nearest.get(keyAt(4 * (y * width + x)))!;
       const at = y * (rowBytes + 1) + 1 + Math.floor((x * bits) / 8);
       rows[at] |= bits === 4 && x % 2 === 0 ? index << 4 : index;
     }
   }
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(width, 0);
-  header.writeUInt32BE(height, 4);
-  header.set([bits, 3, 0, 0, 0], 8);
   return Buffer.concat([
-    Buffer.from(SIGNATURE),
-    chunk('IHDR', header),
-    chunk('PLTE', Buffer.from(palette.flat())),
-    chunk('IDAT', deflateSync(rows, { level: 9 })),
-    chunk('IEND', Buffer.alloc(0)),
+    PNG_SIGNATURE,
+    pngHeader(width, height, bits, PNG_COLOR_TYPE.palette),
+    pngChunk('PLTE', Buffer.from(palette.flat())),
+    pngChunk('IDAT', deflateSync(rows, { level: 9 })),
+    pngChunk('IEND'),
   ]);
-}
-
-function chunk(type, content) {
-  const body = Buffer.concat([Buffer.from(type), content]);
-  const frame = Buffer.alloc(body.length + 8);
-  frame.writeUInt32BE(content.length, 0);
-  body.copy(frame, 4);
-  frame.writeUInt32BE(crc32(body), body.length + 4);
-  return frame;
 }
