@@ -18,11 +18,12 @@ import {
   type MapDrawing,
   needsMap,
   scalePreset,
+  TonalArtMap,
 } from 'three-hatching';
 import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
-import { borrowMap, returnMap } from './sharedMaps.js';
+import { SharedResources } from './SharedResources.js';
 
 /** The distance of the light, in radii of the model: outside of what casts shadows. */
 const LIGHT_DISTANCE = 3;
@@ -35,9 +36,13 @@ const box = new Box3();
 const place = new Vector3();
 const before = new Vector3();
 
-/** What is drawn for a preset as its map, if it needs one. */
+/** The maps of presets, by how they are drawn: presets are frozen, so that is the same object every time. */
+const maps = new SharedResources<Readonly<MapDrawing>, TonalArtMap>();
+const DEFAULT_MAP: Readonly<MapDrawing> = {};
+
+/** How the map of a preset is drawn; null if it needs none. */
 const mapOf = ({ material, tonalArtMap }: HatchingPreset): Readonly<MapDrawing> | null =>
-  needsMap(material) ? (tonalArtMap ?? {}) : null;
+  needsMap(material) ? (tonalArtMap ?? DEFAULT_MAP) : null;
 
 /** A hatched model with its light and its viewer. It is scaled to a radius of 1 around the origin. */
 export class Drawing {
@@ -85,11 +90,11 @@ export class Drawing {
         object.castShadow = object.receiveShadow = true;
       });
       borrowed = strokes !== null;
-      const tonalArtMap = strokes && (await borrowMap(strokes));
+      const tonalArtMap = strokes && (await maps.borrow(strokes, () => TonalArtMap.generate(strokes)));
       const hatched = await applyHatching(model, { ...scalePreset(preset, pixelRatio), tonalArtMap, signal });
       return new Drawing(model, preset, hatched, pixelRatio);
     } catch (error) {
-      if (borrowed) returnMap(strokes!);
+      if (borrowed) maps.giveBack(strokes!);
       disposeModel(model);
       throw error;
     }
@@ -144,7 +149,7 @@ export class Drawing {
   dispose(): void {
     this.hatched.dispose();
     const strokes = mapOf(this.preset);
-    if (strokes) returnMap(strokes);
+    if (strokes) maps.giveBack(strokes);
     disposeModel(this.model);
     this.light.dispose();
   }

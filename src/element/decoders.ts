@@ -1,6 +1,7 @@
 import type { WebGLRenderer } from 'three';
 import type { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
+import { SharedResources } from './SharedResources.js';
 
 /** The decoders of three.js that are files in a folder of the page, by what they unpack. */
 export interface Decoders {
@@ -47,13 +48,8 @@ const RECIPES: { [Kind in keyof Decoders]: Recipe<Decoders[Kind]> } = {
   },
 };
 
-interface SharedDecoder {
-  decoder: Promise<DRACOLoader | KTX2Loader>;
-  users: number;
-}
-
 /** By kind and folder. */
-const shared = new Map<string, SharedDecoder>();
+const shared = new SharedResources<string, DRACOLoader | KTX2Loader>();
 
 /**
  * A decoder for all models that are being loaded with it. To be given back with {@link returnDecoder}, also where it failed.
@@ -67,29 +63,12 @@ export function borrowDecoder<Kind extends keyof Decoders>(
   folder: string,
   renderer: WebGLRenderer,
 ): Promise<Decoders[Kind]> {
-  const key = `${kind} ${folder}`;
-  let entry = shared.get(key);
-  if (!entry) {
-    entry = { decoder: start(RECIPES[kind], folder, renderer), users: 0 };
-    shared.set(key, entry);
-  }
-  entry.users++;
-  return entry.decoder as Promise<Decoders[Kind]>;
+  const make = (): Promise<Decoders[Kind]> => start(RECIPES[kind], folder, renderer);
+  return shared.borrow(`${kind} ${folder}`, make) as Promise<Decoders[Kind]>;
 }
 
 /** Ends the workers of a decoder when its last user gives it back. */
-export function returnDecoder(kind: keyof Decoders, folder: string): void {
-  const key = `${kind} ${folder}`;
-  const entry = shared.get(key);
-  if (!entry || --entry.users > 0) return;
-  shared.delete(key);
-  entry.decoder.then(
-    (decoder) => decoder.dispose(),
-    () => {
-      // Whoever borrowed it has heard of that.
-    },
-  );
-}
+export const returnDecoder = (kind: keyof Decoders, folder: string): void => shared.giveBack(`${kind} ${folder}`);
 
 /** Looks first whether a decoder can work here: where it cannot, it never answers. */
 async function start<Decoder>(
