@@ -2,6 +2,7 @@ import { ShaderChunk } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { STIPPLE_MAP_SIZE } from '../tam/stippleMap.js';
 import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../tam/toothMap.js';
+import { constantCase } from './constantCase.js';
 import type { HatchingProperty, HatchingTexture } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES } from './hatchingProperties.js';
 
@@ -15,8 +16,6 @@ export type VertexLayout = (typeof VERTEX_LAYOUTS)[number];
 
 const numbered = (prefix: string, names: readonly string[]) =>
   names.map((name, index) => `#define ${prefix}_${constantCase(name)} ${index}`);
-
-const constantCase = (name: string) => name.replace(/([A-Z])/g, '_$1').toUpperCase();
 
 /** The names TypeScript and GLSL share, as defines. Which of them is chosen is a define of the material. */
 export const conventionsChunk = (): string =>

@@ -52,11 +52,7 @@ export class SceneSnapshot {
 
 /** Every mesh at or below an object. */
 export function meshesOf(root: Object3D): Mesh[] {
-  const meshes: Mesh[] = [];
-  root.traverse((object) => {
-    if (isMesh(object)) meshes.push(object);
-  });
-  return meshes;
+  return root.getObjectsByProperty('isMesh', true) as Mesh[];
 }
 
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;

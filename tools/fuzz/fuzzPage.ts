@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
+import { Random } from '../../src/demo/settings/Random.js';
 import { follow, idle, ready } from '../browser/playground.js';
-import { Random } from '../Random.js';
 import { askForModel } from '../soak/askForModel.js';
 import { checkSentence, checkWords } from './checkWords.js';
 import { goodDrop } from './goodFiles.js';

@@ -2,11 +2,11 @@ import { gzipSync } from 'node:zlib';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
 import { describeBundle } from '../../src/demo/files/archives/bundle.js';
+import type { Random } from '../../src/demo/settings/Random.js';
 import { encodeDraco } from '../modelFiles/encodeDraco.js';
 import { addTrack, GltfBuilder } from '../modelFiles/GltfBuilder.js';
 import { type PlyFormat, ply } from '../modelFiles/modelWriters.js';
 import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../modelFiles/sceneWriters.js';
-import type { Random } from '../Random.js';
 
 /** A file as its writer knows it: text, bytes, or a glTF document with its data. */
 export type GoodFile =

@@ -1,6 +1,6 @@
 import type { ModelFile } from '../../src/demo/files/readModel.js';
+import type { Random } from '../../src/demo/settings/Random.js';
 import type { Json } from '../modelFiles/GltfBuilder.js';
-import type { Random } from '../Random.js';
 import type { GoodDrop, GoodFile } from './goodFiles.js';
 
 /** Values that readers stumble over. */

@@ -1,5 +1,5 @@
+import { constantCase } from '../../src/material/constantCase.js';
 import type { NumberRange } from '../../src/material/HatchingProperty.js';
-import { constantCase } from './constantCase.js';
 import { describe } from './describe.js';
 import type { NumberRow, PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';

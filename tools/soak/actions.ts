@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import type { Random } from '../../src/demo/settings/Random.js';
 import { drop, framesDrawn, idle, savePicture } from '../browser/playground.js';
 import { columnGlb } from '../modelFiles/columnModel.js';
 import {
@@ -13,7 +14,6 @@ import {
   type TestFile,
 } from '../modelFiles/modelFiles.js';
 import { partsGlb } from '../modelFiles/partsModel.js';
-import type { Random } from '../Random.js';
 import { askForModel } from './askForModel.js';
 import { LACKS, visitPoor } from './poorBrowsers.js';
 

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
+import type { Random } from '../../src/demo/settings/Random.js';
 import { idle } from '../browser/playground.js';
 import { octahedronPly } from '../modelFiles/modelFiles.js';
-import type { Random } from '../Random.js';
 
 const SITES = ['https://models.test', 'https://trusted.test:8443', 'https://xn--80ak6aa92e.test'];
 const FILES = [

@@ -1,10 +1,10 @@
 import type { Browser, Page } from '@playwright/test';
+import { Random } from '../../src/demo/settings/Random.js';
 import { countObjects } from '../browser/liveObjects.js';
 import { drop, follow, idle } from '../browser/playground.js';
 import { watchProblems } from '../browser/watchProblems.js';
 import { file } from '../modelFiles/modelFiles.js';
 import { partsGlb } from '../modelFiles/partsModel.js';
-import { Random } from '../Random.js';
 import { GOOD, MODELS, playAnimated, STYLES, TECHNIQUES } from './actions.js';
 import { askForModel } from './askForModel.js';
 import { grown, type Lap } from './judge.js';

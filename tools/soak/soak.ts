@@ -1,8 +1,8 @@
 import type { Browser, Page } from '@playwright/test';
+import { Random } from '../../src/demo/settings/Random.js';
 import { countObjects } from '../browser/liveObjects.js';
 import { follow, idle } from '../browser/playground.js';
 import { watchProblems } from '../browser/watchProblems.js';
-import { Random } from '../Random.js';
 import { ACTIONS } from './actions.js';
 import { judge, type Lap } from './judge.js';
 import { format, measure, REST, settleFigures, turnFigures } from './measure.js';

@@ -1,5 +1,6 @@
 import { PRESET_NAMES } from './presetLabels.js';
 import { presetLook, presetOf } from './presets.js';
+import { Random } from './Random.js';
 import { SETTINGS, type Settings } from './settings.js';
 
 /** Inks on papers that go together. */
@@ -18,14 +19,15 @@ const COLOURS = [
  * @param seed a whole number
  */
 export function surprise(settings: Settings, seed: number): Settings {
-  const next = random(seed);
-  const one = <Item>(items: readonly Item[]): Item => items[Math.floor(next() * items.length)];
-  const within = (low: number, high: number): number => Math.round(low + (high - low) * next());
-  const preset = one(PRESET_NAMES.filter((name) => name !== presetOf({ ...settings, boldness: 100, density: 100 })));
+  const random = new Random(Math.imul(seed, 0x9e3779b1));
+  const within = (low: number, high: number): number => Math.round(low + (high - low) * random.next());
+  const preset = random.pick(
+    PRESET_NAMES.filter((name) => name !== presetOf({ ...settings, boldness: 100, density: 100 })),
+  );
   const look = presetLook(preset);
   // White chalk stays on its board, and pencil on its paper.
-  const [ink, paper] = look.paper === SETTINGS.paper.default ? one(COLOURS) : [look.ink, look.paper];
-  const side = next() < 0.7 ? -1 : 1;
+  const [ink, paper] = look.paper === SETTINGS.paper.default ? random.pick(COLOURS) : [look.ink, look.paper];
+  const side = random.chance(0.7) ? -1 : 1;
   return {
     ...settings,
     ...look,
@@ -40,16 +42,5 @@ export function surprise(settings: Settings, seed: number): Settings {
     lightElevation: within(18, 55),
     secondLight: 'none',
     shadows: 'on',
-  };
-}
-
-/** Numbers in [0, 1), by mulberry32. */
-function random(seed: number): () => number {
-  let state = Math.imul(seed, 0x9e3779b1);
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let bits = Math.imul(state ^ (state >>> 15), 1 | state);
-    bits = (bits + Math.imul(bits ^ (bits >>> 7), 61 | bits)) ^ bits;
-    return ((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32;
   };
 }

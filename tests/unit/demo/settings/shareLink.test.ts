@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import type { CameraView } from '../../../../src/demo/settings/CameraView.js';
+import { Random } from '../../../../src/demo/settings/Random.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS } from '../../../../src/demo/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
-import { Random } from '../../../../tools/Random.js';
 
 describe('a link', () => {
   test('keeps layers and how they cross', () => {

@@ -12,9 +12,9 @@ import {
 } from 'three';
 import { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterAll, describe, expect, test } from 'vitest';
+import type { Random } from '../../../../src/demo/settings/Random.js';
 import { HATCHING_PROPERTIES } from '../../../../src/material/hatchingProperties.js';
 import { mutateBytes, mutateText, NASTY } from '../../../../tools/fuzz/mutate.js';
-import type { Random } from '../../../../tools/Random.js';
 import { consoleDuring, FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';
 
 const report: FuzzReport = {};

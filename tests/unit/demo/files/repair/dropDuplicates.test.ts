@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { PlainMesh } from '../../../../../src/demo/files/mesh/PlainMesh.js';
 import { dropDuplicates } from '../../../../../src/demo/files/repair/dropDuplicates.js';
-import { Random } from '../../../../../tools/Random.js';
+import { Random } from '../../../../../src/demo/settings/Random.js';
 
 const mesh = (positions: number[], more: Partial<PlainMesh> = {}): PlainMesh => ({
   positions: Float32Array.from(positions),
