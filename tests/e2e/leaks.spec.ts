@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { countObjects, liveObjects } from '../../tools/browser/liveObjects.js';
-import { drop, openPlayground, ready, savePicture } from '../../tools/browser/playground.js';
+import { drop, enterLink, openPlayground, ready, savePicture } from '../../tools/browser/playground.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
@@ -23,11 +23,7 @@ const idle = (page: Page) => page.waitForFunction(() => window.__playground!.isI
 
 /** Follows a link in the open page. */
 async function follow(page: Page, hash: string): Promise<void> {
-  await page.evaluate((link) => {
-    location.hash = link;
-  }, `${SMALL}&${hash}`);
-  // The event that says so comes in a task of its own.
-  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
+  await enterLink(page, `${SMALL}&${hash}`);
   await idle(page);
 }
 

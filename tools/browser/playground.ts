@@ -48,10 +48,20 @@ export async function idle(page: Page): Promise<void> {
 
 /** Follows a link in the open page. */
 export async function follow(page: Page, hash: string): Promise<void> {
-  await page.evaluate((link) => {
-    location.hash = link;
-  }, hash);
+  await enterLink(page, hash);
   await idle(page);
+}
+
+/** Pastes a link into the address, and waits until the page has been told of it: that comes in a task of its own. */
+export async function enterLink(page: Page, hash: string): Promise<void> {
+  await page.evaluate(async (link) => {
+    if (location.hash === `#${link}`) return;
+    const isTold = new Promise<void>((resolve) => {
+      addEventListener('hashchange', () => setTimeout(resolve), { once: true });
+    });
+    location.hash = link;
+    await isTold;
+  }, hash);
 }
 
 /** Drags files over the page and drops them. */
