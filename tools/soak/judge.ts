@@ -13,6 +13,8 @@ const SLACK: Record<string, number> = {
   worker: 1,
   url: 5,
   sync: 2,
+  // Of programs that are built and not drawn yet: three.js deletes them with the first frame. The ground keeps some such programs.
+  shader: 4,
   listeners: 20,
   nodes: 60,
   // Of the arrays, in megabytes.
