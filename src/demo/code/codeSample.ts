@@ -2,7 +2,7 @@ import { drawnSettings } from '../settings/drawnSettings.js';
 import { presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
 import { lightSample } from './lightSample.js';
-import { drawnWithMap, lineParameters, mapSource, materialParameters } from './lookSample.js';
+import { drawnWithMap, lineParameters, mapSource, materialParameters, shiftsStrokes } from './lookSample.js';
 import { inQuotes } from './modelSource.js';
 import { presetSample } from './presetSample.js';
 
@@ -24,10 +24,9 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined, 
 function wholeSample(settings: Settings, sceneRadius: number | undefined, name: string): string {
   const isScene = sceneRadius !== undefined;
   const material = materialParameters(settings, isScene);
-  const { offsetU, offsetV } = settings;
   const lights = lightSample(settings, sceneRadius);
   const classes = new Set(lights.classes);
-  if (offsetU !== 0 || offsetV !== 0) classes.add('Vector2');
+  if (shiftsStrokes(settings)) classes.add('Vector2');
   if (!isScene) classes.add('Mesh');
   const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
   const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;

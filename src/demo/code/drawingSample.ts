@@ -8,7 +8,7 @@ import { SHADOWS, SUN_DISTANCE } from '../stage/LightRig.js';
 import { FULL_SHEET, LEAST_STROKE_SHARE } from '../stage/strokeShare.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
-import { drawnWithMap, lineParameters, mapSource, materialParameters } from './lookSample.js';
+import { drawnWithMap, lineParameters, mapSource, materialParameters, shiftsStrokes } from './lookSample.js';
 import { modelSource } from './modelSource.js';
 import { round } from './round.js';
 
@@ -176,7 +176,7 @@ function lookPart({ model, settings }: CodeDrawing): Part {
       before += `const tonalArtMap = ${mapSource(settings)};\n`;
     }
     look = materialParameters(settings, true).map(onSheet);
-    if (settings.offsetU !== 0 || settings.offsetV !== 0) three.push('Vector2');
+    if (shiftsStrokes(settings)) three.push('Vector2');
     const lines = settings.lines === 'on' ? lineParameters(settings).map(onSheet) : undefined;
     rest = lines ? `  lines: {\n${lines.map((line) => `    ${line},\n`).join('')}  },\n` : '';
   }

@@ -1,7 +1,11 @@
-import { HATCHING_LINE_DEFAULTS, needsMap, pixelPower } from 'three-hatching';
+import { counts, HATCHING_LINE_DEFAULTS, type HatchingPropertyName, needsMap, pixelPower } from 'three-hatching';
+import { countsFor } from '../settings/effects.js';
 import { lineLook } from '../settings/lineLook.js';
+import { isSize, materialLook, TWINS, type Twin } from '../settings/materialLook.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
-import { isCrisp, looksOf, TONE_CURVES, techniqueOf } from '../settings/settingValues.js';
+import type { Setting } from '../settings/table/Setting.js';
+import { unitOf } from '../settings/table/units.js';
+import { TONE_CURVES } from '../settings/toneCurves.js';
 import { round } from './round.js';
 
 /** What makes the map of the page: from the files that it saves, or drawn. */
@@ -15,82 +19,59 @@ export function mapSource(settings: Settings): string {
 }
 
 /**
- * The parameters of the material that count, as entries of an object; its map is the variable `tonalArtMap`.
+ * The parameters of the material that count and are not at their defaults, as entries of an object; its map is the variable
+ * `tonalArtMap`.
  *
  * @param isScene whether it is for the materials of a loaded scene, which keep their colours and get their scale elsewhere
  */
 export function materialParameters(settings: Settings, isScene: boolean): string[] {
-  const rotation = { along: '0', towards: 'Math.PI / 2', angle: `(${settings.strokeAngle} / 180) * Math.PI` };
-  const { technique } = settings;
-  const material = [...(drawnWithMap(settings) ? ['tonalArtMap'] : []), `technique: '${techniqueOf(technique)}'`];
-  if (technique === 'adjacencyCrisp') material.push('crisp: true');
-  if (technique === 'anchored') {
-    material.push(`screenConstancy: ${settings.screenConstancy / 100}`, `anchorSpacing: ${settings.anchorSpacing}`);
-    if (settings.medium === 'stipple') material.push(`medium: 'stipple'`);
-    if (settings.medium === 'dry') {
-      material.push(
-        `medium: 'dry'`,
-        `tooth: ${settings.tooth / 100}`,
-        sizeSource(settings, 'toothSize'),
-        `softness: ${settings.softness / 100}`,
-        `smudge: ${settings.smudge / 100}`,
-      );
-    }
+  const look = materialLook(settings);
+  const parameters = [...(needsMap(look) ? ['tonalArtMap'] : []), `technique: '${look.technique}'`];
+  if (look.crisp) parameters.push('crisp: true');
+  const rotation = { along: '0', towards: 'Math.PI / 2', angle: inRadians(settings.strokeAngle) };
+  if (countsFor(look, 'strokeDirection')) parameters.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
+  if (shiftsStrokes(settings)) parameters.push(`strokeOffset: new Vector2(${settings.offsetU}, ${settings.offsetV})`);
+  if (settings.toneCurve !== 'linear') parameters.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
+  for (const twin of TWINS) {
+    const { key, property } = twin;
+    const { owner, libraryDefault }: Setting = SETTINGS[key];
+    if (OF_THE_MODEL.includes(property) || owner !== 'hand' || !counts(look, property)) continue;
+    // With one light there is nothing to disagree about.
+    if (property === 'strokeLayers' && settings.strokeLayers === 'lights' && settings.secondLight === 'none') continue;
+    if (isSize(twin)) parameters.push(sizeSource(settings, twin));
+    else if (settings[key] !== libraryDefault) parameters.push(`${property}: ${valueSource(settings, twin)}`);
   }
-  const crossing = [`crossFrom: ${settings.crossFrom / 100}`];
-  if (settings.crossAngle !== SETTINGS.crossAngle.default) {
-    crossing.push(`crossAngle: (${settings.crossAngle} / 180) * Math.PI`);
-  }
-  if (technique === 'engraved') {
-    material.push(
-      `screenConstancy: ${settings.screenConstancy / 100}`,
-      `lineField: '${settings.lineField}'`,
-      sizeSource(settings, 'lineSpacing'),
-      ...crossing,
-      `handmade: ${settings.handmade / 100}`,
-    );
-    if (settings.carved === 'yes') material.push('carved: true');
-  } else if (isCrisp(technique) || settings.levelRule === 'depth') {
-    material.push(sizeSource(settings, 'strokeWidth'));
-  }
-  if (isCrisp(technique)) material.push(`edgePixels: ${settings.edge}`);
-  if (settings.toneNormal !== 'auto') material.push(`toneNormal: '${settings.toneNormal}'`);
   if (!isScene) {
-    material.push(
+    parameters.push(
+      `color: '${settings.color}'`,
       `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
     );
-  }
-  if (technique !== 'engraved') {
-    material.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
-    if (settings.strokeLayers === 'tone') material.push(`strokeLayers: 'tone'`, ...crossing);
-    // With one light there is nothing to disagree about.
-    else if (settings.strokeLayers === 'lights' && settings.secondLight !== 'none')
-      material.push(`strokeLayers: 'lights'`);
-  }
-  material.push(`toneModel: '${settings.toneModel}'`);
-  const { offsetU, offsetV, creaseAngle } = settings;
-  if (offsetU !== 0 || offsetV !== 0) material.push(`strokeOffset: new Vector2(${offsetU}, ${offsetV})`);
-  if (creaseAngle !== SETTINGS.creaseAngle.default) material.push(`creaseAngle: (${creaseAngle} / 180) * Math.PI`);
-  if (settings.toneModel === 'toon') material.push(`toneSteps: ${settings.toneSteps}`);
-  if (settings.toneModel === 'phong') material.push(`shininess: ${settings.shininess}`);
-  if (settings.toneCurve !== 'linear') material.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
-  if (settings.reflectedLight > 0) material.push(`reflectedLight: ${settings.reflectedLight / 100}`);
-  if (settings.keepHighlight > 0) material.push(`keepHighlight: ${settings.keepHighlight / 100}`);
-  if (settings.levelRule !== SETTINGS.levelRule.default) material.push(`levelRule: '${settings.levelRule}'`);
-  if (settings.inkBlend !== SETTINGS.inkBlend.default) material.push(`inkBlend: '${settings.inkBlend}'`);
-  material.push(`ink: '${settings.ink}'`, `paper: '${settings.paper}'`);
-  if (!isScene) material.push(`color: '${settings.color}'`);
-  else if (settings.surfaceColors === 'paper') material.push(`color: 'white'`, 'map: null', 'vertexColors: false');
-  return material;
+  } else if (settings.surfaceColors === 'paper') parameters.push(`color: 'white'`, 'map: null', 'vertexColors: false');
+  return parameters;
 }
 
+/** Properties that materials of a loaded scene get from that. */
+const OF_THE_MODEL: readonly HatchingPropertyName[] = ['strokeScale', 'color'];
+
+/** Whether the parameters name a vector. */
+export const shiftsStrokes = (settings: Settings): boolean =>
+  countsFor(materialLook(settings), 'offsetU') && (settings.offsetU !== 0 || settings.offsetV !== 0);
+
 /** Whether the technique of the page, compared with none, is drawn with a map. */
-export const drawnWithMap = (settings: Settings): boolean => looksOf(settings, settings.technique).some(needsMap);
+export const drawnWithMap = (settings: Settings): boolean => needsMap(materialLook(settings));
+
+function valueSource(settings: Settings, { key, property }: Twin): string {
+  const value = settings[key];
+  if (typeof value === 'string') return inSource(materialLook(settings)[property]);
+  return { '%': `${value / 100}`, '°': inRadians(value) }[unitOf(property).name] ?? `${round(value)}`;
+}
+
+const inRadians = (degrees: number): string => `(${degrees} / 180) * Math.PI`;
 
 /** A size as an entry of an object: it grows with the pixels of the canvas, as far as it is measured in them. */
-function sizeSource(settings: Settings, name: 'strokeWidth' | 'lineSpacing' | 'toothSize'): string {
-  const power = pixelPower({ screenConstancy: settings.screenConstancy / 100 }, name);
-  const size = `${name}: ${round(settings[name])}`;
+function sizeSource(settings: Settings, { key, property }: Twin): string {
+  const power = pixelPower(materialLook(settings), property);
+  const size = `${property}: ${round(settings[key] as number)}`;
   if (power === 0) return size;
   return `${size} * renderer.getPixelRatio()${power === 1 ? '' : ` ** ${power}`}`;
 }

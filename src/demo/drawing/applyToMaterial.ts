@@ -1,5 +1,5 @@
-import type { Vector2 } from 'three';
-import type { HatchingMaterial } from 'three-hatching';
+import { type Color, type ColorRepresentation, Vector2 } from 'three';
+import { HATCHING_PROPERTIES, type HatchingMaterial, type HatchingPropertyName } from 'three-hatching';
 import { materialLook } from '../settings/materialLook.js';
 import type { Settings } from '../settings/settings.js';
 
@@ -14,11 +14,14 @@ export function settingsApplier(
   settings: Settings,
   technique: Settings['technique'] = settings.technique,
 ): (material: HatchingMaterial) => void {
-  const { ink: _ink, paper: _paper, color: _color, strokeOffset, ...look } = materialLook(settings, technique);
+  const look = Object.entries(materialLook(settings, technique)) as [HatchingPropertyName, unknown][];
+  const colors = look.filter(([name]) => HATCHING_PROPERTIES[name].kind === 'color');
+  const vectors = look.filter(([, value]) => value instanceof Vector2);
+  const others = Object.fromEntries(look.filter((entry) => !colors.includes(entry) && !vectors.includes(entry)));
   return (material) => {
-    Object.assign(material, look);
-    material.strokeOffset.copy(strokeOffset as Vector2);
-    for (const name of ['ink', 'paper', 'color'] as const) material[name].set(settings[name]);
+    Object.assign(material, others);
+    for (const [name, value] of vectors) (material[name] as Vector2).copy(value as Vector2);
+    for (const [name, value] of colors) (material[name] as Color).set(value as ColorRepresentation);
   };
 }
 

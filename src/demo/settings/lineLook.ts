@@ -1,4 +1,5 @@
-import { HATCHING_LINE_DEFAULTS, type HatchingLineParameters } from 'three-hatching';
+import { counts, HATCHING_LINE_DEFAULTS, type HatchingLineParameters } from 'three-hatching';
+import { techniqueOf } from './materialLook.js';
 import type { Settings } from './settings.js';
 
 /**
@@ -30,7 +31,9 @@ export function lineLook(settings: Settings, pixelRatio: number) {
     wobble: settings.lineHand * pixelRatio,
     overshoot: OVERSHOOT * Math.max(0, settings.lineHand - LIGHT_HAND) * pixelRatio,
     // Lines are drawn with what strokes are drawn with.
-    tooth: settings.medium === 'dry' && settings.technique === 'anchored' ? settings.tooth / 100 : 0,
+    tooth: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'tooth')
+      ? settings.tooth / 100
+      : 0,
     toothSize: settings.toothSize * pixelRatio,
     ink: settings.ink,
   };

@@ -1,85 +1,53 @@
 import { MathUtils, Vector2 } from 'three';
-import { HATCHING_DEFAULTS, type HatchingMaterialParameters, scaledSizes } from 'three-hatching';
-import type { Settings } from './settings.js';
-import { TONE_CURVES, techniqueOf } from './settingValues.js';
+import {
+  counts,
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingMaterialParameters,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+  pixelPower,
+  scaledSizes,
+} from 'three-hatching';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
+import type { Setting } from './table/Setting.js';
+import { unitOf } from './table/units.js';
+import { nameOfCurve, TONE_CURVES } from './toneCurves.js';
 
-/** A property of the material that one setting stands for, in another unit perhaps. */
-interface Twin<Key extends keyof Settings> {
-  property: keyof HatchingMaterialParameters;
-  toProperty(setting: Settings[Key]): unknown;
-  toSetting(property: never): unknown;
+/** A setting that is a property of the material, in another unit perhaps. */
+export interface Twin {
+  key: SettingKey;
+  property: HatchingPropertyName;
 }
 
-type NumberKey = { [Key in keyof Settings]: Settings[Key] extends number ? Key : never }[keyof Settings];
-
-const same = (property: keyof HatchingMaterialParameters): Twin<never> => ({
-  property,
-  toProperty: (setting) => setting,
-  toSetting: (value) => value,
+/** All of them, in the order of the panel. */
+export const TWINS: readonly Twin[] = SETTING_KEYS.flatMap((key) => {
+  const { property }: Setting = SETTINGS[key];
+  return property ? [{ key, property }] : [];
 });
 
-const percent = (property: keyof HatchingMaterialParameters): Twin<NumberKey> => ({
-  property,
-  toProperty: (setting) => setting / 100,
-  toSetting: (value) => rounded(100 * value),
-});
+/** Whether a property is measured in pixels of the picture, where it is sized on the screen. */
+export const isSize = ({ property }: Twin): boolean => pixelPower({ screenConstancy: 1 }, property) > 0;
 
-const degrees = (property: keyof HatchingMaterialParameters): Twin<NumberKey> => ({
-  property,
-  toProperty: MathUtils.degToRad,
-  toSetting: (value) => rounded(MathUtils.radToDeg(value)),
-});
+const SIZES = TWINS.filter(isSize);
+const OTHERS = TWINS.filter((twin) => !isSize(twin));
 
-/** So that 0.55 is 55 %, and not 55.00000000000001. */
-const rounded = (value: number): number => Number(value.toFixed(6));
+function toProperty(property: HatchingPropertyName, value: string | number): unknown {
+  if (typeof value === 'number') return unitOf(property).toProperty(value);
+  return HATCHING_PROPERTIES[property].kind === 'switch' ? value === 'yes' : value;
+}
 
-/** Settings that are one property of the material each. */
-const TWINS = {
-  screenConstancy: percent('screenConstancy'),
-  strokeScale: same('strokeScale'),
-  anchorSpacing: same('anchorSpacing'),
-  lineField: same('lineField'),
-  strokeLayers: same('strokeLayers'),
-  crossFrom: percent('crossFrom'),
-  crossAngle: degrees('crossAngle'),
-  handmade: percent('handmade'),
-  carved: {
-    property: 'carved',
-    toProperty: (setting: Settings['carved']) => setting === 'yes',
-    toSetting: (value: boolean) => (value ? 'yes' : 'no'),
-  },
-  edge: same('edgePixels'),
-  medium: same('medium'),
-  tooth: percent('tooth'),
-  softness: percent('softness'),
-  smudge: percent('smudge'),
-  levelRule: same('levelRule'),
-  occlusion: percent('occlusion'),
-  shadowStrokes: same('shadowStrokes'),
-  toneModel: same('toneModel'),
-  toneNormal: same('toneNormal'),
-  toneSteps: same('toneSteps'),
-  shininess: same('shininess'),
-  reflectedLight: percent('reflectedLight'),
-  keepHighlight: percent('keepHighlight'),
-  creaseAngle: degrees('creaseAngle'),
-  ink: same('ink'),
-  inkBlend: same('inkBlend'),
-  paper: same('paper'),
-  color: same('color'),
-  debugView: same('debugView'),
-} as const satisfies Partial<{ [Key in keyof Settings]: Twin<Key> }>;
+function toSetting(property: HatchingPropertyName, value: unknown): unknown {
+  if (typeof value === 'number') return unitOf(property).toSetting(value);
+  return typeof value === 'boolean' ? (value ? 'yes' : 'no') : value;
+}
 
-/** Those among them that are measured in pixels of the picture. */
-const SIZES = {
-  strokeWidth: same('strokeWidth'),
-  lineSpacing: same('lineSpacing'),
-  toothSize: same('toothSize'),
-} as const;
+const propertiesOf = (twins: readonly Twin[], settings: Settings): HatchingMaterialParameters =>
+  Object.fromEntries(twins.map(({ key, property }) => [property, toProperty(property, settings[key])]));
 
-const entriesOf = Object.entries as <Of extends object>(of: Of) => [keyof Of & keyof Settings, Twin<never>][];
-
-const ROTATIONS = { along: 0, towards: Math.PI / 2 } as const;
+/** The technique of the material, which has crisp strokes as a property of their own. */
+export const techniqueOf = (technique: Settings['technique']): HatchingTechnique =>
+  technique === 'adjacencyCrisp' ? 'adjacency' : technique;
 
 /**
  * What the material takes, from the settings; all but its sizes in pixels.
@@ -97,15 +65,15 @@ export function materialLook(
     strokeRotation: rotationOf(settings, technique),
     strokeOffset: new Vector2(offsetU, offsetV),
     toneCurve: TONE_CURVES[settings.toneCurve],
-    ...Object.fromEntries(
-      entriesOf(TWINS).map(([key, { property, toProperty }]) => [property, toProperty(settings[key] as never)]),
-    ),
+    ...propertiesOf(OTHERS, settings),
   };
 }
 
+const ROTATIONS = { along: 0, towards: Math.PI / 2 } as const;
+
 function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Settings['technique']): number {
-  // The page asks what cuts the lines instead.
-  if (technique === 'engraved') return 0;
+  const { yieldsTo }: Setting = SETTINGS.strokeDirection;
+  if (yieldsTo && counts({ technique: techniqueOf(technique) }, yieldsTo)) return 0;
   return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : ROTATIONS[strokeDirection];
 }
 
@@ -115,16 +83,13 @@ function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Setti
  * @param pixelRatio pixels of the picture per CSS pixel
  * @param share of the resolution that the picture is shown in, where it is drawn in a lower one for a moment
  */
-export function materialSizes(
-  { screenConstancy, strokeWidth, lineSpacing, toothSize }: Settings,
-  pixelRatio: number,
-  share = 1,
-) {
-  const sizes = { strokeWidth, lineSpacing, toothSize };
+export function materialSizes(settings: Settings, pixelRatio: number, share = 1): HatchingMaterialParameters {
+  const sizes = propertiesOf(SIZES, settings);
+  const screenConstancy = unitOf('screenConstancy').toProperty(settings.screenConstancy);
   const { finestSpacing } = HATCHING_DEFAULTS;
   return {
     ...sizes,
-    ...scaledSizes({ ...sizes, screenConstancy: screenConstancy / 100 }, pixelRatio),
+    ...scaledSizes({ ...sizes, screenConstancy }, pixelRatio),
     ...scaledSizes({ finestSpacing }, share),
   };
 }
@@ -132,15 +97,13 @@ export function materialSizes(
 /** The settings that give a material these parameters. Others stay as they are. */
 export function settingsOfMaterial(parameters: HatchingMaterialParameters): Partial<Settings> {
   const { technique, crisp, strokeRotation, strokeOffset, toneCurve } = parameters;
-  const given = entriesOf({ ...TWINS, ...SIZES }).filter(([, { property }]) => parameters[property] !== undefined);
+  const given = TWINS.filter(({ property }) => parameters[property] !== undefined);
   return {
     ...(technique && { technique: technique === 'adjacency' && crisp ? 'adjacencyCrisp' : technique }),
     ...(strokeRotation !== undefined && directionOf(strokeRotation)),
     ...(strokeOffset && { offsetU: strokeOffset.x, offsetV: strokeOffset.y }),
-    ...(toneCurve && { toneCurve: nameOf(toneCurve) }),
-    ...Object.fromEntries(
-      given.map(([key, { property, toSetting }]) => [key, toSetting(parameters[property] as never)]),
-    ),
+    ...(toneCurve && { toneCurve: nameOfCurve(toneCurve) }),
+    ...Object.fromEntries(given.map(({ key, property }) => [key, toSetting(property, parameters[property])])),
   };
 }
 
@@ -148,10 +111,5 @@ function directionOf(strokeRotation: number): Partial<Settings> {
   for (const [strokeDirection, rotation] of Object.entries(ROTATIONS)) {
     if (rotation === strokeRotation) return { strokeDirection: strokeDirection as keyof typeof ROTATIONS };
   }
-  return { strokeDirection: 'angle', strokeAngle: rounded(MathUtils.radToDeg(strokeRotation)) };
-}
-
-function nameOf(curve: NonNullable<HatchingMaterialParameters['toneCurve']>): Settings['toneCurve'] {
-  for (const [name, known] of Object.entries(TONE_CURVES)) if (known === curve) return name as Settings['toneCurve'];
-  throw new Error('materialLook: the page has no name for this tone curve; give it one in TONE_CURVES.');
+  return { strokeDirection: 'angle', strokeAngle: unitOf('strokeRotation').toSetting(strokeRotation) };
 }

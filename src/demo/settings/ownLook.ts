@@ -1,27 +1,8 @@
 import { acceptSetting } from './acceptSetting.js';
-import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
-
-/** What belongs to a drawing rather than to how it is drawn: its subject, and where its lights are. */
-const OF_THE_DRAWING: readonly SettingKey[] = [
-  'model',
-  'compare',
-  'lightKind',
-  'lightFollows',
-  'lightAzimuth',
-  'lightElevation',
-  'lightDistance',
-  'spotAngle',
-  'spotSoftness',
-  'secondLight',
-  'secondAzimuth',
-  'secondElevation',
-  'secondStrength',
-];
+import { SETTINGS, type Settings, settingsOf } from './settings.js';
 
 /** The settings that a look of one's own sets: more than a preset does, shadows and what the model stands on among them. */
-const LOOK_KEYS = SETTING_KEYS.filter(
-  (key) => !OF_THE_DRAWING.includes(key) && !['View', 'Picture', 'Video'].includes(SETTINGS[key].group),
-);
+const LOOK_KEYS = settingsOf('hand', 'scene');
 
 export type OwnLook = Partial<Settings>;
 

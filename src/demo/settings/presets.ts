@@ -2,74 +2,19 @@ import { type PresetName, presets } from 'three-hatching';
 import { settingsOfLines } from './lineLook.js';
 import { settingsOfMaterial } from './materialLook.js';
 import { PRESET_NAMES } from './presetLabels.js';
-import { defaultSettings, SETTINGS, type SettingKey, type Settings } from './settings.js';
+import { defaultSettings, SETTINGS, type Settings, settingsOf } from './settings.js';
 
-/** The settings of a preset's hand: all but the model, light and shadow, the view and the export. */
-const LOOK_KEYS = [
-  'technique',
-  'mapStyle',
-  'mapSize',
-  'mapTones',
-  'mapSeed',
-  'boldness',
-  'density',
-  'screenConstancy',
-  'strokeWidth',
-  'strokeScale',
-  'lineField',
-  'lineSpacing',
-  'strokeLayers',
-  'crossFrom',
-  'crossAngle',
-  'handmade',
-  'carved',
-  'strokeDirection',
-  'strokeAngle',
-  'anchorSpacing',
-  'edge',
-  'medium',
-  'tooth',
-  'toothSize',
-  'softness',
-  'smudge',
-  'offsetU',
-  'offsetV',
-  'toneModel',
-  'toneNormal',
-  'toneSteps',
-  'shininess',
-  'toneCurve',
-  'reflectedLight',
-  'keepHighlight',
-  'lightStrength',
-  'creaseAngle',
-  'inkBlend',
-  'levelRule',
-  'lines',
-  'lineWidth',
-  'lineContours',
-  'lineBorders',
-  'lineCreases',
-  'lineSuggestive',
-  'lineShade',
-  'lineHand',
-  'ink',
-  'paper',
-  'color',
-  'debugView',
-] as const satisfies readonly SettingKey[];
-
-type Look = Pick<Settings, (typeof LOOK_KEYS)[number]>;
+/** The settings that a preset sets. */
+const LOOK_KEYS = settingsOf('hand', 'check');
 
 /** The light that presets are made for: an intensity of π. */
 const LIGHT_STRENGTH = 100;
 
 /** All settings of a preset, also those at their default, so that nothing of the previous look remains. */
-export function presetLook(name: PresetName): Look {
+export function presetLook(name: PresetName): Partial<Settings> {
   const { material, lines, tonalArtMap } = presets[name];
-  const defaults = Object.fromEntries(LOOK_KEYS.map((key) => [key, SETTINGS[key].default])) as Look;
   return {
-    ...defaults,
+    ...Object.fromEntries(LOOK_KEYS.map((key) => [key, SETTINGS[key].default])),
     lightStrength: LIGHT_STRENGTH,
     ...settingsOfMaterial(material),
     ...settingsOfLines(lines),

@@ -1,12 +1,6 @@
 import { MathUtils } from 'three';
-import {
-  type HatchingLook,
-  type HatchingTechnique,
-  needsAdjacency,
-  needsMap,
-  type PresetName,
-  presets,
-} from 'three-hatching';
+import { type HatchingLook, needsAdjacency, needsMap } from 'three-hatching';
+import { materialLook } from './materialLook.js';
 import type { Settings } from './settings.js';
 
 /** Where a light is, seen from the centre of the model: degrees around it, degrees high, and radii away if it is no sun. */
@@ -33,49 +27,20 @@ export function placeOfSecondLight(settings: Settings): LightPlace | undefined {
   return { azimuth: MathUtils.euclideanModulo(azimuth + 180, 360) - 180, elevation: lightElevation };
 }
 
-const curveOf = (name: PresetName) => presets[name].material.toneCurve ?? 'linear';
-
-/** The curves from light to printed tone, as the material takes them. */
-export const TONE_CURVES = {
-  linear: 'linear',
-  perceptual: 'perceptual',
-  contrast: [
-    [0, 0],
-    [0.25, 0.1],
-    [0.75, 0.9],
-    [1, 1],
-  ],
-  printed: curveOf('engraving'),
-  cut: curveOf('woodcut'),
-  rubbed: curveOf('charcoal'),
-  chalked: curveOf('chalk'),
-} as const satisfies Record<Settings['toneCurve'], unknown>;
-
-/** What a technique of the page draws with; nothing for `none`. */
-export function looksOf({ medium }: Settings, ...techniques: Settings['compare'][]): HatchingLook[] {
-  const shown = techniques.filter((technique) => technique !== 'none');
-  return shown.map((technique) => ({ technique: techniqueOf(technique), medium }));
+/** The looks that the page draws: of its technique and, where another is compared with it, of that. */
+export function looksOf(settings: Settings): HatchingLook[] {
+  const { technique, compare } = settings;
+  return [technique, compare].flatMap((shown) => (shown === 'none' ? [] : [materialLook(settings, shown)]));
 }
 
-/** The technique of the material, which has crisp strokes as a property of their own. */
-export const techniqueOf = (technique: Settings['technique']): HatchingTechnique =>
-  technique === 'adjacencyCrisp' ? 'adjacency' : technique;
-
 /** Whether anything is drawn with a tonal art map, on either side of a comparison. */
-export const drawsWithMap = (settings: Settings): boolean =>
-  looksOf(settings, settings.technique, settings.compare).some(needsMap);
+export const drawsWithMap = (settings: Settings): boolean => looksOf(settings).some(needsMap);
 
 /** Whether anything is drawn that asks for a prepared geometry. */
-export const drawsWithAdjacency = (settings: Settings): boolean =>
-  looksOf(settings, settings.technique, settings.compare).some(needsAdjacency);
+export const drawsWithAdjacency = (settings: Settings): boolean => looksOf(settings).some(needsAdjacency);
 
 /** What a picture is saved as: alone, or in layers. */
 export const savedFormat = ({ pictureLayers }: Settings): 'PNG' | 'ZIP' => (pictureLayers === 'one' ? 'PNG' : 'ZIP');
-
-/** Whether a technique draws strokes of a set width in pure ink, instead of blending their greys. */
-export function isCrisp(technique: Settings['technique']): boolean {
-  return technique === 'anchored' || technique === 'adjacencyCrisp';
-}
 
 /** Rotations about x, y and z that turn an axis of the model to the top. */
 export const UPRIGHT: Readonly<Record<Settings['upAxis'], [number, number, number]>> = {

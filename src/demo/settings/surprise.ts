@@ -24,12 +24,11 @@ export function surprise(settings: Settings, seed: number): Settings {
   const preset = random.pick(
     PRESET_NAMES.filter((name) => name !== presetOf({ ...settings, boldness: 100, density: 100 })),
   );
-  const look = presetLook(preset);
+  const look = { ...settings, ...presetLook(preset) };
   // White chalk stays on its board, and pencil on its paper.
   const [ink, paper] = look.paper === SETTINGS.paper.default ? random.pick(COLOURS) : [look.ink, look.paper];
   const side = random.chance(0.7) ? -1 : 1;
   return {
-    ...settings,
     ...look,
     ink,
     paper,

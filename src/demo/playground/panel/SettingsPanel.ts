@@ -1,12 +1,13 @@
 import { type Controller, GUI } from 'lil-gui';
 import { type DrawnView, millimetresPerPixel } from '../../print/printPlan.js';
 import { drawnSettings } from '../../settings/drawnSettings.js';
-import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../../settings/Setting.js';
+import { hasEffect, presentUnit } from '../../settings/effects.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../settings/settings.js';
-import { drawsWithMap } from '../../settings/settingValues.js';
+import { looksOf } from '../../settings/settingValues.js';
+import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../../settings/table/Setting.js';
 
-/** The settings of lines, which have no effect without lines. */
-const LINE_KEYS = SETTING_KEYS.filter((key) => SETTINGS[key].group === 'Lines' && key !== 'lines');
+/** Widths that the panel also says as those of the print. */
+const PRINTED = ['strokeWidth', 'lineWidth'] as const;
 
 /** A button of the panel. */
 export interface PanelAction {
@@ -19,6 +20,7 @@ export interface PanelAction {
 /** The controls, built from the table of settings. Each has a label and a unit, and is reset by double-click. */
 export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
+  private readonly units = new Map<SettingKey, HTMLElement>();
   private readonly changingLabels: (() => void)[] = [];
   /** The widths of strokes and lines in print, if the picture is saved in the chosen size. */
   private readonly printNotes = { strokeWidth: note(''), lineWidth: note('') };
@@ -74,75 +76,37 @@ export class SettingsPanel {
 
   /** Updates the controls after the settings were changed elsewhere. Hides those that have no effect. */
   refresh(): void {
-    for (const [key, controller] of this.controllers) {
-      controller.updateDisplay();
-      const setting: Setting = SETTINGS[key];
-      if (setting.kind === 'number') sayValue(controller, setting, Number(this.settings[key]));
-    }
+    for (const controller of this.controllers.values()) controller.updateDisplay();
     for (const name of this.changingLabels) name();
     const { settings } = this;
-    const isLocal = settings.lightKind !== 'directional';
-    const techniques = [settings.technique, settings.compare];
-    const isAnchored = techniques.includes('anchored');
-    const isCrisp = isAnchored || techniques.includes('adjacencyCrisp');
-    const isEngraved = techniques.includes('engraved');
-    const hasStrokes = techniques.some((technique) => technique !== 'engraved' && technique !== 'none');
-    const isPaper = ['adjacency', 'adjacencyCrisp', 'triangle'].some((one) => (techniques as string[]).includes(one));
-    this.show('screenConstancy', isAnchored || isEngraved);
-    for (const key of ['lineField', 'lineSpacing', 'handmade', 'carved'] as const) this.show(key, isEngraved);
-    this.show('strokeLayers', hasStrokes);
-    // Dots have no direction and come from no map.
-    const isMapped = drawsWithMap(settings);
-    for (const key of ['mapStyle', 'strokeDirection'] as const) this.show(key, isMapped);
-    const isCrossing = isEngraved || (hasStrokes && settings.strokeLayers === 'tone');
-    for (const key of ['crossFrom', 'crossAngle'] as const) this.show(key, isCrossing);
-    this.show('medium', isAnchored);
-    this.show('anchorSpacing', isAnchored && isMapped);
-    const isDry = isAnchored && settings.medium === 'dry';
-    for (const key of ['tooth', 'toothSize', 'softness', 'smudge'] as const) this.show(key, isDry);
-    this.show('creaseAngle', techniques.includes('adjacency') || techniques.includes('adjacencyCrisp'));
-    this.show('strokeWidth', isCrisp || settings.levelRule === 'depth');
-    this.show('edge', isCrisp);
-    for (const key of ['offsetU', 'offsetV', 'levelRule'] as const) this.show(key, isPaper);
-    // Strokes that are sized on the screen alone have no scale on the object.
-    this.controllers
-      .get('strokeScale')!
-      .enable(
-        !(
-          settings.technique === 'anchored' &&
-          ['none', 'anchored'].includes(settings.compare) &&
-          settings.screenConstancy === 100
-        ),
-      );
-    const isSheet = Number.isNaN(Number(settings.pictureSize));
-    for (const key of ['pictureWidth', 'pictureHeight'] as const) this.show(key, settings.pictureSize === 'own');
-    this.show('pictureTurn', isSheet && settings.pictureSize !== 'own');
-    this.show('pictureDpi', isSheet);
-    this.show('pictureGround', settings.pictureLayers === 'one');
-    for (const [key, element] of Object.entries(this.printNotes)) {
-      const width =
-        drawnSettings(settings)[key as keyof typeof this.printNotes] * millimetresPerPixel(settings, this.drawnView());
-      const where = isSheet ? 'on the sheet' : 'in print, 300 dpi';
-      element.textContent = `${width.toFixed(2)} mm ${where}`;
+    const looks = looksOf(settings);
+    for (const [key, controller] of this.controllers) {
+      const isUsed = hasEffect(key, settings, looks);
+      const setting: Setting = SETTINGS[key];
+      if (setting.staysInPlace) controller.enable(isUsed);
+      else controller.show(isUsed);
+      if (setting.kind === 'number') {
+        const unit = presentUnit(key, looks);
+        this.units.get(key)!.textContent = unit;
+        sayValue(controller, setting, Number(settings[key]), unit);
+      }
     }
-    for (const key of LINE_KEYS) this.show(key, settings.lines === 'on');
-    this.show('strokeAngle', isMapped && settings.strokeDirection === 'angle');
-    this.show('toneSteps', settings.toneModel === 'toon');
-    this.show('shininess', settings.toneModel === 'phong');
-    this.show('lightDistance', isLocal);
-    for (const key of ['shadowStrokes', 'ground'] as const) this.show(key, settings.shadows === 'on');
-    this.show('secondStrength', settings.secondLight !== 'none');
-    for (const key of ['secondAzimuth', 'secondElevation'] as const) this.show(key, settings.secondLight === 'free');
-    this.show('spotAngle', settings.lightKind === 'spot');
-    this.show('spotSoftness', settings.lightKind === 'spot');
+    this.notePrintedWidths();
     for (const key of ['model', 'mapStyle'] as const) {
       this.controllers.get(key)!.domElement.querySelector<HTMLOptionElement>('option:last-child')!.hidden =
         settings[key] !== 'file';
     }
   }
 
-  private show(key: SettingKey, visible: boolean): void {
-    this.controllers.get(key)!.show(visible);
+  /** Says how wide strokes and lines are in print. */
+  private notePrintedWidths(): void {
+    const { settings } = this;
+    const millimetres = millimetresPerPixel(settings, this.drawnView());
+    const drawn = drawnSettings(settings);
+    const where = hasEffect('pictureDpi', settings) ? 'on the sheet' : 'in print, 300 dpi';
+    for (const key of PRINTED) {
+      this.printNotes[key].textContent = `${(drawn[key] * millimetres).toFixed(2)} mm ${where}`;
+    }
   }
 
   private add(gui: GUI, key: SettingKey): Controller {
@@ -159,10 +123,10 @@ export class SettingsPanel {
         const controller = gui.add(settings, key, setting.min, setting.max, setting.step);
         const unit = document.createElement('span');
         unit.className = 'unit';
-        unit.textContent = setting.unit;
+        this.units.set(key, unit);
         controller.$widget.append(unit);
         if (setting.ends) controller.$widget.append(note(...setting.ends));
-        if (key === 'strokeWidth' || key === 'lineWidth') controller.$widget.append(this.printNotes[key]);
+        if (isPrinted(key)) controller.$widget.append(this.printNotes[key]);
         return this.finish(controller, setting);
       }
     }
@@ -179,8 +143,11 @@ export class SettingsPanel {
   }
 }
 
+const isPrinted = (key: SettingKey): key is (typeof PRINTED)[number] =>
+  (PRINTED as readonly SettingKey[]).includes(key);
+
 /** Value, range and unit of a number, for who hears them: lil-gui has a plain field of text. */
-function sayValue(controller: Controller, { min, max, unit }: NumberSetting, value: number): void {
+function sayValue(controller: Controller, { min, max }: NumberSetting, value: number, unit: string): void {
   const said = {
     role: 'spinbutton',
     'aria-valuenow': value,

@@ -1,4 +1,5 @@
 import { EditHistory } from '../../settings/EditHistory.js';
+import { choosesMap } from '../../settings/effects.js';
 import type { SettingKey, Settings } from '../../settings/settings.js';
 import { readLink, writeLink } from '../../settings/shareLink.js';
 import type { HatchingScene } from '../../stage/createScene.js';
@@ -24,9 +25,6 @@ export interface SessionListener {
 }
 
 type SessionEvent = keyof SessionListener;
-
-/** Settings on which it depends which map is drawn with, or whether one is. */
-const MAP_SETTINGS: readonly SettingKey[] = ['mapStyle', 'mapSize', 'mapTones', 'mapSeed', 'technique', 'compare'];
 
 /** The drawing that the user works on: its settings, its model, its map and its views, and the steps that led to it. */
 export class Session {
@@ -99,7 +97,7 @@ export class Session {
   /** To be called when the user has changed one setting with its control. */
   settingChanged(key: SettingKey): void {
     if (key === 'model') this.modelLoader.changeModel();
-    if (MAP_SETTINGS.includes(key)) void this.mapLoader.showChosen();
+    if (choosesMap(key)) void this.mapLoader.showChosen();
     this.recordChange(key);
   }
 

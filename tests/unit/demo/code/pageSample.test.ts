@@ -77,6 +77,23 @@ describe('copied code', () => {
     parse(moduleSample(drawing({ title: 'all.zip' }, { mapStyle: 'file', lines: 'off' })));
   });
 
+  test.each<[Partial<Settings>, boolean]>([
+    [{ technique: 'engraved' }, false],
+    [{ technique: 'anchored', medium: 'stipple' }, false],
+    [{ technique: 'engraved', compare: 'adjacency' }, false],
+    [{ technique: 'anchored', medium: 'dry' }, true],
+    [{ technique: 'adjacency', medium: 'stipple' }, true],
+  ])('of a drawing loads a map only for what is drawn with one: %j', (look, isMapped) => {
+    for (const mapStyle of ['file', 'ruled'] as const) {
+      const text = moduleSample(drawing({ model: 'teapot' }, { ...look, mapStyle }));
+      parse(text);
+      expect(text.includes('map.json')).toBe(isMapped && mapStyle === 'file');
+      expect(text.includes('playground saves your map')).toBe(isMapped && mapStyle === 'file');
+      expect(/import \{[^}]*TonalArtMap/.test(text)).toBe(isMapped);
+      expect(text.includes('await TonalArtMap.')).toBe(isMapped);
+    }
+  });
+
   test('names the versions that are installed, and maps every name that it imports', () => {
     expect(IMPORT_MAP.three).toContain(`/three@${versionOf('three')}/`);
     for (const name of ['bunny', 'snowden', '@pmndrs/assets'] as const) {

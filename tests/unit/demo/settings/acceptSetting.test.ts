@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { acceptSetting } from '../../../../src/demo/settings/acceptSetting.js';
-import type { Setting } from '../../../../src/demo/settings/Setting.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey } from '../../../../src/demo/settings/settings.js';
 import { readLink } from '../../../../src/demo/settings/shareLink.js';
+import type { Setting } from '../../../../src/demo/settings/table/Setting.js';
 
 const settingOf = (key: SettingKey): Setting => SETTINGS[key];
 

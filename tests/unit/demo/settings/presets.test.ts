@@ -5,7 +5,6 @@ import { lineLook } from '../../../../src/demo/settings/lineLook.js';
 import { materialSizes } from '../../../../src/demo/settings/materialLook.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { firstView, presetLook, presetOf, wholeLook } from '../../../../src/demo/settings/presets.js';
-import type { Setting } from '../../../../src/demo/settings/Setting.js';
 import {
   defaultSettings,
   SETTING_KEYS,
@@ -14,6 +13,7 @@ import {
   type Settings,
 } from '../../../../src/demo/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
+import type { Setting } from '../../../../src/demo/settings/table/Setting.js';
 import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
 import { LINE_NUMBER_NAMES } from '../../../../src/lines/lineProperties.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';

@@ -1,0 +1,48 @@
+import { counts, HATCHING_FACTS, type HatchingLook, measureOf } from 'three-hatching';
+import { SETTINGS, type SettingKey, type Settings } from './settings.js';
+import { looksOf } from './settingValues.js';
+import type { Setting } from './table/Setting.js';
+import { UNITS } from './table/units.js';
+
+/**
+ * Whether a setting has an effect on what is drawn or saved.
+ *
+ * @param looks that are drawn
+ */
+export function hasEffect(
+  key: SettingKey,
+  settings: Settings,
+  looks: readonly HatchingLook[] = looksOf(settings),
+): boolean {
+  const { when = {} }: Setting = SETTINGS[key];
+  return (
+    Object.entries(when).every(([other, values]) => values.includes(String(settings[other as SettingKey]))) &&
+    looks.some((look) => countsFor(look, key))
+  );
+}
+
+/** Whether a setting counts for one look, as far as it is a matter of the material. */
+export function countsFor(look: HatchingLook, key: SettingKey): boolean {
+  const { property, partOf = property, yieldsTo }: Setting = SETTINGS[key];
+  if (yieldsTo && counts(look, yieldsTo)) return false;
+  return partOf === undefined || counts(look, partOf);
+}
+
+/** The unit that the number of a setting has at present; none where it is a mean of two. */
+export function presentUnit(key: SettingKey, [look]: readonly HatchingLook[]): string {
+  const setting: Setting = SETTINGS[key];
+  if (setting.kind !== 'number') return '';
+  const { property, unit } = setting;
+  if (property === undefined || !HATCHING_FACTS[property]?.measureOnScreen) return unit;
+  const measure = measureOf(look, property);
+  return measure ? UNITS[measure].name : '';
+}
+
+/** The properties that decide whether a look is drawn with a map. */
+const DECIDING = ['technique', ...[HATCHING_FACTS.tonalArtMap?.when ?? {}].flat().flatMap(Object.keys)];
+
+/** Whether a setting says which map is drawn with, or whether there is one at all. */
+export function choosesMap(key: SettingKey): boolean {
+  const { property, partOf = property }: Setting = SETTINGS[key];
+  return key === 'compare' || partOf === 'tonalArtMap' || DECIDING.includes(partOf ?? '');
+}

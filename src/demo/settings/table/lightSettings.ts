@@ -1,0 +1,110 @@
+import { choiceOf, numberOf } from './materialRows.js';
+import { inGroup, type NumberRow } from './Setting.js';
+
+/** Degrees around the model or above it. */
+const degrees = (label: string, fallback: number, most: number, added: Partial<NumberRow> = {}): NumberRow => ({
+  kind: 'number',
+  label,
+  default: fallback,
+  unit: '°',
+  min: -most,
+  max: most,
+  step: 0.1,
+  ...added,
+});
+
+const strength = (label: string, fallback: number, added: Partial<NumberRow> = {}): NumberRow => ({
+  kind: 'number',
+  label,
+  default: fallback,
+  unit: '%',
+  min: 10,
+  max: 200,
+  step: 1,
+  ...added,
+});
+
+const FREE = { secondLight: ['free'] } as const;
+const SPOT = { lightKind: ['spot'] } as const;
+const SHADOWED = { shadows: ['on'] } as const;
+
+/** The lights, and the shadows that they cast. */
+export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
+  lightStrength: strength('Strength', 115, { owner: 'hand' }),
+  lightAzimuth: degrees('Around', -54, 180),
+  lightElevation: degrees('Height', 38, 89),
+  lightFollows: {
+    kind: 'choice',
+    label: 'Stays with',
+    default: 'model',
+    choices: { model: 'The model', viewer: 'The viewer' },
+  },
+  lightDistance: {
+    kind: 'number',
+    label: 'Distance',
+    when: { lightKind: ['point', 'spot'] },
+    default: 1.8,
+    unit: 'radii',
+    min: 1.1,
+    max: 5,
+    step: 0.01,
+  },
+  spotAngle: {
+    kind: 'number',
+    label: 'Spot width',
+    when: SPOT,
+    default: 52,
+    unit: '°',
+    min: 5,
+    max: 120,
+    step: 1,
+  },
+  spotSoftness: {
+    kind: 'number',
+    label: 'Spot softness',
+    when: SPOT,
+    default: 30,
+    unit: '%',
+    min: 0,
+    max: 100,
+    step: 1,
+  },
+  reflectedLight: numberOf('reflectedLight', { label: 'Reflected', owner: 'hand', default: 43, max: 60 }),
+  occlusion: numberOf('occlusion', { label: 'Dark hollows', owner: 'scene', default: 0, step: 5 }),
+  shadows: {
+    kind: 'choice',
+    label: 'Shadows',
+    owner: 'scene',
+    default: 'off',
+    choices: { on: 'Drawn', off: 'None' },
+  },
+  shadowStrokes: choiceOf('shadowStrokes', {
+    label: 'Shadow strokes',
+    owner: 'scene',
+    when: SHADOWED,
+    choices: { tone: 'Darken strokes', cross: 'Cross strokes', reorient: 'Turn strokes' },
+  }),
+  ground: {
+    kind: 'choice',
+    label: 'Stands on',
+    owner: 'scene',
+    when: SHADOWED,
+    default: 'none',
+    choices: { none: 'Nothing', shadow: 'Its shadow', floor: 'A floor' },
+  },
+  secondLight: {
+    kind: 'choice',
+    label: 'Second sun',
+    default: 'none',
+    choices: {
+      none: 'None',
+      left: 'Left of the light',
+      right: 'Right of the light',
+      opposite: 'Opposite',
+      free: 'Where you drag it',
+    },
+  },
+  secondAzimuth: degrees('Its place around', 60, 180, { when: FREE }),
+  secondElevation: degrees('Its height', 20, 89, { when: FREE }),
+  secondStrength: strength('Its strength', 35, { when: { secondLight: ['left', 'right', 'opposite', 'free'] } }),
+});

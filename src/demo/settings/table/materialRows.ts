@@ -1,0 +1,76 @@
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingMaterialOptions,
+  type HatchingPropertyName,
+} from 'three-hatching';
+import type { ChoiceRow, ColorRow, NumberRow, SettingRow } from './Setting.js';
+import { unitOf } from './units.js';
+
+/** Properties of a kind. */
+type OfKind<Kind> = {
+  [Name in HatchingPropertyName]: (typeof HATCHING_PROPERTIES)[Name] extends { kind: Kind } ? Name : never;
+}[HatchingPropertyName];
+
+/** What the table of properties knows of every row. */
+type Known = 'kind' | 'unit' | 'property' | 'libraryDefault';
+
+/** What the page adds to a row: all that the table does not know, and what it wants otherwise. */
+type Added<Row extends SettingRow, Derived extends keyof Row = never> = Partial<Pick<Row, Derived | 'default'>> &
+  Omit<Row, Derived | 'default' | Known>;
+
+/** A number of the material. What the page does not say is that of the table of properties, in the unit of the page. */
+export function numberOf(
+  property: OfKind<'number'>,
+  { min, max, ...added }: Added<NumberRow, 'min' | 'max' | 'step'>,
+): NumberRow {
+  const { range = {} } = HATCHING_PROPERTIES[property] as { range?: { from?: number; to?: number } };
+  const { name, step, toSetting } = unitOf(property);
+  const least = min ?? (range.from === undefined ? undefined : toSetting(range.from));
+  const most = max ?? (range.to === undefined ? undefined : toSetting(range.to));
+  if (least === undefined || most === undefined) {
+    throw new Error(`numberOf: the range of ${property} has no end; give its row a min and a max.`);
+  }
+  const fallback = HATCHING_DEFAULTS[property];
+  const libraryDefault = fallback === null ? Number.NaN : toSetting(fallback);
+  return {
+    kind: 'number',
+    property,
+    unit: name,
+    step,
+    libraryDefault,
+    default: libraryDefault,
+    ...added,
+    min: least,
+    max: most,
+  };
+}
+
+/**
+ * A choice of the material, with the label of every value.
+ *
+ * @param leftOut values that the page does not offer
+ */
+export function choiceOf<
+  Name extends OfKind<'choice'>,
+  const Choices extends Readonly<Record<Exclude<HatchingMaterialOptions[Name], LeftOut>, string>>,
+  LeftOut extends string = never,
+>(
+  property: Name,
+  { leftOut: _leftOut, ...added }: Added<ChoiceRow> & { choices: Choices; leftOut?: readonly LeftOut[] },
+): ChoiceRow & { choices: Choices } {
+  const libraryDefault = 'auto' in added.choices ? 'auto' : HATCHING_DEFAULTS[property];
+  return { kind: 'choice', property, libraryDefault, default: libraryDefault, ...added };
+}
+
+/** On or off, each with its label. */
+export const switchOf = <const Choices extends Readonly<Record<'no' | 'yes', string>>>(
+  property: OfKind<'switch'>,
+  added: Added<ChoiceRow> & { choices: Choices },
+): ChoiceRow & { choices: Choices } => ({ kind: 'choice', property, libraryDefault: 'no', default: 'no', ...added });
+
+/** A colour of the material. */
+export function colorOf(property: OfKind<'color'>, added: Added<ColorRow>): ColorRow {
+  const libraryDefault = `#${HATCHING_DEFAULTS[property].toString(16).padStart(6, '0')}`;
+  return { kind: 'color', property, libraryDefault, default: libraryDefault, ...added };
+}

@@ -1,0 +1,132 @@
+import { choiceOf } from './materialRows.js';
+import { inGroup } from './Setting.js';
+
+/** What is looked at. */
+export const VIEW_SETTINGS = inGroup('View', 'subject', {
+  upAxis: {
+    kind: 'choice',
+    label: 'Upright',
+    default: 'y',
+    choices: { y: 'Y up', z: 'Z up', x: 'X up', '-y': 'Y down', '-z': 'Z down', '-x': 'X down' },
+  },
+  debugView: choiceOf('debugView', {
+    label: 'Show',
+    owner: 'check',
+    choices: { none: 'The drawing', blendFactors: 'Blend factors', tone: 'Tone', frames: 'Frames' },
+  }),
+});
+
+/** Sheets of paper by name. */
+const PAPER = { a6: 'A6 sheet', a5: 'A5 sheet', a4: 'A4 sheet', a3: 'A3 sheet', a2: 'A2 sheet' } as const;
+const PAPER_SIZES = Object.keys(PAPER);
+const OWN_SHEET = { pictureSize: ['own'] };
+
+/** The picture that is saved. */
+export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
+  pictureSize: {
+    kind: 'choice',
+    label: 'Size',
+    default: '1',
+    choices: {
+      1: 'As on the page',
+      2: 'Twice the page',
+      4: 'Four times the page',
+      ...PAPER,
+      own: 'A sheet of your own',
+    },
+  },
+  pictureWidth: {
+    kind: 'number',
+    label: 'Sheet width',
+    when: OWN_SHEET,
+    default: 200,
+    unit: 'mm',
+    min: 20,
+    max: 600,
+    step: 1,
+  },
+  pictureHeight: {
+    kind: 'number',
+    label: 'Sheet height',
+    when: OWN_SHEET,
+    default: 200,
+    unit: 'mm',
+    min: 20,
+    max: 600,
+    step: 1,
+  },
+  pictureTurn: {
+    kind: 'choice',
+    label: 'Turned',
+    when: { pictureSize: PAPER_SIZES },
+    default: 'suited',
+    choices: { suited: 'As suits the model', portrait: 'Portrait', landscape: 'Landscape' },
+  },
+  pictureDpi: {
+    kind: 'choice',
+    label: 'Fineness',
+    when: { pictureSize: [...PAPER_SIZES, 'own'] },
+    default: '300',
+    choices: { 150: '150 dpi', 300: '300 dpi', 600: '600 dpi', 1200: '1,200 dpi' },
+  },
+  pictureCrop: {
+    kind: 'choice',
+    label: 'Cut to',
+    default: 'sheet',
+    choices: { sheet: 'The sheet', drawing: 'The drawing' },
+  },
+  pictureLayers: {
+    kind: 'choice',
+    label: 'Layers',
+    default: 'one',
+    choices: { one: 'One picture', apart: 'Apart, in a ZIP' },
+  },
+  pictureGround: {
+    kind: 'choice',
+    label: 'Ground',
+    when: { pictureLayers: ['one'] },
+    default: 'paper',
+    choices: { paper: 'Paper', transparent: 'Transparent', strokes: 'Transparent, strokes alone' },
+  },
+});
+
+/** The video that is saved. */
+export const VIDEO_SETTINGS = inGroup('Video', 'output', {
+  videoMotion: {
+    kind: 'choice',
+    label: 'Motion',
+    default: 'turn',
+    choices: {
+      turn: 'The model turns',
+      sweep: 'The light goes around',
+      swing: 'The light swings',
+      clip: 'The model’s own',
+    },
+  },
+  videoSize: {
+    kind: 'choice',
+    label: 'Frame',
+    default: '1920x1080',
+    choices: {
+      page: 'As on the page',
+      '1280x720': '1,280 × 720 px',
+      '1920x1080': '1,920 × 1,080 px',
+      '3840x2160': '3,840 × 2,160 px',
+      '1080x1080': '1,080 × 1,080 px',
+      '1080x1920': '1,080 × 1,920 px',
+    },
+  },
+  videoSeconds: { kind: 'number', label: 'Length', default: 6, unit: 's', min: 1, max: 30, step: 1 },
+  videoRate: {
+    kind: 'choice',
+    label: 'Frames',
+    default: '30',
+    choices: { 12: '12 a second', 24: '24 a second', 30: '30 a second', 60: '60 a second' },
+  },
+  videoForm: {
+    kind: 'choice',
+    label: 'Saved as',
+    default: 'video',
+    choices: { video: 'A video', frames: 'Pictures, in a ZIP' },
+  },
+});

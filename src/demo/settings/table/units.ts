@@ -1,0 +1,55 @@
+import { MathUtils } from 'three';
+import { HATCHING_FACTS, type HatchingMeasure, type HatchingPropertyName } from 'three-hatching';
+
+/** How the page shows a number of the material. */
+export interface Unit {
+  name: string;
+  /** Of controls, where they are given none of their own. */
+  step: number;
+  toProperty(setting: number): number;
+  toSetting(property: number): number;
+}
+
+/** So that 0.55 is 55 %, and not 55.00000000000001. */
+const rounded = (value: number): number => Number(value.toFixed(6));
+
+const asIs = (name: string, step: number): Unit => ({
+  name,
+  step,
+  toProperty: (setting) => setting,
+  toSetting: (value) => value,
+});
+
+const PERCENT: Unit = {
+  name: '%',
+  step: 1,
+  toProperty: (setting) => setting / 100,
+  toSetting: (value) => rounded(100 * value),
+};
+
+/** By what a number of the material measures. */
+export const UNITS: Readonly<Record<HatchingMeasure, Unit>> = {
+  pixels: asIs('px', 0.1),
+  gridPixels: asIs('px', 0.1),
+  radians: {
+    name: '°',
+    step: 1,
+    toProperty: MathUtils.degToRad,
+    toSetting: (value) => rounded(MathUtils.radToDeg(value)),
+  },
+  tiles: asIs('tiles', 0.01),
+  tileParts: asIs('/256 tile', 0.1),
+  tilesPerUnit: asIs('tiles', 0.1),
+  share: PERCENT,
+  tone: PERCENT,
+  factor: asIs('', 0.1),
+  count: asIs('', 1),
+  exponent: asIs('', 1),
+};
+
+/** The unit of a number of the material. One that is measured in pixels as far as it is sized on the screen is shown in these. */
+export function unitOf(property: HatchingPropertyName): Unit {
+  const { measure, measureOnScreen = measure } = HATCHING_FACTS[property] ?? {};
+  if (measureOnScreen === undefined) throw new Error(`unitOf: ${property} is no number.`);
+  return UNITS[measureOnScreen];
+}
