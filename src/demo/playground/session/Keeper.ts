@@ -64,15 +64,17 @@ export class Keeper {
     });
   }
 
-  /** Keeps a thumbnail of the drawing that is shown. */
-  pictured(picture: string): void {
+  /** Keeps a thumbnail of the drawing that is shown now, also if the page shows another one by the time the thumbnail is there. */
+  pictured(pending: Promise<string>): void {
     const { id } = this;
     if (id === undefined) return;
     // Where it cannot be kept, neither could the drawing, and that was said.
-    this.queue = this.queue
-      .then(() => this.drawings)
-      .then((drawings) => drawings.update({ id, picture }))
-      .catch(() => {});
+    void pending.then((picture) => {
+      this.queue = this.queue
+        .then(() => this.drawings)
+        .then((drawings) => drawings.update({ id, picture }))
+        .catch(() => {});
+    });
   }
 
   /**

@@ -1,5 +1,6 @@
-import { thumbnailOf } from '../../kept/thumbnailOf.js';
+import { thumbnailWhen } from '../../kept/thumbnailOf.js';
 import type { HatchingScene } from '../../stage/createScene.js';
+import { whenDrawn } from '../../stage/whenDrawn.js';
 
 /** Takes a thumbnail of a drawing when it has come to rest and is drawn whole. */
 export class KeptPicture {
@@ -9,7 +10,8 @@ export class KeptPicture {
     private readonly scene: HatchingScene,
     /** Whether nothing is being done that changes the drawing. */
     private readonly isSettled: () => boolean,
-    private readonly take: (picture: string) => void,
+    /** Called in the task of a frame, with what is read of it later. */
+    private readonly take: (picture: Promise<string>) => void,
   ) {}
 
   want(): void {
@@ -21,7 +23,8 @@ export class KeptPicture {
   frameDrawn(): void {
     if (!this.isWanted || !this.isAtRest) return;
     this.isWanted = false;
-    this.take(thumbnailOf(this.scene.canvas));
+    const { renderer, canvas } = this.scene;
+    this.take(thumbnailWhen(whenDrawn(renderer.getContext() as WebGL2RenderingContext), canvas));
   }
 
   /** If not, another frame follows: a whole one after a sketch, a fine one after a coarse one, and one with what a task brings. */

@@ -1,0 +1,23 @@
+const POLL_MILLISECONDS = 10;
+
+/**
+ * Resolves when the graphics card has drawn everything that it was asked for so far, or the context was lost. Whoever reads pixels
+ * earlier blocks the page until then.
+ */
+export function whenDrawn(gl: WebGL2RenderingContext): Promise<void> {
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  // Without it, the fence might wait for the commands of the next frame.
+  gl.flush();
+  return new Promise((resolve) => {
+    const poll = (): void => {
+      // A fence is none any more when its context was lost, also when that has come back meanwhile.
+      if (fence && gl.isSync(fence) && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+        setTimeout(poll, POLL_MILLISECONDS);
+        return;
+      }
+      gl.deleteSync(fence);
+      resolve();
+    };
+    setTimeout(poll, POLL_MILLISECONDS);
+  });
+}

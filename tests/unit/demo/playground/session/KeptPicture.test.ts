@@ -1,0 +1,55 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { KeptPicture } from '../../../../../src/demo/playground/session/KeptPicture.js';
+import { fakeFences } from '../../stage/fakeFences.js';
+
+const PICTURE = 'data:image/webp;base64,AA==';
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+/** A drawing at rest, on a graphics card that has not drawn it yet, and what is read of it. */
+function createPicture() {
+  const gl = fakeFences();
+  const toDataURL = vi.fn(() => PICTURE);
+  const drawImage = vi.fn();
+  vi.stubGlobal('document', { createElement: () => ({ toDataURL, getContext: () => ({ drawImage }) }) });
+  const scene = {
+    ...{ isComplete: true, isWaiting: false, isCoarse: false, isStandIn: false },
+    ...{ canvas: { width: 300, height: 200 }, renderer: { getContext: () => gl.context }, redraw: () => true },
+  };
+  const taken: string[] = [];
+  const picture = new KeptPicture(
+    scene as never,
+    () => true,
+    (pending) => void pending.then((address) => taken.push(address)),
+  );
+  return { gl, scene, toDataURL, drawImage, taken, picture };
+}
+
+test('the drawing is copied in the task of its frame, and read only when the graphics card has drawn it', async () => {
+  const { gl, toDataURL, drawImage, taken, picture } = createPicture();
+  picture.want();
+  expect(drawImage).toHaveBeenCalledTimes(1);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect([toDataURL.mock.calls.length, taken]).toEqual([0, []]);
+  gl.finish();
+  await vi.advanceTimersByTimeAsync(1000);
+  expect([toDataURL.mock.calls.length, taken]).toEqual([1, [PICTURE]]);
+});
+
+test('what is not at rest yet waits for a later frame, and is read once', async () => {
+  const { gl, scene, drawImage, taken, picture } = createPicture();
+  gl.finish();
+  scene.isCoarse = true;
+  picture.want();
+  picture.frameDrawn();
+  expect(drawImage).not.toHaveBeenCalled();
+  scene.isCoarse = false;
+  picture.frameDrawn();
+  picture.frameDrawn();
+  await vi.advanceTimersByTimeAsync(1000);
+  expect([drawImage.mock.calls.length, taken]).toEqual([1, [PICTURE]]);
+});
