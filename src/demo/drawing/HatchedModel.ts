@@ -188,8 +188,9 @@ export class HatchedModel {
     for (const entry of this.meshes) entry.mesh.material = entry[kind];
   }
 
-  /** As {@link releaseGraphics} for what its meshes do not show at the moment: the materials compared with, and pictures. */
-  releaseMaterials(): void {
+  /** As the function {@link releaseGraphics}; also for what its meshes do not show at the moment: materials compared with, and pictures. */
+  releaseGraphics(): void {
+    releaseGraphics(this.root);
     for (const { surface, ...pair } of this.pairs) {
       for (const material of bothOf(pair)) releaseMaterial(material);
       surface.map?.dispose();

@@ -18,9 +18,9 @@ export class PageState {
     private readonly status: Status,
     hasLights: () => boolean,
   ) {
-    const { scene } = session;
-    scene.onFrame(() => {
-      if (tasks.isIdle && scene.isComplete && hasLights()) setPageState('ready');
+    const { stage } = session;
+    stage.frames.onFrame(() => {
+      if (tasks.isIdle && stage.isComplete && hasLights()) setPageState('ready');
     });
     page.canvas.addEventListener('webglcontextlost', () => this.lose());
     page.canvas.addEventListener('webglcontextrestored', () => this.restore());
@@ -30,13 +30,13 @@ export class PageState {
   tasksEnded(): void {
     this.fetchRest();
     this.showIfFailed();
-    this.session.scene.invalidate();
+    this.session.stage.frames.invalidate();
   }
 
   /** Shows that there is nothing to draw, and nothing that could still come. */
   showIfFailed(): void {
-    const { scene } = this.session;
-    if (this.tasks.isIdle && !this.opener.isOpening && !scene.isComplete && !scene.isLost) setPageState('failed');
+    const { stage } = this.session;
+    if (this.tasks.isIdle && !this.opener.isOpening && !stage.isComplete && !stage.isLost) setPageState('failed');
   }
 
   /** Fetches the parts of the page that nobody has opened yet, once: when the tasks of the first drawing have ended. */
@@ -49,12 +49,12 @@ export class PageState {
   }
 
   private lose(): void {
-    const { scene, mapLoader } = this.session;
+    const { stage, mapLoader } = this.session;
     setPageState('lost');
     mapLoader.releaseGraphics();
     this.status.addProblem(
       'context',
-      scene.showsLastPicture
+      stage.showsLastPicture
         ? 'The graphics card has let go of the drawing again. This is its last picture; reload the page to go on if it stays.'
         : 'The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.',
     );
@@ -64,6 +64,6 @@ export class PageState {
     this.status.solveProblem('context', 'The drawing is back.');
     setPageState('loading');
     this.showIfFailed();
-    this.session.scene.invalidate();
+    this.session.stage.frames.invalidate();
   }
 }

@@ -1,7 +1,8 @@
 import type { Settings } from '../settings/settings.js';
 import { savedFormat } from '../settings/settingValues.js';
 import { type LinkedDrawing, readLink } from '../settings/shareLink.js';
-import { createScene, type HatchingScene } from '../stage/createScene.js';
+import type { FrameQuality } from '../stage/FrameQuality.js';
+import { Stage } from '../stage/Stage.js';
 import { connectPage } from './connectPage.js';
 import { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
@@ -37,17 +38,17 @@ declare global {
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const address = new PageAddress();
   const linked = readLink(address.read());
-  const scene = createScene(page.canvas, context, page.viewport);
+  const stage = new Stage(page.canvas, context, page.viewport);
   const parts = new LaterParts(status);
   const tasks = new TaskRunner(status, {
-    hasDrawing: () => scene.isComplete,
+    hasDrawing: () => stage.isComplete,
     onIdle: () => state.tasksEnded(),
   });
-  const session = new Session(scene, linked.settings, tasks);
+  const session = new Session(stage, linked.settings, tasks);
   session.views.list = linked.views;
   const keeper = new Keeper(address, status, () => void showRecent(keeper));
   const opener = new DrawingOpener(session, address, keeper, status);
-  const occlusion = new OcclusionLoader(scene, session.settings, tasks);
+  const occlusion = new OcclusionLoader(stage, session.settings, tasks);
   session.listen({ applied: () => occlusion.update() });
 
   // What the page shows.
@@ -63,9 +64,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   });
   session.listen({ applied: () => showSettings(session.settings) });
   const state = new PageState(session, tasks, opener, status, () => overlays.hasLights);
-  scene.onFrameTime(() => {
+  stage.quality.onMeasured(() => {
     occlusion.update();
-    showFrameTime(scene);
+    showFrameTime(stage.quality);
   });
 
   connectPage({ session, card, dialogs, takeAway, parts, status, fillScreen });
@@ -77,10 +78,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   };
   if (pageForm === 'kiosk') parts.whenFetched(import('./Kiosk.js'), ({ Kiosk }) => new Kiosk(opener.follow));
   // The wheel scrolls the page around it, until somebody has turned to the drawing.
-  if (pageForm === 'embed') scene.view.zoomsWhenFocused(page.canvas);
+  if (pageForm === 'embed') stage.view.zoomsWhenFocused(page.canvas);
   const isIdle = (): boolean =>
-    tasks.isIdle && !scene.isWaiting && !occlusion.isAwaited && !parts.isFetching && !opener.isOpening;
-  showToTests(scene, isIdle);
+    tasks.isIdle && !stage.frames.isWaiting && !occlusion.isAwaited && !parts.isFetching && !opener.isOpening;
+  showToTests(stage, isIdle);
   if (pageForm === 'playground') void showRecent(keeper);
   openFirst(linked, session, opener, pageForm === 'playground' ? address.drawing : undefined);
 }
@@ -102,13 +103,13 @@ function keepDrawing({
   opener: DrawingOpener;
   tasks: TaskRunner;
 }): AddressWriter {
-  const { scene } = session;
+  const { stage } = session;
   const keptPicture = new KeptPicture(
-    scene,
+    stage,
     () => tasks.isIdle && !opener.isOpening,
     (picture) => keeper.pictured(picture),
   );
-  scene.onFrame(() => keptPicture.frameDrawn());
+  stage.frames.onFrame(() => keptPicture.frameDrawn());
   return new AddressWriter(session, address, keeper, keptPicture, () => opener.isOpening);
 }
 
@@ -119,8 +120,8 @@ function openFirst(
   opener: DrawingOpener,
   kept: string | undefined,
 ): void {
-  const { scene, modelLoader, mapLoader } = session;
-  if (camera) scene.view.place = camera;
+  const { stage, modelLoader, mapLoader } = session;
+  if (camera) stage.view.place = camera;
   session.start();
   if (kept !== undefined) {
     void opener.openKept(kept).then(() => session.forgetSteps());
@@ -139,8 +140,8 @@ function showSettings(settings: Settings): void {
   page.savePng.setAttribute('aria-label', `Save ${savedFormat(settings)}`);
 }
 
-function showFrameTime({ frameMilliseconds, isCoarse }: HatchingScene): void {
-  const time = `${frameMilliseconds?.toFixed(0)} ms a frame`;
+function showFrameTime({ milliseconds, isCoarse }: FrameQuality): void {
+  const time = `${milliseconds?.toFixed(0)} ms a frame`;
   page.frameTime.textContent = isCoarse
     ? `${time}; half the resolution while it moves, because this machine is slow`
     : time;
@@ -151,11 +152,11 @@ async function showRecent(keeper: Keeper): Promise<void> {
   page.recent.hidden = (await keeper.list()).length === 0;
 }
 
-function showToTests(scene: HatchingScene, isIdle: () => boolean): void {
+function showToTests(stage: Stage, isIdle: () => boolean): void {
   Object.defineProperty(window, '__playground', {
     value: {
       get framesDrawn() {
-        return scene.framesDrawn;
+        return stage.frames.count;
       },
       get isIdle() {
         return isIdle();

@@ -12,7 +12,7 @@ export function panelActions(
   dialogs: Dialogs,
   fillScreen: () => void,
 ): readonly PanelAction[] {
-  const { scene, settings } = session;
+  const { stage, settings } = session;
   const lights = Object.entries(LIGHT_LOOKS).map(
     ([label, look]): PanelAction => ({ label, group: 'Light', run: () => session.change(look) }),
   );
@@ -21,7 +21,7 @@ export function panelActions(
   return [
     { label: 'Show the map', group: 'Drawing', run: () => dialogs.showMap() },
     ...lights,
-    { label: 'Show the whole model', group: 'View', run: scene.view.frameForUser },
+    { label: 'Show the whole model', group: 'View', run: stage.view.frameForUser },
     ...(document.fullscreenEnabled ? [fullScreen] : []),
     { label: () => `Save ${savedFormat(settings)}`, group: 'Picture', run: () => takeAway.run('savePng') },
     { label: 'Copy the picture', group: 'Picture', run: () => takeAway.copy() },

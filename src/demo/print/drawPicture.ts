@@ -1,4 +1,4 @@
-import type { HatchingScene, PictureLook } from '../stage/createScene.js';
+import type { PictureLook, PictureSession } from '../stage/PictureSession.js';
 import { BlobWriter } from './BlobWriter.js';
 import { PngWriter } from './PngWriter.js';
 import { type Bounds, coarsePlan, cutPlan, type PrintPlan } from './printPlan.js';
@@ -19,12 +19,12 @@ export interface DrawOptions {
 
 /**
  * Draws the view as PNG, in tiles. Rows are packed as they come, so that a picture of any size takes a few dozen megabytes. The
- * scene must be held meanwhile.
+ * session must hold the frames of the page meanwhile.
  *
  * @throws Error with a sentence for the user
  */
 export async function drawPicture(
-  scene: HatchingScene,
+  session: PictureSession,
   plan: PrintPlan,
   look: PictureLook,
   options: DrawOptions,
@@ -34,7 +34,7 @@ export async function drawPicture(
   const blob = new BlobWriter();
   const png = new PngWriter({ width, height, channels, dpi }, blob.write);
   try {
-    await drawBands(scene, plan, look, options, (band) => png.rows(channels === 4 ? band : withoutAlpha(band)));
+    await drawBands(session, plan, look, options, (band) => png.rows(channels === 4 ? band : withoutAlpha(band)));
     await png.end();
   } catch (error) {
     await png.abort();
@@ -48,12 +48,12 @@ export async function drawPicture(
  *
  * @throws Error with a sentence for the user, if nothing is drawn
  */
-export async function cutToDrawing(scene: HatchingScene, plan: PrintPlan, signal: AbortSignal): Promise<PrintPlan> {
+export async function cutToDrawing(session: PictureSession, plan: PrintPlan, signal: AbortSignal): Promise<PrintPlan> {
   const coarse = coarsePlan(plan, COARSE);
   const { width, height } = coarse;
   const bounds: Bounds = { left: width, top: height, right: 0, bottom: 0 };
   let y = 0;
-  await drawBands(scene, coarse, { ground: 'transparent' }, { signal, onProgress: () => {} }, async (band) => {
+  await drawBands(session, coarse, { ground: 'transparent' }, { signal, onProgress: () => {} }, async (band) => {
     for (let i = 3; i < band.length; i += 4) {
       if (band[i] === 0) continue;
       const pixel = (i - 3) / 4;
@@ -76,7 +76,7 @@ export async function cutToDrawing(scene: HatchingScene, plan: PrintPlan, signal
 
 /** Draws tile by tile, and hands on bands of whole rows from the top, as RGBA whose colours are not multiplied with alpha. */
 async function drawBands(
-  scene: HatchingScene,
+  session: PictureSession,
   plan: PrintPlan,
   look: PictureLook,
   { signal, onProgress }: DrawOptions,
@@ -88,7 +88,7 @@ async function drawBands(
   const tileWidth = Math.min(width, TILE_SIZE);
   const band = new Uint8Array(4 * width * bandHeight);
   const pixels = new Uint8Array(4 * tileWidth * bandHeight);
-  scene.beginPicture(look);
+  session.begin(look);
   try {
     for (let y = 0, rows = 0; y < height; y += rows) {
       // What is below it is even, too.
@@ -98,7 +98,7 @@ async function drawBands(
         await new Promise((resolve) => setTimeout(resolve));
         signal.throwIfAborted();
         const columns = Math.min(tileWidth, width - x);
-        scene.readTile(plan, { x, y, width: columns, height: rows }, pixels);
+        session.readTile(plan, { x, y, width: columns, height: rows }, pixels);
         copyTile(pixels, columns, rows, band, x, width);
         onProgress((y + (rows * (x + columns)) / width) / height);
       }
@@ -106,7 +106,7 @@ async function drawBands(
       signal.throwIfAborted();
     }
   } finally {
-    scene.endPicture();
+    session.end();
   }
 }
 

@@ -47,9 +47,4 @@ export class CrossFade {
     this.copy.hidden = true;
     Object.assign(this.copy, { width: 0, height: 0 });
   }
-
-  dispose(): void {
-    for (const animation of this.copy.getAnimations()) animation.cancel();
-    this.copy.remove();
-  }
 }

@@ -16,10 +16,6 @@ export class FrameScheduler {
     return this.request !== 0;
   }
 
-  dispose(): void {
-    cancelAnimationFrame(this.request);
-  }
-
   private readonly onFrame = (): void => {
     this.request = 0;
     this.frames++;

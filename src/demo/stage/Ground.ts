@@ -113,10 +113,4 @@ export class Ground {
     this.holder.add(mesh);
     this.onReady();
   }
-
-  dispose(): void {
-    for (const child of this.holder.children) (child as Mesh).geometry.dispose();
-    this.holder.removeFromParent();
-    this.material.dispose();
-  }
 }

@@ -64,11 +64,6 @@ export class LastPicture {
     this.drawing.classList.remove('is-lost');
   }
 
-  dispose(): void {
-    this.stop();
-    this.copy.remove();
-  }
-
   private stop(): void {
     clearTimeout(this.timer);
     this.timer = undefined;

@@ -10,16 +10,12 @@ const ZOOM = 1.1;
  */
 export class OrbitKeys {
   constructor(
-    private readonly element: HTMLElement,
+    element: HTMLElement,
     private readonly camera: PerspectiveCamera,
     private readonly controls: OrbitControls,
     private readonly frameModel: () => void,
   ) {
     element.addEventListener('keydown', this.onKey);
-  }
-
-  dispose(): void {
-    this.element.removeEventListener('keydown', this.onKey);
   }
 
   private readonly onKey = (event: KeyboardEvent): void => {

@@ -27,7 +27,6 @@ export class View {
   proportion = 1;
   /** Called when the user has moved the camera. */
   onMoved: () => void = () => {};
-  private readonly keys: OrbitKeys;
   /** Whether the camera is where {@link frame} put it. If so, it is placed again when the viewport changes its size. */
   private hasFramed = true;
   private frames = 0;
@@ -55,7 +54,7 @@ export class View {
     this.controls.addEventListener('end', () => {
       if (this.round()) this.moved();
     });
-    this.keys = new OrbitKeys(canvas, camera, this.controls, this.frameForUser);
+    new OrbitKeys(canvas, camera, this.controls, this.frameForUser);
     canvas.addEventListener('dblclick', this.frameForUser);
   }
 
@@ -208,11 +207,6 @@ export class View {
     if (before.position.equals(camera.position) && before.target.equals(controls.target)) return false;
     camera.lookAt(controls.target);
     return true;
-  }
-
-  dispose(): void {
-    this.keys.dispose();
-    this.controls.dispose();
   }
 }
 

@@ -1,8 +1,8 @@
 import { MathUtils, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import type { Settings } from '../settings/settings.js';
-import type { HatchingScene } from '../stage/createScene.js';
 import { fitCamera } from '../stage/framing.js';
+import type { Stage } from '../stage/Stage.js';
 import { turnedOutlines } from './turnedOutlines.js';
 
 /** What a frame of a video shows otherwise than the page does. */
@@ -34,45 +34,46 @@ export class FramePoser {
    * @param turns whether the model will turn
    */
   constructor(
-    private readonly scene: HatchingScene,
+    private readonly stage: Stage,
     settings: Settings,
     aspect: number,
     turns: boolean,
   ) {
-    const { camera, view, model } = scene;
+    const { camera, view, model } = stage;
     this.settings = drawnSettings(settings);
     this.clipTime = model?.motion?.time;
     this.position.copy(camera.position);
     this.quaternion.copy(camera.quaternion);
-    this.target = view.isFramed ? frame(scene, camera, aspect, turns) : view.controls.target.clone();
+    this.target = view.isFramed ? frame(stage, camera, aspect, turns) : view.controls.target.clone();
     this.first.copy(camera.position);
   }
 
   pose({ turn, light, clipTime }: FramePose): void {
-    const { scene, settings } = this;
-    const { camera, lights, model } = scene;
+    const { stage, settings } = this;
+    const { camera, model } = stage;
+    const { lights } = stage.scenery;
     const around = MathUtils.degToRad(-turn);
     camera.position.copy(this.first).applyAxisAngle(UP, around);
     camera.lookAt(this.target.clone().applyAxisAngle(UP, around));
     lights.apply({ ...settings, lightAzimuth: settings.lightAzimuth + light });
     lights.place(camera);
     if (model?.motion && clipTime !== undefined) model.motion.time = clipTime;
-    scene.outdateShadows();
+    stage.outdateShadows();
   }
 
-  /** Puts back what was moved, but for the camera's aspect, which the scene sets when it is released. */
+  /** Puts back what was moved, but for the camera's aspect, which the stage sets when frames go on. */
   restore(): void {
-    const { camera, lights, model } = this.scene;
+    const { camera, model, scenery } = this.stage;
     camera.position.copy(this.position);
     camera.quaternion.copy(this.quaternion);
-    lights.apply(this.settings);
+    scenery.lights.apply(this.settings);
     if (model?.motion && this.clipTime !== undefined) model.motion.time = this.clipTime;
-    this.scene.outdateShadows();
+    this.stage.outdateShadows();
   }
 }
 
 /** @returns what the camera looks at */
-function frame({ view }: HatchingScene, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
+function frame({ view }: Stage, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
   const { outline, first, fill, shadow } = view.framing;
   camera.aspect = aspect;
   camera.updateProjectionMatrix();

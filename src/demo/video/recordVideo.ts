@@ -1,7 +1,7 @@
 import type { Size } from '../print/printPlan.js';
 import type { Settings } from '../settings/settings.js';
-import type { HatchingScene } from '../stage/createScene.js';
 import { LostContextError } from '../stage/LostContextError.js';
+import type { Stage } from '../stage/Stage.js';
 import { FramePoser } from './FramePoser.js';
 import type { FrameSink } from './FrameSink.js';
 import { MovieSink } from './MovieSink.js';
@@ -27,26 +27,26 @@ export interface Recording {
 }
 
 /**
- * Records the video that the settings ask for, frame by frame, however long each takes. The scene is held meanwhile. Where the browser
+ * Records the video that the settings ask for, frame by frame, however long each takes. The page's frames are held meanwhile. Where the browser
  * encodes no video, the frames are saved as pictures.
  *
  * @throws Error with a sentence for the user
  */
 export async function recordVideo(
-  scene: HatchingScene,
+  stage: Stage,
   settings: Settings,
   { view, name, signal, onProgress, onFrame }: RecordOptions,
 ): Promise<Recording> {
   const { videoMotion } = settings;
-  const motion = scene.model?.motion;
+  const motion = stage.model?.motion;
   const clip = motion?.isPlaying && motion.duration > 0 ? motion : undefined;
   if (videoMotion === 'clip' && !clip)
     throw new Error('This model does not move by itself just now; choose another motion for the video.');
   const plan = planVideo(settings, view);
   const start = clip && { duration: clip.duration, time: clip.time, speed: clip.speed };
-  const { canvas } = scene;
+  const { canvas } = stage;
   const { width, height } = plan;
-  const place = placeOnFrame(plan, view, scene.view.isFramed);
+  const place = placeOnFrame(plan, view, stage.view.isFramed);
   let drawn = 0;
   // The graphics context may be back before anybody asks, and a frame be blank.
   let wasLost = false;
@@ -54,9 +54,9 @@ export async function recordVideo(
     wasLost = true;
   };
   canvas.addEventListener('webglcontextlost', onLost);
-  scene.hold(Math.max(width, height));
-  scene.beginPicture({ ground: 'paper' });
-  const poser = new FramePoser(scene, settings, width / height, videoMotion === 'turn');
+  stage.picture.hold(Math.max(width, height));
+  stage.picture.begin({ ground: 'paper' });
+  const poser = new FramePoser(stage, settings, width / height, videoMotion === 'turn');
   let sink: FrameSink | undefined;
   try {
     const movie = settings.videoForm === 'video' ? await MovieSink.begin(plan, canvas) : undefined;
@@ -66,7 +66,7 @@ export async function recordVideo(
       await nextTask();
       signal.throwIfAborted();
       poser.pose(poseOf(plan, drawn, videoMotion, start));
-      scene.drawPart(place, { x: 0, y: 0, width, height });
+      stage.picture.drawPart(place, { x: 0, y: 0, width, height });
       const taken = sink.add(canvas, drawn);
       onFrame(canvas);
       await taken;
@@ -79,13 +79,13 @@ export async function recordVideo(
   } catch (error) {
     await sink?.abort();
     // An encoder may go with the graphics card, and be the first to say so.
-    const isLoss = error instanceof LostContextError || wasLost || scene.isLost;
+    const isLoss = error instanceof LostContextError || wasLost || stage.isLost;
     throw isLoss ? new LostContextError(lossAfter(drawn, plan)) : error;
   } finally {
     canvas.removeEventListener('webglcontextlost', onLost);
     poser.restore();
-    scene.endPicture();
-    scene.release();
+    stage.picture.end();
+    stage.picture.release();
   }
 }
 

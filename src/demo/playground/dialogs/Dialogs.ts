@@ -66,7 +66,7 @@ export class Dialogs {
   }
 
   private fill(sheet: ContactSheet): void {
-    const { scene, mapLoader } = this.session;
-    if (scene.tonalArtMap) sheet.show(scene.tonalArtMap, mapLoader.shownStyle);
+    const { stage, mapLoader } = this.session;
+    if (stage.tonalArtMap) sheet.show(stage.tonalArtMap, mapLoader.shownStyle);
   }
 }

@@ -1,5 +1,5 @@
 import type { DrawnView } from '../../print/printPlan.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { page } from './page.js';
 
 /** Size of the page's view, in CSS pixels. */
@@ -12,7 +12,7 @@ export function viewSize(): { width: number; height: number } {
 const SQUARE = 1.15;
 
 /** The page's view, and how a sheet for what is in it is turned: as the model, or as the page. */
-export function drawnView({ view: { proportion } }: HatchingScene): DrawnView {
+export function drawnView({ view: { proportion } }: Stage): DrawnView {
   const size = viewSize();
   const isSquare = Math.max(proportion, 1 / proportion) < SQUARE;
   return { ...size, isWide: isSquare ? size.width > size.height : proportion > 1 };

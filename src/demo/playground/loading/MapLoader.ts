@@ -3,7 +3,7 @@ import type { TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
 import type { ModelFile } from '../../files/readModel.js';
 import { SETTINGS, type Settings } from '../../settings/settings.js';
 import { drawsWithMap } from '../../settings/settingValues.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
 type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed'>;
@@ -18,7 +18,7 @@ export class MapLoader {
   private shown: MapSettings | undefined;
 
   constructor(
-    private readonly scene: HatchingScene,
+    private readonly stage: Stage,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
     /** Called when another map is drawn with. */
@@ -40,7 +40,7 @@ export class MapLoader {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
       const cache = await this.fetchCache();
       signal.throwIfAborted();
-      const map = await cache.get(this.settings, { signal, onProgress }, this.scene.tonalArtMap);
+      const map = await cache.get(this.settings, { signal, onProgress }, this.stage.tonalArtMap);
       if (!signal.aborted) this.use(map);
     });
     if (end !== 'failed' || !this.shown) return;
@@ -84,7 +84,7 @@ export class MapLoader {
   private use(map: TonalArtMap): void {
     const { mapStyle, mapSize, mapTones, mapSeed } = this.settings;
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };
-    this.scene.setTonalArtMap(map);
+    this.stage.tonalArtMap = map;
     this.onMap();
   }
 }

@@ -11,7 +11,7 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../../models/models.js';
 import { setPageState } from '../../page/setPageState.js';
 import type { CameraView } from '../../settings/CameraView.js';
 import { SETTINGS, type Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import { type CaptionContent, ModelCaption } from './ModelCaption.js';
@@ -64,7 +64,7 @@ export class ModelLoader {
   private readonly addresses = new WeakMap<readonly ModelFile[], string>();
 
   constructor(
-    private readonly scene: HatchingScene,
+    private readonly stage: Stage,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
     /** Called when loading has changed the settings. */
@@ -82,7 +82,7 @@ export class ModelLoader {
 
   /** As {@link showChosen}, where nothing is shown or being loaded: the page is not left empty. */
   showSomething(): void {
-    if (!this.scene.model && !this.isLoading) this.showChosen();
+    if (!this.stage.model && !this.isLoading) this.showChosen();
   }
 
   /**
@@ -121,7 +121,7 @@ export class ModelLoader {
   /** The model that is shown, for the code that draws it elsewhere. */
   get codeModel(): CodeModel {
     const { shownModel: model, title, sceneRadius, isOpen } = this;
-    const { root, motion } = this.scene.model ?? {};
+    const { root, motion } = this.stage.model ?? {};
     const { clip: index = -1, time = 0, isPlaying = false } = motion ?? {};
     return {
       model,
@@ -190,22 +190,22 @@ export class ModelLoader {
     { isFramed, isRestored }: { isFramed: boolean; isRestored: boolean },
     load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
   ): Promise<void> {
-    const { settings, scene } = this;
+    const { settings, stage } = this;
     const { model } = wanted;
     this.wanted = wanted;
-    if (!scene.isLost) setPageState('loading');
+    if (!stage.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
       this.showStandIn(loaded, isFramed, isRestored);
       const { model: next, notes } = await hatchModel(loaded.read, report, signal);
       try {
-        await scene.dress(next, signal);
+        await stage.shown.dress(next, signal);
       } catch (error) {
         next.dispose();
         throw error;
       }
       report('drawing', 1);
-      const hasStandIn = scene.isStandIn;
+      const hasStandIn = stage.shown.isStandIn;
       this.beforeStandIn = undefined;
       this.shownModel = model;
       this.title = loaded.title;
@@ -219,9 +219,9 @@ export class ModelLoader {
       const told = model === 'file' ? notes : [];
       const details = model === 'file' && 'details' in loaded.read ? loaded.read.details : [];
       this.name({ title: loaded.title, statistics: next.statistics, notes: told, details });
-      scene.setModel(next, loaded.view);
+      stage.shown.set(next, loaded.view);
       // Who has looked around the stand-in goes on from there.
-      if (isFramed && !hasStandIn) scene.view.frame();
+      if (isFramed && !hasStandIn) stage.view.frame();
       if (isRestored) this.onChange('restored');
       else this.onChange('opened', { isOther: isFramed, drawing: loaded.drawing });
       page.lamp.hidden = false;
@@ -237,32 +237,32 @@ export class ModelLoader {
 
   /** Draws a large mesh at once with what is known of it. */
   private showStandIn({ read, title, view }: LoadedModel, isFramed: boolean, isRestored: boolean): void {
-    const { scene, settings } = this;
+    const { stage, settings } = this;
     const standIn = standInFor(read, settings);
     if (!standIn) return;
     this.beforeStandIn ??= {
       upAxis: settings.upAxis,
       title: document.title,
       caption: this.caption.content,
-      place: scene.view.ownPlace,
+      place: stage.view.ownPlace,
     };
     if (!isRestored) settings.upAxis = read.upAxis;
     this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
-    scene.setStandIn(standIn, view);
-    if (isFramed) scene.view.frame();
+    stage.shown.setStandIn(standIn, view);
+    if (isFramed) stage.view.frame();
   }
 
   /** Puts back the page as it was before a stand-in for a model that does not come. */
   private takeStandInAway(): void {
-    const { scene, settings, beforeStandIn: before } = this;
+    const { stage, settings, beforeStandIn: before } = this;
     if (!before) return;
     this.beforeStandIn = undefined;
     settings.upAxis = before.upAxis;
-    scene.removeStandIn();
+    stage.shown.removeStandIn();
     document.title = before.title;
     this.caption.show(before.caption);
-    if (before.place) scene.view.place = before.place;
-    else scene.view.frame();
+    if (before.place) stage.view.place = before.place;
+    else stage.view.frame();
   }
 
   private name(content: CaptionContent): void {

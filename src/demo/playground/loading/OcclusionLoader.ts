@@ -2,7 +2,7 @@ import type { OcclusionBake } from 'three-hatching';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
 import type { Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
 const STAGE = 'darkening hollows';
@@ -14,23 +14,23 @@ export class OcclusionLoader {
   private bake: OcclusionBake | undefined;
 
   constructor(
-    private readonly scene: HatchingScene,
+    private readonly stage: Stage,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
   ) {}
 
   /** Whether it will be baked when the model has been drawn without. */
   get isAwaited(): boolean {
-    const { model, isLost } = this.scene;
+    const { model, isLost } = this.stage;
     return model !== undefined && model !== this.model && this.settings.occlusion > 0 && !isLost;
   }
 
   /** To be called when the model or the settings have changed, or the time of a frame is known: it does not delay the first. */
   update(): void {
     // A stand-in is gone before its occlusion were there.
-    const model = this.scene.isStandIn ? undefined : this.scene.model;
+    const model = this.stage.shown.isStandIn ? undefined : this.stage.model;
     if (model !== this.model) this.letGo();
-    if (!model || !this.isAwaited || this.scene.frameMilliseconds === undefined) return;
+    if (!model || !this.isAwaited || this.stage.quality.milliseconds === undefined) return;
     this.model = model;
     // All instances share their vertices, so there is no place to keep the occlusion of each.
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
@@ -41,7 +41,7 @@ export class OcclusionLoader {
       const bake = await bakeOcclusion(model.root, {
         signal,
         onProgress: (progress) => report(STAGE, progress),
-        onPass: () => this.scene.invalidate(),
+        onPass: () => this.stage.frames.invalidate(),
         // The hollows can wait, and a picture that is being saved must not change.
         pause: () => this.tasks.others('occlusion', signal),
       });

@@ -1,5 +1,5 @@
 import { SETTINGS, type Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
 import type { CompareDivider } from './CompareDivider.js';
@@ -9,22 +9,22 @@ export class Comparison {
   private readonly divider: LaterPart<CompareDivider>;
 
   constructor(
-    private readonly scene: HatchingScene,
+    private readonly stage: Stage,
     private readonly settings: Settings,
     parts: LaterParts,
   ) {
     this.divider = parts.later(async () => {
       const { CompareDivider } = await import('./CompareDivider.js');
-      return new CompareDivider(page.divider, page.viewport, () => scene.invalidate());
+      return new CompareDivider(page.divider, page.viewport, () => stage.frames.invalidate());
     });
   }
 
   /** To be called when the settings have changed. */
   refresh(): void {
-    const { scene, divider } = this;
+    const { stage, divider } = this;
     const { compare, technique } = this.settings;
     const isCompared = compare !== 'none';
-    scene.compareWith(isCompared ? () => divider.present?.share ?? 0.5 : undefined);
+    stage.compareWith(isCompared ? () => divider.present?.share ?? 0.5 : undefined);
     if (isCompared && !divider.present) {
       divider.use(() => this.refresh());
       return;

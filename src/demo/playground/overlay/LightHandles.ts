@@ -1,8 +1,8 @@
 import { acceptSetting } from '../../settings/acceptSetting.js';
 import { SETTINGS, type Settings } from '../../settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../../settings/settingValues.js';
-import type { HatchingScene } from '../../stage/createScene.js';
 import { LightHandle } from '../../stage/LightHandle.js';
+import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 
 /** The handles of the light and of the second sun, which change the settings. */
@@ -12,7 +12,7 @@ export class LightHandles {
 
   /** @param onChange called with what was changed, after each change */
   constructor(
-    scene: HatchingScene,
+    stage: Stage,
     private readonly settings: Settings,
     onChange: (source: string) => void,
   ) {
@@ -24,19 +24,19 @@ export class LightHandles {
     };
     const common = {
       viewport: page.viewport,
-      camera: scene.camera,
-      outline: () => scene.view.modelOutline,
-      framedCount: () => scene.view.framedCount,
+      camera: stage.camera,
+      outline: () => stage.view.modelOutline,
+      framedCount: () => stage.view.framedCount,
       isWithViewer: () => settings.lightFollows === 'viewer',
       onDrag: (dragging: boolean) => {
-        scene.view.controls.enabled = !dragging;
+        stage.view.controls.enabled = !dragging;
         if (dragging) page.lamp.classList.add('is-known');
       },
     };
     this.first = new LightHandle(page.lamp, {
       ...common,
       name: 'Light',
-      lightPosition: scene.lightPosition,
+      lightPosition: stage.scenery.lights.position,
       place: () => placeOfLight(settings),
       home: () => ({
         azimuth: SETTINGS.lightAzimuth.default,
@@ -53,7 +53,7 @@ export class LightHandles {
     this.second = new LightHandle(page.secondLamp, {
       ...common,
       name: 'Second light',
-      lightPosition: scene.secondLightPosition,
+      lightPosition: stage.scenery.lights.secondPosition,
       place: secondPlace,
       home: () => ({ azimuth: SETTINGS.secondAzimuth.default, elevation: SETTINGS.secondElevation.default }),
       // Once it is moved, it no longer goes with the light.

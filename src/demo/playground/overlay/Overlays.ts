@@ -12,16 +12,16 @@ export class Overlays {
   private readonly sheetFrame: LaterPart<SheetFrame>;
 
   constructor(session: Session, parts: LaterParts) {
-    const { scene, settings } = session;
+    const { stage, settings } = session;
     this.lights = parts.later(async () => {
       const { LightHandles } = await import('./LightHandles.js');
-      return new LightHandles(scene, settings, (source) => session.recordChange(source));
+      return new LightHandles(stage, settings, (source) => session.recordChange(source));
     });
     this.sheetFrame = parts.later(async () => {
       const { SheetFrame } = await import('./SheetFrame.js');
-      return new SheetFrame(scene, settings);
+      return new SheetFrame(stage, settings);
     });
-    const comparison = new Comparison(scene, settings, parts);
+    const comparison = new Comparison(stage, settings, parts);
     const turnHint = new TurnHint(page.turnHint, settings, () => session.recordChange());
     session.listen({
       applied: () => {
@@ -29,13 +29,13 @@ export class Overlays {
         turnHint.refresh();
         this.sheetFrame.present?.refresh();
       },
-      modelShown: () => turnHint.about(settings.model === 'file' ? scene.model?.stands : undefined),
+      modelShown: () => turnHint.about(settings.model === 'file' ? stage.model?.stands : undefined),
     });
-    scene.onFrame(() => {
+    stage.frames.onFrame(() => {
       this.lights.present?.update();
       comparison.place();
     });
-    this.lights.use(() => scene.invalidate());
+    this.lights.use(() => stage.frames.invalidate());
   }
 
   /** Whether the lights have their handles. */

@@ -1,6 +1,6 @@
 import { sheetOnView } from '../../print/printPlan.js';
 import type { Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
 
@@ -13,7 +13,7 @@ export class SheetFrame {
   private isWanted = false;
 
   constructor(
-    private readonly scene: HatchingScene,
+    private readonly stage: Stage,
     private readonly settings: Settings,
   ) {
     this.element.setAttribute('aria-hidden', 'true');
@@ -29,9 +29,9 @@ export class SheetFrame {
 
   /** To be called when the settings have changed. */
   refresh(): void {
-    const { element, scene } = this;
-    const sheet = this.isWanted ? sheetOnView(this.settings, drawnView(scene)) : undefined;
-    scene.view.sheet = sheet;
+    const { element, stage } = this;
+    const sheet = this.isWanted ? sheetOnView(this.settings, drawnView(stage)) : undefined;
+    stage.view.sheet = sheet;
     element.hidden = !sheet;
     if (!sheet) return;
     const [width, height] = sheet.map((share) => `${(100 * share).toFixed(3)}%`);

@@ -28,21 +28,21 @@ export class Card {
     actions: readonly PanelAction[],
     onFold: (group: SettingGroup, isOpen: boolean) => void,
   ) {
-    const { scene, settings } = session;
+    const { stage, settings } = session;
     const presets = new PresetBar(page.presets, settings, (name) => session.useLook(wholeLook(name)));
     this.shelf = parts.later(async () => {
       const { Shelf } = await import('../shelf/Shelf.js');
-      return new Shelf(scene, settings, session.views, (look) => session.useLook(look));
+      return new Shelf(stage, settings, session.views, (look) => session.useLook(look));
     });
     this.motion = parts.later(async () => {
       const { MotionPanel } = await import('./MotionPanel.js');
-      return new MotionPanel(page.motion, page.canvas, () => scene.invalidate());
+      return new MotionPanel(page.motion, page.canvas, () => stage.frames.invalidate());
     });
     // Fetched, because it would delay the first drawing. The shelf lies above the panel, and comes first so that nothing moves.
     void Promise.all([import('./SettingsPanel.js'), this.shelf.fetch()]).then(
       ([{ SettingsPanel }]) => {
         const onChange = session.settingChanged.bind(session);
-        this.panel = new SettingsPanel(page.panel, settings, actions, onChange, () => drawnView(scene), onFold);
+        this.panel = new SettingsPanel(page.panel, settings, actions, onChange, () => drawnView(stage), onFold);
       },
       (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
     );
@@ -56,16 +56,16 @@ export class Card {
       moved: refreshShelf,
       modelShown: () => this.showMotion(),
     });
-    scene.onFrame(() => this.motion.present?.update());
+    stage.frames.onFrame(() => this.motion.present?.update());
   }
 
   /** Shows the controls of a model that moves. */
   private showMotion(): void {
-    const { scene } = this.session;
-    if (!this.motion.present && !scene.model?.motion) return;
+    const { stage } = this.session;
+    if (!this.motion.present && !stage.model?.motion) return;
     this.motion.use((panel) => {
-      panel.show(scene.model?.motion);
-      scene.invalidate();
+      panel.show(stage.model?.motion);
+      stage.frames.invalidate();
     });
   }
 }

@@ -45,7 +45,7 @@ export class AddressWriter {
       model: session.settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: session.ownStrokes,
     };
-    this.keeper.shown(files, modelLoader.title, session.link, session.scene.view.ownPlace);
+    this.keeper.shown(files, modelLoader.title, session.link, session.stage.view.ownPlace);
     if (files.model || files.map) this.keptPicture.want();
   }
 }

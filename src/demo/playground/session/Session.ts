@@ -2,7 +2,7 @@ import { EditHistory } from '../../settings/EditHistory.js';
 import { choosesMap } from '../../settings/effects.js';
 import type { SettingKey, Settings } from '../../settings/settings.js';
 import { readLink, writeLink } from '../../settings/shareLink.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
 import { SavedViews } from '../shelf/SavedViews.js';
@@ -12,7 +12,7 @@ import { watchPresses } from './watchPresses.js';
 
 /** What a part of the page wants to be told about the session. */
 export interface SessionListener {
-  /** Called when the settings have been applied to the scene. */
+  /** Called when the settings have been applied to the stage. */
   applied?(): void;
   /** Called when the user has moved the camera. */
   moved?(): void;
@@ -35,22 +35,22 @@ export class Session {
   private readonly listeners: SessionListener[] = [];
 
   constructor(
-    readonly scene: HatchingScene,
+    readonly stage: Stage,
     readonly settings: Settings,
     tasks: TaskRunner,
   ) {
     this.mapLoader = new MapLoader(
-      scene,
+      stage,
       settings,
       tasks,
       () => this.tell('mapShown'),
       (isRestored) => (isRestored ? this.apply() : this.recordChange()),
       () => this.adopt(),
     );
-    this.modelLoader = new ModelLoader(scene, settings, tasks, (end, opened) => this.modelLoaded(end, opened));
-    this.views = new SavedViews(scene, settings, () => this.recordChange());
+    this.modelLoader = new ModelLoader(stage, settings, tasks, (end, opened) => this.modelLoaded(end, opened));
+    this.views = new SavedViews(stage, settings, () => this.recordChange());
     this.history = new EditHistory(() => this.state, isSameState, watchPresses());
-    scene.view.onMoved = () => {
+    stage.view.onMoved = () => {
       this.history.changed('camera');
       this.tell('stepped');
       this.tell('moved');
@@ -140,10 +140,10 @@ export class Session {
   // ── States ──
 
   private get state(): DrawingState {
-    const { settings, scene, views } = this;
+    const { settings, stage, views } = this;
     return {
       settings: { ...settings },
-      camera: scene.view.state,
+      camera: stage.view.state,
       files: settings.model === 'file' ? this.modelLoader.ownFiles : undefined,
       views: views.list,
     };
@@ -151,7 +151,7 @@ export class Session {
 
   /** The drawing as the text of a link. */
   get link(): string {
-    return writeLink(this.settings, this.scene.view.ownPlace, this.modelLoader.address, this.views.list);
+    return writeLink(this.settings, this.stage.view.ownPlace, this.modelLoader.address, this.views.list);
   }
 
   /** Whether a link to the drawing brings back its model. */
@@ -176,18 +176,18 @@ export class Session {
 
   /** Takes over settings, camera and views, and loads the map that they ask for. */
   showLook({ settings: next, camera: place, views: kept }: LookState): void {
-    const { scene, settings } = this;
+    const { stage, settings } = this;
     Object.assign(settings, next);
     this.views.list = kept;
     void this.mapLoader.showChosen();
     // Applied first: the model is framed together with its shadow, which depends on the lights.
-    scene.apply(settings);
-    if (place) scene.view.state = place;
-    else scene.view.frame();
+    stage.apply(settings);
+    if (place) stage.view.state = place;
+    else stage.view.frame();
   }
 
   private apply(): void {
-    this.scene.apply(this.settings);
+    this.stage.apply(this.settings);
     this.tell('applied');
   }
 

@@ -1,7 +1,7 @@
 import { plainName } from '../../settings/plainName.js';
 import { isLitBy, lightOf, MOST_VIEWS, type SavedView } from '../../settings/savedViews.js';
 import type { Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 
 /** The views that are kept with the drawing: from where it is seen, and where its lights are. */
@@ -10,7 +10,7 @@ export class SavedViews implements NamedList {
   list: readonly SavedView[] = [];
 
   constructor(
-    private readonly scene: HatchingScene,
+    private readonly stage: Stage,
     private readonly settings: Settings,
     /** Called when the user has changed them, or goes to one of them. */
     private readonly onChange: () => void,
@@ -29,19 +29,19 @@ export class SavedViews implements NamedList {
   }
 
   add(name: string): undefined {
-    const { ownPlace: camera } = this.scene.view;
+    const { ownPlace: camera } = this.stage.view;
     this.change([...this.list, { name: plainName(name) || this.freeName, camera, light: lightOf(this.settings) }]);
   }
 
   choose(index: number): void {
     const view = this.list[index];
     if (!view) return;
-    const { scene, settings } = this;
+    const { stage, settings } = this;
     Object.assign(settings, view.light);
     // A model is framed with its shadow, which is that of the lights.
-    scene.apply(settings);
-    if (view.camera) scene.view.place = view.camera;
-    else scene.view.frame();
+    stage.apply(settings);
+    if (view.camera) stage.view.place = view.camera;
+    else stage.view.frame();
     this.onChange();
   }
 
@@ -55,7 +55,7 @@ export class SavedViews implements NamedList {
 
   isShown(index: number): boolean {
     const { camera, light } = this.list[index];
-    return isLitBy(this.settings, light) && JSON.stringify(camera) === JSON.stringify(this.scene.view.ownPlace);
+    return isLitBy(this.settings, light) && JSON.stringify(camera) === JSON.stringify(this.stage.view.ownPlace);
   }
 
   private change(list: readonly SavedView[]): void {

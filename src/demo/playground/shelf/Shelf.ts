@@ -2,7 +2,7 @@ import { thumbnailOf } from '../../kept/thumbnailOf.js';
 import { findElement } from '../../page/findElement.js';
 import type { OwnLook } from '../../settings/ownLook.js';
 import type { Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { NamedBar } from './NamedBar.js';
 import { type ListWords, NamedListDialog } from './NamedListDialog.js';
 import { OwnLooks } from './OwnLooks.js';
@@ -32,12 +32,12 @@ export class Shelf {
   private readonly dialog = new NamedListDialog();
 
   constructor(
-    scene: HatchingScene,
+    stage: Stage,
     settings: Settings,
     private readonly views: SavedViews,
     onLook: (look: OwnLook) => void,
   ) {
-    const picture = () => (scene.isComplete && scene.redraw() ? thumbnailOf(scene.canvas) : undefined);
+    const picture = () => (stage.isComplete && stage.frames.redraw() ? thumbnailOf(stage.canvas) : undefined);
     this.looks = new OwnLooks(settings, picture, onLook, () => this.refresh());
     this.bars = [new NamedBar(findElement('own-looks'), this.looks), new NamedBar(findElement('saved-views'), views)];
   }

@@ -36,13 +36,13 @@ export class CodeDialog {
   }
 
   private get drawing(): CodeDrawing {
-    const { scene, settings, modelLoader } = this.session;
+    const { stage, settings, modelLoader } = this.session;
     return {
       model: modelLoader.codeModel,
       settings: { ...settings },
-      camera: scene.view.place,
-      groundHeight: scene.groundHeight,
-      aspect: scene.camera.aspect,
+      camera: stage.view.place,
+      groundHeight: stage.scenery.ground.height,
+      aspect: stage.camera.aspect,
     };
   }
 

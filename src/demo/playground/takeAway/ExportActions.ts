@@ -50,10 +50,10 @@ export class ExportActions {
     again?: Remedy,
   ): Promise<Result | undefined> {
     const { status } = this;
-    const { scene, modelLoader } = this.session;
+    const { stage, modelLoader } = this.session;
     if (this.tasks.isRunning('picture')) return undefined;
-    if (scene.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
-    else if (!scene.isComplete) status.fail('There is no drawing to save yet.');
+    if (stage.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
+    else if (!stage.isComplete) status.fail('There is no drawing to save yet.');
     else {
       const settings = { ...this.session.settings };
       let result: Result | undefined;
@@ -62,7 +62,7 @@ export class ExportActions {
         async (report, signal) => {
           const draw = await fetchDraw();
           signal.throwIfAborted();
-          result = await draw(scene, settings, fileStem(modelLoader.title), report, signal);
+          result = await draw(stage, settings, fileStem(modelLoader.title), report, signal);
         },
         again,
       );
@@ -96,8 +96,8 @@ export class ExportActions {
   };
 
   readonly saveMap = async (): Promise<void> => {
-    const { scene, settings } = this.session;
-    const map = scene.tonalArtMap;
+    const { stage, settings } = this.session;
+    const map = stage.tonalArtMap;
     if (!map) return;
     const { mapStyle } = settings;
     try {

@@ -1,6 +1,6 @@
 import type { Report } from '../../drawing/Report.js';
 import type { Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 
 /**
  * Draws what is saved, and hands it to the browser.
@@ -10,7 +10,7 @@ import type { HatchingScene } from '../../stage/createScene.js';
  * @throws Error with a sentence for the user
  */
 export type SaveDrawing<Result = string> = (
-  scene: HatchingScene,
+  stage: Stage,
   settings: Settings,
   name: string,
   report: Report,

@@ -1,4 +1,4 @@
-import type { HatchingScene } from '../../stage/createScene.js';
+import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 
 /** What lies over the drawing while it is saved. */
@@ -13,13 +13,13 @@ interface Curtain {
  * Puts a copy of the drawing over it, and lets nothing but Cancel be used, while a picture is drawn on the same canvas in tiles, or
  * a video frame by frame.
  */
-export function raiseCurtain(scene: HatchingScene, paper: string): Curtain {
+export function raiseCurtain(stage: Stage, paper: string): Curtain {
   const { canvas, viewport, card, bar } = page;
   const copy = document.createElement('canvas');
   copy.className = 'curtain';
   copy.setAttribute('aria-hidden', 'true');
   // In one task, because the canvas does not keep its content for longer.
-  scene.draw();
+  stage.frames.draw();
   const { width, height } = Object.assign(copy, { width: canvas.width, height: canvas.height });
   const context = copy.getContext('2d');
   context?.drawImage(canvas, 0, 0);

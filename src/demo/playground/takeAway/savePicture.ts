@@ -9,9 +9,9 @@ import {
   ZipWriter,
 } from '../../print/print.js';
 import type { Settings } from '../../settings/settings.js';
-import type { HatchingScene } from '../../stage/createScene.js';
 import { LostContextError } from '../../stage/LostContextError.js';
 import { LAYERS } from '../../stage/layers.js';
+import type { Stage } from '../../stage/Stage.js';
 import { drawnView } from '../elements/viewSize.js';
 import { download } from './download.js';
 import { raiseCurtain } from './raiseCurtain.js';
@@ -24,16 +24,16 @@ const LOST =
   'The graphics card let go of the drawing while it was being saved. There is no picture; save it again when the drawing is back, smaller if that fails too.';
 
 /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
-export const savePicture: SaveDrawing = (scene, settings, name, report, signal) =>
-  behindCurtain(scene, settings, signal, async (plan) => {
+export const savePicture: SaveDrawing = (stage, settings, name, report, signal) =>
+  behindCurtain(stage, settings, signal, async (plan) => {
     if (settings.pictureLayers === 'one') {
-      download(await drawWhole(scene, settings, plan, report, signal), `${name}.png`);
+      download(await drawWhole(stage, settings, plan, report, signal), `${name}.png`);
       return `Saved as PNG: ${describePrint(plan)}.`;
     }
     const zip = new ZipWriter();
     for (const [i, layer] of LAYERS.entries()) {
       const onProgress = (progress: number) => report('drawing the picture', (i + progress) / LAYERS.length);
-      const content = await drawPicture(scene, plan, { ground: 'transparent', layer }, { signal, onProgress });
+      const content = await drawPicture(stage.picture, plan, { ground: 'transparent', layer }, { signal, onProgress });
       await zip.add(`${name}-${i + 1}-${layer}.png`, content);
     }
     download(zip.end(), `${name}-layers.zip`);
@@ -41,44 +41,44 @@ export const savePicture: SaveDrawing = (scene, settings, name, report, signal) 
   });
 
 /** Draws the picture that the settings ask for as one PNG, for the clipboard. */
-export const drawForClipboard: SaveDrawing<Blob> = (scene, settings, _name, report, signal) =>
-  behindCurtain(scene, settings, signal, (plan) => {
+export const drawForClipboard: SaveDrawing<Blob> = (stage, settings, _name, report, signal) =>
+  behindCurtain(stage, settings, signal, (plan) => {
     if (plan.width * plan.height > MOST_COPIED_PIXELS)
       throw new Error('the picture is too large for a clipboard. Save it, or choose a smaller size.');
-    return drawWhole(scene, settings, plan, report, signal);
+    return drawWhole(stage, settings, plan, report, signal);
   });
 
-/** Holds the scene while a picture is drawn. @param draw is given what is drawn of the view, and in which size */
+/** Holds frames while a picture is drawn. @param draw is given what is drawn of the view, and in which size */
 async function behindCurtain<Result>(
-  scene: HatchingScene,
+  stage: Stage,
   settings: Settings,
   signal: AbortSignal,
   draw: (plan: PrintPlan) => Promise<Result>,
 ): Promise<Result> {
-  const curtain = raiseCurtain(scene, settings.paper);
-  const { view } = scene;
+  const curtain = raiseCurtain(stage, settings.paper);
+  const { view } = stage;
   const { sheet } = view;
   try {
-    const whole = planPrint(settings, drawnView(scene));
-    view.sheet = sheetOnView(settings, drawnView(scene));
-    scene.hold(Math.max(whole.width, whole.height));
-    return await draw(settings.pictureCrop === 'drawing' ? await cutToDrawing(scene, whole, signal) : whole);
+    const whole = planPrint(settings, drawnView(stage));
+    view.sheet = sheetOnView(settings, drawnView(stage));
+    stage.picture.hold(Math.max(whole.width, whole.height));
+    return await draw(settings.pictureCrop === 'drawing' ? await cutToDrawing(stage.picture, whole, signal) : whole);
   } catch (error) {
     throw error instanceof LostContextError ? new LostContextError(LOST) : error;
   } finally {
     view.sheet = sheet;
-    scene.release();
+    stage.picture.release();
     curtain.lower();
   }
 }
 
 function drawWhole(
-  scene: HatchingScene,
+  stage: Stage,
   { pictureGround: ground }: Settings,
   plan: PrintPlan,
   report: Report,
   signal: AbortSignal,
 ): Promise<Blob> {
   const onProgress = (progress: number) => report('drawing the picture', progress);
-  return drawPicture(scene, plan, { ground }, { signal, onProgress });
+  return drawPicture(stage.picture, plan, { ground }, { signal, onProgress });
 }

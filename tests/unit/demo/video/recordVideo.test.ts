@@ -2,45 +2,47 @@ import { Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { createCamera } from '../../../../src/demo/stage/createCamera.js';
-import type { HatchingScene } from '../../../../src/demo/stage/createScene.js';
 import { LostContextError } from '../../../../src/demo/stage/LostContextError.js';
+import type { Stage } from '../../../../src/demo/stage/Stage.js';
 import { recordVideo } from '../../../../src/demo/video/recordVideo.js';
 
-/** A scene without a browser. @param drawPart what drawing the nth frame does */
-function fakeScene(drawPart: (frame: number, canvas: EventTarget) => void = () => {}) {
+/** A stage without a browser. @param drawPart what drawing the nth frame does */
+function fakeStage(drawPart: (frame: number, canvas: EventTarget) => void = () => {}) {
   const canvas = Object.assign(new EventTarget(), {
     toBlob: (take: (blob: Blob) => void) => take(new Blob(['frame'])),
   });
   let frames = 0;
   const camera = createCamera();
   camera.position.set(0, 1, 4);
-  const scene = {
-    ...{ canvas, camera, model: undefined, isLost: false },
-    view: { isFramed: false, controls: { target: new Vector3() } },
-    lights: { apply: vi.fn(), place: vi.fn() },
-    ...{ hold: vi.fn(), release: vi.fn(), beginPicture: vi.fn(), endPicture: vi.fn(), outdateShadows: vi.fn() },
+  const picture = {
+    ...{ hold: vi.fn(), release: vi.fn(), begin: vi.fn(), end: vi.fn() },
     drawPart: vi.fn(() => drawPart(frames++, canvas)),
+  };
+  const stage = {
+    ...{ canvas, camera, picture, model: undefined, isLost: false, outdateShadows: vi.fn() },
+    view: { isFramed: false, controls: { target: new Vector3() } },
+    scenery: { lights: { apply: vi.fn(), place: vi.fn() } },
   };
   const record = (changes: Partial<Settings> = {}) =>
     recordVideo(
-      scene as unknown as HatchingScene,
+      stage as unknown as Stage,
       { ...defaultSettings(), videoForm: 'frames', videoSeconds: 1, videoRate: '12', ...changes },
       {
         ...{ view: { width: 900, height: 600 }, name: 'cube', signal: new AbortController().signal },
         ...{ onProgress: () => {}, onFrame: () => {} },
       },
     );
-  return { scene, canvas, record };
+  return { stage, picture, canvas, record };
 }
 
 describe('recordVideo', () => {
-  test('holds the scene for frames of their size, which shadows are as fine as', async () => {
-    const { scene, record } = fakeScene();
+  test('holds the frames of the page for a video of a size, which shadows are as fine as', async () => {
+    const { stage, picture, record } = fakeStage();
     expect((await record({ videoSize: '3840x2160' })).sentence).toMatch(/^Saved: 3,840 × 2,160 px/);
-    expect(scene.hold.mock.calls).toEqual([[3840]]);
-    expect(scene.drawPart).toHaveBeenCalledTimes(12);
-    expect(scene.release).toHaveBeenCalledTimes(1);
-    expect(scene.camera.position.toArray()).toEqual([0, 1, 4]);
+    expect(picture.hold.mock.calls).toEqual([[3840]]);
+    expect(picture.drawPart).toHaveBeenCalledTimes(12);
+    expect(picture.release).toHaveBeenCalledTimes(1);
+    expect(stage.camera.position.toArray()).toEqual([0, 1, 4]);
   });
 
   test.each<[string, (frame: number, canvas: EventTarget) => void]>([
@@ -57,27 +59,27 @@ describe('recordVideo', () => {
   ])(
     'a graphics context that is lost, %s, is said for what it is, and no frame is taken for whole',
     async (_, draw) => {
-      const { scene, record } = fakeScene(draw);
+      const { picture, record } = fakeStage(draw);
       const failure = await record().catch((error) => error);
       expect(failure).toBeInstanceOf(LostContextError);
       expect(failure.message).toMatch(
         /let go of the drawing after 5 of 12 frames\. There is no video; record it again/,
       );
-      expect(scene.endPicture).toHaveBeenCalledTimes(1);
-      expect(scene.release).toHaveBeenCalledTimes(1);
+      expect(picture.end).toHaveBeenCalledTimes(1);
+      expect(picture.release).toHaveBeenCalledTimes(1);
     },
   );
 
   test('an encoder that goes with the graphics card is not taken for the cause; another failure stays what it is', async () => {
-    const { scene, canvas, record } = fakeScene();
+    const { stage, canvas, record } = fakeStage();
     Object.assign(canvas, {
       toBlob: (take: (blob: null) => void) => {
-        scene.isLost = true;
+        stage.isLost = true;
         take(null);
       },
     });
     await expect(record()).rejects.toThrow(/let go of the drawing after 0 of 12 frames/);
-    scene.isLost = false;
+    stage.isLost = false;
     Object.assign(canvas, { toBlob: (take: (blob: null) => void) => take(null) });
     await expect(record()).rejects.toThrow('The browser could not pack a frame as PNG; choose smaller frames.');
   });

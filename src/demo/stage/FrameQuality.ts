@@ -1,0 +1,89 @@
+import type { WebGLRenderer } from 'three';
+import { MovingResolution } from 'three-hatching';
+
+/**
+ * The first frame of a model is a sketch, so that there is something to see early on a slow machine: in a lower resolution, by this
+ * factor per side, without lines and ground, whose programs are built later.
+ */
+const SKETCH_SHARE = 0.5;
+/** A sketch of a stand-in that takes longer stays until the model itself is there. */
+const LONG_MILLISECONDS = 500;
+
+/** Who is told of the quality of frames. */
+interface FrameQualityHost {
+  /** Whether the model that is drawn only stands in for one that is being baked. */
+  isStandIn(): boolean;
+  /** Requests one frame. */
+  invalidate(): void;
+  /** Called when the sketch of a model is on the page: the rest is added in the next frame. */
+  onSketched(): void;
+}
+
+/** Measures frames, and tells how finely the next is drawn: coarsely while something moves on a slow machine, or as a sketch. */
+export class FrameQuality {
+  private isSketching = false;
+  private readonly resolution: MovingResolution;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(
+    renderer: WebGLRenderer,
+    private readonly host: FrameQualityHost,
+  ) {
+    this.resolution = new MovingResolution(renderer, {
+      onRest: () => host.invalidate(),
+      onMeasured: () => this.measured(),
+    });
+  }
+
+  /** Draws a frame and measures it. */
+  measure(draw: () => void): void {
+    this.resolution.frame(draw);
+  }
+
+  /** Calls back when {@link milliseconds} was measured anew. */
+  onMeasured(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** The time a frame takes, or undefined before one was measured. */
+  get milliseconds(): number | undefined {
+    return this.resolution.milliseconds;
+  }
+
+  /** The share of the full resolution that the next frame is drawn in. */
+  get share(): number {
+    return this.isSketching ? SKETCH_SHARE : this.resolution.scale;
+  }
+
+  /** Whether frames are drawn in a lower resolution, because the machine is too slow for the movement. */
+  get isCoarse(): boolean {
+    return this.resolution.scale < 1;
+  }
+
+  /** Whether frames are sketches, because the first one of the model is still to be drawn or measured. */
+  get isSketch(): boolean {
+    return this.isSketching;
+  }
+
+  /** Forgets how long frames took, because something else is drawn from now on. @param isSketch whether it begins with a sketch */
+  restart(isSketch = this.isSketching): void {
+    this.isSketching = isSketch;
+    this.resolution.reset();
+  }
+
+  /** Has the whole model drawn from now on, if only its sketch was. */
+  finishSketch(): void {
+    if (!this.isSketching) return;
+    this.restart(false);
+    this.host.onSketched();
+  }
+
+  private measured(): void {
+    if (!this.isSketching) {
+      for (const listener of this.listeners) listener();
+    } else if (!this.host.isStandIn() || this.milliseconds! < LONG_MILLISECONDS) {
+      // A whole frame of a stand-in that takes long would only delay the model itself.
+      this.finishSketch();
+    }
+  }
+}

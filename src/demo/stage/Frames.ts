@@ -1,0 +1,111 @@
+import { CrossFade } from './CrossFade.js';
+import type { FrameQuality } from './FrameQuality.js';
+import { FrameScheduler } from './FrameScheduler.js';
+import { fullPixelRatio } from './fullPixelRatio.js';
+import type { Painter } from './Painter.js';
+import type { Scenery } from './Scenery.js';
+
+/** Draws frames into the viewport: on demand, and one after the other while the model moves by itself. */
+export class Frames {
+  /** While a picture is drawn in tiles nothing may move, and the canvas holds the latest tile. */
+  isHeld = false;
+  private lastFrame = 0;
+  private readonly scheduler: FrameScheduler;
+  private readonly crossFade: CrossFade;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(
+    private readonly painter: Painter,
+    private readonly scenery: Scenery,
+    private readonly quality: FrameQuality,
+    private readonly viewport: HTMLElement,
+  ) {
+    this.crossFade = new CrossFade(painter.renderer.domElement);
+    this.scheduler = new FrameScheduler(() => {
+      // The last frame stays until then.
+      if (!painter.isBuilding) this.draw();
+    });
+  }
+
+  /** Requests one frame. */
+  invalidate(): void {
+    this.scheduler.invalidate();
+  }
+
+  /** Calls back after each frame, in its task. */
+  onFrame(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** The number of frames that were requested and drawn. */
+  get count(): number {
+    return this.scheduler.frames;
+  }
+
+  /** Whether a frame was requested and is not drawn yet, or a model was drawn as a sketch only. */
+  get isWaiting(): boolean {
+    const { painter, quality } = this;
+    return this.scheduler.isWaiting || painter.isBuilding || (quality.isSketch && !painter.isLost);
+  }
+
+  /** Gives up the picture of a stand-in that was to fade into that of the model. */
+  forgetStandIn(): void {
+    this.crossFade.forget();
+  }
+
+  /** Gives the canvas the viewport's size. Draws at once and not in the next frame, because resizing clears the canvas. */
+  resize(width: number, height: number): void {
+    const { painter, quality } = this;
+    painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
+    painter.renderer.setSize(width, height, false);
+    quality.restart();
+    this.draw();
+  }
+
+  /** Draws a frame at once. */
+  draw(): void {
+    const { scenery, quality, crossFade } = this;
+    const size = this.drawableSize;
+    if (!size) return;
+    quality.measure(() => this.drawFrame(size));
+    if (scenery.shown.isStandIn) crossFade.keep();
+    else crossFade.start();
+    if (!quality.isSketch) scenery.shown.disposePrevious();
+    for (const listener of this.listeners) listener();
+    if (scenery.shown.model?.motion?.isPlaying) this.invalidate();
+  }
+
+  /**
+   * Draws the picture that is shown once more, so that it can be copied in the same task. This is no movement.
+   *
+   * @returns whether there is one
+   */
+  redraw(): boolean {
+    const size = this.drawableSize;
+    if (!size) return false;
+    this.painter.drawTile({ viewWidth: size.width, x: 0, ...size }, this.painter.pixelRatio);
+    return true;
+  }
+
+  /** The viewport's size in CSS pixels; undefined where no frame can be drawn into it. */
+  private get drawableSize(): { width: number; height: number } | undefined {
+    const { clientWidth: width, clientHeight: height } = this.viewport;
+    return this.isHeld || this.painter.isLost || width === 0 || height === 0 ? undefined : { width, height };
+  }
+
+  private drawFrame({ width, height }: { width: number; height: number }): void {
+    const { painter, scenery, quality } = this;
+    this.advanceMotion();
+    painter.placeLights(quality.isCoarse ? 'coarse' : 'usual');
+    if (quality.isSketch) scenery.showSketch();
+    painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
+    painter.drawTile({ viewWidth: width, x: 0, width, height }, painter.pixelRatio, quality.share);
+  }
+
+  /** Advances the model's animation by the time since the last frame. */
+  private advanceMotion(): void {
+    const now = performance.now();
+    this.scenery.shown.model?.motion?.advance((now - this.lastFrame) / 1000);
+    this.lastFrame = now;
+  }
+}

@@ -1,0 +1,123 @@
+import type { Group } from 'three';
+import type { TonalArtMap } from 'three-hatching';
+import type { HatchedModel } from '../drawing/HatchedModel.js';
+import { Slices } from '../files/common/Slices.js';
+import type { Settings } from '../settings/settings.js';
+import { DEFAULT_VIEW } from './createCamera.js';
+
+/** The direction from a model to the eye when the model is framed. */
+type ViewDirection = readonly [number, number, number];
+
+/** What has changed: another model is drawn for the first time, a model has taken its stand-in's place, or an earlier one is back. */
+export type ModelChange = 'another' | 'completed' | 'back';
+
+/** The model that is shown. A stand-in may take its place, until the model that is waited for comes or the earlier one comes back. */
+export class ShownModel {
+  private current: HatchedModel | undefined;
+  private firstView: ViewDirection = DEFAULT_VIEW;
+  private isTemporary = false;
+  /** The model that a stand-in has taken the place of. It comes back if the one that is waited for does not come. */
+  private replaced: { model: HatchedModel | undefined; firstView: ViewDirection } | undefined;
+  /** Models are kept until the new one has been drawn, so that programs used by both are not compiled again. */
+  private previous: HatchedModel[] = [];
+  private map: TonalArtMap | undefined;
+  private settings: Settings | undefined;
+
+  /**
+   * @param holder the object that the model is put into
+   * @param onChange called when another model is shown, with the direction to the eye when it is framed
+   */
+  constructor(
+    private readonly holder: Group,
+    private readonly onChange: (change: ModelChange, firstView: ViewDirection) => void,
+  ) {}
+
+  get model(): HatchedModel | undefined {
+    return this.current;
+  }
+
+  /** Whether the model only stands in for one that is still being baked. */
+  get isStandIn(): boolean {
+    return this.isTemporary;
+  }
+
+  /** Replaces the model. The previous one is disposed of when the new one has been drawn. */
+  set(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
+    this.disposePrevious();
+    const change = this.isTemporary ? 'completed' : 'another';
+    this.previous = [this.exchange(next), this.replaced?.model].filter((model) => model !== undefined);
+    this.isTemporary = false;
+    this.replaced = undefined;
+    this.report(change, firstView);
+  }
+
+  /** Shows a model until {@link set} sets the one that is waited for, or {@link removeStandIn} brings back the one before. */
+  setStandIn(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
+    this.disposePrevious();
+    const before = this.exchange(next);
+    if (!this.isTemporary) this.replaced = { model: before, firstView: this.firstView };
+    else if (before) this.previous.push(before);
+    this.isTemporary = true;
+    this.report('another', firstView);
+  }
+
+  /** Takes away the stand-in, if one is shown. */
+  removeStandIn(): void {
+    const { replaced } = this;
+    if (!this.isTemporary || !replaced) return;
+    this.disposePrevious();
+    const standIn = this.exchange(replaced.model);
+    if (standIn) this.previous.push(standIn);
+    this.isTemporary = false;
+    this.replaced = undefined;
+    this.report('back', replaced.firstView);
+  }
+
+  /**
+   * Gives a model the look of the settings before it is set, in slices, so that {@link set} finds little to do. Rejects with the
+   * signal's reason.
+   */
+  async dress(next: HatchedModel, signal: AbortSignal): Promise<void> {
+    const slices = new Slices(signal);
+    if (this.map) next.tonalArtMap = this.map;
+    for (const _ of this.settings ? next.applying(this.settings) : []) await slices.next();
+    signal.throwIfAborted();
+  }
+
+  apply(settings: Settings): void {
+    this.settings = settings;
+    this.current?.apply(settings);
+  }
+
+  set tonalArtMap(map: TonalArtMap) {
+    this.map = map;
+    if (this.current) this.current.tonalArtMap = map;
+  }
+
+  disposePrevious(): void {
+    for (const model of this.previous) model.dispose();
+    this.previous = [];
+  }
+
+  /** Disposes of what the models have on the graphics card. To be called while the context is lost. */
+  releaseGraphics(): void {
+    this.disposePrevious();
+    this.replaced?.model?.releaseGraphics();
+    this.current?.releaseGraphics();
+  }
+
+  /** Puts a model in the place of the present one, which is returned. */
+  private exchange(next: HatchedModel | undefined): HatchedModel | undefined {
+    const before = this.current;
+    before?.root.removeFromParent();
+    this.current = next;
+    if (next) this.holder.add(next.root);
+    if (next && this.map) next.tonalArtMap = this.map;
+    return before;
+  }
+
+  private report(change: ModelChange, firstView: ViewDirection): void {
+    this.firstView = firstView;
+    this.onChange(change, firstView);
+  }
+}

@@ -1,0 +1,158 @@
+import type { PerspectiveCamera } from 'three';
+import type { TonalArtMap } from 'three-hatching';
+import type { HatchedModel } from '../drawing/HatchedModel.js';
+import { drawnSettings } from '../settings/drawnSettings.js';
+import type { Settings } from '../settings/settings.js';
+import { ContextLoss } from './ContextLoss.js';
+import { FrameQuality } from './FrameQuality.js';
+import { Frames } from './Frames.js';
+import { Painter } from './Painter.js';
+import { PictureSession } from './PictureSession.js';
+import { Scenery } from './Scenery.js';
+import type { ModelChange, ShownModel } from './ShownModel.js';
+import { View } from './View.js';
+
+/** The drawing on the page: what is drawn, where it is seen from, and the frames and pictures of it. */
+export class Stage {
+  readonly scenery: Scenery;
+  readonly camera: PerspectiveCamera;
+  readonly view: View;
+  readonly frames: Frames;
+  readonly quality: FrameQuality;
+  readonly picture: PictureSession;
+  private readonly painter: Painter;
+  private readonly contextLoss: ContextLoss;
+
+  /** Sets up the stage. A frame is drawn when one was requested, and when the viewport changes its size. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    readonly context: WebGL2RenderingContext,
+    private readonly viewport: HTMLElement,
+  ) {
+    const invalidate = (): void => this.frames.invalidate();
+    this.scenery = new Scenery(invalidate, (change, firstView) => this.modelChanged(change, firstView));
+    const { scenery } = this;
+    this.painter = new Painter(canvas, context, viewport, scenery, invalidate);
+    const { painter } = this;
+    this.camera = painter.camera;
+    this.quality = new FrameQuality(painter.renderer, {
+      invalidate,
+      isStandIn: () => scenery.shown.isStandIn,
+      onSketched: () => this.show(),
+    });
+    this.frames = new Frames(painter, scenery, this.quality, viewport);
+    this.picture = new PictureSession(painter, scenery, this.frames, this.quality, () => this.resize());
+    this.view = new View(
+      canvas,
+      this.camera,
+      () => {
+        this.picture.outdate();
+        invalidate();
+      },
+      (outline, toEye) => scenery.shadowOf(outline, toEye),
+    );
+    this.contextLoss = new ContextLoss(painter, scenery, this.frames, this.quality);
+    new ResizeObserver(() => this.resize()).observe(viewport);
+    this.resize();
+  }
+
+  /** How another model takes the place of the one that is shown. */
+  get shown(): ShownModel {
+    return this.scenery.shown;
+  }
+
+  get model(): HatchedModel | undefined {
+    return this.scenery.shown.model;
+  }
+
+  /** Applies the settings. Cheap: at most a program is compiled, where a setting needs another one. */
+  apply(settings: Settings): void {
+    this.scenery.settings = drawnSettings(settings);
+    this.picture.outdate();
+    this.show();
+    this.painter.outdateShadows();
+  }
+
+  get tonalArtMap(): TonalArtMap | undefined {
+    return this.scenery.tonalArtMap;
+  }
+
+  set tonalArtMap(map: TonalArtMap) {
+    this.scenery.tonalArtMap = map;
+    this.picture.outdate();
+    this.frames.invalidate();
+  }
+
+  /**
+   * Shows the compared technique left of a divider. `share` returns its place in every frame; undefined ends the
+   * comparison.
+   */
+  compareWith(share: (() => number) | undefined): void {
+    this.painter.sides.divider = share;
+    this.frames.invalidate();
+  }
+
+  /** Has shadows drawn anew, because something has moved that casts or throws them. */
+  outdateShadows(): void {
+    this.painter.outdateShadows();
+  }
+
+  /** Whether there is a model, and a map if one is drawn with. */
+  get isComplete(): boolean {
+    return this.scenery.isComplete;
+  }
+
+  /** Whether the graphics context is lost. What is changed meanwhile is drawn when it comes back. */
+  get isLost(): boolean {
+    return this.painter.isLost;
+  }
+
+  /** Whether the last picture before the loss of the context is on the page. */
+  get showsLastPicture(): boolean {
+    return this.contextLoss.showsLastPicture;
+  }
+
+  /** Shows the scenery as the settings want it. */
+  private show(): void {
+    const { scenery, painter, view } = this;
+    const { settings } = scenery;
+    if (!settings) return;
+    const { isTurned, hasOtherShadow } = scenery.apply(settings);
+    if (isTurned) {
+      painter.outdateShadows();
+      this.placeModel();
+    } else if (hasOtherShadow && view.isFramed) view.frame();
+    painter.setPaper(settings.paper);
+    // The few programs of a sketch are built by its frame.
+    if (!this.quality.isSketch) painter.buildPrograms(settings);
+    this.frames.invalidate();
+  }
+
+  private modelChanged(change: ModelChange, firstView: readonly [number, number, number]): void {
+    const { painter, frames } = this;
+    this.picture.outdate();
+    painter.forgetPrograms();
+    // After a stand-in all programs are there, and its shadows are those of the model.
+    this.quality.restart(change === 'another' && !painter.isLost);
+    if (change !== 'completed') painter.outdateShadows();
+    if (change === 'back') frames.forgetStandIn();
+    this.show();
+    this.placeModel(firstView);
+    frames.invalidate();
+  }
+
+  /** Puts the ground under the model, and frames it if the one before was framed. */
+  private placeModel(firstView?: readonly [number, number, number]): void {
+    const outline = this.scenery.standOnGround();
+    if (outline) this.view.setOutline(outline, firstView);
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.viewport;
+    if (width === 0 || height === 0) return;
+    this.picture.outdate();
+    if (this.frames.isHeld) return;
+    this.view.resized(width / height);
+    this.frames.resize(width, height);
+  }
+}
