@@ -1,6 +1,6 @@
 import { type BufferAttribute, type InstancedMesh, Matrix4, type Mesh, Vector3 } from 'three';
+import { buildModel } from '../../src/demo/drawing/buildModel.js';
 import type { HatchedModel } from '../../src/demo/drawing/HatchedModel.js';
-import { hatchModel } from '../../src/demo/drawing/hatchModel.js';
 import { meshesOf } from '../../src/demo/drawing/meshesOf.js';
 import { ModelError } from '../../src/demo/files/common/ModelError.js';
 import { type ModelFile, readModel } from '../../src/demo/files/readModel.js';
@@ -16,7 +16,7 @@ export type Outcome = { kind: 'model'; notes: string[] } | { kind: 'refused'; se
 export async function outcomeOf(files: readonly ModelFile[]): Promise<Outcome> {
   try {
     const read = await readModel(files, () => {});
-    const { model, notes } = await hatchModel(read, () => {}, new AbortController().signal);
+    const { model, notes } = await buildModel(read, () => {}, new AbortController().signal);
     try {
       checkModel(model);
     } finally {

@@ -1,7 +1,7 @@
 import type { CodeModel } from '../../code/CodeModel.js';
-import { hatchModel } from '../../drawing/hatchModel.js';
+import { buildModel } from '../../drawing/buildModel.js';
 import type { Report } from '../../drawing/Report.js';
-import { standInFor } from '../../drawing/standInFor.js';
+import { standInOf } from '../../drawing/standInOf.js';
 import type { BundledDrawing } from '../../files/archives/bundle.js';
 import { shownName } from '../../files/common/shownText.js';
 import { loadModelFiles } from '../../files/loadModelFiles.js';
@@ -197,7 +197,7 @@ export class ModelLoader {
     const end = await this.tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
       this.showStandIn(loaded, isFramed, isRestored);
-      const { model: next, notes } = await hatchModel(loaded.read, report, signal);
+      const { model: next, notes } = await buildModel(loaded.read, report, signal);
       try {
         await stage.shown.dress(next, signal);
       } catch (error) {
@@ -238,7 +238,7 @@ export class ModelLoader {
   /** Draws a large mesh at once with what is known of it. */
   private showStandIn({ read, title, view }: LoadedModel, isFramed: boolean, isRestored: boolean): void {
     const { stage, settings } = this;
-    const standIn = standInFor(read, settings);
+    const standIn = standInOf(read, settings);
     if (!standIn) return;
     this.beforeStandIn ??= {
       upAxis: settings.upAxis,

@@ -10,8 +10,8 @@ import {
   Texture,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { hatchMesh } from '../../../../src/demo/drawing/hatchMesh.js';
-import { hatchScene } from '../../../../src/demo/drawing/hatchScene.js';
+import { modelOfMesh } from '../../../../src/demo/drawing/modelOfMesh.js';
+import { modelOfScene } from '../../../../src/demo/drawing/modelOfScene.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { HatchingLines } from '../../../../src/lines/HatchingLines.js';
 
@@ -31,7 +31,7 @@ async function hatchedBox() {
   const { attributes, index } = new BoxGeometry();
   const positions = Float32Array.from(attributes.position.array);
   const indices = Uint32Array.from(index!.array);
-  return hatchMesh({ positions, indices, normals: null, colors: null }, OPTIONS);
+  return modelOfMesh({ positions, indices, normals: null, colors: null }, OPTIONS);
 }
 
 /** Two plain meshes, one of which is drawn several times, one that deforms, and a card with leaves cut out of it. */
@@ -86,7 +86,7 @@ describe('the lines of a model', () => {
   });
 
   test('belong to every mesh of a scene but cut-outs, and share a material unless a mesh deforms', async () => {
-    const { model } = await hatchScene({ root: someScene(), animations: [] }, { ...OPTIONS, onGeometry: () => {} });
+    const { model } = await modelOfScene({ root: someScene(), animations: [] }, { ...OPTIONS, onGeometry: () => {} });
     const lines = linesIn(model.root);
     expect(lines).toHaveLength(3);
     expect(lines.map(({ mesh }) => mesh?.name)).not.toContain('card');

@@ -1,7 +1,7 @@
 import { Color } from 'three';
 import { afterEach, expect, test, vi } from 'vitest';
+import { buildModel } from '../../../../src/demo/drawing/buildModel.js';
 import type { HatchedModel } from '../../../../src/demo/drawing/HatchedModel.js';
-import { hatchModel } from '../../../../src/demo/drawing/hatchModel.js';
 import { type GltfParts, parseGltf } from '../../../../src/demo/files/gltf/parseGltf.js';
 import { readGltf } from '../../../../src/demo/files/gltf/readGltf.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
@@ -43,7 +43,7 @@ async function partsOf(count: number): Promise<GltfParts> {
 
 async function glowingModel(count: number): Promise<{ model: HatchedModel; materials: HatchingMaterial[] }> {
   const read = await readModel([{ name: 'glowing.glb', content: new Blob([manyGlowing(count)]) }], () => {});
-  const { model } = await hatchModel(read, () => {}, new AbortController().signal);
+  const { model } = await buildModel(read, () => {}, new AbortController().signal);
   const materials: HatchingMaterial[] = [];
   model.root.traverse((object) => {
     if ('isMesh' in object) materials.push((object as unknown as { material: HatchingMaterial }).material);

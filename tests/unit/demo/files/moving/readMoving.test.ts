@@ -16,7 +16,7 @@ import {
   Vector3,
 } from 'three';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { hatchModel } from '../../../../../src/demo/drawing/hatchModel.js';
+import { buildModel } from '../../../../../src/demo/drawing/buildModel.js';
 import { meshesOf } from '../../../../../src/demo/drawing/meshesOf.js';
 import { type GltfParts, parseGltf } from '../../../../../src/demo/files/gltf/parseGltf.js';
 import { readMoving } from '../../../../../src/demo/files/moving/readMoving.js';
@@ -42,7 +42,7 @@ describe("a model of three's other loaders that moves", () => {
     const model = await read(dae(undefined, true));
     expect(model.notes).toEqual([]);
     expect(model.kind).toBe('parts');
-    const { model: drawn } = await hatchModel(model, () => {}, new AbortController().signal);
+    const { model: drawn } = await buildModel(model, () => {}, new AbortController().signal);
     const { motion, statistics, bounds } = drawn;
     expect(statistics.triangles).toBe(12);
     expect(motion!.clips.length).toBe(1);

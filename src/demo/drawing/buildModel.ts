@@ -3,7 +3,7 @@ import { triangleCount } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from '../models/BuiltInScene.js';
 import type { HatchedModel } from './HatchedModel.js';
-import { hatchMesh } from './hatchMesh.js';
+import { modelOfMesh } from './modelOfMesh.js';
 import type { Report } from './Report.js';
 
 /**
@@ -11,7 +11,7 @@ import type { Report } from './Report.js';
  *
  * @throws ModelError with one sentence for the user, also if there is nothing to be seen of any triangle
  */
-export async function hatchModel(
+export async function buildModel(
   read: ReadModel | BuiltInScene,
   report: Report,
   signal: AbortSignal,
@@ -32,7 +32,7 @@ async function hatch(
     const count = triangleCount(read.mesh).toLocaleString('en');
     const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
     try {
-      const model = await hatchMesh(read.mesh, { signal, onProgress }, read.pictures, read.stands);
+      const model = await modelOfMesh(read.mesh, { signal, onProgress }, read.pictures, read.stands);
       return { model, notes: read.notes };
     } catch (error) {
       signal.throwIfAborted();
@@ -41,7 +41,7 @@ async function hatch(
   }
   report('putting the parts together');
   try {
-    const { hatchScene } = await import('./hatchScene.js');
+    const { modelOfScene } = await import('./modelOfScene.js');
     const scene =
       read.kind === 'scene'
         ? read.scene
@@ -53,7 +53,7 @@ async function hatch(
     const onGeometry = (done: number, total: number): void => {
       if (total > 1) stage = `joining triangles, ${done} of ${total} meshes are done`;
     };
-    const { model, notes } = await hatchScene(scene, { usual, signal, onProgress, onGeometry });
+    const { model, notes } = await modelOfScene(scene, { usual, signal, onProgress, onGeometry });
     return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
   } catch (error) {
     signal.throwIfAborted();

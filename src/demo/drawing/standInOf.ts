@@ -12,7 +12,7 @@ import { outlineOf } from './outlineOf.js';
  * A model that is drawn while `read` is baked: with plain normals, without lines and from both sides. Undefined where the bake
  * is short, or where what the settings ask for cannot be drawn without.
  */
-export function standInFor(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
+export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
   if (read.kind !== 'mesh' || !read.plainNormals) return undefined;
   if (drawsWithAdjacency(settings)) return undefined;
   const { mesh, plainNormals } = read;

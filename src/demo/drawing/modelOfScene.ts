@@ -30,7 +30,7 @@ const MAX_POINTS = 20_000;
  *   numbers, say
  * @throws ModelError with one sentence for the user
  */
-export async function hatchScene(
+export async function modelOfScene(
   { root, animations }: ModelScene,
   {
     usual,

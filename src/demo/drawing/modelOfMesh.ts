@@ -15,7 +15,7 @@ const CUT_OUT = 0.5;
  *
  * @param pictures of its ranges, whose bitmaps the model owns from now on
  */
-export async function hatchMesh(
+export async function modelOfMesh(
   mesh: PlainMesh,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
   pictures: readonly (MeshPicture | undefined)[] = [],

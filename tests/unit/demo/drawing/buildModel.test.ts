@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest';
-import { hatchModel } from '../../../../src/demo/drawing/hatchModel.js';
+import { buildModel } from '../../../../src/demo/drawing/buildModel.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
 import { addTrack, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 
 const draw = async (name: string, content: BlobPart) =>
-  hatchModel(
+  buildModel(
     await readModel([{ name, content: new Blob([content]) }], () => {}),
     () => {},
     new AbortController().signal,
