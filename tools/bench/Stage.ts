@@ -2,15 +2,14 @@ import { DirectionalLight, type Object3D, PerspectiveCamera, Scene, Vector3, Web
 
 const UP = new Vector3(0, 1, 0);
 
-/** Of a GPU frames are short: so many are measured at once. */
+/** Frames of a GPU are too short to be timed one by one: this many are timed together. */
 const FRAMES_PER_QUERY = 8;
 
 /**
  * A lit scene on a square canvas that shows one object at a time and tells how long it takes to draw.
  *
- * Where the page's address ends in `?clock=gpu`, frames are timed by the GPU itself (`EXT_disjoint_timer_query_webgl2`): what
- * the processor takes to send them, and to wait for them, is longer than they are. A software rasteriser is timed by the
- * clock on the wall.
+ * Where the page's address ends in `?clock=gpu`, the GPU itself times the frames (`EXT_disjoint_timer_query_webgl2`): the processor
+ * takes longer to send them and to wait for them than the GPU takes to draw them. A software rasteriser is timed by the page's clock.
  */
 export class Stage {
   private readonly renderer = new WebGLRenderer({ antialias: false });
@@ -72,7 +71,7 @@ export class Stage {
     return nanoseconds / 1e6 / FRAMES_PER_QUERY;
   }
 
-  /** Milliseconds on the wall from the first command to the last pixel. */
+  /** Milliseconds of the page's clock from the first command to the last pixel. */
   drawFrame(object: Object3D): number {
     const { renderer, gl, scene, camera, pixel, size } = this;
     scene.add(object);
@@ -86,12 +85,12 @@ export class Stage {
   }
 }
 
-/** The extension that times on the GPU, as WebGL 2 has it. */
+/** The extension of WebGL 2 that times on the GPU. */
 interface TimerQuery {
   readonly TIME_ELAPSED_EXT: number;
 }
 
-/** @throws where the page asks for the clock of a GPU that has none. */
+/** @throws if the page asks for the clock of the GPU, and the browser has none. */
 function timerOf(gl: WebGL2RenderingContext): TimerQuery | null {
   if (new URLSearchParams(location.search).get('clock') !== 'gpu') return null;
   const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2');

@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { benchmarks } from './benchmarks.mjs';
 import { drawFrameTimes } from './frame/drawFrameTimes.mjs';
 
-/** Who may have drawn, in the order of the document. */
+/** The rasterisers, in the order of the document. */
 const RASTERISERS = ['gpu', 'swiftshader', 'llvmpipe'];
 
 const titles = {
@@ -19,7 +19,7 @@ const titles = {
   drop: 'From drop to first frame',
 };
 
-/** Notes on what the figures of a benchmark are. */
+/** What the numbers of each benchmark mean. */
 const notes = {
   frame: `Every technique on every layout that it can draw, beside three's \`MeshPhongMaterial\` on the geometry of the \`corner\` layout and on the
 plain indexed one, and beside \`adjacency\`. All are drawn in turn in one page, every other turn backwards; a frame is timed from its first command until a
@@ -91,6 +91,6 @@ function read(name) {
   return existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : undefined;
 }
 
-/** Of `ANGLE (NVIDIA Corporation, NVIDIA H100/PCIe/SSE2, OpenGL ES 3.2)`, what stands second. */
+/** The second name in `ANGLE (NVIDIA Corporation, NVIDIA H100/PCIe/SSE2, OpenGL ES 3.2)`. */
 const shortName = (renderer) =>
   /swiftshader|llvmpipe/i.exec(renderer)?.[0] ?? /, ([^,/(]+)/.exec(renderer)?.[1] ?? renderer;

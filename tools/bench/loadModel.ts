@@ -2,7 +2,7 @@ import { type BufferGeometry, TorusGeometry } from 'three';
 import { loadModel as loadNamed, type ModelName } from '../metrics/loadModel.js';
 
 /**
- * A model with smooth normals, centred, with a bounding radius of 1: one of those of the metrics, such as `dragon48k`, or a
+ * A model with smooth normals, centred, with a bounding radius of 1: a model of the metrics, such as `dragon48k`, or a
  * torus of so many thousand triangles, such as `torus500k`.
  */
 export async function loadModel(name: string): Promise<BufferGeometry> {

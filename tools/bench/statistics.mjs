@@ -1,7 +1,7 @@
 /** Beyond this ratio of new to old, with its whole interval, code counts as slower; beyond the inverse, as faster. */
 export const SLOWER = 1.03;
 
-/** The middle one, or the mean of the two in the middle. @param {readonly number[]} values */
+/** The value in the middle, or the mean of the two in the middle. @param {readonly number[]} values */
 export function median(values) {
   const sorted = [...values].sort((a, b) => a - b);
   const half = sorted.length >> 1;
@@ -38,7 +38,7 @@ function binomial(n, k) {
 /** Ratios of values of the same turn. @param {readonly number[]} over @param {readonly number[]} under */
 export const ratios = (over, under) => over.map((value, turn) => value / under[turn]);
 
-/** What a ratio of new to old says, by its interval. @param {readonly number[]} interval */
+/** Whether an interval of ratios, new to old, means slower, faster or neither. @param {readonly number[]} interval */
 export function verdict([, low, high]) {
   if (low > SLOWER) return 'slower';
   return high < 1 / SLOWER ? 'faster' : 'same';

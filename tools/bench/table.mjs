@@ -7,15 +7,15 @@ export function table(rows) {
   return [line(rows[0]), rule, ...rows.slice(1).map(line)].join('\n');
 }
 
-/** Three digits say all that a time on a shared machine can. @param {number | undefined} value */
+/** Times on a shared machine are good for three digits. @param {number | undefined} value */
 export function figure(value) {
   if (value === undefined) return '';
   return Math.abs(value) >= 100 ? value.toFixed(0) : String(Number(value.toPrecision(3)));
 }
 
 /**
- * A ratio or an exponent with its interval; empty where there is none, as for a phase that takes no time. A number that is none
- * is null in a file.
+ * A ratio or an exponent with its interval; empty where there is none, as for a phase that takes no time. NaN
+ * becomes null in a JSON file.
  *
  * @param {readonly (number | null)[]} interval
  */

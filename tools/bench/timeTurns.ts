@@ -3,7 +3,7 @@ import type { Stage } from './Stage.js';
 
 const WARM_UP_TURNS = 2;
 
-/** Milliseconds that a frame of each object takes, one per turn; all of them are drawn in every turn, so that what slows one slows all. */
+/** Milliseconds that a frame of each object takes, one per turn; all objects are drawn in every turn, so that a slow moment slows all of them. */
 export async function timeTurns(
   stage: Stage,
   objects: Readonly<Record<string, Object3D>>,

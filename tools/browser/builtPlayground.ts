@@ -5,7 +5,7 @@ import { promisify } from 'node:util';
 import type { Plugin } from 'vite';
 import { answerFrom } from './serveFolders.js';
 
-/** Where the test server has the built playground. */
+/** The path under which the test server serves the built playground. */
 export const BUILT = '/built/';
 
 const folder = fileURLToPath(new URL('../../tests/output/playground', import.meta.url));
@@ -30,7 +30,7 @@ export const builtPlayground: Plugin = {
   },
 };
 
-/** In a process of its own: building sets NODE_ENV, and takes seconds in which the server would not answer. */
+/** Builds in a process of its own: the build sets NODE_ENV, and takes seconds in which the server would not answer. */
 function buildIn(root: string): Promise<unknown> {
   const vite = join(dirname(fileURLToPath(import.meta.resolve('vite/package.json'))), 'bin/vite.js');
   const { NODE_ENV: _, ...env } = process.env;

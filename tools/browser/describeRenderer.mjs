@@ -2,10 +2,10 @@ import { chromium } from '@playwright/test';
 import { launchOptions } from './launchOptions.mjs';
 
 /**
- * Starts the browser once and asks WebGL2 who draws.
+ * Starts the browser once and asks WebGL 2 for the name of the renderer.
  *
  * @returns {Promise<{ browser: string, renderer: string }>}
- * @throws when the browser has no WebGL2: a suite that went on would be green on nothing.
+ * @throws if the browser has no WebGL 2, so that no test can pass without drawing.
  */
 export async function describeRenderer() {
   const browser = await chromium.launch(await launchOptions());

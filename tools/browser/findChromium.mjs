@@ -54,7 +54,7 @@ export async function findChromium() {
   );
 }
 
-/** Where the systems keep a Chromium, best known first. */
+/** Where operating systems install a Chromium, the most common place first. */
 function systemCandidates() {
   if (process.platform === 'darwin') {
     return ['/Applications', join(process.env.HOME ?? '', 'Applications')].flatMap((folder) => [
@@ -76,7 +76,7 @@ function systemCandidates() {
   return names.flatMap((name) => folders.filter(Boolean).map((folder) => join(folder, name)));
 }
 
-/** What the browser says it is, which also shows that it starts; Windows' Chrome would open a window instead of answering. */
+/** The version that the browser prints, which also shows that it starts. Chrome on Windows would open a window instead. */
 function versionOf(executablePath) {
   if (process.platform === 'win32') return 'Chromium';
   const output = execFileSync(executablePath, ['--version'], {

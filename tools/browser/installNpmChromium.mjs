@@ -17,7 +17,7 @@ import { createBrotliDecompress } from 'node:zlib';
 
 const source = new URL('./npmChromium/', import.meta.url);
 const VERSION = '147.0.0';
-/** In the project's own cache, by version: a shared temporary folder could hold somebody else's file of the same name. */
+/** A folder of the project, by version: in a shared temporary folder somebody else could have put a file of the same name. */
 const cache = fileURLToPath(new URL(`../../node_modules/.cache/three-hatching/chromium-${VERSION}`, import.meta.url));
 
 /** The npm package carries one binary only. */
@@ -27,7 +27,7 @@ export const npmChromiumSupported = process.platform === 'linux' && process.arch
  * Installs the Chromium that npm carries (by a lockfile with its hash) and unpacks it, once.
  *
  * The package's own start-up code is not used: it looks in the shared temporary folder, and its flags switch web
- * security off. Where the system lacks libnss3 and its kin the libraries in the package are used, by a small launcher.
+ * security off. Where the system lacks libraries such as libnss3, a small launcher uses those of the package.
  *
  * @returns {Promise<string>} the path of the launcher.
  */
@@ -43,7 +43,7 @@ export async function installNpmChromium() {
     stdio: ['ignore', 'ignore', 'pipe'],
   });
 
-  // Unpacked beside its final place and renamed, so that a cut-off run never leaves half a browser behind.
+  // It is unpacked beside its final place and then renamed, so that an interrupted run leaves no incomplete browser behind.
   const unpacked = join(cache, `unpacking-${process.pid}`);
   await mkdir(unpacked, { recursive: true });
   const { extract } = createRequire(join(cache, 'package.json'))('tar-fs');

@@ -1,7 +1,7 @@
 import { findChromium } from './findChromium.mjs';
 
-/** Chromium's flags per rasteriser. SwiftShader draws the goldens; llvmpipe is a second opinion (needs libegl1 and libgl1-mesa-dri),
- * gpu whatever card is there. */
+/** Chromium's flags per rasteriser. SwiftShader draws the goldens; llvmpipe is a second software rasteriser (it needs libegl1 and
+ * libgl1-mesa-dri), and gpu is the graphics card. */
 const rasterisers = {
   swiftshader: ['--use-angle=swiftshader'],
   llvmpipe: ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'],
@@ -9,7 +9,7 @@ const rasterisers = {
   gpu: ['--use-gl=angle', ...(process.platform === 'linux' ? ['--use-angle=gl-egl'] : []), '--ignore-gpu-blocklist'],
 };
 
-/** Chromium speaks to its maker's hosts unless told not to; on a closed network that only costs time. */
+/** Without these flags Chromium calls its maker's hosts, which only costs time on a closed network. */
 const quiet = [
   '--disable-background-networking',
   '--disable-component-update',

@@ -1,16 +1,16 @@
 import type { Page } from '@playwright/test';
 
-/** How many of each there are: GL objects by kind, workers, blobs with an address, event listeners, elements. */
+/** How many objects of each kind there are: GL objects, workers, blobs with an address, event listeners, elements. */
 export type LiveObjects = Record<string, number>;
 
 declare global {
   interface Window {
-    /** What was made and not given back, recorded by {@link countObjects}. */
+    /** Objects that were created and not disposed of, recorded by {@link countObjects}. */
     __live?: Record<string, Set<unknown>>;
   }
 }
 
-/** Counts what the page makes and gives back, from its first script on. To be called before the page is opened. */
+/** Counts the objects that the page creates and disposes of, from its first script on. Call it before the page is opened. */
 export async function countObjects(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const live: Record<string, Set<unknown>> = {};
@@ -66,7 +66,7 @@ export async function countObjects(page: Page): Promise<void> {
 export async function liveObjects(page: Page): Promise<LiveObjects> {
   const session = await page.context().newCDPSession(page);
   await session.send('Performance.enable');
-  // Twice: what a finaliser lets go of in the first round is collected in the second.
+  // Objects that a finaliser releases in the first collection are collected in the second.
   for (let i = 0; i < 2; i++) {
     await session.send('HeapProfiler.collectGarbage');
     await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));

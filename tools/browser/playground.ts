@@ -33,7 +33,7 @@ const STUCK_MILLISECONDS = 120_000;
 
 /** As {@link ready}, without the pause: nothing is loading or baking. A clip that plays is stopped, because it would go on for ever. */
 export async function idle(page: Page): Promise<void> {
-  // What follows from an event comes in tasks of its own.
+  // The page handles some events in a later task.
   await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
   await page.waitForFunction(
     () => {

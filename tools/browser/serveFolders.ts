@@ -14,7 +14,7 @@ const types: Record<string, string> = {
 /**
  * Serves folders below the given prefixes on a free port, and nothing else.
  *
- * @param folders - by prefix, for instance `{ '/three/': '…/node_modules/three' }`; the longest that fits is taken
+ * @param folders - by prefix, for instance `{ '/three/': '…/node_modules/three' }`; the longest prefix that matches is taken
  * @param headers - sent with every file
  */
 export async function serveFolders(folders: Record<string, string>, headers: Record<string, string> = {}) {
@@ -30,7 +30,7 @@ export async function serveFolders(folders: Record<string, string>, headers: Rec
   };
 }
 
-/** Answers requests with the files of folders, as {@link serveFolders} does: like a host of static files, with its pages of folders. */
+/** Answers requests with the files of folders, as {@link serveFolders} does: like a host of static files, which answers a folder with its index.html. */
 export function answerFrom(folders: Record<string, string>, headers: Record<string, string> = {}): RequestListener {
   const prefixes = Object.keys(folders).sort((a, b) => b.length - a.length);
   return (request, response) => {

@@ -1,7 +1,7 @@
 import type { ConsoleMessage, Page } from '@playwright/test';
 import { toleratedMessages } from './toleratedMessages.js';
 
-/** Whatever the page complains of from now on: warnings and errors on the console, uncaught errors, crashes. */
+/** Collects every problem of the page from now on: warnings and errors on the console, uncaught errors, crashes. */
 export function watchProblems(page: Page): string[] {
   const problems: string[] = [];
   page.on('console', (message: ConsoleMessage) => {

@@ -1,10 +1,10 @@
 import { gzipSync } from 'node:zlib';
 import type { Plugin } from 'vite';
 
-/** Of all scripts that a page fetches before it draws, packed, in bytes. */
+/** The most that the scripts of a page may weigh which it fetches before it draws, in bytes, compressed by gzip. */
 const MAX_BYTES = 256_000;
 
-/** Fails a build whose pages fetch too much at first. What is needed later is fetched later. */
+/** Fails a build whose pages fetch too much before their first drawing. */
 export const firstPartCheck: Plugin = {
   name: 'first-part-check',
   apply: 'build',
@@ -13,7 +13,7 @@ export const firstPartCheck: Plugin = {
       if (entry.type !== 'chunk' || !entry.isEntry) continue;
       const files = new Set([entry.fileName]);
       let bytes = 0;
-      // A set that grows is gone through to its end.
+      // The loop also visits what is added to the set meanwhile.
       for (const file of files) {
         const chunk = bundle[file];
         if (chunk?.type !== 'chunk') continue;
@@ -22,7 +22,7 @@ export const firstPartCheck: Plugin = {
       }
       if (bytes > MAX_BYTES)
         this.error(
-          `The first part of ${entry.name} has ${bytes} bytes packed, more than ${MAX_BYTES}: fetch some of it later.`,
+          `The first part of ${entry.name} has ${bytes} compressed bytes, more than ${MAX_BYTES}: fetch some of it later.`,
         );
     }
   },

@@ -33,7 +33,7 @@ export const formSources: Plugin = {
   },
 };
 
-/** The function and all that it calls of ours, in one piece. */
+/** Bundles the function with everything of ours that it calls. */
 async function bundled(form: string, path: string): Promise<string> {
   const result = await build({
     configFile: false,
@@ -56,7 +56,7 @@ async function bundled(form: string, path: string): Promise<string> {
   return (result as Rolldown.RolldownOutput).output[0].code;
 }
 
-/** Takes a bundle apart: its imports, and what it declares. */
+/** Splits a bundle into its imports and its declarations. */
 function sourceOf(bundle: string): FormSource {
   const imports = [...bundle.matchAll(/^import \{ (.*) \} from "(.*)";$/gm)];
   const own = imports.filter(([, , from]) => from === 'three').flatMap(([, names]) => names.split(', '));

@@ -3,7 +3,7 @@ import type { Plugin } from 'vite';
 /** Where the built playground finds the list. */
 const NAME = 'parts.json';
 
-/** What the packages hold whose code is imported for its data: models. */
+/** Packages that are imported for their data, models, and not for code. */
 const MODELS = /\/node_modules\/(?!three\/)/;
 
 let root = '';
@@ -30,7 +30,7 @@ export const laterParts: Plugin = {
     );
     if (!page) this.error('The playground has no first script: laterParts.ts looks for that of index.html.');
     const first = new Set([page.fileName]);
-    // A set that grows is gone through to its end.
+    // The loop also visits what is added to the set meanwhile.
     for (const file of first) for (const imported of chunkOf(file)?.imports ?? []) first.add(imported);
     const all = new Set(first);
     for (const file of all) {

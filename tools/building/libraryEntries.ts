@@ -5,7 +5,7 @@ const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching$/, 'index', 'index'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
   [/^three-hatching\/element$/, 'element/element', 'element'],
-  // What follows tells Vite how to load it.
+  // A query tells Vite how to load the file.
   [/^three-hatching\/bake\.worker(?=$|\?)/, 'worker/bake.worker', 'bake.worker'],
 ];
 

@@ -12,7 +12,7 @@ export const shortShaders: Plugin = {
     const text = (await readFile(path, 'utf8'))
       .replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '')
       .replace(/^\s+|[ \t]+$/gm, '')
-      // Not in directives, where a space after a macro's name counts, and not beside + and −, of which two may meet.
+      // Spaces stay in directives, where the space after a macro's name has a meaning, and beside + and −, or `a + +b` would become `a++b`.
       .replace(/^[^#].*/gm, (line) => line.replace(/ ?([=*/<>,;(){}?:&|]) ?/g, '$1'));
     return `export default ${JSON.stringify(text)};`;
   },

@@ -21,7 +21,7 @@ const pureWorkerBlob: Plugin = {
   },
 };
 
-/** The library holds no code of others: nobody who uses it has to name them. */
+/** Fails a build that bundles code of others, so that users of the library have nobody else to credit. */
 const nothingOfOthers: Plugin = {
   name: 'nothing-of-others',
   generateBundle(_options, bundle) {
@@ -44,11 +44,11 @@ export default defineConfig(
     base: './',
     plugins: [shortShaders, pureWorkerBlob, nothingOfOthers],
     publicDir: false,
-    // Inlined as text, where no consumer's minifier reaches it.
+    // The worker is inlined as text, which no minifier of a consumer would shorten.
     worker: { format: 'es', plugins: () => [nothingOfOthers], rolldownOptions: { output: { minify: true } } },
     build: {
       target: 'es2022',
-      // Readable as it is, so it needs no source map; and a map of the inlined worker would have no address.
+      // The output is readable and needs no source map; and the map of an inlined worker would have no address.
       minify: false,
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
@@ -58,12 +58,12 @@ export default defineConfig(
       },
       rolldownOptions: {
         external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', 'three-hatching'],
-        // What is loaded when it is needed, under its own name; and what several files need.
+        // Chunks that are loaded when they are needed keep their names; code that several files need has a chunk of its own.
         output: {
           chunkFileNames: '[name].js',
-          // Says that it runs in the browser, to frameworks that run components on the server.
+          // Tells frameworks that run components on the server that these run in the browser.
           ...(mode === 'react' && { banner: "'use client';" }),
-          // A page without a bundler needs no entry in its import map for that.
+          // So a page without a bundler needs no entry in its import map for the library.
           ...(mode === 'element' && { paths: { 'three-hatching': './index.js' } }),
           codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] },
         },

@@ -5,7 +5,7 @@ import { type FuzzOutcome, fuzzPage, QUESTIONS } from './fuzzPage.js';
 import { PAGE_KINDS } from './goodFiles.js';
 import { watchPage } from './watchPage.js';
 
-/** Counts of a kind of file. */
+/** How the cases of one kind of file ended. */
 interface Sums {
   cases: number;
   good: number;
@@ -17,10 +17,10 @@ interface Sums {
 }
 
 const KINDS = [...PAGE_KINDS, QUESTIONS];
-/** After so many cases the page is opened anew, in another browser: what one leaves behind is for the soak to find. */
+/** After this many cases another browser opens the page, so that cases do not add up; what adds up is for the soak to find. */
 const CASES_PER_PAGE = 50;
 const BROWSERS = [undefined, ...Object.keys(LACKS)];
-/** Of a task on the main thread. Longer ones are said at once. */
+/** Tasks of the main thread that take longer are reported at once. */
 const MAX_BLOCK_MILLISECONDS = 2000;
 
 /**
@@ -54,17 +54,17 @@ export async function fuzzBrowser(
     sums[outcome]++;
     if (isBlank) {
       sums.blank++;
-      say(`${kind}, seed ${seed}: nothing is to be seen.`);
+      say(`${kind}, seed ${seed}: the model cannot be seen.`);
     }
     if (longest > sums['longest block, ms']) Object.assign(sums, { 'longest block, ms': longest, 'its seed': seed });
-    // No failure: a busy machine takes longer for the programs of a first frame.
+    // This is no failure: a busy machine takes longer to compile the programs of the first frame.
     if (longest > MAX_BLOCK_MILLISECONDS) say(`${kind}, seed ${seed}: the page stood still for ${longest} ms.`);
     if (wrong.length > 0) sums.failed++;
     for (const one of wrong) failures.push(`${kind}, seed ${seed}: ${one}`);
     if (wrong.length > 0) say(failures.at(-1)!);
   };
   for (let i = 0; i < cases.length; i += CASES_PER_PAGE) {
-    // Clips would play for ever.
+    // Otherwise clips would play for ever.
     const page = await browser.newPage({ viewport: { width: 480, height: 360 }, reducedMotion: 'reduce' });
     const lack = BROWSERS[(i / CASES_PER_PAGE) % BROWSERS.length];
     if (lack) await page.addInitScript(LACKS[lack]);

@@ -8,7 +8,7 @@ import { goodDrop } from './goodFiles.js';
 import { mutate } from './mutate.js';
 import { takeWatch } from './watchPage.js';
 
-/** What fuzzing asks about instead of dropping it: models of other sites. */
+/** The kind whose cases are not dropped, but asked about: models of other sites. */
 export const QUESTIONS = 'questions';
 
 /** One drop of damaged files, or some questions. */
@@ -20,7 +20,7 @@ export interface FuzzCase {
 /** How a case ended. */
 export interface FuzzOutcome extends FuzzCase {
   outcome: 'good' | 'refused';
-  /** Whether nothing is to be seen of a model. It may be that the damage makes it so: of no opacity, say. */
+  /** Whether a model was read but cannot be seen. The damage may be the reason, for instance an opacity of 0. */
   isBlank: boolean;
   /** Milliseconds of the longest task on the main thread. */
   longest: number;

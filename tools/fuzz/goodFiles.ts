@@ -8,7 +8,7 @@ import { addTrack, GltfBuilder } from '../modelFiles/GltfBuilder.js';
 import { type PlyFormat, ply } from '../modelFiles/modelWriters.js';
 import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../modelFiles/sceneWriters.js';
 
-/** A file as its writer knows it: text, bytes, or a glTF document with its data. */
+/** A file before it is damaged: text, bytes, or a glTF document with its data. */
 export type GoodFile =
   | { name: string; kind: 'text'; text: string }
   | { name: string; kind: 'bytes'; bytes: Uint8Array }
@@ -24,7 +24,7 @@ interface Surface {
   indices: number[];
 }
 
-/** A sphere of some rings, with everything that vertices can have. */
+/** A sphere of a few rings, with every attribute that vertices can have. */
 function sphere(random: Random): Surface {
   const rings = 2 + random.below(4);
   const segments = 3 + random.below(5);
@@ -137,7 +137,7 @@ function gltfBuilder(random: Random): GltfBuilder {
   return builder;
 }
 
-/** A sphere with clips of its own: shapes that change, and a node that turns. */
+/** A sphere with two clips: one changes morph targets, one turns a node. */
 function animatedBuilder(random: Random): GltfBuilder {
   const builder = gltfBuilder(random);
   const { json } = builder;
@@ -152,7 +152,7 @@ function animatedBuilder(random: Random): GltfBuilder {
   return builder;
 }
 
-/** Many small parts, some within others, which share few meshes and materials. */
+/** Many small parts, some of them children of others, that share a few meshes and materials. */
 function partsBuilder(random: Random): GltfBuilder {
   const builder = gltfBuilder(random);
   const { json } = builder;
@@ -214,7 +214,7 @@ async function dracoFile(random: Random): Promise<GoodDrop> {
   return [{ name: 'ball.glb', kind: 'gltf', builder, isBinary: true }];
 }
 
-/** Pictures to draw strokes with, the darker the later. */
+/** Hatch images, from light to dark. */
 const strokes = (random: Random): GoodDrop =>
   [0.2, 0.5, 0.8].map((share, i) => {
     const picture = new PNG({ width: 32, height: 32 });
@@ -356,7 +356,7 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
     ),
 };
 
-/** What takes a page to read: a decoder that it fetches, or a question to answer. */
+/** Kinds that need a page: the page fetches their decoder, or asks a question. */
 const PAGE_WRITERS: Record<string, (random: Random) => GoodDrop | Promise<GoodDrop>> = {
   draco: dracoFile,
   strokes,

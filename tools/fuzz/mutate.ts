@@ -3,7 +3,7 @@ import type { Random } from '../../src/demo/settings/Random.js';
 import type { Json } from '../modelFiles/GltfBuilder.js';
 import type { GoodDrop, GoodFile } from './goodFiles.js';
 
-/** Values that readers stumble over. */
+/** Values that readers are likely to mishandle. */
 export const NASTY: readonly unknown[] = [
   -1,
   0,
@@ -54,7 +54,7 @@ const NASTY_WORDS = [
 const NASTY_FLOATS = [Number.NaN, Infinity, -Infinity, 1e38, -1e38, 1e-45, 0, -0];
 const NASTY_INTEGERS = [0, 1, 0x7fffffff, 0x80000000, 0xffffffff, 0x10000, 255];
 
-/** Every place in a document that has a value. */
+/** Every place of a document that holds a value. */
 function placesIn(value: Json, places: { holder: Json; key: string }[] = []): { holder: Json; key: string }[] {
   if (typeof value !== 'object' || value === null) return places;
   for (const key of Object.keys(value)) {
@@ -77,7 +77,7 @@ function mutateDocument(json: Json, random: Random): void {
       else holder[random.pick(Object.keys(holder))] = structuredClone(value);
       break;
     case 2:
-      // Another value of the same document, which is of a likely type.
+      // Another value of the same document probably has a plausible type.
       {
         const other = random.pick(placesIn(json));
         holder[key] = structuredClone(other.holder[other.key]);
@@ -113,7 +113,7 @@ export function mutateBytes(source: Uint8Array, random: Random): Uint8Array {
       bytes.copyWithin(at, random.below(bytes.length));
       return bytes;
     case 5:
-      // Headers decide most.
+      // Damage to the header has the most effect.
       view.setUint32(Math.min(4 * random.below(32), bytes.length - 4) & ~3, random.pick(NASTY_INTEGERS), true);
       return bytes;
     default: {
@@ -140,7 +140,7 @@ export function mutateText(text: string, random: Random): string {
     case 3:
       return text.replaceAll('\n', random.pick(['\r', '\r\n', ' ', '\\\n']));
     case 4:
-      // Not of a whole file on one line.
+      // A file that is one line would be doubled as a whole.
       if (lines[at].length < 2000) lines[at] = lines[at].repeat(1 + random.below(50));
       break;
     default: {
@@ -152,12 +152,12 @@ export function mutateText(text: string, random: Random): string {
   return lines.join('\n');
 }
 
-/** Turns good files into what is dropped, with some values changed. */
+/** Damages some values of good files, and returns the files to be dropped. */
 export function mutate(drop: GoodDrop, random: Random): ModelFile[] {
   const times = random.pick([0, 1, 1, 1, 2, 3, 6]);
   const chosen = random.below(drop.length);
   const files = drop.flatMap((file, i) => write(file, i === chosen ? times : 0, random));
-  // A file that was not dropped along.
+  // One of the files is missing.
   if (files.length > 1 && random.chance(0.15)) files.splice(1 + random.below(files.length - 1), 1);
   return files.map(([name, content]) => ({ name, content: new Blob([content as Uint8Array<ArrayBuffer>]) }));
 }
@@ -178,7 +178,7 @@ function write(file: GoodFile, times: number, random: Random): [name: string, co
   builder.json.buffers[0].byteLength = bytes.length;
   if (!isBinary) builder.json.buffers[0].uri = 'ball.bin';
   for (let i = 0; i < times; i++) {
-    // Mostly the document; its data; or, below, the whole file.
+    // The document is damaged most often, else its data or, below, the whole file.
     if (random.chance(0.75)) mutateDocument(builder.json, random);
     else bytes = mutateBytes(bytes, random);
   }

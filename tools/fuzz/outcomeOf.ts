@@ -9,9 +9,9 @@ import { checkSentence, checkWords } from './checkWords.js';
 export type Outcome = { kind: 'model'; notes: string[] } | { kind: 'refused'; sentence: string };
 
 /**
- * What the playground makes of files: all it does with them before it draws.
+ * Reads and hatches files as the playground does before it draws them.
  *
- * @throws Error with what is wrong, if that is neither a model of finite numbers nor one plain sentence
+ * @throws Error that says what is wrong, if the outcome is neither a model of finite numbers nor one plain sentence
  */
 export async function outcomeOf(files: readonly ModelFile[]): Promise<Outcome> {
   try {
@@ -55,7 +55,7 @@ function checkGeometry({ geometry, visible, morphTargetInfluences }: Mesh): void
   }
   for (const [name, targets] of Object.entries(geometry.morphAttributes)) {
     for (const { array } of targets) checkNumbers(`shape ${name}`, array);
-    // The renderer of three.js fails.
+    // three's renderer would throw an error.
     if (morphTargetInfluences?.length !== targets.length) throw new Error(`Shapes without influences: ${name}`);
   }
 }

@@ -2,24 +2,24 @@ import type { Page } from '@playwright/test';
 
 declare global {
   interface Window {
-    /** What a page did since it was asked last, recorded by {@link watchPage}. */
+    /** What the page did since the last call, recorded by {@link watchPage}. */
     __watch?: { longest: number; complaints: string[]; takeTasks(): void };
   }
 }
 
-/** What a page did since it was asked last. */
+/** What the page did since the last call. */
 export interface PageWatch {
   /** Milliseconds of the longest task on the main thread; 0 if none was longer than 50. */
   longest: number;
-  /** What was not finite of what was given to WebGL, and its errors. */
+  /** Values that are not finite and were given to WebGL, and the errors of WebGL. */
   complaints: string[];
 }
 
 /**
- * Watches what a page asks of the main thread and of WebGL, from its first script on, and what it asks of other hosts. To be called
- * before the page is opened.
+ * Watches the long tasks of a page, its calls of WebGL, and its requests to other hosts, from its first script on. Call it before the
+ * page is opened.
  *
- * @returns addresses that it asked for elsewhere
+ * @returns the addresses on other hosts that the page requests
  */
 export async function watchPage(page: Page, address: string): Promise<string[]> {
   const elsewhere: string[] = [];
@@ -31,7 +31,7 @@ export async function watchPage(page: Page, address: string): Promise<string[]> 
   return elsewhere;
 }
 
-/** What the page did since this was called last. */
+/** Returns what the page did since the last call, and starts anew. */
 export function takeWatch(page: Page): Promise<PageWatch> {
   return page.evaluate(() => {
     const watched = window.__watch!;
@@ -67,7 +67,7 @@ function watch(): void {
       continue;
     const call = prototype[name];
     prototype[name] = function (...args) {
-      // One of each kind is enough.
+      // One complaint of each kind is enough.
       if (!args.every(isUsable) && watched.complaints.length < 5)
         watched.complaints.push(`${name} is given NaN or infinity`);
       return call.apply(this, args);

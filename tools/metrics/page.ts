@@ -22,7 +22,7 @@ import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
 import type { Vector } from './measures/vector.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 
-/** Where stroke spacing matters, the others are scaled to the spacing of the first. */
+/** The first technique. Where stroke spacing matters, the others are scaled to its spacing. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['anchored', { technique: 'anchored' }],
   ['engraved', { technique: 'engraved', screenConstancy: 1 }],

@@ -8,8 +8,8 @@ const COMPONENTS = new Map<unknown, number>([
 ]);
 const SIZES: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
 
-/** A glTF document. Tests change it as they like, also into one that is none. */
-// biome-ignore lint/suspicious/noExplicitAny: it is damaged on purpose.
+/** A glTF document. Tests change it freely, also so that it is invalid. */
+// biome-ignore lint/suspicious/noExplicitAny: tests damage it on purpose.
 export type Json = any;
 
 /** Builds glTF files. */

@@ -1,6 +1,6 @@
 import draco from 'draco3d';
 
-/** Values of vertices, so many numbers each. */
+/** An attribute of vertices, and how many numbers it has for each. */
 export interface DracoValues {
   values: Float32Array | Uint8Array;
   size: number;

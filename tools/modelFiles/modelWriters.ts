@@ -2,7 +2,7 @@ import type { ModelFile, ReadMesh } from '../../src/demo/files/readModel.js';
 import { readModel } from '../../src/demo/files/readModel.js';
 import { BOX_CORNERS, BOX_FACES } from './box.js';
 
-/** Small files of every kind, written by code, and what the playground makes of them. */
+/** Small files of every kind, written by code, and helpers that read them as the playground does. */
 
 export type Content = string | Uint8Array;
 
@@ -11,7 +11,7 @@ export const file = (name: string, content: Content): ModelFile => ({
   content: new Blob([content as Uint8Array<ArrayBuffer>]),
 });
 
-/** What is read from files that hold one mesh. */
+/** Reads files that hold one mesh. */
 export async function read(...files: [name: string, content: Content][]): Promise<ReadMesh> {
   const model = await readModel(
     files.map(([name, content]) => file(name, content)),
@@ -21,7 +21,7 @@ export async function read(...files: [name: string, content: Content][]): Promis
   return model;
 }
 
-/** The sentence with which a file is refused. */
+/** The message of the error that refuses a file. */
 export async function refusal(...files: [name: string, content: Content][]): Promise<string> {
   return read(...files).then(
     () => 'It was read.',
@@ -89,7 +89,7 @@ export type PlyValue = number | readonly number[];
 
 export interface PlyTable {
   name: string;
-  /** As `float x` or `list uchar int vertex_indices`. */
+  /** For instance `float x` or `list uchar int vertex_indices`. */
   properties: string[];
   rows: readonly (readonly PlyValue[])[];
 }

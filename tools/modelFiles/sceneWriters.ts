@@ -17,7 +17,7 @@ export const zip = (files: Readonly<Record<string, string | Uint8Array>>, level:
     { level },
   );
 
-/** Of FBX; its second has 46,186,158,000 parts. From x = 5 to x = 9. */
+/** Times in FBX: a second has 46,186,158,000 of its units. The box moves from x = 5 to x = 9. */
 const FBX_MOTION = `	AnimationStack: 20, "AnimStack::go", "" {
 	}
 	AnimationLayer: 21, "AnimLayer::base", "" {
@@ -42,7 +42,7 @@ const FBX_MOTION_CONNECTIONS = `	C: "OO",21,20
 	C: "OP",23,22, "d|X"
 `;
 
-/** FBX as text, with a camera. */
+/** An FBX file as text, with a camera. */
 export const fbx = (version = 7300, moves = false): string => `; FBX ${version / 1000} project file
 FBXHeaderExtension:  {
 	FBXHeaderVersion: 1003
@@ -128,7 +128,7 @@ const DAE_MOTION = `<library_animations><animation id="motion">
     <sampler id="sampler"><input semantic="INPUT" source="#times"/><input semantic="OUTPUT" source="#matrices"/></sampler>
     <channel source="#sampler" target="node/transform"/></animation></library_animations>`;
 
-/** COLLADA with z up, comments and entities. @param picture of the red faces */
+/** A COLLADA file with z up, comments and entities. @param picture of the red faces */
 export const dae = (picture?: string, moves = false): string => `<?xml version="1.0" encoding="utf-8"?>
 <!-- a box > a point -->
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -170,7 +170,7 @@ export const dae = (picture?: string, moves = false): string => `<?xml version="
 </COLLADA>
 `;
 
-/** VRML with a sky around the scene. */
+/** A VRML file with a sky around the scene. */
 export const wrl = (): string => `#VRML V2.0 utf8
 Background { skyColor [ 0 0 1, 0.5 0.5 1 ] skyAngle [ 1.5 ] groundColor [ 0 1 0, 0 1 0 ] groundAngle [ 1.5 ] }
 ${PAIRS.map(
@@ -186,7 +186,7 @@ ${PAIRS.map(
 
 const usdColour = (i: number): string => `(${COLOURS[i].replaceAll(' ', ', ')})`;
 
-/** USD as text. @param picture of the red faces */
+/** A USD file as text. @param picture of the red faces */
 export const usda = (picture?: string): string => `#usda 1.0
 (
     defaultPrim = "Root"
@@ -242,7 +242,7 @@ ${
 }
 `;
 
-/** 3MF, with colours of triangles and a prefix for their namespace. */
+/** A 3MF file, with colours of triangles and a prefix for their namespace. */
 export const threeMf = (level?: 0 | 9): Uint8Array => {
   const triangles = BOX_FACES.flatMap(([a, b, c, d], face) =>
     [
@@ -284,7 +284,7 @@ function chunk(id: number, ...parts: (Uint8Array | number[])[]): Uint8Array {
 const shorts = (...values: number[]): Uint8Array => new Uint8Array(Uint16Array.from(values).buffer);
 const text = (value: string): Uint8Array => strToU8(`${value}\0`);
 
-/** 3DS. */
+/** A 3DS file. */
 export const tds = (): Uint8Array => {
   const corners = BOX_FACES.flatMap(([a, b, c, d]) => [a, b, c, 0, a, c, d, 0]);
   const materials = NAMES.map((name, i) =>

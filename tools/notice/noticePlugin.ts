@@ -17,13 +17,13 @@ export const noticeFile: Plugin = {
   },
 };
 
-/** Fails a build that has code or models of others in it, of which the notice does not speak. For pages and workers alike. */
+/** Fails a build that bundles code or models of others which the notice does not name. It serves pages and workers. */
 export const noticeCheck = (): Plugin => ({
   name: 'notice-check',
   apply: 'build',
   generateBundle() {
     const missing = unnoticed(this.getModuleIds());
     if (missing.length > 0)
-      this.error(`NOTICE.txt does not speak of ${missing.join(', ')}: add it in tools/notice/contents.ts.`);
+      this.error(`NOTICE.txt does not name ${missing.join(', ')}: add it in tools/notice/contents.ts.`);
   },
 });

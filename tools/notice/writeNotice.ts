@@ -59,11 +59,11 @@ function wrapped(text: string): string {
   return lines.join('\n');
 }
 
-/** Libraries that three.js carries along are parts of their own. */
+/** Libraries that are copied into three.js are parts of their own in the notice. */
 const CARRIED = /^(three\/examples\/jsm\/libs\/)/;
 
 /**
- * Which of the modules that were bundled, by their paths, no part of the notice speaks of.
+ * The bundled modules, given by their paths, that no part of the notice names.
  *
  * @returns the name of each package, or the path of the file in it, once
  */

@@ -6,7 +6,7 @@ import { toWebp } from './toWebp.mjs';
 const PAGE_WIDTH = 560;
 const PICTURE = { width: 480, height: 360 };
 const QUALITY = 0.8;
-/** Pictures that are equal, so many milliseconds apart, are finished. One of a model that moves never is. */
+/** A picture is finished if it is the same after this many milliseconds. A picture of a model that moves never is. */
 const REST = 700;
 const MOST_LOOKS = 40;
 

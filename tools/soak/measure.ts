@@ -5,10 +5,10 @@ import { liveObjects } from '../browser/liveObjects.js';
 import { follow } from '../browser/playground.js';
 import type { Lap } from './judge.js';
 
-/** What the page shows when it is counted. */
+/** The link to what the page shows while its objects are counted. */
 export const REST = 'mapSize=64&mapTones=4&model=cube';
 
-/** What there is, once the page shows what it shows at the end of every lap. */
+/** Counts the objects after the page has gone to what it shows at the end of every lap. */
 export async function measure(page: Page, browser: Browser): Promise<Lap> {
   for (const model of ['sphere', 'cube']) {
     await follow(page, REST.replace('cube', model));
@@ -17,7 +17,7 @@ export async function measure(page: Page, browser: Browser): Promise<Lap> {
   return { ...counts, arrays: kilobytes / 1000, heap: await heapOf(page), process: await memoryOf(browser) };
 }
 
-/** How many of each kind there are, by names in lower case. */
+/** The number of objects of each kind, under names in lower case. */
 export async function countsOf(page: Page): Promise<Lap> {
   const counts = Object.entries(await liveObjects(page));
   return Object.fromEntries(counts.map(([kind, count]) => [kind.toLowerCase(), count]));
@@ -30,7 +30,7 @@ const STUCK_MILLISECONDS = 120_000;
 export const settleFigures = (page: Page) =>
   page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: STUCK_MILLISECONDS });
 
-/** Turns the light of the figures, and counts. */
+/** Turns the light of the figures, and counts the objects. */
 export async function turnFigures(page: Page, times: number): Promise<Lap> {
   for (let i = 0; i < times; i++) {
     await page.locator('#turn').fill(String(((i * 35) % 360) - 180));
@@ -43,7 +43,7 @@ export async function turnFigures(page: Page, times: number): Promise<Lap> {
 export const format = (value: number | undefined): string =>
   value === undefined ? '–' : Number.isInteger(value) ? String(value) : value.toFixed(1);
 
-/** Megabytes of the JavaScript heap. */
+/** The size of the JavaScript heap in megabytes. */
 async function heapOf(page: Page): Promise<number> {
   const session = await page.context().newCDPSession(page);
   const { usedSize } = await session.send('Runtime.getHeapUsage');
@@ -51,7 +51,7 @@ async function heapOf(page: Page): Promise<number> {
   return usedSize / 1e6;
 }
 
-/** Megabytes of memory that the browser's processes for pages and graphics hold; 0 where that is not known. */
+/** The memory of the browser's processes for pages and graphics in megabytes; 0 where it is not known. */
 async function memoryOf(browser: Browser): Promise<number> {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');

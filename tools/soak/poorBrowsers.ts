@@ -3,7 +3,7 @@ import { drop, idle } from '../browser/playground.js';
 import { watchProblems } from '../browser/watchProblems.js';
 import { file, octahedronObj } from '../modelFiles/modelFiles.js';
 
-/** What browsers may lack. Each runs in a page before its own scripts. */
+/** What browsers may lack. Each function runs in a page before the page's own scripts, and takes one feature away. */
 export const LACKS: Readonly<Record<string, () => void>> = {
   'without workers': () => {
     Reflect.deleteProperty(window, 'Worker');
@@ -33,7 +33,7 @@ export async function visitPoor(page: Page, lack: string): Promise<void> {
     if (name !== 'octahedron.obj' || isError > 0) {
       throw new Error(`A browser ${lack} draws ${name}: ${await visit.locator('#status').textContent()}`);
     }
-    // What is kept is noted with the address, a little later.
+    // The page writes a little later into its address that the model is kept.
     await visit.waitForFunction(() => history.state !== null);
     await visit.reload();
     await idle(visit);

@@ -13,13 +13,13 @@ import { countsOf, format, measure, REST, settleFigures, turnFigures } from './m
 interface RepeatOptions {
   /** Where the pages are served. */
   address: string;
-  /** How often each thing is done. */
+  /** How often each action is done. */
   times: number;
   /** Prints a line. */
   say: (line: string) => void;
 }
 
-/** Does one thing, the `i`th time. Things change with each time, and are the same again after some. */
+/** Does one action for the `i`th time. The value it sets changes each time, and comes again after a few times. */
 type Repeated = (page: Page, i: number) => Promise<void>;
 
 const at = <Item>(items: readonly Item[], i: number): Item => items[i % items.length];
@@ -54,16 +54,16 @@ const REPEATED: Readonly<Record<string, Repeated>> = {
   'model of another site': async (page, i) => void (await askForModel(page, new Random(i))),
 };
 
-/** Columns of the table: what is counted. */
+/** The columns of the table: the kinds that are counted. */
 const COLUMNS = ['buffer', 'texture', 'program', 'framebuffer', 'vertexarray', 'worker', 'url', 'listeners', 'nodes'];
 const MEGABYTES = ['arrays', 'heap', 'process'];
-/** Each different value is shown before the first count: what it is drawn with is kept. */
+/** So many times are done before the first count, so that every value has been shown once: programs and maps are kept. */
 const MOST_VALUES = Math.max(MODELS.length, TECHNIQUES.length, STYLES.length, GOOD.length);
 
 /**
- * Does each of some things many times, and counts what there is before and after.
+ * Does each action many times, and counts the objects before and after.
  *
- * @returns what grew, a line each
+ * @returns a line for each kind that grew
  */
 export async function repeat(browser: Browser, { address, times, say }: RepeatOptions): Promise<string[]> {
   const page = await browser.newPage({ viewport: { width: 480, height: 360 } });

@@ -1,9 +1,9 @@
 /**
- * `npm run soak`: uses the playground for 20 minutes as people do, by chance: drags the light, turns models, chooses techniques,
+ * `npm run soak`: uses the playground for 20 minutes as people do, in random order: drags the light, turns models, chooses techniques,
  * presets and maps, drops files, good and broken, saves pictures. Prints a table, and ends with 1 if anything grows, hangs or fails.
  *
- * `npm run soak -- --minutes=3` takes less time, `--seed=7` does other things. `npm run soak -- --repeats=40` does each thing forty times
- * instead: model, technique, preset, map, comparison, file, page of the figures; and prints what there is before and after.
+ * `npm run soak -- --minutes=3` takes less time, `--seed=7` takes another order. `npm run soak -- --repeats=40` does each action forty times
+ * instead: model, technique, preset, map, comparison, file, page of the figures; and prints the counts before and after.
  */
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';

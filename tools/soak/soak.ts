@@ -36,10 +36,9 @@ const COLUMNS = [
 ] as const;
 
 /**
- * Uses the playground for some minutes, in laps that each do everything once in an order left to chance, and then the page of
- * the figures.
+ * Uses the playground for some minutes, in laps that do every action in random order, and then the page of the figures.
  *
- * @returns what went wrong, a line each
+ * @returns a line for each thing that went wrong
  */
 export async function soak(browser: Browser, { address, minutes, seed, say }: SoakOptions): Promise<string[]> {
   const random = new Random(seed);
@@ -48,13 +47,13 @@ export async function soak(browser: Browser, { address, minutes, seed, say }: So
   await countObjects(page);
   await page.goto(`${address}#${REST}`);
   await idle(page);
-  // Shadow maps and the ground are made when they are first needed, and kept.
+  // Shadow maps and the ground are created when they are first needed, and kept.
   for (const light of ['directional', 'point', 'spot']) {
     await follow(page, `${REST}&shadows=on&ground=floor&compare=triangle&lightKind=${light}`);
   }
   const start = performance.now();
   const laps: Lap[] = [];
-  /** What was done last, for whoever looks for the cause. */
+  /** The latest actions, for finding the cause. */
   let trail: string[] = [];
   const place = (): string => `Lap ${laps.length + 1}, after ${trail.join(', ')}: `;
   say(COLUMNS.map((name) => name.slice(0, 9).padStart(10)).join(''));

@@ -30,7 +30,7 @@ type Run = <Result>(phase: string, task: Generator<number, Result, void>) => Res
 
 /**
  * The steps of `bake`, `bakePull` and `bakeIndexed` one by one, each handed to `run` under the name of its phase, for a mesh
- * that brings its own normals and nothing else. A unit test holds the results against theirs.
+ * that has normals and no other attributes. A unit test compares the results with those of the functions themselves.
  */
 export function bakeByPhase(mesh: TriangleMesh, run: Run) {
   run('check', validateTriangleMesh(mesh, 'benchmark'));
@@ -63,7 +63,7 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
   };
 }
 
-/** As `buildTriangleAdjacency` does it within. */
+/** The same steps that `buildTriangleAdjacency` takes. */
 // biome-ignore lint/correctness/useYield: one step, too short to be sliced.
 function* canonicalOf(canonical: Uint32Array, indices: Uint32Array): Generator<number, Uint32Array<ArrayBuffer>, void> {
   const canonicalCorners = new Uint32Array(indices.length);

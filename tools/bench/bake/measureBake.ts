@@ -4,7 +4,7 @@ import { loadMesh } from './loadMesh.js';
 import SwapWorker from './swap.worker.js?worker';
 
 /**
- * Bakes as often as `repeats` says, by phase, on the page's main thread; the first pays for compiling. Then hands the
+ * Bakes as often as `repeats` says, by phase, on the page's main thread; the first bake includes the time of compiling. Then hands the
  * request to a worker and takes the result of the `corner` layout from it, which is the phase `transfer`.
  */
 export async function measureBake(model: string, repeats: number) {

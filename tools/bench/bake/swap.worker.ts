@@ -1,4 +1,4 @@
-/** Answers every message with the buffers of the one before: what comes back has lain on this side, as a result has. */
+/** Answers every message with the buffers of the message before, so that what is sent back was in the worker already, as a result is. */
 let held: ArrayBuffer[] = [];
 
 globalThis.onmessage = ({ data }: MessageEvent<ArrayBuffer[]>) => {

@@ -6,14 +6,14 @@ export type Times = Record<Side, number[]>;
 const TURN: readonly Side[] = ['old', 'new', 'new', 'old'];
 const OTHER_TURN: readonly Side[] = ['new', 'old', 'old', 'new'];
 
-/** How many turns are measured: at least `turns`, and where they are short, as many as fill the time, up to four times that. */
+/** How many turns are measured: at least `turns`, and if turns are short as many as fill the time, but at most four times `turns`. */
 export interface Effort {
   turns: number;
   milliseconds: number;
 }
 
 /**
- * Measures both sides twice per turn, in an order in which a steady drift and who begins make no difference, after one turn
+ * Measures both sides twice per turn, in an order that cancels a steady drift and the advantage of going first, after one turn
  * that does not count.
  */
 export async function alternate(effort: Effort, measure: (side: Side) => number | Promise<number>): Promise<Times> {

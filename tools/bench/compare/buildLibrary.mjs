@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 const run = (cwd, command, ...args) => execFileSync(command, args, { cwd, stdio: ['ignore', 'ignore', 'inherit'] });
 
-/** Where commits have the configuration that builds the library: older ones in their root. */
+/** Where a commit has the configuration that builds the library. Older commits have it in their root. */
 const CONFIGS = ['tools/building/vite.lib.config.ts', 'vite.lib.config.ts'];
 
 /**
@@ -27,13 +27,13 @@ export function buildLibrary(commit, outDir) {
     install(folder);
     build(folder, outDir);
   } finally {
-    // Removed by us first: whether git would follow the link to our packages is not to be found out.
+    // The link is removed first, so that git cannot follow it and delete our packages.
     rmSync(join(folder, 'node_modules'), { recursive: true, force: true });
     run(root, 'git', 'worktree', 'remove', '--force', folder);
   }
 }
 
-/** The packages of the commit: ours, where it locks the same. */
+/** Gives the commit its packages: a link to ours if its lockfile is the same, else an installation. */
 function install(folder) {
   const lock = (of) => readFileSync(join(of, 'package-lock.json'), 'utf8');
   if (lock(folder) === lock(root)) symlinkSync(join(root, 'node_modules'), join(folder, 'node_modules'), 'junction');

@@ -16,7 +16,7 @@ const FILES = {
 const PLAN = { files: Object.keys(FILES), pages: 6, drops: 3 };
 const QUICK = { files: ['torus12k.ply'], pages: 1, drops: 2 };
 
-/** The time from handing a file to the playground to the first frame that shows it. */
+/** The time from dropping a file on the playground to the first frame that shows it. */
 export const drop = {
   name: 'drop',
   perRasteriser: true,

@@ -1,8 +1,8 @@
 import { basename } from 'node:path';
 
 /**
- * Hands a file to the playground. Milliseconds until the first frame that shows it can be read, until the one that shows it
- * baked and with its lines can, and how long the longest task of the main thread took meanwhile; 0 if none took 50 ms.
+ * Drops a file on the playground and measures, in milliseconds: the time until the first frame that shows the model, the time until
+ * the frame that shows it baked and with its lines, and the longest task of the main thread meanwhile, which is 0 if no task took 50 ms.
  */
 export async function timeDrop(page, path) {
   const name = basename(path).replace(/\.\w+$/, '');
@@ -39,7 +39,7 @@ export async function timeDrop(page, path) {
             drawing();
             const ready = performance.now() - start;
             const first = Math.min(await shown, ready);
-            // Tasks are told of a little later.
+            // The browser reports a task a little after it has ended.
             await new Promise((resolve) => setTimeout(resolve, 200));
             tasks.disconnect();
             resolve({ first, ready, longestTask });

@@ -18,7 +18,7 @@ export function dragon() {
   return geometry;
 }
 
-/** Writes a model as a binary file; the end of its name says of which format. */
+/** Writes a model as a binary file. The extension of its name says in which format. */
 export function writeModelFile(path, geometry) {
   if (path.endsWith('.glb')) {
     writeFileSync(path, glb(geometry));

@@ -20,7 +20,7 @@ const STEP = 1;
 /** Milliseconds, one per turn or step. */
 export interface LineTimes {
   triangles: number;
-  /** Primitives that were drawn of how many. */
+  /** How many primitives were drawn, and of how many. */
   listed: number;
   primitives: number;
   /** Whole frames of everything that was drawn. */
@@ -40,7 +40,7 @@ export async function measureLines(model: string, turns: number, size: number, i
   const hatched = new Mesh(geometry, material);
   const lined = withLines(new Mesh(geometry, material));
   const tested = withLines(new Mesh(geometry, material));
-  // Draws nothing at such a weight, but asks for every triangle.
+  // At this weight nothing is drawn, but every triangle is tested.
   linesOf(tested).material.suggestiveContours = 1e-9;
   const meshes: Record<string, Mesh> = { hatched, 'with lines': lined, 'with lines, no list': tested };
   if (isMoving) {
@@ -93,7 +93,7 @@ function onBone(geometry: BufferGeometry, material: HatchingMaterial): SkinnedMe
   const bone = new Bone();
   mesh.add(bone);
   mesh.bind(new Skeleton([bone]));
-  // A pose anew for every frame, as of a figure that walks.
+  // A new pose for every frame, as of a figure that walks.
   mesh.onBeforeRender = () => {
     bone.rotation.y += 1e-5;
   };
@@ -128,6 +128,6 @@ async function timeScript(stage: Stage, mesh: Mesh): Promise<number[]> {
     stage.drawFrame(mesh);
     await new Promise((resolve) => setTimeout(resolve, 0));
   }
-  // The first ones compile.
+  // The first frames compile the program.
   return times.slice(10);
 }

@@ -10,7 +10,7 @@ import { Stage } from '../Stage.js';
 
 const SIZE = 128;
 
-/** Frames that are drawn before any is looked at. They compile, and fill caches. */
+/** Frames that are drawn before the first one that is measured. They compile programs and fill caches. */
 const WARM_UP = 100;
 
 export interface MemoryPlan {
@@ -23,14 +23,14 @@ export interface MemoryPlan {
 let stage: Stage | undefined;
 let mesh: Mesh | undefined;
 
-/** Bakes and draws a torus once. `bytes` of what was baked and of its source; the longest task of the main thread in ms. */
+/** Bakes and draws a torus once. Returns the bytes of the result and of its source, and the longest task of the main thread in ms. */
 export async function measureMemory({ triangles, technique, layout, lines = false }: MemoryPlan) {
   let longestTask = 0;
   const tasks = new PerformanceObserver((list) => {
     for (const { duration } of list.getEntries()) longestTask = Math.max(longestTask, duration);
   });
   const source = torus(Math.sqrt(triangles / 2));
-  // Making the torus is no work of ours.
+  // The time to generate the torus does not count.
   await pause();
   tasks.observe({ entryTypes: ['longtask'] });
   const start = performance.now();
@@ -60,10 +60,10 @@ export async function drawFrames(count = WARM_UP): Promise<void> {
   }
 }
 
-/** Long tasks are told of a little later. */
+/** The browser reports a long task a little after it has ended. */
 const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 200));
 
-/** A torus of 2·segments² triangles without normals, in typed arrays: three's own passes through lists of numbers. */
+/** A torus of 2·segments² triangles without normals, in typed arrays: three's own would first be a list of numbers. */
 function torus(segments: number): BufferGeometry {
   const side = Math.round(segments);
   const positions = new Float32Array(3 * side * side);

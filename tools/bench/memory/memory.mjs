@@ -20,10 +20,10 @@ const QUICK = {
   frames: 20,
 };
 
-/** Bytes between two allocations that are looked at: every one of them, as good as. */
+/** Bytes between two allocations that are sampled: few enough for nearly every allocation. */
 const SAMPLING_INTERVAL = 16;
 
-/** What a bake takes at its peak, how long it blocks the page, and what frames leave behind. */
+/** The most memory that a bake takes, how long it blocks the page, and how much frames allocate. */
 export const memory = {
   name: 'memory',
   perRasteriser: false,
@@ -83,7 +83,7 @@ async function measureBake({ openMeasuring, rendererPids }, plan) {
   }
 }
 
-/** The most memory that a process has had at once, in bytes; Linux knows. */
+/** The most memory that a process has had at once, in bytes, as Linux reports it. */
 function peakOf(pid) {
   const kilobytes = /VmHWM:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, 'utf8'))?.[1];
   return 1024 * Number(kilobytes);

@@ -15,7 +15,7 @@ export interface OcclusionTimes {
   triangles: number;
   /** Milliseconds until each result, for every bake. */
   passes: number[][];
-  /** The longest task of the main thread during the bakes, milliseconds; shorter ones than 50 ms are not known. */
+  /** The longest task of the main thread during the bakes, in milliseconds; the browser reports no task below 50 ms. */
   longest: number;
   /** Frames by technique, milliseconds, one per turn. */
   times: Record<string, { open: number[]; occluded: number[] }>;

@@ -16,7 +16,7 @@ export interface ShadowTimes {
   triangles: number;
   /** Milliseconds, one per turn, of everything that was drawn. */
   times: Record<string, number[]>;
-  /** What each is compared with. */
+  /** For each drawing, the name of the drawing that it is compared with. */
   against: Record<string, string>;
 }
 

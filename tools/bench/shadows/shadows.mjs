@@ -4,7 +4,7 @@ import { figure, table, withInterval } from '../table.mjs';
 const PLAN = { models: { dragon11k: 25, dragon48k: 25 }, size: 1024 };
 const QUICK = { models: { dragon11k: 7 }, size: 512 };
 
-/** Strokes that know of shadows, on a model that shadows itself, and a ground with nothing but shadows on it. */
+/** What shadows cost: on a model that casts shadows on itself, and on a ground that shows nothing but shadows. */
 export const shadows = {
   name: 'shadows',
   perRasteriser: true,

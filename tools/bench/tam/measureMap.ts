@@ -1,7 +1,7 @@
 import { generateHatchImages, generateThresholds, type HatchImageOptions } from '../internals.js';
 import { PhaseClock } from '../PhaseClock.js';
 
-/** Draws a map as often as `repeats` says on the page's main thread, by phase. The first pays for compiling. */
+/** Draws a map as often as `repeats` says on the page's main thread, by phase. The first includes the time of compiling. */
 export function measureMap(options: HatchImageOptions, repeats: number) {
   const clocks = Array.from({ length: repeats }, () => {
     const clock = new PhaseClock();

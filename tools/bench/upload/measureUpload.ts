@@ -6,8 +6,8 @@ import { Stage } from '../Stage.js';
 const SIZE = 64;
 
 /**
- * Milliseconds that a frame takes longer when the geometry must be given to the graphics card for it, as often as `repeats`
- * says. The program is built before, and one triangle is drawn: all is uploaded for it.
+ * How many milliseconds longer a frame takes when the geometry has to be uploaded to the graphics card for it, measured `repeats`
+ * times. The program is compiled before, and only one triangle is drawn, although all of the geometry is uploaded.
  */
 export async function measureUpload(
   model: string,
