@@ -48,6 +48,8 @@ export const ROOMS = {
   'demo/settings': ['models'],
   'demo/drawing': ['files', 'models', 'settings'],
   'demo/stage': ['files', 'models', 'settings', 'drawing'],
+  'demo/stage/view': [],
+  'demo/stage/light': ['view'],
   'demo/page': [],
   'demo/code': ['files', 'models', 'settings', 'stage', '/package.json'],
   'demo/kept': ['files', 'settings'],

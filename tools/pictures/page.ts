@@ -20,8 +20,8 @@ import {
   presets,
   scalePreset,
 } from 'three-hatching';
-import { createCamera } from '../../src/demo/stage/createCamera.js';
-import { fitCamera } from '../../src/demo/stage/framing.js';
+import { createCamera } from '../../src/demo/stage/view/createCamera.js';
+import { fitCamera } from '../../src/demo/stage/view/framing.js';
 import { loadSubject, type SubjectName } from './subjects.js';
 
 /** A picture of one subject in one preset. */

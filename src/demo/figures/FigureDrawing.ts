@@ -10,8 +10,8 @@ import {
   scalePreset,
   TonalArtMap,
 } from 'three-hatching';
-import { createCamera } from '../stage/createCamera.js';
-import { fitCamera } from '../stage/framing.js';
+import { createCamera } from '../stage/view/createCamera.js';
+import { fitCamera } from '../stage/view/framing.js';
 import { figureModel } from './figureModels.js';
 import { PIXEL_RATIO } from './figurePixels.js';
 import type { Figure, Look, Panel } from './figures.js';

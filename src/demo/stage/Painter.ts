@@ -1,11 +1,11 @@
 import { WebGLRenderer } from 'three';
 import { SETTING_KEYS, SETTINGS, type Settings } from '../settings/settings.js';
-import { createCamera } from './createCamera.js';
-import type { ShadowQuality } from './LightRig.js';
+import type { ShadowQuality } from './light/LightRig.js';
 import { ProgramBuilder } from './ProgramBuilder.js';
 import type { Scenery } from './Scenery.js';
 import { SideBySide, sidesOf, type Tile } from './SideBySide.js';
 import { strokeShare } from './strokeShare.js';
+import { createCamera } from './view/createCamera.js';
 
 /** The settings that programs depend on are among those that are chosen from a list. */
 const CHOICES = SETTING_KEYS.filter((name) => SETTINGS[name].kind === 'choice');

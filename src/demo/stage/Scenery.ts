@@ -4,8 +4,8 @@ import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import type { Settings } from '../settings/settings.js';
 import { drawsWithMap, UPRIGHT } from '../settings/settingValues.js';
 import { Ground } from './Ground.js';
-import { LightRig } from './LightRig.js';
 import type { Layer } from './layers.js';
+import { LightRig } from './light/LightRig.js';
 import { ShownModel } from './ShownModel.js';
 
 /** What is drawn: the model, turned so that its up axis is y, the ground that it stands on, and the lights. */

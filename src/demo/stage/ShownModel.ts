@@ -3,7 +3,7 @@ import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { Slices } from '../files/common/Slices.js';
 import type { Settings } from '../settings/settings.js';
-import { DEFAULT_VIEW } from './createCamera.js';
+import { DEFAULT_VIEW } from './view/createCamera.js';
 
 /** The direction from a model to the eye when the model is framed. */
 type ViewDirection = readonly [number, number, number];

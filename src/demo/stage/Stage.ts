@@ -10,7 +10,7 @@ import { Painter } from './Painter.js';
 import { PictureSession } from './PictureSession.js';
 import { Scenery } from './Scenery.js';
 import type { ModelChange, ShownModel } from './ShownModel.js';
-import { View } from './View.js';
+import { View } from './view/View.js';
 
 /** The drawing on the page: what is drawn, where it is seen from, and the frames and pictures of it. */
 export class Stage {

@@ -1,8 +1,8 @@
 import { MathUtils, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import type { Settings } from '../settings/settings.js';
-import { fitCamera } from '../stage/framing.js';
 import type { Stage } from '../stage/Stage.js';
+import { fitCamera } from '../stage/view/framing.js';
 import { turnedOutlines } from './turnedOutlines.js';
 
 /** What a frame of a video shows otherwise than the page does. */

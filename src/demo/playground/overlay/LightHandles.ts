@@ -1,7 +1,7 @@
 import { acceptSetting } from '../../settings/acceptSetting.js';
 import { SETTINGS, type Settings } from '../../settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../../settings/settingValues.js';
-import { LightHandle } from '../../stage/LightHandle.js';
+import { LightHandle } from '../../stage/light/LightHandle.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 

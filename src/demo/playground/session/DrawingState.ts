@@ -1,7 +1,7 @@
 import type { ModelFile } from '../../files/readModel.js';
 import type { SavedView } from '../../settings/savedViews.js';
 import { SETTING_KEYS, type Settings } from '../../settings/settings.js';
-import type { ViewState } from '../../stage/View.js';
+import type { ViewState } from '../../stage/view/View.js';
 
 /** A drawing but for its model. */
 export interface LookState {

@@ -6,7 +6,7 @@ import { lineLook } from '../../../../src/demo/settings/lineLook.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
-import { LightRig } from '../../../../src/demo/stage/LightRig.js';
+import { LightRig } from '../../../../src/demo/stage/light/LightRig.js';
 import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
 import { HatchingLines } from '../../../../src/lines/HatchingLines.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';

@@ -2,8 +2,8 @@ import { Group } from 'three';
 import { expect, test, vi } from 'vitest';
 import type { HatchedModel } from '../../../../src/demo/drawing/HatchedModel.js';
 import { defaultSettings } from '../../../../src/demo/settings/settings.js';
-import { DEFAULT_VIEW } from '../../../../src/demo/stage/createCamera.js';
 import { ShownModel } from '../../../../src/demo/stage/ShownModel.js';
+import { DEFAULT_VIEW } from '../../../../src/demo/stage/view/createCamera.js';
 
 /** A model without meshes, and what was done to it. */
 function fakeModel(name: string) {

@@ -1,9 +1,9 @@
 import { Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
-import { createCamera } from '../../../../src/demo/stage/createCamera.js';
 import { LostContextError } from '../../../../src/demo/stage/LostContextError.js';
 import type { Stage } from '../../../../src/demo/stage/Stage.js';
+import { createCamera } from '../../../../src/demo/stage/view/createCamera.js';
 import { recordVideo } from '../../../../src/demo/video/recordVideo.js';
 
 /** A stage without a browser. @param drawPart what drawing the nth frame does */

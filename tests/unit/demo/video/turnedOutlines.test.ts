@@ -1,7 +1,7 @@
 import { TorusKnotGeometry, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { createCamera } from '../../../../src/demo/stage/createCamera.js';
-import { fitCamera } from '../../../../src/demo/stage/framing.js';
+import { createCamera } from '../../../../src/demo/stage/view/createCamera.js';
+import { fitCamera } from '../../../../src/demo/stage/view/framing.js';
 import { turnedOutlines } from '../../../../src/demo/video/turnedOutlines.js';
 
 const FILL = 0.7;

@@ -1,6 +1,6 @@
 import { type Camera, DirectionalLight, MathUtils, Matrix4, PointLight, type Scene, SpotLight, Vector3 } from 'three';
-import type { Settings } from '../settings/settings.js';
-import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
+import type { Settings } from '../../settings/settings.js';
+import { type LightPlace, placeOfLight, placeOfSecondLight } from '../../settings/settingValues.js';
 import { shadowOnGround } from './shadowOnGround.js';
 
 /** Distance of a directional light, in radii of the model: outside of what casts shadows. */

@@ -1,6 +1,6 @@
 import { type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { CameraView } from '../settings/CameraView.js';
+import type { CameraView } from '../../settings/CameraView.js';
 import { DEFAULT_VIEW } from './createCamera.js';
 import { type Framing, fitCamera, proportionOf } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';

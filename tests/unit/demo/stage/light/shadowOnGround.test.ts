@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { shadowOnGround } from '../../../../src/demo/stage/shadowOnGround.js';
+import { shadowOnGround } from '../../../../../src/demo/stage/light/shadowOnGround.js';
 
 const expectPoints = (points: number[], expected: number[]): void => {
   expect(points).toHaveLength(expected.length);

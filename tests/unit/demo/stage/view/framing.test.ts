@@ -1,8 +1,8 @@
 import { type PerspectiveCamera, TorusKnotGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { createCamera } from '../../../../src/demo/stage/createCamera.js';
-import { fitCamera, proportionOf } from '../../../../src/demo/stage/framing.js';
-import { shadowOnGround } from '../../../../src/demo/stage/shadowOnGround.js';
+import { shadowOnGround } from '../../../../../src/demo/stage/light/shadowOnGround.js';
+import { createCamera } from '../../../../../src/demo/stage/view/createCamera.js';
+import { fitCamera, proportionOf } from '../../../../../src/demo/stage/view/framing.js';
 
 const FILL = 0.7;
 const VIEW = new Vector3(0.6, 0.4, 1);
