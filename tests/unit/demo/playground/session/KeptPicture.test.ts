@@ -16,17 +16,21 @@ function createPicture() {
   const toDataURL = vi.fn(() => PICTURE);
   const drawImage = vi.fn();
   vi.stubGlobal('document', { createElement: () => ({ toDataURL, getContext: () => ({ drawImage }) }) });
-  const scene = {
-    ...{ isComplete: true, isWaiting: false, isCoarse: false, isStandIn: false },
-    ...{ canvas: { width: 300, height: 200 }, renderer: { getContext: () => gl.context }, redraw: () => true },
+  const stage = {
+    isComplete: true,
+    frames: { isWaiting: false, redraw: () => true },
+    quality: { isCoarse: false },
+    shown: { isStandIn: false },
+    canvas: { width: 300, height: 200 },
+    context: gl.context,
   };
   const taken: string[] = [];
   const picture = new KeptPicture(
-    scene as never,
+    stage as never,
     () => true,
     (pending) => void pending.then((address) => taken.push(address)),
   );
-  return { gl, scene, toDataURL, drawImage, taken, picture };
+  return { gl, stage, toDataURL, drawImage, taken, picture };
 }
 
 test('the drawing is copied in the task of its frame, and read only when the graphics card has drawn it', async () => {
@@ -41,13 +45,13 @@ test('the drawing is copied in the task of its frame, and read only when the gra
 });
 
 test('what is not at rest yet waits for a later frame, and is read once', async () => {
-  const { gl, scene, drawImage, taken, picture } = createPicture();
+  const { gl, stage, drawImage, taken, picture } = createPicture();
   gl.finish();
-  scene.isCoarse = true;
+  stage.quality.isCoarse = true;
   picture.want();
   picture.frameDrawn();
   expect(drawImage).not.toHaveBeenCalled();
-  scene.isCoarse = false;
+  stage.quality.isCoarse = false;
   picture.frameDrawn();
   picture.frameDrawn();
   await vi.advanceTimersByTimeAsync(1000);

@@ -32,7 +32,7 @@ vi.mock('../../../../../src/demo/playground/session/watchPresses.js', () => ({ w
 
 beforeEach(() => void vi.clearAllMocks());
 
-/** A session on a scene that only remembers what was applied, and the events that the session has told. */
+/** A session on a stage that only remembers what was applied, and the events that the session has told. */
 function createSession() {
   const place = { position: [0, 0, 5], target: [0, 0, 0] };
   const view = {
@@ -42,8 +42,8 @@ function createSession() {
     onMoved: () => {},
   };
   const applied: string[] = [];
-  const scene = { view, apply: (settings: Settings) => void applied.push(settings.ink), isComplete: true };
-  const session = new Session(scene as never, defaultSettings(), {} as never);
+  const stage = { view, apply: (settings: Settings) => void applied.push(settings.ink), isComplete: true };
+  const session = new Session(stage as never, defaultSettings(), {} as never);
   const events: string[] = [];
   session.listen({
     applied: () => void events.push('applied'),
