@@ -2,18 +2,18 @@ import { findLostInk } from './findLostInk.js';
 import { DEFAULT_STROKE_WIDTH, type HatchImages } from './HatchImages.js';
 import { excessOf, MAX_SIDE } from './mapLimits.js';
 
-/** How well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
+/** Tells how well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
 export interface HatchImageReport {
-  /** `means[tone][level]`: mean ink, 0 = paper, 1 = ink. It should be constant over levels and grow with tone. */
+  /** `means[tone][level]`: mean ink, 0 = paper, 1 = ink. It should be the same on all levels and grow with the tone. */
   means: number[][];
-  /** `toneNesting[tone][level]`: texels that are lighter than in the tone before by more than 1/255. Row 0 is zero. */
+  /** `toneNesting[tone][level]`: number of texels that are lighter than in the previous tone by more than 1/255. Row 0 is zero. */
   toneNesting: number[][];
   /**
-   * `levelNesting[tone][level]`: texels with at least half ink that find no texel as dark at the same place of the next finer
-   * level (the 2 × 2 block and the texels around it). Column 0 is zero.
+   * `levelNesting[tone][level]`: number of texels with at least half ink for which the next finer level has no texel with half ink
+   * at the same place (the 2 × 2 block and the texels around it). Column 0 is zero.
    */
   levelNesting: number[][];
-  /** Images whose mean ink is below that of the tone before on the same level. */
+  /** The images whose mean ink is below that of the previous tone on the same level. */
   meansOutOfOrder: { tone: number; level: number }[];
   /** Whether both kinds of nesting hold everywhere and all means are in order. */
   consistent: boolean;
@@ -22,7 +22,7 @@ export interface HatchImageReport {
 /**
  * Checks that images have the shape of a tonal art map.
  *
- * @throws TypeError or RangeError naming what is wrong and where
+ * @throws TypeError or RangeError that names the fault and its place
  */
 export function assertHatchImages(hatchImages: HatchImages): void {
   const fail = (Fault: typeof TypeError | typeof RangeError, text: string): never => {
@@ -72,7 +72,7 @@ export function assertHatchImages(hatchImages: HatchImages): void {
       if (image.length === 0) {
         fail(
           TypeError,
-          `images[${tone}][${level}] is empty: its buffer was transferred, or it never had any bytes. Pass a copy that was not given away, image.slice().`,
+          `images[${tone}][${level}] is empty: its buffer was transferred, or it never had any bytes. Pass a copy that you do not transfer: image.slice().`,
         );
       }
       if (image.length !== side * side) {
@@ -85,7 +85,7 @@ export function assertHatchImages(hatchImages: HatchImages): void {
   }
 }
 
-/** Measures images that passed `assertHatchImages`. */
+/** Measures how well images keep the constraints. They must have passed `assertHatchImages`. */
 export function checkHatchImages({ size, images }: HatchImages): HatchImageReport {
   const means = images.map((row) => row.map(meanInk));
   const toneNesting = images.map((row, tone) =>

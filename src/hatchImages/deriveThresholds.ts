@@ -3,7 +3,7 @@ import { equalize } from '../strokes/equalize.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';
 
-/** Successive blurs of the field: the radius in texels of each further blur, and the weight of its result. */
+/** The field is blurred repeatedly: the radius of each further blur in texels, and the weight of its result. */
 const BLURS = [
   { radius: 0, weight: 1 },
   { radius: 1, weight: 1 },
@@ -12,13 +12,13 @@ const BLURS = [
 ] as const;
 
 /**
- * Derives thresholds from hatch images, level by level: the darker a texel over all tones, the earlier it becomes ink.
+ * Derives thresholds from hatch images, level by level: the darker a texel is over all tones, the earlier it becomes ink.
  *
- * Images give this in steps of tone only. A slight blur turns the steps into slopes, so that strokes swell and can be
- * magnified. Wider blurs with less weight order what is still equal: blank paper by its distance from strokes, solid ink by
- * its distance from the edge.
+ * The images alone give thresholds in steps of tone. A slight blur turns the steps into slopes, so that strokes swell and can be
+ * magnified. Wider blurs with less weight give an order to texels that are still equal: blank paper by its distance from strokes,
+ * solid ink by its distance from the edge.
  *
- * @returns the levels, finest first; yields progress in [0, 1]
+ * @returns the levels, the finest first; yields progress in [0, 1]
  */
 export function* deriveThresholds({ size, images }: HatchImages): Generator<number, ThresholdLevel[], void> {
   const levels: ThresholdLevel[] = [];
@@ -30,7 +30,7 @@ export function* deriveThresholds({ size, images }: HatchImages): Generator<numb
   return levels;
 }
 
-/** The mean over all tones: 0 where all are ink, 1 where all are paper. */
+/** The mean over all tones, per texel: 0 where all tones are ink, 1 where all are paper. */
 function meanPaper(images: readonly (readonly Uint8Array[])[], level: number): Float32Array {
   const mean = new Float32Array(images[0][level].length);
   for (const row of images) {

@@ -1,14 +1,14 @@
-/** Thresholds of one level in both forms. */
+/** The thresholds of one level, as numbers and encoded. */
 export interface ThresholdLevel {
   /** Texels per side. */
   size: number;
-  /** size² tones in (0, 1), in rows of growing v, at which texels become ink. Uniformly distributed. */
+  /** size² numbers in (0, 1), in rows of growing v: the tones at which the texels become ink. They are uniformly distributed. */
   thresholds: Float32Array;
   /** g = Φ⁻¹(threshold) as bytes, 0 for −3 and 255 for 3: normally distributed. The content of the texture. */
   encoded: Uint8Array;
 }
 
-/** Standard deviations at which g is clamped. The 0.13 % of texels beyond become ink together. */
+/** g is clamped at this many standard deviations. The 0.13 % of the texels beyond become ink all at once. */
 export const LIMIT = 3;
 
 /** Φ⁻¹(p), the quantile of the standard normal distribution, to 5e-4 (Abramowitz and Stegun 1964, 26.2.23). */
@@ -21,14 +21,14 @@ export function normalQuantile(p: number): number {
 }
 
 /**
- * Encodes thresholds for the texture. A byte is enough: edges lie between texels, where the texture unit interpolates. Half
- * floats cost a software rasterizer a third of the frame time.
+ * Encodes thresholds for the texture. Bytes are precise enough, because edges lie between texels, where the texture unit
+ * interpolates. Half floats would take a software rasterizer a third of the frame time.
  */
 export function encodeThresholds(size: number, thresholds: Float32Array): ThresholdLevel {
   const encoded = new Uint8Array(thresholds.length);
   for (let i = 0; i < thresholds.length; i++) {
     const g = Math.max(-LIMIT, Math.min(LIMIT, normalQuantile(thresholds[i])));
-    // Rounded away from the middle, so that a threshold and its complement stay symmetric.
+    // Rounding away from the middle keeps a threshold and its complement symmetric.
     encoded[i] = g < 0 ? Math.ceil(127.5 * (1 + g / LIMIT) - 0.5) : Math.floor(127.5 * (1 + g / LIMIT) + 0.5);
   }
   return { size, thresholds, encoded };

@@ -2,8 +2,8 @@ import { findLostInk, HALF_INK } from './findLostInk.js';
 import type { HatchImages } from './HatchImages.js';
 
 /**
- * Repairs the nesting of levels where ink of a coarser level is missing from the finer one (`findLostInk`): one texel there
- * becomes half ink, in this tone and in every darker one. Nothing becomes lighter, so tones stay nested.
+ * Repairs the nesting of levels at all places where ink of a coarser level is missing from the finer one (`findLostInk`): a texel
+ * there becomes half ink, in this tone and in every darker one. Nothing becomes lighter, so tones stay nested.
  *
  * @param images changed in place
  */

@@ -1,9 +1,9 @@
-/** Bytes up to this have at least half ink. */
+/** The largest byte that counts as at least half ink. */
 export const HALF_INK = 127;
 
 /**
- * Finds where the nesting of two levels is broken: texels of the coarser level with at least half ink whose place on the
- * finer level (the 2 × 2 block and the texels around it) has no texel as dark.
+ * Finds the places where the nesting of two levels is broken: texels of the coarser level with at least half ink for which the
+ * finer level has no texel with half ink at the same place (the 2 × 2 block and the texels around it).
  *
  * @param coarse size² bytes
  * @param fine (2·size)² bytes

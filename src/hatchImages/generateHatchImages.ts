@@ -9,9 +9,8 @@ import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOption
 /**
  * Draws the hatch images of a tonal art map: every tone at every level.
  *
- * The mean ink of image k is maxInk·k/(tones−1) on every level, to within half a stroke; maxInk belongs to the style.
- * Means count ink linearly (0 = paper, 1 = ink). So they are what a renderer that mixes paper and ink in linear light shows
- * from a distance.
+ * The mean ink of image k is maxInk·k/(tones−1) on every level, to within half a stroke; maxInk belongs to the style. Ink is
+ * averaged linearly (0 = paper, 1 = ink), so from a distance a renderer that mixes paper and ink in linear light shows these means.
  *
  * @throws RangeError if an option is out of its range, at the first step
  * @returns the images; yields progress in [0, 1]
@@ -25,7 +24,7 @@ export function* generateHatchImages(options: HatchImageOptions = {}): Generator
     images.push(drawTone(strokes, tone, request, grains, images.at(-1)));
     yield 1;
   }
-  // Lines nest because finer levels repeat them. Grain breaks lines up, so nesting then needs another step.
+  // Strokes nest because finer levels repeat them. Grain breaks strokes up, so that nesting must be enforced.
   if (request.style.grain) enforceLevelNesting({ size: request.size, images });
   return { size: request.size, images, strokeWidth: request.style.width };
 }

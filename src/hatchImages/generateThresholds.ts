@@ -9,35 +9,35 @@ import type { Stroke } from '../strokes/Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageOptions, type HatchImageRequest, resolveHatchImageOptions } from './hatchImageOptions.js';
 
-/** Steps of tone in which strokes are placed: enough for an even drawing at any tone in between. */
+/** The number of steps of tone in which strokes are placed: enough for an even image at any tone in between. */
 const STEPS = 24;
 
 /** Cells of the field per texel and side. */
 const CELLS_PER_TEXEL = 2;
 
-/** Value of the field where no stroke reaches: higher than any ink. */
+/** The value of the field where no stroke reaches: it is higher than any ink. */
 const UNREACHED = 1e6;
 
-/** Weights of four cells in a row; the inner two lie in the texel. */
+/** The weights of four cells in a row, of which the inner two lie in the texel. */
 const TENT = [0.125, 0.375, 0.375, 0.125] as const;
 
-/** Cells visited between two reports of progress: about a millisecond's work. */
+/** The number of cells that are visited between two reports of progress, which takes about a millisecond. */
 const WORK_PER_SLICE = 300_000;
 
-/** Radius in texels within which the mean threshold is the same everywhere: several strokes side by side. */
+/** The mean threshold is the same in every neighbourhood of this radius in texels, which holds several strokes side by side. */
 const NEIGHBOURHOOD = 16;
 
-/** Progress once the strokes are placed. */
+/** The progress after all strokes were placed. */
 const PLACED = 0.8;
 
 /**
- * Draws the thresholds of a tonal art map: for each level an image of the tones at which its texels become ink. For every
- * tone, {threshold < tone} is a drawing of exactly that mean ink. As tone rises, strokes appear between those already there,
- * grow longer and swell, until thin lines of paper remain and close.
+ * Draws the thresholds of a tonal art map: for each level an image of the tones at which its texels become ink. For every tone,
+ * {threshold < tone} is an image of exactly that mean ink. As the tone rises, strokes appear between those already there, grow
+ * longer and swell, until only thin lines of paper remain, which close at last.
  *
- * Thresholds are the scheme of Webb et al. 2002. Here they are drawn with distance profiles instead of steps, so that they can
- * be interpolated, and equalised, so that coverage equals tone. Texel [i][j] equals texel [size−1−i][size−1−j], so a stroke
- * direction and its opposite draw the same. Strokes of a level are those of the next coarser one and new ones between them.
+ * Thresholds are the method of Webb et al. 2002. Here they are drawn with distance profiles instead of steps, so that they can be
+ * interpolated, and equalised, so that coverage equals tone. Texel [i][j] equals texel [size−1−i][size−1−j], so a stroke direction
+ * and its opposite draw the same. A level has the strokes of the next coarser level, and new ones between them.
  *
  * @throws RangeError if an option is out of its range, at the first step. `tones` does not matter.
  * @returns the levels, finest first; yields progress in [0, 1]
@@ -46,7 +46,7 @@ export function* generateThresholds(options: HatchImageOptions = {}): Generator<
   const request = resolveHatchImageOptions(options);
   const { maxInk, proposals } = request.style.thresholds;
   const layers = request.style.layers.map((layer) => ({ ...layer, from: layer.thresholdsFrom }));
-  // Grain is added to the thresholds afterwards.
+  // Strokes are placed without grain, which is added to the thresholds afterwards.
   const style = { ...request.style, maxInk, layers, proposals, grain: undefined };
   const placing = placeStrokes({ ...request, style, tones: STEPS + 1, pairs: true });
   const strokes = yield* asPhase(placing, 0, PLACED);
@@ -57,7 +57,7 @@ export function* generateThresholds(options: HatchImageOptions = {}): Generator<
   return levels;
 }
 
-/** Draws the thresholds of one level, from one stroke of each pair; symmetry gives the rest. */
+/** Draws the thresholds of one level. It draws one stroke of each pair into the field; the other follows by symmetry. */
 function* drawLevel(
   strokes: Stroke[],
   level: number,
@@ -85,7 +85,7 @@ function* drawLevel(
   const half = averageHalf(fields[0], size);
   yield progress;
   for (const field of fields.slice(1)) {
-    // Each layer is averaged alone: otherwise it would leave bumps where it crosses the strokes of another.
+    // Each layer is averaged by itself; otherwise there would be bumps where strokes of two layers cross.
     const across = averageHalf(field, size);
     for (let i = 0; i < half.length; i++) half[i] = Math.min(half[i], across[i]);
     yield progress;
@@ -98,7 +98,7 @@ function* drawLevel(
   }
   const uneven = withHalfTurn(equalize(half));
   yield progress;
-  // Where strokes happen to lie closer, the tile would be darker at every tone, and repeated tiles would show it.
+  // Places where strokes happen to lie closer would be darker at every tone, which would be visible in repeated tiles.
   const local = blurToroidal(uneven, size, NEIGHBOURHOOD);
   yield progress;
   for (let i = 0; i < half.length; i++) half[i] = uneven[i] + 1 - local[i];
@@ -107,7 +107,7 @@ function* drawLevel(
   return encodeThresholds(size, thresholds);
 }
 
-/** The whole field of a half: the other half is the same after a half turn. */
+/** Completes a field from its first half. The second half is the same after a half turn. */
 function withHalfTurn(half: Float32Array): Float32Array {
   const whole = new Float32Array(2 * half.length);
   whole.set(half);
@@ -116,8 +116,8 @@ function withHalfTurn(half: Float32Array): Float32Array {
 }
 
 /**
- * Filters the lower of the field and its half turn down to texels, for the first half of the rows. The filter reaches half a
- * texel beyond the texel on every side: a narrower one would break strokes up along their length.
+ * Takes the lower of the field and its half turn, and filters it down to texels, for the first half of the rows. The filter reaches
+ * half a texel beyond the texel on every side, because a narrower filter would break strokes up along their length.
  */
 function averageHalf(field: Float32Array, size: number): Float32Array {
   const cells = size * CELLS_PER_TEXEL;

@@ -2,26 +2,26 @@ import type { StrokeStyle } from '../strokes/StrokeStyle.js';
 import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 
-/** What `TonalArtMap.generate` draws. */
+/** The options that determine a generated map. */
 export interface HatchImageOptions {
-  /** The kind of strokes. Default `'hatching'`. */
+  /** The style of the strokes. Default `'hatching'`. */
   style?: StrokeStyleName | undefined;
-  /** Another whole number gives another drawing of the same kind; the same one gives the same bytes. Default 1. */
+  /** A whole number. Each seed places the strokes differently; the same seed gives the same bytes. Default 1. */
   seed?: number | undefined;
   /** Texels per side of the finest level: a power of two from 64 to 1024. Default 256. */
   size?: number | undefined;
   /** Number of tones including blank paper, 4 to 16. Default 8. */
   tones?: number | undefined;
-  /** Number of levels. Default and maximum: all from `size` down to 16 texels. */
+  /** Number of levels. The default is the maximum: all levels from `size` down to 16 texels. */
   levels?: number | undefined;
   /**
-   * Width of a stroke or diameter of a dot in texels, the same on every level. Default and range depend on the style: 1.9 in
-   * the range 1.2 to 2.6 for pen strokes, 2.4 in the range 1.65 to 2.5 for dots.
+   * Width of a stroke or diameter of a dot in texels, the same on every level. Default and range depend on the style: for pen
+   * strokes 1.9 in the range 1.2 to 2.6, for dots 2.4 in the range 1.65 to 2.5.
    */
   strokeWidth?: number | undefined;
 }
 
-/** Options with every default filled in. */
+/** The options with all defaults filled in. */
 export interface HatchImageRequest {
   style: StrokeStyle;
   seed: number;
@@ -33,7 +33,7 @@ export interface HatchImageRequest {
 /**
  * Fills in defaults and checks ranges.
  *
- * @throws RangeError naming the option and what it may be
+ * @throws RangeError that names the option and its range
  */
 export function resolveHatchImageOptions(options: HatchImageOptions = {}): HatchImageRequest {
   const { style: name = 'hatching', seed = 1, size = 256, tones = 8 } = options;

@@ -7,19 +7,19 @@ import type { HatchImages } from './HatchImages.js';
 /**
  * Makes the missing levels of images that have only one, each with half the texels per side, down to 16.
  *
- * Ordinary downsampling would make strokes grey and thin. Instead, the order in which texels become ink (`deriveThresholds`)
- * is filtered by a minimum over 3 × 3 texels and then downsampled, which keeps strokes of about two texels as wide as they
- * are. In this order, as many texels become ink as give the tone its mean. Strokes that come early in the tones stay; later
- * ones wait for darker tones. All are black, and they nest in tone and level.
+ * Ordinary downsampling would make strokes grey and thin. Instead, the order in which texels become ink (`deriveThresholds`) is
+ * filtered by a minimum over 3 × 3 texels and then downsampled, so that strokes of about two texels keep their width in texels. In
+ * this order, texels become ink until the image has the mean of its tone. So the strokes of light tones stay, and later strokes
+ * appear only in darker tones. All are black, and they nest in tone and level.
  *
- * @param images `images[tone][0]`; left as they are
+ * @param images `images[tone][0]`; they are not changed
  * @returns the images with all their levels; yields progress in [0, 1]
  */
 export function* makeLevels({ size, images }: HatchImages): Generator<number, HatchImages, void> {
   const result = images.map(([finest]) => [finest]);
   if (size <= COARSEST_SIZE) return { size, images: result };
   const means = images.map(([finest]) => meanInk(finest));
-  // No tone may be lighter than the ones before, or its levels would not nest.
+  // If a tone were lighter than a previous one, its levels would not nest.
   for (let tone = 1; tone < means.length; tone++) means[tone] = Math.max(means[tone], means[tone - 1]);
   let [{ thresholds }] = yield* deriveThresholds({ size, images: result });
   for (let side = size; side > COARSEST_SIZE; side /= 2) {
@@ -31,7 +31,7 @@ export function* makeLevels({ size, images }: HatchImages): Generator<number, Ha
   return { size, images: result };
 }
 
-/** The minimum of every texel and the eight around it. */
+/** For every texel the minimum of it and the eight texels around it. */
 function minimumFilter(field: Float32Array, size: number): Float32Array {
   const mask = size - 1;
   const result = new Float32Array(field.length);
@@ -49,7 +49,7 @@ function minimumFilter(field: Float32Array, size: number): Float32Array {
   return result;
 }
 
-/** Means of 2 × 2 texels. */
+/** Halves the texels per side: each becomes the mean of 2 × 2 texels. */
 function downsample(field: Float32Array, size: number): Float32Array {
   const half = size / 2;
   const result = new Float32Array(half * half);
@@ -62,7 +62,7 @@ function downsample(field: Float32Array, size: number): Float32Array {
   return result;
 }
 
-/** How much the field changes per texel at each place, in the steeper direction. */
+/** The change of the field per texel at each place, in the steeper of the two directions. */
 function steepnessOf(field: Float32Array, size: number): Float32Array {
   const mask = size - 1;
   return field.map((_, i) => {
@@ -75,7 +75,7 @@ function steepnessOf(field: Float32Array, size: number): Float32Array {
   });
 }
 
-/** An image of the given mean ink, with edges one texel soft. */
+/** Draws an image of the given mean ink, whose edges are one texel soft. */
 function drawMean(thresholds: Float32Array, steepness: Float32Array, mean: number): Uint8Array {
   const image = new Uint8Array(thresholds.length).fill(255);
   if (mean === 0) return image;

@@ -4,39 +4,43 @@ import { type ContourSearch, findCandidates } from '../features/contourCandidate
 import type { LineData } from '../geometry/LineData.js';
 import { runTask } from '../worker/runTask.js';
 
-/** The sine of the angle that the direction to the eye may turn by before a list must be made anew: the smaller, the shorter it is. */
+/**
+ * The sine of the angle that the direction to the eye may turn by before a new list is needed. A smaller angle makes shorter
+ * lists.
+ */
 const SINE = Math.sin((0.75 * Math.PI) / 180);
-/** The same for the worker, whose lists come late. A new one is asked for at half of it. */
+/** The same for lists from the worker, which arrive later. A new one is requested after half of the angle. */
 const SINE_IN_WORKER = Math.sin((3 * Math.PI) / 180);
-/** A list grows by so much more than it needs, and is never made smaller. */
+/** A new texture is larger than needed by this factor. Textures never become smaller. */
 const SPARE = 1.3;
 
-/** Primitives of one geometry that may hold a line, as one camera sees it. */
+/** Lists the primitives of one geometry that may hold a line, as seen by one camera. */
 export class ContourList {
-  /** Four numbers to a texel. */
+  /** The numbers of the primitives, four per texel. */
   texture: DataTexture | null = null;
   count = 0;
-  /** What was searched, and the eye that the list was made for. */
+  /** The data that the list was made from. */
   private data: LineData | null = null;
+  /** The eye that the list was made for. */
   private readonly eye: [number, number, number, number] = [0, 0, 0, 0];
-  /** How far the eye may move; less than 0 without a list. */
+  /** How far the eye may move before the list is out of date; negative if there is no list. */
   private reach = -1;
   private isSearching = false;
   private isDisposed = false;
 
   /**
-   * Brings the list up to date. Allocates nothing but a larger texture now and then, and what goes to the worker.
+   * Updates the list. Only a larger texture, needed now and then, and requests to the worker allocate memory.
    *
-   * @param eye in object space, w is 0 for an orthographic camera, and xyz then a unit direction
-   * @param distance from the eye to the bounding sphere, in object units; 0 or less inside
-   * @returns whether the list serves for this eye. If not, every primitive must be tested.
+   * @param eye the eye in object space; for an orthographic camera w is 0 and xyz the unit direction to it
+   * @param distance the distance from the eye to the bounding sphere, in object units; 0 or less inside
+   * @returns whether the list is valid for this eye. If not, every primitive must be tested.
    */
   update(data: LineData, eye: Vector4, distance: number): boolean {
     const room = eye.w === 0 ? 1 : distance;
     if (!(room > 0)) return false;
     const { isSearchedInWorker, search } = data;
     if (data !== this.data) {
-      // The mesh has got another geometry.
+      // The mesh has another geometry now.
       this.data = data;
       this.reach = -1;
     }
@@ -58,7 +62,7 @@ export class ContourList {
     this.reach = -1;
   }
 
-  /** By index, here and below: taking an array apart, and making one, leaves garbage in every frame. */
+  /** The distance that the eye has moved. Here and below, arrays are not destructured: that would leave garbage in every frame. */
   private distanceTo(other: Vector4): number {
     const { eye } = this;
     if (other.w !== eye[3]) return Infinity;
@@ -78,7 +82,7 @@ export class ContourList {
   }
 
   private searchInWorker(data: LineData, search: ContourSearch, eye: Vector4, reach: number): void {
-    const asked = eye.clone();
+    const requestedEye = eye.clone();
     const request = { search, eye: [eye.x, eye.y, eye.z, eye.w] as const, sine: SINE_IN_WORKER };
     this.isSearching = true;
     data.search = null;
@@ -86,11 +90,11 @@ export class ContourList {
       .then(({ search: returned, count }) => {
         data.search = returned;
         if (this.isDisposed || this.data !== data) return;
-        this.remember(asked, reach);
+        this.remember(requestedEye, reach);
         this.fill(returned, count);
       })
       .catch(() => {
-        // The worker died and took the arrays along. Every primitive is tested meanwhile, and nothing is missing.
+        // The worker has died, and the arrays are lost. Until there is a new list, every primitive is tested, so no line is missing.
         if (this.data === data) this.reach = -1;
         data.restoreSearch();
       })

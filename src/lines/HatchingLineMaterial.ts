@@ -14,33 +14,33 @@ import { HATCHING_LINE_DEFAULTS, LINE_NUMBER_NAMES, LINE_NUMBERS, type LineNumbe
 import { lineShaders } from './lineShaders.js';
 import { createLineUniforms } from './lineUniforms.js';
 
-/** What `new HatchingLineMaterial()` and `setValues()` take. */
+/** The parameters of `new HatchingLineMaterial()` and `setValues()`. */
 export type HatchingLineParameters = MaterialParameters &
   Partial<Pick<HatchingLineMaterial, LineNumberName>> & {
     ink?: ColorRepresentation | undefined;
-    /** On the lit side and in the shade. */
+    /** The weights on the lit side and in the shade. */
     shadeWeights?: Vector2 | readonly [number, number] | undefined;
     fog?: boolean | undefined;
     clipping?: boolean | undefined;
   };
 
 /**
- * How `HatchingLines` are drawn. Takes the scene's lights, fog and clipping planes. Every property may be set at any time and
- * counts from the next frame on; `wobble` and `tooth` build another program when they become 0, or more than 0. Several `HatchingLines` may share
- * one.
+ * The material of `HatchingLines`. It uses the lights, fog and clipping planes of the scene. Every property may be set at any time
+ * and takes effect in the next frame; `wobble` and `tooth` compile another program when they change between 0 and more than 0.
+ * Several `HatchingLines` may share a material.
  */
 export class HatchingLineMaterial extends ShaderMaterial {
   readonly isHatchingLineMaterial = true;
-  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
+  /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
   override readonly type: string = 'HatchingLineMaterial';
 
-  /** Width of a line of weight 1, in pixels of the drawing buffer, more than 0. See `millimetresToPixels`. Default 1.8. */
+  /** Width of a line of weight 1, in pixels of the drawing buffer, above 0. See `millimetresToPixels`. Default 1.8. */
   declare lineWidth: number;
-  /** Weight of the lines along which a surface turns away from the eye; 0 draws none. Default 1. */
+  /** Weight of contours, along which the surface turns away from the eye; 0 draws none. Default 1. */
   declare contours: number;
-  /** Weight of the edges where a surface ends; 0 draws none. Default 1. */
+  /** Weight of borders, where the surface ends; 0 draws none. Default 1. */
   declare borders: number;
-  /** Weight of sharp edges both of whose sides are seen; 0 draws none. Default 0.6. */
+  /** Weight of creases: sharp edges with both sides visible; 0 draws none. Default 0.6. */
   declare creases: number;
   /** Weight of edges between groups of a geometry, on meshes with several materials; 0 draws none. Default 0.6. */
   declare materialBorders: number;
@@ -50,25 +50,26 @@ export class HatchingLineMaterial extends ShaderMaterial {
    */
   declare suggestiveContours: number;
   /**
-   * A contour ends where the surface ceases to bend away along the line of sight. It is as wide as asked where that curvature
-   * is `taper` divided by the bounding radius, and tapers to nothing below. 0 ends it bluntly. Default 0.8.
+   * Where a contour begins to taper, 0 or more. A contour ends where the surface stops curving away along the line of sight. It has
+   * its full width where that curvature is at least `taper` divided by the bounding radius, and becomes narrower below. 0 ends it
+   * bluntly. Default 0.8.
    */
   declare taper: number;
-  /** How far a hand strays from the line, in pixels. It belongs to the place on the object. Default 0. */
+  /** How far lines deviate as if drawn by hand, in pixels, 0 or more. The deviation is fixed to the object. Default 0. */
   declare wobble: number;
-  /** How far a hand runs on past the corners of creases and borders, in pixels. Default 0. */
+  /** How far lines are drawn beyond the corners of creases and borders, in pixels, 0 or more. Default 0. */
   declare overshoot: number;
-  /** How much the paper counts against lines of a dry medium, in [0, 1]: 0, the default, is ink. See docs/media.md. */
+  /** How strongly the tooth of the paper breaks lines up, from 0 (ink, the default) to 1. See docs/media.md. */
   declare tooth: number;
-  /** Size of the bumps of the paper, in pixels, more than 0. Default 2.5. */
+  /** Size of the bumps of the paper, in pixels, above 0. Default 2.5. */
   declare toothSize: number;
   /** Colour of the lines. Default black. */
   ink: Color = new Color(HATCHING_LINE_DEFAULTS.ink);
-  /** Weights on the lit side and in the shade, by all lights of the scene. Default (0.5, 1.4). */
+  /** Weights on the lit side and in the shade, under all lights of the scene. Default (0.5, 1.4). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_LINE_DEFAULTS.shadeWeights);
 
-  /** @throws RangeError if a number is out of its range; TypeError for an ink that is no colour */
-  // React Three Fiber gives an attribute that is taken away its default only if the constructor counts no parameters.
+  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
+  // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
   constructor(parameters: HatchingLineParameters | undefined = undefined) {
     super();
     for (const name of LINE_NUMBER_NAMES) this.defineNumber(name);
@@ -85,9 +86,9 @@ export class HatchingLineMaterial extends ShaderMaterial {
   }
 
   /**
-   * Sets properties by name, as three's own.
+   * Sets properties by name, as `setValues` of three.js does.
    *
-   * @throws RangeError for a number out of its range; TypeError for an ink that is no colour
+   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour
    */
   override setValues(values?: HatchingLineParameters): void {
     if (!values) return;
@@ -98,7 +99,7 @@ export class HatchingLineMaterial extends ShaderMaterial {
   }
 
   override copy(source: this): this {
-    // Not ShaderMaterial's copy: that clones every texture among the uniforms, and each clone would be uploaded again.
+    // ShaderMaterial.copy would clone every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
     this.fog = source.fog;
     this.lights = source.lights;
@@ -109,10 +110,10 @@ export class HatchingLineMaterial extends ShaderMaterial {
     return this;
   }
 
-  /** Brings the properties to the shader. Allocates nothing. Called before each draw. @internal */
+  /** Writes the properties to the uniforms. It is called before each draw and allocates nothing. @internal */
   writeUniforms(isDeformed: boolean, hasMaterials: boolean): void {
     for (const name of LINE_NUMBER_NAMES) this.uniforms[name].value = this[name];
-    // Groups say nothing where all of them have one material.
+    // If all groups have the same material, there are no borders between materials.
     if (!hasMaterials) this.uniforms.materialBorders.value = 0;
     this.uniforms.ink.value = this.ink;
     this.uniforms.shadeWeights.value = this.shadeWeights;
@@ -135,7 +136,7 @@ export class HatchingLineMaterial extends ShaderMaterial {
       get: () => current,
       set: (value: number) => {
         current = checkNumber(name, value, LINE_NUMBERS[name], 'HatchingLineMaterial');
-        // At once, so that `renderer.compile` builds the program that frames use.
+        // The define is set at once, so that `renderer.compile` compiles the program that frames use.
         if (name === 'wobble' || name === 'tooth') this.setDefine(name.toUpperCase(), current > 0);
       },
       enumerable: true,

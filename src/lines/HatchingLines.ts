@@ -29,54 +29,54 @@ const frustum = /* @__PURE__ */ new Frustum();
 const matrix = /* @__PURE__ */ new Matrix4();
 const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
-/** With a count below 0 three.js does not draw at all; with 0 it does, and asks for textures that are not there. */
+/** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
 const NOTHING = -1;
-/** Cameras that a list is kept for: more than the six of a CubeCamera and two eyes. */
-const MOST_LISTS = 12;
-/** Vertices that each primitive is drawn with. */
+/** The largest number of lists that are kept, one per camera: more than the six cameras of a CubeCamera and two eyes. */
+const MAX_LISTS = 12;
+/** The number of vertices that each primitive is drawn with. */
 const VERTICES = 3;
 
 /**
- * Draws the contours, borders and creases of a mesh: the lines that finish a drawing. A child of the mesh, whose geometry must
- * come from `prepareHatchingGeometry(geometry, { lines: true })`.
+ * Draws the contours, borders and creases of a mesh. Add it to the mesh as a child. The geometry of the mesh must come from
+ * `prepareHatchingGeometry(geometry, { lines: true })`.
  *
  *     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { lines: true });
  *     mesh.add(new HatchingLines(mesh, { lineWidth: 2 }));
  *
- * Follows skins, morph targets and instances, and hides what the surface hides. It casts no shadow, is left out of raycasts,
- * bounding boxes, exporters and passes with an override material, and draws nothing where its mesh is drawn with another
- * geometry than a prepared one.
+ * The lines follow skins, morph targets and instances, and are hidden where the surface hides them. They cast no shadow, are left
+ * out of raycasts, bounding boxes, exporters and passes with an override material, and draw nothing while the mesh has a geometry
+ * that was not prepared.
  */
 export class HatchingLines extends Object3D {
   readonly isHatchingLines = true;
-  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
+  /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
   override readonly type: string = 'HatchingLines';
   /**
-   * Drawn by three.js as a sprite is: from triangles, in the order of transparent objects. As a mesh it would be exported, cast
-   * shadows and be walked into by whatever looks for surfaces.
+   * Makes three.js draw the lines as it draws a sprite: from triangles, in the order of transparent objects. A mesh would be
+   * exported, would cast shadows, and would be found by code that looks for surfaces.
    *
    * @internal
    */
   readonly isSprite = true;
-  /** True while instances are drawn, for three.js to look at. @internal */
+  /** True while instances are drawn; three.js reads it. @internal */
   isInstancedMesh = false;
   /** @internal */
   instanceMatrix: InstancedMesh['instanceMatrix'] | null = null;
   /** @internal */
   override count = 0;
-  /** Has no attributes: vertices read what they need from textures, and other materials draw nothing. @internal */
+  /** A geometry without attributes: vertices read their data from textures, and other materials draw nothing. @internal */
   readonly geometry = new BufferGeometry();
   material: HatchingLineMaterial;
 
   private ownMesh: Mesh | null;
   private ownsMaterial: boolean;
-  /** By camera. */
+  /** The list of each camera. */
   private readonly lists = new Map<Camera, ContourList | InstanceList>();
-  private hasWarned = false;
+  private hasReported = false;
 
   /**
-   * @param mesh whose lines they are. Left out: the mesh they are a child of.
-   * @param look the material, or what it is made from. One that is given is not disposed of with the lines.
+   * @param mesh the mesh whose lines are drawn. Default: the parent, if that is a mesh.
+   * @param look a material, or the parameters of a new one. A material that you pass is not disposed of with the lines.
    */
   constructor(mesh: Mesh | null | undefined = undefined, look: HatchingLineMaterial | HatchingLineParameters = {}) {
     super();
@@ -88,7 +88,7 @@ export class HatchingLines extends Object3D {
     this.geometry.boundingSphere = new Sphere(new Vector3(), -1);
   }
 
-  /** Whose lines are drawn: the mesh that was given, or else the parent, if that is a mesh. */
+  /** The mesh whose lines are drawn: the one that was set, or else the parent, if that is a mesh. */
   get mesh(): Mesh | null {
     if (this.ownMesh) return this.ownMesh;
     return this.parent !== null && 'isMesh' in this.parent ? (this.parent as Mesh) : null;
@@ -108,19 +108,19 @@ export class HatchingLines extends Object3D {
     return this;
   }
 
-  /** Lines are no surface to hit. */
+  /** Does nothing: rays do not hit lines. */
   override raycast(): void {}
 
-  /** An empty object in their place: lines are made anew from the geometry, and loaders do not know them. */
+  /** Writes an empty object instead of the lines: loaders do not know them, and they can be made again from the geometry. */
   override toJSON(meta?: Parameters<Object3D['toJSON']>[0]): ReturnType<Object3D['toJSON']> {
     const empty = new Object3D().copy(this);
     empty.uuid = this.uuid;
     return empty.toJSON(meta);
   }
 
-  /** Frees what the lines hold on graphics cards, their own material among it; the geometry's data is freed with that. */
+  /** Frees the GPU memory of the lines and of their own material. The data of the geometry is freed with the geometry. */
   override dispose(): void {
-    // Older versions of three.js have nothing to dispose of.
+    // In older versions of three.js, Object3D has no dispose().
     super.dispose?.();
     this.geometry.dispose();
     if (this.ownsMaterial) this.material.dispose();
@@ -129,8 +129,8 @@ export class HatchingLines extends Object3D {
   }
 
   /**
-   * three.js sorts sprites by where their matrix places them and meshes by the centre of their sphere. Until it is drawn, this
-   * stands where the mesh's sphere does, so that lines on a transparent surface follow right after it.
+   * three.js sorts sprites by their position and meshes by the centre of their bounding sphere. Between draws the lines are placed
+   * at that centre, so that lines on a transparent surface are drawn right after it.
    */
   override updateMatrixWorld(force?: boolean): void {
     super.updateMatrixWorld(force);
@@ -148,7 +148,7 @@ export class HatchingLines extends Object3D {
     this.matrixWorld.copy(mesh.matrixWorld);
     const bounds = boundsOf(mesh);
     if (!bounds) return;
-    // In the very steps of the renderer, so that both come to the same number.
+    // These are exactly the steps of the renderer, so that both compute the same number.
     place.copy(bounds.center).applyMatrix4(mesh.matrixWorld);
     this.matrixWorld.setPosition(place);
   }
@@ -164,10 +164,10 @@ export class HatchingLines extends Object3D {
     this.matrixWorld.copy(mesh.matrixWorld);
     const data = lineDataOf(mesh.geometry);
     if (!data) {
-      this.warnOfLack(mesh);
+      this.reportMissingLines(mesh);
       return;
     }
-    if (mesh.frustumCulled && !isInSight(mesh, camera)) return;
+    if (mesh.frustumCulled && !isInFrustum(mesh, camera)) return;
     this.prepareInstances(mesh);
     const isDeformed = this.bindDeformation(renderer, camera, mesh);
     this.bindData(data);
@@ -175,7 +175,7 @@ export class HatchingLines extends Object3D {
     const list = isDeformed ? null : this.listFor(camera, data, mesh);
     const { uniforms } = this.material;
     if (list instanceof InstanceList) {
-      // The list says which instance each primitive is of.
+      // The list holds the instance of each primitive, so three.js draws a single instance.
       this.count = 1;
       uniforms.instancePlaces.value = list.places;
     }
@@ -191,9 +191,9 @@ export class HatchingLines extends Object3D {
     this.moveToCentre();
   };
 
-  private warnOfLack({ geometry }: Mesh): void {
-    if (this.hasWarned) return;
-    this.hasWarned = true;
+  private reportMissingLines({ geometry }: Mesh): void {
+    if (this.hasReported) return;
+    this.hasReported = true;
     console.error(
       `HatchingLines: geometry "${geometry.name || geometry.uuid}" has no lines to draw; draw the result of await prepareHatchingGeometry(geometry, { lines: true }) instead.`,
     );
@@ -207,7 +207,7 @@ export class HatchingLines extends Object3D {
     this.count = count;
   }
 
-  /** Brings the pre-pass of a mesh that deforms up to date. Returns whether there is one. */
+  /** Updates the pre-pass of a mesh that deforms. Returns whether there is one. */
   private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
     const { geometry } = mesh;
     if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return false;
@@ -232,7 +232,7 @@ export class HatchingLines extends Object3D {
     const { uniforms } = this.material;
     const eye = uniforms.eye.value as Vector4;
     matrix.copy(mesh.matrixWorld).invert();
-    // The projection tells, not the class: virtual reality has cameras of its own. Its last row ends in 1 without perspective.
+    // Virtual reality has cameras of its own classes, so the projection decides: its last row ends in 1 if it is orthographic.
     if (camera.projectionMatrix.elements[15] === 1) {
       place.setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(matrix);
       eye.set(place.x, place.y, place.z, 0);
@@ -243,7 +243,7 @@ export class HatchingLines extends Object3D {
     const determinant = mesh.matrixWorld.determinant();
     uniforms.objectScale.value = Math.cbrt(Math.abs(determinant)) || 1;
     uniforms.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
-    // The cameras of an ArrayCamera have a part of the target each.
+    // Each camera of an ArrayCamera draws into a part of the target.
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) (uniforms.viewport.value as Vector4).copy(viewport);
     else renderer.getCurrentViewport(uniforms.viewport.value as Vector4);
@@ -251,7 +251,7 @@ export class HatchingLines extends Object3D {
   }
 
   private listFor(camera: Camera, data: LineData, mesh: Mesh): ContourList | InstanceList | null {
-    // Suggestive contours lie anywhere on what faces the eye.
+    // Suggestive contours may lie anywhere on surfaces that face the eye.
     if (this.material.suggestiveContours > 0) return null;
     const { boundingSphere } = mesh.geometry;
     if (!boundingSphere) return null;
@@ -263,16 +263,16 @@ export class HatchingLines extends Object3D {
     }
     const list = known instanceof ContourList ? known : this.addList(camera, new ContourList());
     const { center, radius } = boundingSphere;
-    // Not Math.hypot, which leaves garbage in every frame.
+    // Math.hypot would leave garbage in every frame.
     const distance = place.set(eye.x, eye.y, eye.z).distanceTo(center) - radius;
     return list.update(data, eye, distance) ? list : null;
   }
 
-  /** Cameras come and go; the list of the one that came first goes when there are too many. */
+  /** Adds the list of a camera. If there are too many, the oldest one is removed, since its camera may be gone. */
   private addList<List extends ContourList | InstanceList>(camera: Camera, list: List): List {
     this.lists.get(camera)?.dispose();
     const [oldest] = this.lists;
-    if (this.lists.size >= MOST_LISTS && !this.lists.has(camera)) {
+    if (this.lists.size >= MAX_LISTS && !this.lists.has(camera)) {
       oldest[1].dispose();
       this.lists.delete(oldest[0]);
     }
@@ -281,13 +281,13 @@ export class HatchingLines extends Object3D {
   }
 }
 
-/** What three.js sorts and culls a mesh by; null before it has been computed. */
+/** The bounding sphere by which three.js sorts and culls a mesh; null before it has been computed. */
 function boundsOf(mesh: Mesh): Sphere | null {
   const own = (mesh as Mesh & { boundingSphere?: Sphere | null }).boundingSphere;
   return (own === undefined ? mesh.geometry.boundingSphere : own) ?? null;
 }
 
-function isInSight(mesh: Mesh, camera: Camera): boolean {
+function isInFrustum(mesh: Mesh, camera: Camera): boolean {
   const bounds = boundsOf(mesh);
   if (!bounds) return true;
   matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);

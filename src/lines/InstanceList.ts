@@ -13,54 +13,57 @@ import { pullTextureSize } from '../bake/pullLayout.js';
 import { findCandidates } from '../features/contourCandidates.js';
 import type { LineData } from '../geometry/LineData.js';
 
-/** The sine of the angle that the direction from an instance to the eye may turn by before the list must be made anew. */
+/** The sine of the angle that the direction from an instance to the eye may turn by before a new list is needed. */
 const SINE = Math.sin((3 * Math.PI) / 180);
-/** Primitives of all instances together above which a search would hold up the page: a million take about ten milliseconds. */
-const MOST_SEARCHED = 4_000_000;
-/** Words of the list per primitive: its number, and that of the instance. */
+/**
+ * The largest number of primitives, of all instances together, that are searched. A million take about ten milliseconds, and
+ * more of them would block the page.
+ */
+const MAX_SEARCHED = 4_000_000;
+/** Words of the list per primitive: its number and that of its instance. */
 const PAIR_WORDS = 2;
-/** Of the texture of places. */
+/** Texels per matrix in the texture of matrices. */
 const MATRIX_TEXELS = 4;
 
 const inverse = /* @__PURE__ */ new Matrix3();
 const place = /* @__PURE__ */ new Vector3();
 
 /**
- * Primitives of all instances of a mesh that may hold a line, as one camera sees them. A search takes longer than a graphics card needs to
- * test every primitive, so that one is made when the eye rests, and before the first frame; but where pixels are computed on the
- * processor, it takes a small part of that time.
+ * Lists the primitives of all instances of a mesh that may hold a line, as seen by one camera. A GPU tests every primitive faster
+ * than this search takes, so the search runs only before the first frame and when the eye rests. For a software rasterizer the
+ * search takes a small part of the time of those tests.
  */
 export class InstanceList {
-  /** Pairs of a primitive and an instance, two to a texel. */
+  /** Pairs of a primitive and an instance, two per texel. */
   texture: DataTexture | null = null;
-  /** The matrices of the instances, a column to a texel. */
+  /** The matrices of the instances, a column per texel. */
   places: DataTexture | null = null;
-  /** How many pairs there are. */
+  /** The number of pairs. */
   count = 0;
   private data: LineData | null = null;
   private readonly seen = new View();
   private readonly listed = new View();
-  /** How far the eye may move, in the object space of the mesh; less than 0 without a list. */
+  /** How far the eye may move before the list is out of date, in the object space of the mesh; negative if there is no list. */
   private reach = -1;
 
   /**
-   * Brings the list up to date.
+   * Updates the list.
    *
-   * @param eye in the object space of the mesh, w is 0 for an orthographic camera, and xyz then a direction
-   * @returns whether the list serves for this eye. If not, every primitive of every instance must be tested.
+   * @param eye the eye in the object space of the mesh; for an orthographic camera w is 0 and xyz the direction to it
+   * @returns whether the list is valid for this eye. If not, every primitive of every instance must be tested.
    */
   update(data: LineData, mesh: InstancedMesh, eye: Vector4): boolean {
     const isFirst = this.data !== data;
     const isResting = isFirst || this.seen.distanceTo(mesh, eye) === 0;
-    this.seen.note(mesh, eye);
+    this.seen.set(mesh, eye);
     if (isFirst) {
       this.data = data;
       this.reach = -1;
     }
     if (this.listed.distanceTo(mesh, eye) <= this.reach) return true;
     const primitives = data.triangleCount + data.edgeCount;
-    if (!isResting || !data.search || primitives * mesh.count > MOST_SEARCHED) return false;
-    this.listed.note(mesh, eye);
+    if (!isResting || !data.search || primitives * mesh.count > MAX_SEARCHED) return false;
+    this.listed.set(mesh, eye);
     this.search(data, mesh, eye);
     return true;
   }
@@ -100,7 +103,7 @@ export class InstanceList {
       place.applyMatrix3(inverse);
       const room = boundingSphere ? place.distanceTo(boundingSphere.center) - radius : 0;
       let count = all;
-      // What is near, or flat, is drawn whole: it would allow the eye no step.
+      // All primitives of an instance that is near or flat are listed: a list for it would be out of date after any movement.
       const isListed = eye.w === 0 ? place.length() > 0 : room > radius;
       if (isListed) {
         if (eye.w === 0) place.normalize();
@@ -126,7 +129,7 @@ export class InstanceList {
   }
 }
 
-/** From where instances are seen, and which. */
+/** The eye and the instances of a frame. */
 class View {
   private matrices: object | null = null;
   private version = -1;
@@ -136,7 +139,7 @@ class View {
   private z = 0;
   private w = 0;
 
-  note({ instanceMatrix, count }: InstancedMesh, { x, y, z, w }: Vector4): void {
+  set({ instanceMatrix, count }: InstancedMesh, { x, y, z, w }: Vector4): void {
     this.matrices = instanceMatrix;
     this.version = instanceMatrix.version;
     this.count = count;
@@ -146,7 +149,7 @@ class View {
     this.w = w;
   }
 
-  /** How far the eye has moved; infinite if instances have, too. */
+  /** The distance that the eye has moved; infinite if the instances have changed. */
   distanceTo({ instanceMatrix, count }: InstancedMesh, eye: Vector4): number {
     const isSame =
       instanceMatrix === this.matrices &&
@@ -154,7 +157,7 @@ class View {
       count === this.count &&
       eye.w === this.w;
     if (!isSame) return Infinity;
-    // Not Math.hypot, which leaves garbage in every frame.
+    // Math.hypot would leave garbage in every frame.
     const x = eye.x - this.x;
     const y = eye.y - this.y;
     const z = eye.z - this.z;
@@ -162,8 +165,8 @@ class View {
   }
 }
 
-/** No less than the most that a matrix stretches by. */
-const normOf = ({ elements }: Matrix3): number => Math.sqrt(elements.reduce((sum, one) => sum + one * one, 0));
+/** The Frobenius norm of a matrix: an upper bound for the factor by which it stretches. */
+const normOf = ({ elements }: Matrix3): number => Math.sqrt(elements.reduce((sum, element) => sum + element ** 2, 0));
 
 function textureOf(
   from: ArrayLike<number>,

@@ -11,7 +11,7 @@ import {
 
 const flags = { BORDER, CREASE, MATERIAL_BORDER, CONTRARY, CORNER_AT_START, CORNER_AT_END, IS_EDGE };
 
-/** The names that the bake and the shaders of lines share, as defines. */
+/** The constants that the bake and the shaders of lines share, as defines. */
 export const lineConventionsChunk = (): string =>
   [
     ...Object.entries(flags).map(([name, bit]) => `#define EDGE_${name} ${bit}u`),

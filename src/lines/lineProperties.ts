@@ -1,6 +1,6 @@
 import type { NumberRange } from '../material/HatchingProperty.js';
 
-/** The defaults of everything that `HatchingLineMaterial` can be told; colours as 0xrrggbb. */
+/** The defaults of all properties of `HatchingLineMaterial`; colours as 0xrrggbb. */
 export const HATCHING_LINE_DEFAULTS = {
   lineWidth: 1.8,
   contours: 1,
@@ -17,7 +17,7 @@ export const HATCHING_LINE_DEFAULTS = {
   shadeWeights: [0.5, 1.4],
 } as const;
 
-/** The range of every number among them. Its uniform has its name. */
+/** The ranges of the numeric properties. Each has a uniform of the same name. */
 export const LINE_NUMBERS = {
   lineWidth: { above: 0 },
   contours: { from: 0 },
@@ -34,10 +34,10 @@ export const LINE_NUMBERS = {
 
 export type LineNumberName = keyof typeof LINE_NUMBERS;
 
-/** Those that are measured in pixels of the drawing buffer. */
+/** The properties that are measured in pixels of the drawing buffer. */
 export const LINE_SIZES = ['lineWidth', 'wobble', 'overshoot', 'toothSize'] as const satisfies LineNumberName[];
 
-/** The sizes that are given, for a picture of `factor` times as many pixels to a side. */
+/** The sizes in `look`, multiplied by `factor`: for a picture with `factor` times as many pixels per side. */
 export function scaledLineSizes<Look extends { readonly [Name in LineNumberName]?: unknown }>(
   look: Look,
   factor: number,

@@ -3,7 +3,7 @@ import { resolveIncludes } from '../material/resolveIncludes.js';
 import { conventionsChunk } from '../material/shaderConventions.js';
 import { lineConventionsChunk } from './lineConventions.js';
 
-/** The files of shaders/lines and what they share with those of the material, as text. */
+/** The shader files of lines, and the chunks that they share with `HatchingMaterial`, as text. */
 const files: Readonly<Record<string, string>> = import.meta.glob(
   [
     '../../shaders/lines/*',
@@ -15,7 +15,7 @@ const files: Readonly<Record<string, string>> = import.meta.glob(
 
 let made: Shaders | undefined;
 
-/** The shaders of lines, resolved when first asked for. */
+/** The shaders of lines. Their includes are resolved by the first call. */
 export function lineShaders(): Shaders {
   if (made) return made;
   const chunks: Record<string, string> = {

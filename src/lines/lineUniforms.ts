@@ -2,7 +2,7 @@ import { type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'thr
 import { keptFromProxies } from '../material/hatchingUniforms.js';
 import { LINE_NUMBER_NAMES } from './lineProperties.js';
 
-/** The uniforms of one line material: those of its properties, of what is drawn, and of lights and fog. */
+/** Creates the uniforms of a line material: those of its properties, of the geometry and camera, and of lights and fog. */
 export const createLineUniforms = (): Record<string, IUniform> =>
   keptFromProxies(
     UniformsUtils.merge([
@@ -14,14 +14,14 @@ export const createLineUniforms = (): Record<string, IUniform> =>
         opacity: { value: 1 },
         shadeWeights: { value: null },
         toothMap: { value: null },
-        // of the geometry and the mesh that is drawn
+        // These describe the geometry and the mesh.
         linePoints: { value: null },
         linePrimitives: { value: null },
         radius: { value: 1 },
         deformedNormals: { value: null },
         deformedPositions: { value: null },
         deformedTurns: { value: null },
-        // of the camera
+        // These depend on the camera.
         candidates: { value: null },
         instancePlaces: { value: null },
         isListed: { value: false },

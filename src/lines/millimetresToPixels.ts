@@ -1,9 +1,10 @@
 const MILLIMETRES_PER_INCH = 25.4;
 
 /**
- * A width on paper in pixels of the picture, for `lineWidth` and `strokeWidth`.
+ * Converts a width on paper to pixels of the picture, for `lineWidth` and `strokeWidth`.
  *
- * @param dpi pixels per inch of the print, such as 300 or 600
+ * @param millimetres the width on paper, above 0
+ * @param dpi the resolution of the print in pixels per inch, such as 300 or 600
  * @throws RangeError if either is not a positive number
  */
 export function millimetresToPixels(millimetres: number, dpi: number): number {

@@ -15,8 +15,8 @@ export interface GreyPicture {
 }
 
 /**
- * Opens the pictures of a map. All files are read at once. They are decoded one at a time, since each may need 250 MB while it
- * is, and only when asked for: whoever finds one of a wrong size asks for no more.
+ * Reads the pictures of a map. All files are fetched at once. They are decoded one at a time, since each may need 250 MB during
+ * that, and only on request: after a picture of a wrong size, no other is requested.
  */
 export class PictureReader {
   private readonly files = new Map<string, Promise<Uint8Array>>();
@@ -24,8 +24,8 @@ export class PictureReader {
   private opened = 0;
 
   /**
-   * @param names of all the pictures, in the order they will be asked for; a picture may come more than once
-   * @param onProgress is told which part of `names` was asked for
+   * @param names the names of all pictures, in the order in which they will be requested; names may repeat
+   * @param onProgress called with the share of `names` that were requested so far
    */
   constructor(
     private readonly names: readonly string[],
@@ -34,13 +34,13 @@ export class PictureReader {
   ) {
     for (const name of new Set(names)) {
       const file = withFileName(name, read(name));
-      // If it fails, whoever asks for it hears of it; no one may, if another failed before.
+      // An error is reported when the picture is requested. If another picture has failed before, that never happens.
       file.catch(() => {});
       this.files.set(name, file);
     }
   }
 
-  /** Opens a picture and makes it grey. A picture that was opened before is not decoded again, but the same one. */
+  /** Opens a picture and makes it grey. A second call with the same name returns the same picture. */
   async grey(name: string): Promise<GreyPicture> {
     let grey = this.greys.get(name);
     if (!grey) {

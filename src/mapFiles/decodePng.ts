@@ -1,11 +1,11 @@
 import type { Pixels } from './Pixels.js';
 import { PNG_SIGNATURE } from './pngChunks.js';
 
-/** Samples per pixel of each colour type: grey, RGB, palette, grey with alpha, RGB with alpha. */
+/** The number of samples per pixel of each colour type: grey, RGB, palette, grey with alpha, RGB with alpha. */
 const SAMPLES: Record<number, number> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
 const PALETTE = 3;
 
-/** Compressed bytes to inflate at once: one byte becomes up to a thousand. */
+/** The number of compressed bytes that are inflated at once. A byte may become up to a thousand bytes. */
 const PIECE = 1 << 14;
 
 /** The header of a PNG file. */
@@ -18,12 +18,12 @@ interface Header {
 }
 
 /**
- * Decodes a PNG file of any kind but interlaced. Sixteen bits become eight; transparent pixels are blended onto white.
+ * Decodes a PNG file of any kind except interlaced ones. Sixteen bits become eight; transparent pixels are blended onto white.
  *
- * An image element and a canvas would not do: they convert colours by profiles, round transparent pixels, and in some browsers
- * add noise against fingerprinting. A map is data and must come back as it was saved.
+ * An image element and a canvas would convert colours by profiles, round transparent pixels and, in some browsers, add noise
+ * against fingerprinting. But a map is data, and must be read exactly as it was saved.
  *
- * @param maxSide longest side in pixels that is accepted
+ * @param maxSide the longest side that is accepted, in pixels
  * @throws Error whose message continues a sentence that begins with the file's name
  */
 export async function decodePng(file: Uint8Array, maxSide: number): Promise<Pixels> {
@@ -95,10 +95,10 @@ function readHeader(data: Uint8Array, maxSide: number): Header {
   return { width, height, depth, colorType };
 }
 
-/** Bytes per row, without that of its filter. */
+/** The number of bytes per row, without the byte of its filter. */
 const strideOf = ({ width, depth, colorType }: Header): number => Math.ceil((width * SAMPLES[colorType] * depth) / 8);
 
-/** Inflates as many bytes as the image has, and stops at the first one too many: a small file can hold gigabytes. */
+/** Inflates as many bytes as the image has, and fails if there are more: a small file can expand to gigabytes. */
 async function inflate(parts: Uint8Array<ArrayBuffer>[], header: Header): Promise<Uint8Array> {
   const bytes = new Uint8Array(header.height * (strideOf(header) + 1));
   const pieces = piecesOf(parts);
@@ -172,7 +172,7 @@ function unfilter(line: Uint8Array, above: Uint8Array, pixelBytes: number, filte
   }
 }
 
-/** The Paeth predictor: whichever of left, up and corner is nearest to left + up − corner. */
+/** The Paeth predictor: the one of left, up and corner that is nearest to left + up − corner. */
 function paeth(left: number, up: number, corner: number): number {
   const [toLeft, toUp, toCorner] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)];
   return toLeft <= toUp && toLeft <= toCorner ? left : toUp <= toCorner ? up : corner;

@@ -8,7 +8,7 @@ import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from './pngChunks.
 export async function encodePng({ width, height, channels, data }: Pixels): Promise<Uint8Array> {
   const stride = width * channels;
   const rows = new Uint8Array(height * (stride + 1));
-  // The byte before each row names its filter; 0 is none.
+  // The byte before each row is the number of its filter; 0 means none.
   for (let row = 0; row < height; row++) {
     rows.set(data.subarray(row * stride, (row + 1) * stride), row * (stride + 1) + 1);
   }

@@ -1,9 +1,9 @@
-/** @throws Error that names a file and says what is wrong with it and what to do */
+/** @throws Error that names a file, its fault and the remedy */
 export function fail(name: string, fault: string): never {
   throw new Error(`TonalArtMap.load: ${name} ${fault}.`);
 }
 
-/** Waits for work on a file. Puts the file's name before the message of an error. */
+/** Waits for work on a file. If it fails, the name of the file is put before the message of the error. */
 export async function withFileName<Result>(name: string, work: Promise<Result>): Promise<Result> {
   try {
     return await work;

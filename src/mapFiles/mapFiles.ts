@@ -4,11 +4,11 @@ export interface MapDescription {
   version: typeof MAP_VERSION;
   /** Texels per side of level 0. */
   size: number;
-  /** Width of the strokes in texels. Without it, 2. */
+  /** Width of the strokes in texels. Default: 2. */
   strokeWidth?: number;
   /**
-   * The image files, lightest tone first. Per tone either one name, whose levels are then made, or the list of its levels,
-   * finest first. The same form for all tones.
+   * The image files, lightest tone first. For each tone there is either one name, and the other levels are made from that image, or
+   * a list of its levels, finest first. All tones have the same form.
    */
   images: string[] | string[][];
   /** The files of the thresholds, finest level first. Without them, thresholds are derived from the images. */
@@ -27,5 +27,5 @@ export const MAP_VERSION = 1;
 /** The name of the JSON file. */
 export const MAP_FILE = 'map.json';
 
-/** Thresholds are multiples of this, so a PNG image holds them exactly: eight bits each of red, green and blue. */
+/** Thresholds are multiples of this, so the 24 bits of an RGB pixel hold them exactly. */
 export const THRESHOLD_STEP = 2 ** -24;

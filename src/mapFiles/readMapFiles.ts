@@ -5,10 +5,10 @@ import { fail, withFileName } from './fileFaults.js';
 import { MAP_FORMAT, MAP_VERSION, type MapDescription, THRESHOLD_STEP } from './mapFiles.js';
 import { PictureReader, type ReadFile } from './PictureReader.js';
 
-/** Mean ink up to which an image counts as the blank paper of tone 0. */
+/** An image with at most this mean ink counts as the blank paper of tone 0. */
 const BLANK = 0.002;
 
-/** What the files of a map hold. */
+/** The content of the files of a map. */
 export interface ReadMap extends HatchImages {
   /** Whether there is only one image per tone and the other levels must be made. */
   lacksLevels: boolean;
@@ -19,8 +19,8 @@ export interface ReadMap extends HatchImages {
 /**
  * Reads a map as its JSON file describes it.
  *
- * @param name of the JSON file
- * @throws Error naming the file that is wrong and what to do
+ * @param name the name of the JSON file
+ * @throws Error that names the wrong file and the remedy
  */
 export async function readMap(name: string, read: ReadFile, onProgress: (done: number) => void): Promise<ReadMap> {
   const description = parseDescription(name, new TextDecoder().decode(await withFileName(name, read(name))));
@@ -69,9 +69,9 @@ function assertLevel(
 /**
  * Reads images drawn by hand or by other software, one per tone.
  *
- * @param names in the order of tones, the lightest first
+ * @param names the names of the images, the lightest tone first
  * @param sort whether to sort the images by darkness instead of keeping their order
- * @throws Error naming the file that is wrong and what to do
+ * @throws Error that names the wrong file and the remedy
  */
 export async function readImages(
   names: readonly string[],
@@ -115,7 +115,7 @@ function parseDescription(name: string, text: string): MapDescription {
     fail(name, 'is not valid JSON; save the map again');
   }
   if (found?.format !== MAP_FORMAT) {
-    fail(name, `describes no tonal art map; its "format" must be "${MAP_FORMAT}"`);
+    fail(name, `does not describe a tonal art map; its "format" must be "${MAP_FORMAT}"`);
   }
   if (found.version !== MAP_VERSION) {
     fail(
@@ -141,11 +141,14 @@ function parseDescription(name: string, text: string): MapDescription {
   }
   const levels = new Set(images.map((row) => row.length));
   if (Array.isArray(images![0]) && (levels.size > 1 || images![0].length > Math.log2(size!) + 1)) {
-    fail(name, `must name as many levels for every tone, and at most ${Math.log2(size!) + 1} at size ${size}`);
+    fail(
+      name,
+      `must name the same number of levels for every tone, and at most ${Math.log2(size!) + 1} at size ${size}`,
+    );
   }
   assertAllowed(name, excessOf(images!.length, size!));
   if (thresholds !== undefined && (!isRow(thresholds) || thresholds.length !== images[0].length)) {
-    fail(name, 'must name as many "thresholds" as levels, or none');
+    fail(name, 'must name one file of "thresholds" per level, or none');
   }
   return found as MapDescription;
 }
@@ -165,7 +168,7 @@ function assertLightToDark(names: readonly string[], images: readonly (readonly 
   if (isReversed) fail(names[0], 'is the darkest image but comes first; list the lightest first');
 }
 
-/** Adds blank paper as tone 0 where it is missing: artists rarely draw it. */
+/** Adds blank paper as tone 0 if it is missing, since artists rarely draw it. */
 function withBlankTone(images: Uint8Array[][]): Uint8Array[][] {
   return meanInk(images[0][0]) > BLANK ? [[new Uint8Array(images[0][0].length).fill(255)], ...images] : images;
 }

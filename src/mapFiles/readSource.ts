@@ -1,9 +1,9 @@
 import { type ReadMap, readImages, readMap } from './readMapFiles.js';
 
-/** What `TonalArtMap.load` can load. */
+/** The sources that `TonalArtMap.load` accepts. */
 export type TonalArtMapSource = string | URL | readonly (string | URL)[] | readonly File[];
 
-/** Reads the source that `TonalArtMap.load` was given. Rejects with the signal's reason when aborted. */
+/** Reads the source of `TonalArtMap.load`. Rejects with the signal's reason when aborted. */
 export async function readSource(
   source: TonalArtMapSource,
   signal: AbortSignal | undefined,
@@ -12,7 +12,7 @@ export async function readSource(
   try {
     return await readFrom(source, signal, onProgress);
   } catch (error) {
-    // What was being read failed because of the abort, and says so in words of its own.
+    // If the abort has caused the error, the reason of the signal replaces it.
     signal?.throwIfAborted();
     throw error;
   }
@@ -29,7 +29,7 @@ function readFrom(
   }
   const items: readonly (string | URL | File)[] = Array.isArray(source) ? source : [];
   if (items.length === 0) {
-    throw new TypeError('TonalArtMap.load: source is empty, but must be an address or a list of addresses or files.');
+    throw new TypeError('TonalArtMap.load: source is empty, but must be a URL or a list of URLs or files.');
   }
   const files = new Map<string, File>();
   for (const item of items) if (item instanceof File) files.set(item.name, item);
@@ -47,14 +47,14 @@ function readFrom(
   return readImages([...files.keys()], read, true, onProgress);
 }
 
-/** Relative addresses are resolved against the page, in a worker against its script. */
+/** Resolves a relative URL against that of the page, or in a worker against that of its script. */
 function absolute(address: string | URL): string {
   const base = typeof document === 'undefined' ? globalThis.location?.href : document.baseURI;
   try {
     return new URL(address, base).href;
   } catch {
     throw new TypeError(
-      `TonalArtMap.load: "${String(address)}" is no address that can be resolved here (against ${base ?? 'nothing'}); give a whole one, with https://.`,
+      `TonalArtMap.load: "${String(address)}" is a URL that cannot be resolved here (against ${base ?? 'nothing'}); pass an absolute URL, with https://.`,
     );
   }
 }

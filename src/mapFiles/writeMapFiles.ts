@@ -3,10 +3,10 @@ import { encodePng } from './encodePng.js';
 import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile, THRESHOLD_STEP } from './mapFiles.js';
 
 /**
- * The files of a map: a JSON file that names the others, a grey PNG image for each tone and level and, with thresholds, an RGB
- * image for each level. `readMap` reads back exactly what was written.
+ * Writes the files of a map: a JSON file that names the others, a grey PNG image for each tone and level and, with thresholds, an
+ * RGB image for each level. `readMap` reads back exactly the same map.
  *
- * @param thresholds of every level, if they were drawn and not derived from the images
+ * @param thresholds the thresholds of every level, if they were drawn and not derived from the images
  */
 export async function writeMapFiles(
   { size, images, strokeWidth }: HatchImages,
@@ -36,7 +36,7 @@ export async function writeMapFiles(
   return [{ name: MAP_FILE, bytes: json }, ...(await Promise.all(files))];
 }
 
-/** Thresholds as three bytes each, the most significant first. */
+/** Writes each threshold as three bytes, the most significant first. */
 function rgbFromThresholds(thresholds: Float32Array): Uint8Array {
   const bytes = new Uint8Array(3 * thresholds.length);
   for (let i = 0; i < thresholds.length; i++) {

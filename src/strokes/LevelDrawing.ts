@@ -14,25 +14,27 @@ export interface LevelDrawing {
   darkness: number;
   /** The grain of the paper, if the style has any. */
   grain: PaperGrain | undefined;
-  /** For each layer of the style, how dense its strokes are. */
+  /** The density of the strokes, for each layer of the style. */
   densities: StrokeDensityField[];
-  /** For each layer, how dense the ends of its strokes are; empty for short strokes. */
+  /** The density of the ends of strokes, for each layer; empty for short strokes. */
   ends: StrokeEndField[];
-  /** For each layer, the ink drawn so far, overlaps counted twice. Keeps the layers at equal ink. */
+  /** The ink drawn so far, for each layer, with overlaps counted twice. It keeps the layers at equal ink. */
   drawn: number[];
-  /** Part of the last stroke that fell on blank paper. */
+  /** The share of the last stroke that fell on blank paper. */
   gain: number;
 }
 
-/** Strokes influence each other up to this many times their mean distance: lines, their ends, and dots. */
+/** Lines influence each other up to this many times their mean distance. */
 const LINE_REACH = 6;
+/** The ends of lines influence each other up to this many times the mean distance of the lines. */
 const END_REACH = 4;
+/** Dots influence each other up to this many times their mean distance. */
 const DOT_REACH = 3;
 
-/** Strokes shorter than this, in tiles, are not lines: where they end does not matter. */
+/** Strokes shorter than this, in tiles, do not count as lines: it does not matter where they end. */
 const SHORT = 0.15;
 
-/** A blank level of size² texels. */
+/** Creates a blank level of size² texels. */
 export function startLevel(size: number, style: StrokeStyle, grain: PaperGrain | undefined): LevelDrawing {
   const { layers } = style;
   const short = style.length[1] < SHORT;
@@ -48,7 +50,7 @@ export function startLevel(size: number, style: StrokeStyle, grain: PaperGrain |
   };
 }
 
-/** About how many texels a stroke inks on blank paper. */
+/** The approximate number of texels that a stroke inks on blank paper. */
 export const nominalArea = (width: number, length: number, size: number): number =>
   width * Math.max(width, length * size);
 
@@ -61,7 +63,7 @@ export function drawStroke(level: LevelDrawing, stroke: Stroke): number {
   const area = nominalArea(stroke.width, stroke.length, size);
   level.gain = Math.min(1, gain / (255 * area));
   level.drawn[layer] += area;
-  // A few times the mean distance of strokes at this density; the first strokes influence the whole tile.
+  // The reach is a few times the mean distance of strokes at this density; the first strokes influence the whole tile.
   const density = level.drawn[layer] / (size * size);
   const distance = stroke.length > 0 ? stroke.width / density : stroke.width / Math.sqrt(density);
   const reach = (times: number): number => Math.min(0.5 * size, times * distance);

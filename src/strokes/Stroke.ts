@@ -1,7 +1,7 @@
 /**
- * One drawn mark. Place, length and bends are measured in tiles, width in texels; all are the same on every level. (This is
- * the third constraint in section 3.1 of Suarez et al., read as Praun et al. 2001 do: the width is constant in texels, not
- * the length.)
+ * A stroke. Its position, length and bends are measured in tiles and its width in texels; all are the same on every level. (This
+ * is the third constraint in section 3.1 of Suarez et al., in the reading of Praun et al. 2001: the width is constant in texels,
+ * not the length.)
  *
  * Seen along the stroke, x from −1 at its start to 1 at its end, the centre line is displaced sideways by
  * slope·length/2·x + bow·(1 − x²) + wave·x·(1 − x²).
@@ -11,23 +11,23 @@ export interface Stroke {
   u: number;
   /** Centre along the texture's v axis, in tiles. */
   v: number;
-  /** The layer of its style: strokes of one layer keep apart, strokes of different layers cross. */
+  /** The layer of the style. Strokes of the same layer keep apart, strokes of different layers cross. */
   layer: number;
-  /** False: the stroke runs along u. True: along v. */
+  /** Whether the stroke runs along v instead of u. */
   across: boolean;
-  /** From end to end, in tiles; 0 is a dot. */
+  /** The length from end to end, in tiles; 0 is a dot. */
   length: number;
-  /** Sideways per forward: the tangent of the angle to the axis. */
+  /** The tangent of the angle to the axis. */
   slope: number;
   /** Height of the arc, in tiles. */
   bow: number;
   /** Size of the S-bend, in tiles. */
   wave: number;
-  /** In the middle, in texels. */
+  /** The width in the middle, in texels. */
   width: number;
   /** Each end narrows over this many texels, at most a quarter of the length; 0 leaves it blunt. */
   taper: number;
-  /** How far it fills the grain of the paper: from 0, only the peaks, to 1, all of it. */
+  /** How deeply the stroke fills the grain of the paper, from 0 (only the peaks) to 1 (all of it). */
   pressure: number;
   /** The first tone that shows the stroke; every darker one does too. */
   tone: number;

@@ -3,14 +3,14 @@ import { type Stroke, strokeOffset } from './Stroke.js';
 /** Strokes closer than this many widths, centre line to centre line, begin to look merged. */
 export const MERGING_WIDTHS = 2.5;
 
-/** Weight of distances ahead of a line's end, relative to those beside it: lines may follow one another closely. */
+/** The weight of distances ahead of a line's end, relative to those beside it: lines may follow each other closely. */
 const AHEAD = 3;
 
 /**
- * How dense the strokes of one direction are at each place of a level. New strokes go where the density is low.
+ * The density of the strokes of one direction at each place of a level. New strokes are placed where the density is low.
  *
- * A stroke of width w adds 1/(1 + (d/w)²)^¾ at distance d, a long tail that evens out the drawing at all scales. Close by it
- * adds (1 − (d/2.5w)²)², which keeps strokes from merging.
+ * A stroke of width w adds 1/(1 + (d/w)²)^¾ at distance d: a long tail, which evens out the image at all scales. At short
+ * distances it also adds (1 − (d/2.5w)²)², which keeps strokes from merging.
  *
  * Praun et al. 2001 measure the gain of a candidate stroke in a pyramid of ink images instead. Strokes there have the same
  * width in texels on every pyramid level, so they meet at all distances, and the sum over the pyramid falls off like this

@@ -1,13 +1,13 @@
 import type { Stroke } from './Stroke.js';
 
-/** Half the length, in tiles, of the region around a stroke's end that other ends should avoid. */
+/** Half the length, in tiles, of the region around the end of a stroke that other ends should avoid. */
 const REACH_FORWARD = 0.15;
 
 /**
- * How dense the ends of strokes of one direction are at each place of a level.
+ * The density of the ends of strokes of one direction at each place of a level.
  *
- * Where many strokes end side by side, small holes appear. The density along a stroke hardly shows them, but they repeat with
- * every tile and catch the eye. Ends that keep apart leave no holes.
+ * Where many strokes end side by side, small holes appear. They hardly change the density along a stroke, but they repeat with
+ * every tile and catch the eye. If the ends keep apart, there are no holes.
  */
 export class StrokeEndField {
   private readonly columns: number;

@@ -1,12 +1,12 @@
-/** How a style draws. Lengths are in tiles, widths in texels of every level, as in `Stroke`. */
+/** The parameters of a style of strokes. Lengths are in tiles, widths in texels of every level, as in `Stroke`. */
 export interface StrokeStyle {
   /** Range of stroke lengths; [0, 0] draws dots. */
   length: readonly [shortest: number, longest: number];
   /** Width in the middle of the stroke. */
   width: number;
   /**
-   * Widths for which levels nest. A thinner stroke (with `widthSpread`) may fall between texels so that it half covers none
-   * of them; a wider one reaches texels of a coarse level that it does not reach on the finer one.
+   * The widths for which levels nest. A thinner stroke (with `widthSpread`) may fall between texels and cover half of none of
+   * them; a wider one reaches texels of a coarse level that it does not reach on the finer level.
    */
   widthRange: readonly [narrowest: number, widest: number];
   /** Largest relative deviation of a stroke's width from `width`. */
@@ -21,31 +21,31 @@ export interface StrokeStyle {
   wave: number;
   /** Mean ink of the darkest image. */
   maxInk: number;
-  /** The directions of strokes, in the order in which they set in. Layers that are drawn have equal ink. */
+  /** The directions of strokes, in the order in which they begin. The layers that have begun have equal ink. */
   layers: readonly StrokeLayer[];
-  /** Random proposals per stroke, of which the best is drawn. 1 draws at random. */
+  /** The number of random proposals per stroke, of which the best is drawn. With 1, strokes are placed at random. */
   proposals: number;
-  /** What differs when thresholds are drawn. */
+  /** The parameters that differ when thresholds are drawn. */
   thresholds: ThresholdStyle;
   /** The grain of the paper, if it shows. */
   grain?: Grain;
 }
 
-/** One direction of strokes, which cross those of other layers. */
+/** The strokes of one direction, which cross those of other layers. */
 export interface StrokeLayer {
   /** Whether the strokes run along v instead of u. */
   across: boolean;
   /** Their angle to that axis, as a tangent. */
   slope: number;
-  /** Mean ink at which the layer sets in. */
+  /** The mean ink at which the layer begins. */
   from: number;
-  /** The same for thresholds, counted as in `ThresholdStyle`. */
+  /** The ink at which the layer begins in thresholds, measured as in `ThresholdStyle`. */
   thresholdsFrom: number;
 }
 
 /**
- * How a style draws thresholds. There, strokes swell as tone rises, so their final ink is not known while they are placed.
- * All inks here count strokes as the hatch images draw them.
+ * The parameters for drawing thresholds. In thresholds strokes swell as the tone rises, so their final ink is not known while
+ * they are placed. Therefore all inks here are those that the strokes would have in hatch images.
  */
 export interface ThresholdStyle {
   /** Strokes are added up to this ink. Beyond it they only swell, so that even gaps remain between them and close. */

@@ -3,14 +3,14 @@ import { type Stroke, strokeOffset } from './Stroke.js';
 /** Mean ink added to the image while a stroke grows from its middle to its ends. */
 const GROWTH = 0.2;
 
-/** Texels on either side of its centre line over which a stroke counts. At full density no gap between strokes is wider. */
+/** The number of texels on each side of its centre line that a stroke reaches. At full density no gap is wider. */
 const REACH = 8;
 
-/** A line counts up to this multiple of its half length, measured from its middle. */
+/** A line reaches this multiple of its half length, measured from its middle. */
 const REACH_FORWARD = 1.4;
 
 /**
- * Lowers a toroidal field to the field of one stroke, wherever that is lower.
+ * Lowers a toroidal field to the field of a stroke, wherever the latter is lower.
  *
  * The field of a stroke is the ink at which it appears, plus a term that grows with the square of the distance from its
  * centre line, plus one that grows with the fourth power of the distance from its middle. So {field < ink} begins as a
@@ -19,8 +19,8 @@ const REACH_FORWARD = 1.4;
  * @param field (size·cellsPerTexel)² numbers in rows of growing v; changed in place
  * @param size texels per side, a power of two
  * @param cellsPerTexel cells of the field per texel and side, a power of two
- * @param startInk the mean ink at which the stroke appears: that of the strokes so far
- * @param swell the further ink after which it has its width
+ * @param startInk the mean ink at which the stroke appears, which is that of all strokes before it
+ * @param swell the further ink after which the stroke has its full width
  * @returns the number of cells visited
  */
 export function drawThresholdField(

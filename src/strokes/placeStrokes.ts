@@ -5,7 +5,7 @@ import { type Random, random } from './random.js';
 import type { Stroke } from './Stroke.js';
 import type { StrokeStyle } from './StrokeStyle.js';
 
-/** What to draw. */
+/** The input of `placeStrokes`. */
 export interface PlacementRequest {
   style: StrokeStyle;
   seed: number;
@@ -14,24 +14,24 @@ export interface PlacementRequest {
   tones: number;
   levels: number;
   /**
-   * Whether every stroke is followed by its mirror image in the middle of the tile (a half turn). The map then looks the
-   * same upside down.
+   * Whether every stroke is followed by its copy after a half turn about the middle of the tile. The map then looks the same upside
+   * down.
    */
   pairs?: boolean | undefined;
 }
 
-/** Cells read or written between two reports of progress: about a millisecond's work. */
+/** The number of cells that are read or written between two reports of progress, which takes about a millisecond. */
 const WORK_PER_SLICE = 100_000;
 
-/** About how many cells a proposal reads in one level. */
+/** The approximate number of cells that a proposal reads in one level. */
 const CELLS_PER_PROPOSAL = 16;
 
 /**
- * Chooses the strokes of a tonal art map, greedily after Praun et al. 2001: tones from light to dark, within a tone
- * levels from coarse to fine, each stroke the best of many random proposals, until the level has its mean ink. A
- * stroke chosen for a level is drawn on every finer one, and stays in every darker tone: that is the nesting property.
+ * Chooses the strokes of a tonal art map greedily, as Praun et al. 2001 do: tones from light to dark, within a tone levels from
+ * coarse to fine, and each stroke as the best of many random proposals, until the level has its mean ink. A stroke that is chosen
+ * for a level is drawn on every finer level too, and stays in every darker tone: that is the nesting property.
  *
- * Uses only arithmetic that IEEE 754 rounds exactly, so the same request gives the same strokes on every machine.
+ * It uses only arithmetic that IEEE 754 rounds exactly, so the same request gives the same strokes on every machine.
  *
  * @returns the strokes in order of drawing; yields progress in [0, 1]
  */
@@ -59,7 +59,7 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
         strokes.push(...added);
         work += style.proposals * (level + 1) * CELLS_PER_PROPOSAL;
         for (let finer = level; finer >= 0; finer--) {
-          for (const one of added) work += drawStroke(drawings[finer], one);
+          for (const addedStroke of added) work += drawStroke(drawings[finer], addedStroke);
         }
         if (work >= WORK_PER_SLICE) {
           work = 0;
@@ -71,13 +71,13 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
   return strokes;
 }
 
-/** Progress within a tone when `part` of a level is done: each level takes four times the work of the next coarser one. */
+/** The progress within a tone when `part` of a level is done. Each level takes four times the work of the next coarser level. */
 function levelProgress(level: number, part: number): number {
   const before = 1 / 4 ** (level + 1);
   return before + (4 * before - before) * Math.min(1, part);
 }
 
-/** A random length, but no longer than the level still needs, so that the last stroke ends on target. */
+/** A random length, but not longer than the ink that the level still needs, so that the last stroke hits the target. */
 function chooseLength(style: StrokeStyle, drawing: LevelDrawing, missing: number, next: Random): number {
   const [shortest, longest] = style.length;
   const length = shortest + (longest - shortest) * next();
@@ -85,7 +85,7 @@ function chooseLength(style: StrokeStyle, drawing: LevelDrawing, missing: number
   return Math.max(shortest, Math.min(length, needed));
 }
 
-/** Of the layers that are drawn at this mean ink, the one with the least ink so far. */
+/** Chooses the layer with the least ink so far, among those that have begun at this mean ink. */
 function chooseLayer({ layers }: StrokeStyle, { drawn }: LevelDrawing, target: number): number {
   let chosen = 0;
   for (let i = 1; i < layers.length; i++) if (target > layers[i].from && drawn[i] < drawn[chosen]) chosen = i;

@@ -4,18 +4,18 @@ import type { Stroke } from './Stroke.js';
 import { MERGING_WIDTHS } from './StrokeDensityField.js';
 import type { StrokeStyle } from './StrokeStyle.js';
 
-/** Weight of one other stroke end at the same place, relative to the mean density along the stroke. */
+/** The weight of another stroke's end at the same place, relative to the mean density along the stroke. */
 const END_WEIGHT = 0.2;
 
-/** Weight of the level the stroke is chosen for, relative to each finer level, which shows it too. */
+/** The weight of the level that the stroke is chosen for, relative to each finer level, which shows it too. */
 const OWN_LEVEL_WEIGHT = 3;
 
 /**
- * The best of the style's number of random proposals: the one with the lowest density of other strokes around it. All have
- * one length, or short ones would have an advantage.
+ * Returns the best of `style.proposals` random proposals: the one with the lowest density of other strokes around it. All have the
+ * same length, because short strokes would have an advantage.
  *
- * @param levels all levels as drawn so far, finest first
- * @param pairs whether the mirror image of the stroke (`halfTurn`) will be drawn too
+ * @param levels all levels as drawn so far, the finest first
+ * @param pairs whether the copy of the stroke after a half turn (`halfTurn`) will be drawn too
  */
 export function proposeStroke(
   style: StrokeStyle,
@@ -67,7 +67,7 @@ export function proposeStroke(
   return best!;
 }
 
-/** The stroke after a half turn about the origin. Exact: the generator's numbers are multiples of 2⁻³². */
+/** The stroke after a half turn about the origin. The result is exact, because the generator's numbers are multiples of 2⁻³². */
 export const halfTurn = (stroke: Stroke): Stroke => ({
   ...stroke,
   u: 1 - stroke.u,
@@ -76,8 +76,9 @@ export const halfTurn = (stroke: Stroke): Stroke => ({
 });
 
 /**
- * The density that a stroke and its own half turn, which is parallel to it, add to each other on all levels that show them.
- * Each term is that of `StrokeDensityField`. The own level counts like the others, or the middle of the tile stays empty.
+ * The density that a stroke and its copy after a half turn, which is parallel to it, add to each other on all levels that show
+ * them. Each term is that of `StrokeDensityField`. All levels have the same weight here, since otherwise the middle of the tile
+ * would stay empty.
  */
 function pairCost(stroke: Stroke, slope: number, levels: readonly LevelDrawing[]): number {
   const apart = (place: number): number => 2 * place - Math.round(2 * place);

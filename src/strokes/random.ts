@@ -1,12 +1,12 @@
-/** Returns numbers in [0, 1): the only source of randomness in stroke placement. */
+/** Returns a random number in [0, 1). */
 export type Random = () => number;
 
 /**
- * A seeded generator: the same seed gives the same numbers on every machine.
+ * Creates a seeded generator: the same seed gives the same numbers on every machine.
  *
- * A Weyl sequence through a 32-bit finaliser ("splitmix32"; the constants are Chris Wellons' "lowbias32").
+ * It is a Weyl sequence with a 32-bit finaliser ("splitmix32"; the constants are those of Chris Wellons' "lowbias32").
  *
- * @param seed any finite number; its value modulo 2³² counts
+ * @param seed any finite number; it is used modulo 2³²
  */
 export function random(seed: number): Random {
   let state = seed >>> 0;

@@ -1,20 +1,20 @@
 import type { PaperGrain } from './paperGrain.js';
 import { type Stroke, strokeOffset } from './Stroke.js';
 
-/** Width in texels at the very tip of a tapered stroke. A thinner tip would break into grey dots. */
+/** The width of the tip of a tapered stroke, in texels. A thinner tip would break into grey dots. */
 const TIP_WIDTH = 1;
 
 /**
- * Draws one stroke into a square toroidal image: a stroke that leaves at one side comes back at the other.
+ * Draws one stroke into a square toroidal image: a stroke that leaves it on one side continues on the other.
  *
- * The darkness of a texel is the part of it that the line covers, estimated from the distance between the texel's centre and
- * the centre line (exact for a line along an axis). Where strokes overlap, the darker value stays. So the order of drawing
- * does not matter, and an image can only become darker.
+ * The darkness of a texel is the share of it that the stroke covers, estimated from the distance between the texel's centre and
+ * the centre line (exact for a line along an axis). Where strokes overlap, the darker value stays, so the order of drawing does
+ * not matter, and an image can only become darker.
  *
  * @param image size² bytes in rows of growing v, 255 = paper, 0 = ink; changed in place
  * @param size texels per side, a power of two
- * @param grain of the paper: the stroke then has a soft edge, and ink stays on the peaks
- * @returns by how much the sum of the bytes fell
+ * @param grain the grain of the paper, which gives the stroke a soft edge and keeps ink on the peaks
+ * @returns the amount by which the sum of the bytes has decreased
  */
 export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke, grain?: PaperGrain): number {
   const mask = size - 1;
@@ -41,7 +41,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
     const fromEnd = halfLength - Math.abs(along);
     const rest = fromEnd < taper ? 1 - fromEnd / taper : 0;
     const radius = halfWidth - (halfWidth - tip) * rest * rest;
-    // No wider than the line, or its middle would be grey.
+    // A soft edge wider than the line would make its middle grey.
     const edge = grain ? Math.min(grain.edge, 2 * radius) : 1;
     const reach = (radius + 0.5 * edge) / cosine;
     const lastRow = Math.floor(middle + reach - 0.5);
@@ -64,7 +64,7 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
   return darkened;
 }
 
-/** The part of a stroke's coverage ∈ (0, 1] that stays on the grain: the higher the pressure, the deeper it reaches. */
+/** The share of a stroke's coverage ∈ (0, 1] that stays on the grain. The higher the pressure, the deeper the ink reaches. */
 function inkOnGrain(coverage: number, pressure: number, { depths, contrast }: PaperGrain, texel: number): number {
   const fill = (pressure * coverage - depths[texel] / 255) * contrast + 0.5;
   return coverage * Math.max(0, Math.min(1, fill));

@@ -32,20 +32,20 @@ const stippling: StrokeStyle = {
   thresholds: { maxInk: 0.5, swell: 0.05, proposals: 48 },
 };
 
-// A function, because to a bundler a spread may do anything: what is made of one at once, it would never leave out.
+// The styles are made by a function, because a bundler must assume that a spread has side effects, and would never drop a constant.
 const makeStyles = () =>
   ({
     /** Pen strokes side by side. */
     hatching,
 
-    /** Pen strokes; from half tone on, a second layer at right angles. */
+    /** Pen strokes, with a second layer at right angles from half tone on. */
     crossHatching: {
       ...hatching,
       layers: [along, { across: true, slope: 0, from: 0.45, thresholdsFrom: 0.32 }],
       thresholds: { maxInk: 0.6, swell: 0.15, proposals: 400 },
     },
 
-    /** Fine pen strokes in three directions, sixty degrees apart, that set in one after the other. */
+    /** Fine pen strokes in three directions, sixty degrees apart, that begin one after the other. */
     tripleHatching: {
       ...hatching,
       width: 1.7,
@@ -57,7 +57,7 @@ const makeStyles = () =>
       thresholds: { maxInk: 0.72, swell: 0.1, proposals: 300 },
     },
 
-    /** Thin even lines as if drawn with a ruler; from half tone on, a second layer. */
+    /** Thin even lines as if drawn with a ruler, with a second layer from half tone on. */
     ruled: {
       ...hatching,
       length: [0.5, 0.95],

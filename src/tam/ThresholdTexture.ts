@@ -3,8 +3,8 @@ import { packThresholds } from './packThresholds.js';
 import type { ThresholdPair } from './pairThresholdLevels.js';
 
 /**
- * The texture of a threshold map: 0 for g = −3 and 1 for g = 3. Red is a level, green the next coarser one at the same place.
- * All levels lie side by side (see {@link packThresholds}).
+ * The texture of a threshold map: 0 stands for g = −3 and 1 for g = 3. Red holds a level, green the next coarser level at the same
+ * place. All levels lie side by side (see {@link packThresholds}).
  */
 export class ThresholdTexture extends DataTexture {
   constructor(pairs: readonly ThresholdPair[]) {
@@ -15,7 +15,7 @@ export class ThresholdTexture extends DataTexture {
     this.magFilter = LinearFilter;
     this.minFilter = LinearFilter;
     this.generateMipmaps = false;
-    // The length of a row is any even number of bytes.
+    // The length of a row in bytes is even, but need not be a multiple of four.
     this.unpackAlignment = 2;
     this.needsUpdate = true;
   }

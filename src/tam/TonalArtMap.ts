@@ -14,40 +14,40 @@ import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.j
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
 
-/** Share of the progress for drawing the images; the rest is for the thresholds. */
+/** The share of the progress for drawing the images; the rest is for the thresholds. */
 const IMAGES_SHARE = 0.7;
 
-/** Share of the progress of `load` for reading the files. */
+/** The share of the progress of `load` for reading the files. */
 const READING_SHARE = 0.5;
 
-/** What a map is drawn with. */
+/** The options that determine a generated map. */
 export type MapDrawing = HatchImageOptions;
 
-/** What `TonalArtMap.generate` accepts: what to draw, and how to follow and stop the task. */
+/** Options of `TonalArtMap.generate`: those that determine the map, and those of the task. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
 
-/** What `fromHatchImages` reads. */
+/** The names of the properties that `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeWidth: true } satisfies Record<keyof HatchImages, true>;
 
 /**
- * A tonal art map: hatch images for several tones at several resolutions. When tone or distance changes, strokes keep their
- * place and their width (Praun et al. 2001; Suarez et al., section 3.1).
+ * A tonal art map: hatch images for several tones at several resolutions. When tone or distance changes, strokes keep their place
+ * and their width (Praun et al. 2001; Suarez et al., section 3.1).
  *
- * Image k of n stands for tone k/(n−1), 0 = paper, 1 = darkest. Strokes run along u. Immutable; may be shared by any
- * number of materials and renderers.
+ * Image k of n stands for tone k/(n−1), where 0 is paper and 1 the darkest tone. Strokes run along u. A map is immutable, and may
+ * be shared by any number of materials and renderers.
  */
 export class TonalArtMap {
   /** Texels per side of level 0. */
   readonly size: number;
   /** Number of tones. */
   readonly tones: number;
-  /** Number of levels; each has half the texels per side of the one before. */
+  /** Number of levels. Each has half the texels per side of the previous level. */
   readonly levels: number;
   /** Width of the strokes in texels, the same on every level. */
   readonly strokeWidth: number;
   /**
-   * RGBA array texture with drawn mip levels, not colour data. Layer l, channel c holds tone min(3l + c, tones − 1), so
-   * that one fetch reads both neighbours of any tone; 1 = paper, 0 = ink.
+   * The hatch images, as an RGBA array texture with drawn mip levels. It holds no colours: layer l, channel c holds tone
+   * min(3l + c, tones − 1), 1 = paper, 0 = ink, so that one fetch reads both neighbours of any tone.
    */
   readonly texture: TonalArtMapTexture;
 
@@ -74,9 +74,9 @@ export class TonalArtMap {
   }
 
   /**
-   * Draws a map, in a worker where there are any. The same options give the same bytes.
+   * Generates a map, in a worker if possible. The same options give the same bytes.
    *
-   * @throws RangeError or TypeError (as a rejection) if an option is out of its range or unknown; the signal's reason if it aborts
+   * @throws RangeError or TypeError (as a rejection) if an option is out of its range or unknown; the signal's reason when aborted
    */
   static async generate(options: TonalArtMapOptions = {}): Promise<TonalArtMap> {
     checkOptions('TonalArtMap.generate', options, HATCH_IMAGE_OPTIONS);
@@ -106,11 +106,11 @@ export class TonalArtMap {
   /**
    * Makes a map from your own images. They are copied.
    *
-   * @param hatchImages `images[tone][level]`, the lightest tone and the finest level first; (size / 2^level)² bytes each
-   *   in rows of growing v, 255 = paper, 0 = ink. Two to 64 tones, with up to 2²⁶ texels of the finest level together; one
-   *   level is enough. `size` is a power of two up to 4096.
-   * @throws TypeError or RangeError if their shape is not that of a map. Images that break the constraints of a map (nesting,
-   *   order of means) are accepted; see `report`.
+   * @param hatchImages `images[tone][level]`, the lightest tone and the finest level first. Each image has (size / 2^level)² bytes
+   *   in rows of growing v, 255 = paper, 0 = ink. There may be two to 64 tones, whose finest levels together have up to 2²⁶
+   *   texels; one level is enough. `size` is a power of two up to 4096.
+   * @throws TypeError or RangeError if the images do not have the shape of a map. Images that break the constraints of a map
+   *   (nesting, order of means) are accepted; see `report`.
    */
   static fromHatchImages(hatchImages: HatchImages): TonalArtMap {
     checkNames('TonalArtMap.fromHatchImages', 'hatch images', hatchImages, HATCH_IMAGES);
@@ -119,13 +119,13 @@ export class TonalArtMap {
   }
 
   /**
-   * Loads a map written by `save`, or images that an artist has drawn, one PNG per tone. To the latter, blank paper is added
-   * as the lightest tone if it is missing, and the other levels are made (see docs/maps.md). Up to 64 tones, with up to 2²⁶
-   * texels of the finest level together.
+   * Loads a map that was written by `save`, or images that an artist has drawn, one PNG per tone. To an artist's images, blank
+   * paper is added as the lightest tone if it is missing, and the other levels are made (see docs/maps.md). There may be up to 64
+   * tones, whose finest levels together have up to 2²⁶ texels.
    *
-   * @param source the address of the JSON file of a map; or addresses of images, lightest first; or files, for example
-   *   dropped ones: all files of a map, or images in any order, which are then sorted by darkness
-   * @throws Error (as a rejection) naming the file that is missing or wrong and what to do; the signal's reason if it aborts
+   * @param source the URL of the JSON file of a map; or the URLs of images, lightest first; or files, for example dropped ones:
+   *   all files of a map, or images in any order, which are then sorted by darkness
+   * @throws Error (as a rejection) that names the missing or wrong file and the remedy; the signal's reason when aborted
    */
   static async load(source: TonalArtMapSource, options: TaskOptions = {}): Promise<TonalArtMap> {
     checkOptions('TonalArtMap.load', options);
@@ -150,7 +150,7 @@ export class TonalArtMap {
     return new TonalArtMap({ ...images, strokeWidth: read.strokeWidth }, levels, false);
   }
 
-  /** How well the images keep the constraints of a tonal art map. Measured on first use. */
+  /** Reports how well the images keep the constraints of a tonal art map. It is measured on first use. */
   get report(): HatchImageReport {
     if (!this.cachedReport) {
       this.cachedReport = checkHatchImages(this.allImages());
@@ -159,17 +159,17 @@ export class TonalArtMap {
   }
 
   /**
-   * The thresholds as a texture, for techniques that blend first and decide on ink last. Not colour data; the levels lie side
-   * by side instead of in mip levels. A texel t stands for g = 6t − 3 = Φ⁻¹(h), clamped to ±3, where h is the tone at which
-   * it becomes ink. So g is normally distributed, and h = Φ(g). Red is the level itself, green the next coarser one. Made on
-   * first use.
+   * The thresholds as a texture, for techniques that first blend and then decide what is ink. It holds no colours, and its levels
+   * lie side by side instead of in mip levels. A texel t stands for g = 6t − 3 = Φ⁻¹(h), clamped to ±3, where h is the tone at
+   * which the texel becomes ink. So g is normally distributed, and h = Φ(g). Red holds the level itself, green the next coarser
+   * level. The texture is made on first use.
    */
   get thresholdTexture(): ThresholdTexture {
     this.cachedThresholdTexture ??= new ThresholdTexture(this.thresholdPairs());
     return this.cachedThresholdTexture;
   }
 
-  /** How much interpolation reduces the contrast of the thresholds, so that shaders can restore it. Measured on first use. */
+  /** Tells how much interpolation reduces the contrast of the thresholds, so that shaders can restore it. It is measured on first use. */
   get thresholdMoments(): ThresholdMoments {
     this.cachedMoments ??= measureThresholdMoments(this.thresholdPairs());
     return this.cachedMoments;
@@ -191,9 +191,9 @@ export class TonalArtMap {
   }
 
   /**
-   * A copy of one level's thresholds: (size / 2^level)² numbers in (0, 1) in rows of growing v, uniformly distributed. At tone
-   * T (0 = paper, 1 = darkest) a texel is ink if its number is below T, so {threshold < T} is a drawing of mean ink T. A
-   * generated map draws them; a map of your own images derives them from the images.
+   * A copy of the thresholds of one level: (size / 2^level)² numbers in (0, 1) in rows of growing v, uniformly distributed. At tone
+   * T (0 = paper, 1 = darkest) a texel is ink if its number is below T, so {threshold < T} is an image of mean ink T. In a
+   * generated map the thresholds were drawn; for your own images they are derived from the images.
    *
    * @throws RangeError if there is no such level
    */
@@ -203,8 +203,8 @@ export class TonalArtMap {
   }
 
   /**
-   * The map as files: `map.json` and the PNG images it names, one per tone and level. `load` makes exactly the same map of
-   * them, thresholds included.
+   * Writes the map as files: `map.json` and the PNG images that it names, one per tone and level. `load` restores exactly the same
+   * map from them, including the thresholds.
    */
   async save(): Promise<File[]> {
     const thresholds = this.hasDrawnThresholds ? this.thresholdMap().map((level) => level.thresholds) : undefined;
@@ -216,7 +216,7 @@ export class TonalArtMap {
     });
   }
 
-  /** Frees the textures on the GPU. A material that still uses the map uploads them again. */
+  /** Frees the GPU memory of the textures. If a material still uses the map, they are uploaded again. */
   dispose(): void {
     this.texture.dispose();
     this.cachedThresholdTexture?.dispose();

@@ -14,9 +14,9 @@ import { type PackedLevel, packedLayerCount } from './packHatchImages.js';
  * The texture of a tonal art map: packed hatch images (`packHatchImages`) as an RGBA array texture whose mip levels are
  * the drawn ones.
  *
- * It is a `CompressedArrayTexture` although nothing is compressed: this is three's only array texture that uploads given mip
- * levels. Anisotropy stays 1: on slanting surfaces it would average finer levels to grey, where the drawn coarser level
- * keeps its strokes black.
+ * It is a `CompressedArrayTexture` although nothing is compressed: no other array texture of three.js uploads its own mip levels.
+ * Anisotropy stays 1: on slanted surfaces it would average finer levels to grey, whereas the drawn coarser level keeps its strokes
+ * black.
  */
 export class TonalArtMapTexture extends CompressedArrayTexture {
   constructor(levels: readonly PackedLevel[], tones: number) {
@@ -26,7 +26,7 @@ export class TonalArtMapTexture extends CompressedArrayTexture {
       size,
       size,
       packedLayerCount(tones),
-      // The types allow compressed formats only; the renderer accepts this one too.
+      // The types only allow compressed formats, but the renderer accepts this format too.
       RGBAFormat as unknown as CompressedPixelFormat,
       UnsignedByteType,
     );

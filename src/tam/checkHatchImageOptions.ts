@@ -1,7 +1,7 @@
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { checkNames } from '../worker/checkOptions.js';
 
-/** The names of the options of a map that is drawn, beside those of every long task. */
+/** The names of the options that determine a generated map. */
 export const HATCH_IMAGE_OPTIONS = {
   style: true,
   seed: true,
@@ -12,10 +12,10 @@ export const HATCH_IMAGE_OPTIONS = {
 } satisfies Record<keyof HatchImageOptions, true>;
 
 /**
- * Checks what a map is to be drawn with, before any work is done.
+ * Checks the options of a generated map before any work is done.
  *
- * @param caller named in the error
- * @throws TypeError for what is no object and for unknown names, RangeError for values out of their range
+ * @param caller the function that is named in the error
+ * @throws TypeError if the options are not an object or have unknown names; RangeError for values out of their range
  */
 export function checkHatchImageOptions(caller: string, options: HatchImageOptions): void {
   checkNames(caller, 'options', options, HATCH_IMAGE_OPTIONS);

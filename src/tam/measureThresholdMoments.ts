@@ -5,17 +5,16 @@ import type { ThresholdPair } from './pairThresholdLevels.js';
 export interface ThresholdMoments {
   /** Variance of g as a texture unit interpolates it between texels; 1 at the texels themselves. */
   variance: number;
-  /** The same for the next coarser level at the resolution of the finer one. 0 if there is only one level. */
+  /** The same variance for the next coarser level, at the resolution of the finer one; 0 if there is only one level. */
   coarserVariance: number;
-  /** Covariance of the two: how well the strokes of neighbouring levels nest. 0 if there is only one level. */
+  /** The covariance of a level and the next coarser one: how well their strokes nest; 0 if there is only one level. */
   covariance: number;
 }
 
 const SAMPLES = 8192;
 
 /**
- * Measures the moments by sampling at the points of Roberts' R2 sequence, which cover the tile evenly and are the same each
- * time.
+ * Measures the moments at the points of Roberts' R2 sequence, which cover the tile evenly and are always the same.
  */
 export function measureThresholdMoments(pairs: readonly ThresholdPair[]): ThresholdMoments {
   let squares = 0;

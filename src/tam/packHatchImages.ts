@@ -4,13 +4,13 @@ export interface PackedLevel {
   data: Uint8Array;
 }
 
-/** Layers of a packed map: groups of four tones that overlap by one. */
+/** The number of layers of a packed map. A layer holds four tones, of which it shares one with the next layer. */
 export const packedLayerCount = (tones: number): number => Math.ceil((tones - 1) / 3);
 
 /**
  * Packs hatch images into RGBA layers that overlap by one tone: layer l, channel c holds tone min(3l + c, tones − 1). The two
- * images on either side of any tone then lie in one texel, so one fetch reads both: one fetch per triangle frame, four for a
- * triangle and its three neighbours.
+ * two images that any tone lies between are then in the same texel, so one fetch reads both: one fetch per triangle, or four for
+ * a triangle and its three neighbours.
  *
  * @param images `images[tone][level]`, (size / 2^level)² bytes each
  */

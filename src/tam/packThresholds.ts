@@ -1,13 +1,13 @@
 import type { ThresholdPair } from './pairThresholdLevels.js';
 
-/** Texels around each level that repeat its opposite side, so that the texture unit interpolates across the border. */
+/** The width of the margin around each level, in texels. It repeats the opposite side, so that interpolation works at the border. */
 const MARGIN = 1;
 
 /** Levels of thresholds side by side in one image of two bytes per texel. */
 export interface PackedThresholds {
   width: number;
   height: number;
-  /** In rows of growing v: of each texel the level's own byte, then that of the next coarser level. */
+  /** Rows of growing v. Each texel has the byte of its level, then that of the next coarser level. */
   data: Uint8Array;
 }
 

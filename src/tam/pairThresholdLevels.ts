@@ -1,19 +1,19 @@
 import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 
-/** A level of thresholds and the next coarser one at the same resolution, encoded as in {@link ThresholdLevel}. */
+/** A level of thresholds and the next coarser level at the same resolution, both encoded as in {@link ThresholdLevel}. */
 export interface ThresholdPair {
   /** Texels per side. */
   size: number;
   own: Uint8Array;
-  /** Of the coarsest level: itself. */
+  /** The next coarser level. The coarsest level is paired with itself. */
   coarser: Uint8Array;
 }
 
 /**
- * Pairs each level with the next coarser one, interpolated to the same resolution, so that one fetch reads both. A stroke size
- * between two levels then costs no more than one on a level.
+ * Pairs each level with the next coarser one, interpolated to the same resolution, so that one fetch reads both. Then a stroke size
+ * between two levels takes no more fetches than that of a single level.
  *
- * @param levels finest first, each of half the texels per side of the one before
+ * @param levels the finest first; each has half the texels per side of the previous level
  */
 export function pairThresholdLevels(levels: readonly ThresholdLevel[]): ThresholdPair[] {
   return levels.map(({ size, encoded }, index) => {
@@ -22,7 +22,7 @@ export function pairThresholdLevels(levels: readonly ThresholdLevel[]): Threshol
   });
 }
 
-/** Bilinear interpolation to twice the texels per side, with wrap-around: new texel centres lie at 1/4 and 3/4 between old ones. */
+/** Doubles the texels per side by bilinear interpolation with wrap-around: new texel centres lie at 1/4 and 3/4 between old ones. */
 function enlarge({ size, encoded }: ThresholdLevel): Uint8Array {
   const mask = size - 1;
   const enlarged = new Uint8Array(4 * encoded.length);

@@ -1,14 +1,15 @@
 import { DataTexture, NearestFilter, RepeatWrapping } from 'three';
 import { bayerRank, PERIOD, pointsOf, readStippleSet } from './stippleSet.js';
 
-/** Texels per side: a cell knows by one more bit of its place whether it holds the point of the cell twice as large. */
+/** Texels per side. There are four texels per cell, since a cell has four quarters, of which one holds the cell's point. */
 export const STIPPLE_MAP_SIZE = 2 * PERIOD;
 
 let stipple: DataTexture | undefined;
 
 /**
- * The set of points of stipple, a texel per cell of half the size: red and green are its point within it; blue is when in an octave
- * it is born, 0 for one that was there before. Tiles. Made when first asked for, in some milliseconds; shared and never disposed of.
+ * The set of points for stippling, with a texel per quarter of a cell. Red and green hold the position of the quarter's point within
+ * it; blue holds when the point appears during an octave of magnification, 0 if it was there before. The texture tiles. The first
+ * call makes it in a few milliseconds; it is shared and never disposed of.
  */
 export function stippleMap(): DataTexture {
   if (stipple === undefined) {
@@ -29,7 +30,7 @@ function stippleTexels(): Uint8Array {
     for (const [place, b] of [quarters[cell], ...births[cell]].entries()) {
       const [x, y] = [left + (b & 1), below + (b >> 1)];
       const point = 2 * ((y % PERIOD) * PERIOD + (x % PERIOD));
-      // A third of the octave for each of the three, and its parts evenly over the plane.
+      // Each of the three new points of a cell appears in its own third of the octave, evenly distributed over the plane.
       const born = (place - 1 + (bayerRank(cell) + 0.5) / PERIOD ** 2) / 3;
       texels.set(
         [255 * points[point], 255 * points[point + 1], place === 0 ? 0 : Math.max(1, 255 * born), 255].map(Math.round),

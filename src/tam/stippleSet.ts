@@ -1,26 +1,26 @@
-/** Cells of the set per side, after which it repeats: a power of two. */
+/** The number of cells per side after which the set repeats: a power of two. */
 export const PERIOD = 32;
 
 /**
- * A set of points in the plane that is its own enlargement: half as large, it holds itself. So points may be born between others
- * for ever as one comes nearer, and none ever moves. Found by tools/building/stippleSet.mjs.
+ * A self-similar set of points in the plane: scaled to half its size, it contains itself. So new points may appear between the old
+ * ones without end as the camera approaches, and no point ever moves. It was found by tools/building/stippleSet.mjs.
  *
- * Cell c = (x, y), in rows, has one point. It is that of cell 2c + b, at half the size, where b is one of its quarters: 0 and 1, then
- * 2 and 3 above them. A letter holds b and which of the three other quarters' points, at half the size, are born first, second and
- * third.
+ * Each cell c = (x, y) has one point, which is the point of cell 2c + b of the set at half the size. b is the quarter of the cell
+ * that it lies in: 0 and 1 are the lower quarters, 2 and 3 the upper ones. The string has a letter per cell, in rows. A letter holds
+ * b, and the order in which the points of the three other quarters appear.
  */
 export const STIPPLE_SET =
   'WXAWJHXKPPDNEJIIWXAGXULKPQDNHTKGPQHPNCPHJJKXGJULVWHJWWKHJLKXGVTIORFSVIVHJFFALLSDCXGXVUKHJSEVLVSBUJLSEISGIKHLLIQLKTLSEMSHIQBMDFQUSGIXKIVJVEDDDENFBOGXSTSHPPMRNFTTUIJUSJTIXGIJKHRPBSAEMMMBULXSKNFRDKKSTKXKSGLHTFKJLPMAPUVHMMQMNOFMCFEOPNRMNTIGXGNDAROCPNPMPXVLVKNNFEEVXVUVIXGXFAPDAOLKXVUUJUTFOOPNGKIQUUSXJQFENAOACNAQEENQFNTSSTUKFGOMFMORONDCOEOFBPASKSVVAODMNPMFNBPREORQSTJXTEJJBXGWHUFQBTJXIULIQFMPDSXXWWCCOCDDDVLXARPRHWCDOQFDMFVKISBQSTHXSSIXJTJOCVVKKRBCOQCDVFCNBUTTAPDPOAJTKTIGJVTTEPFAOXKTSEFLJOTSVIKVHIJPEODCHONATIJSHJJSSIJWJMANEPDNHMAWGIJHXUVKJUJSJIJTSKKTLPBPOJUXGVFCJGJJQMPHJKKXIJIVTSFFBOCOPFMXLVHJXBDCTSVHJTDDKLUTOQACDKPVTERNEFIIWGJJSSSGIWILKIOOUIEEPFQDMNXVELLITGIJSTUJJXCCHVTTSIGJOFSOPROQQFDPWIJJOQSIJXCQEFNSTKMAPFEOOORMWDITWKNAPPPKHSLOCFOMPMOCPDCOPOOPRHIWVHWFPNPEBQFQBCOIWHLKXILUXSTWWDCNMFPJXVUEAITVIIVDWIIIOBEORQNDPLLUUEOAEEOHLLQSKJSHOPCBRECXWTIXXECOQFUHJSVFFFQFHKSDPREAJILPRTJRNJVXTHXGJOREBETHILTHQPCBDBDNQWAWKGTTVJIJWSWHGGVLOAODPOBCCMCUSVHXHHSSJIJOOMCGIAOCOBODUVIIIIKOPPFVKHXTIJJUVUIIJVLUUUSFSSFQCADOUIKSUCREUEFMVUKIKVJSJTHJ';
 
-/** Which of three is first, second and third. */
+/** The orders of three quarters, by the number in a letter. */
 const ORDERS = ['012', '021', '102', '120', '201', '210'];
 
-/** The points of the cells in their cells, as xyxy…, from the quarters they lie in. */
+/** The positions of the points within their cells, as xyxy…, from the quarters that they lie in. */
 export function pointsOf(quarters: ArrayLike<number>): Float64Array {
   const points = new Float64Array(2 * PERIOD ** 2);
   for (let cell = 0; cell < PERIOD ** 2; cell++) {
     let [x, y] = [cell % PERIOD, Math.floor(cell / PERIOD)];
-    // Binary digits: each cell on the way adds one of either coordinate.
+    // Each quarter on the way from set to smaller set adds a binary digit to both coordinates.
     for (let digit = 0.5; digit > 2 ** -24; digit /= 2) {
       const b = quarters[y * PERIOD + x];
       points[2 * cell] += (b & 1) * digit;
@@ -32,7 +32,7 @@ export function pointsOf(quarters: ArrayLike<number>): Float64Array {
   return points;
 }
 
-/** The rank of a cell in an order that is everywhere on the grid as soon as possible: that of ordered dithering (Bayer 1973). */
+/** The rank of a cell in the order of ordered dithering (Bayer 1973): any beginning of it is spread evenly over the grid. */
 export function bayerRank(cell: number): number {
   const [x, y] = [cell % PERIOD, Math.floor(cell / PERIOD)];
   let rank = 0;
@@ -41,7 +41,7 @@ export function bayerRank(cell: number): number {
   return rank;
 }
 
-/** The quarter of each cell that has its own point, and the others in the order of their birth. */
+/** For each cell the quarter that holds its point, and the other quarters in the order in which their points appear. */
 export function readStippleSet(): { quarters: number[]; births: number[][] } {
   const codes = Array.from(STIPPLE_SET, (letter) => letter.charCodeAt(0) - 65);
   const quarters = codes.map((code) => Math.floor(code / 6));

@@ -4,18 +4,18 @@ import { random } from '../strokes/random.js';
 
 /** Texels per side: a power of two. */
 export const TOOTH_MAP_SIZE = 256;
-/** The blur that the shader knows of: neighbouring texels share 16/19 of their variance. */
+/** The radius of the blur, in texels. The shader relies on it: neighbouring texels have a correlation of 16/19. */
 const RADIUS = 2;
-/** Texels to a bump of the tooth: what that blur leaves. */
+/** The size of a bump of the tooth, in texels, which results from the blur. */
 export const TOOTH_MAP_BUMP = 2 * RADIUS;
 const SEED = 7;
 
 let tooth: DataTexture | undefined;
 
 /**
- * The tooth of paper: a field on which every value is as frequent as in a standard normal distribution, −3 to 3 as 0 to 1 of red,
- * low where the paper stands up and takes the medium first. Tiles. Made when first asked for, in some milliseconds; shared and
- * never disposed of.
+ * The tooth of the paper: normally distributed noise, with −3 to 3 standard deviations as 0 to 1 in red. Values are low on the bumps
+ * of the paper, which take the medium first. The texture tiles. The first call makes it in a few milliseconds; it is shared and never
+ * disposed of.
  */
 export function toothMap(): DataTexture {
   if (tooth === undefined) {
@@ -27,12 +27,12 @@ export function toothMap(): DataTexture {
   return tooth;
 }
 
-/** Blurred noise: sums of many numbers, which are normally distributed. */
+/** Makes blurred noise. Its values are sums of many random numbers, so they are normally distributed. */
 function toothTexels(): Uint8Array {
   const next = random(SEED);
   const noise = Float32Array.from({ length: TOOTH_MAP_SIZE ** 2 }, () => next() - 0.5);
   const field = blurToroidal(noise, TOOTH_MAP_SIZE, RADIUS);
-  // The mean of many texels is 0 but for noise, and what is left of it would be an error of tone.
+  // The mean is subtracted, because it is not exactly 0 and would shift the tone.
   const mean = field.reduce((sum, value) => sum + value, 0) / field.length;
   const variance = field.reduce((sum, value) => sum + (value - mean) ** 2, 0) / field.length;
   const scale = 255 / (6 * Math.sqrt(variance));

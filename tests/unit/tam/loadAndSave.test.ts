@@ -155,7 +155,7 @@ describe("TonalArtMap.load of an artist's images", () => {
     async (href) => {
       vi.stubGlobal('location', href && { href });
       await expect(TonalArtMap.load('map.json')).rejects.toThrow(
-        /TonalArtMap\.load: "map\.json" is no address that can be resolved here .*give a whole one/,
+        /TonalArtMap\.load: "map\.json" is a URL that cannot be resolved here .*pass an absolute URL/,
       );
     },
   );
@@ -199,7 +199,7 @@ describe('TonalArtMap.load refuses', () => {
   const odd = (size: number): Promise<File> => png('odd.png', size, new Uint8Array(size * size).fill(99));
 
   it.each<[string, (files: File[]) => unknown, RegExp]>([
-    ['nothing', () => [], /source is empty, but must be an address/],
+    ['nothing', () => [], /source is empty, but must be a URL/],
     [
       'a file that is missing',
       (files) => [json({}), ...files.slice(1)],
@@ -248,9 +248,9 @@ describe('TonalArtMap.load refuses', () => {
     [
       'JSON of something else',
       () => [new File(['[1]'], 'data.json')],
-      /data\.json describes no tonal art map; its "format" must be/,
+      /data\.json does not describe a tonal art map; its "format" must be/,
     ],
-    ['null', () => [new File(['null'], 'data.json')], /data\.json describes no tonal art map/],
+    ['null', () => [new File(['null'], 'data.json')], /data\.json does not describe a tonal art map/],
     [
       'another version',
       () => [json({ version: 2 })],
@@ -263,7 +263,7 @@ describe('TonalArtMap.load refuses', () => {
     [
       'different levels',
       () => [json({ images: [['9.png'], ['8.png', '7.png']] })],
-      /must name as many levels for every tone/,
+      /must name the same number of levels for every tone/,
     ],
     [
       'grey thresholds',
