@@ -25,7 +25,7 @@ import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
 import { SharedResources } from './SharedResources.js';
 
-/** The distance of the light, in radii of the model: outside of what casts shadows. */
+/** The distance of the light, in radii of the model: outside of everything that casts shadows. */
 const LIGHT_DISTANCE = 3;
 const SHADOW = { reach: 1.05, near: 1, far: 5, mapSize: 2048, normalBias: 0.02 } as const;
 const FIELD_OF_VIEW = 30;
@@ -36,15 +36,15 @@ const box = new Box3();
 const place = new Vector3();
 const before = new Vector3();
 
-/** The maps of presets, by how they are drawn: presets are frozen, so that is the same object every time. */
+/** The maps of presets. The keys are their options: presets are frozen, so these are always the same objects. */
 const maps = new SharedResources<Readonly<MapDrawing>, TonalArtMap>();
 const DEFAULT_MAP: Readonly<MapDrawing> = {};
 
-/** How the map of a preset is drawn; null if it needs none. */
+/** The options of the map for a preset; null if it needs none. */
 const mapOf = ({ material, tonalArtMap }: HatchingPreset): Readonly<MapDrawing> | null =>
   needsMap(material) ? (tonalArtMap ?? DEFAULT_MAP) : null;
 
-/** A hatched model with its light and its viewer. It is scaled to a radius of 1 around the origin. */
+/** A hatched model with its light and camera. It is scaled to a radius of 1 around the origin. */
 export class Drawing {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 40);
@@ -63,7 +63,7 @@ export class Drawing {
     Object.assign(shadow.camera, { left: -reach, right: reach, bottom: -reach, top: reach, near, far });
     shadow.mapSize.set(mapSize, mapSize);
     shadow.normalBias = normalBias;
-    // Drawn again when the light moves, not when the viewer does.
+    // The shadow map is drawn again when the light moves, but not when the camera does.
     shadow.autoUpdate = false;
     this.extent = extentOf(model);
     this.scene.add(fitted(model, this.extent), this.light);
@@ -73,7 +73,7 @@ export class Drawing {
    * Loads a model and hatches it.
    *
    * @param pixelRatio pixels of the canvas per CSS pixel
-   * @throws Error with a sentence for the reader of the page; the signal's reason if it aborts
+   * @throws Error whose message is a sentence for the reader of the page; the signal's reason when aborted
    */
   static async load(
     source: ModelSource,
@@ -104,19 +104,23 @@ export class Drawing {
     return this.preset.material.paper ?? 'white';
   }
 
-  /** Makes strokes as wide on the screen as on any other. @param pixelRatio pixels of the canvas per CSS pixel */
+  /**
+   * Scales the strokes, so that they have the same width on every screen.
+   *
+   * @param pixelRatio pixels of the canvas per CSS pixel
+   */
   setPixelRatio(pixelRatio: number): void {
     if (pixelRatio === this.pixelRatio) return;
     this.pixelRatio = pixelRatio;
     const { material, lines } = scalePreset(this.preset, pixelRatio);
-    for (const one of this.hatched.materials) one.setValues(material);
-    for (const one of this.hatched.lines) one.material.setValues(lines);
+    for (const hatching of this.hatched.materials) hatching.setValues(material);
+    for (const { material: lineMaterial } of this.hatched.lines) lineMaterial.setValues(lines);
   }
 
   /**
-   * Sets where light and viewer are.
+   * Sets the positions of light and camera.
    *
-   * @param zoom how many times larger the model is seen than one that just fills the picture
+   * @param zoom 1 makes the model just fill the picture, 2 makes it twice as large
    * @param aspect width of the picture divided by its height
    */
   arrange(light: Direction, eye: Direction, zoom: number, aspect: number): void {
@@ -130,12 +134,12 @@ export class Drawing {
     camera.updateProjectionMatrix();
   }
 
-  /** Has the shadow drawn again with the next frame. To be called when the graphics context was lost, too. */
+  /** Makes the next frame draw the shadow map again. Call it after a lost graphics context too. */
   renewShadow(): void {
     this.light.shadow.needsUpdate = true;
   }
 
-  /** From where the model fills the picture, whichever way it is turned about its upright axis. */
+  /** The distance at which the model fills the picture, however it is turned about its vertical axis. */
   private distance(elevation: number, aspect: number): number {
     const { around, height } = this.extent;
     const slopeY = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2)) * FILL;
@@ -159,18 +163,19 @@ function putAt(position: Vector3, { azimuth, elevation }: Direction, distance: n
   position.setFromSphericalCoords(distance, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
 }
 
-/** How far a model reaches from its middle. All but the middle in units of the radius. */
+/** The extent of a model. */
 interface Extent {
+  /** The centre of the bounding box, in the units of the model. */
   middle: Vector3;
-  /** Of the farthest point, in the units of the model. */
+  /** The distance of the farthest point from the middle, in the units of the model. */
   radius: number;
-  /** From the upright axis. */
+  /** The distance of the farthest point from the vertical axis through the middle, in radii. */
   around: number;
-  /** Up and down. */
+  /** Half the height of the bounding box, in radii. */
   height: number;
 }
 
-/** The model in a group that moves its middle to the origin and scales its farthest point to a distance of 1. */
+/** Puts the model into a group that moves its middle to the origin and scales its farthest point to a distance of 1. */
 function fitted(model: Object3D, { middle, radius }: Extent): Group {
   const inner = new Group().add(model);
   inner.position.copy(middle).negate();
@@ -182,13 +187,13 @@ function fitted(model: Object3D, { middle, radius }: Extent): Group {
 function extentOf(model: Object3D): Extent {
   const middle = box.setFromObject(model, true).getCenter(new Vector3());
   const height = box.getSize(place).y / 2;
-  // Of instances the box is known, and no more.
+  // For instances only the bounding box is known.
   const [radius, around] = farthest(model, middle) ?? [place.length() / 2, Math.hypot(place.x, place.z) / 2];
   const unit = radius > 0 && radius < Infinity ? radius : 1;
   return { middle, radius: unit, around: around / unit, height: height / unit };
 }
 
-/** How far the farthest points of a model are from a place, and from the upright line through it; undefined if there are instances. */
+/** The greatest distances of a model's points from a place and from the vertical line through it; undefined if there are instances. */
 function farthest(model: Object3D, from: Vector3): [radius: number, around: number] | undefined {
   let radius = 0;
   let around = 0;

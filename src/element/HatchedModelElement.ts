@@ -14,34 +14,34 @@ const PROPERTIES = {
   'draco-path': 'dracoPath',
   'ktx2-path': 'ktx2Path',
 } as const;
-/** Those of what is loaded. */
+/** The attributes whose change loads the model again. */
 const OF_MODEL: readonly string[] = ['src', 'preset', 'draco-path', 'ktx2-path'];
-/** How far from the visible part of the page a model is loaded, in pixels. */
+/** A model is loaded when it is this near to the visible part of the page. */
 const LOAD_MARGIN = '300px';
-/** More pixels than this per CSS pixel cost much and show little. */
-const MOST_PIXEL_RATIO = 2;
+/** The largest number of pixels per CSS pixel. More of them take long and show little. */
+const MAX_PIXEL_RATIO = 2;
 const EYE = { azimuth: 0, elevation: 8 } as const;
-const HINT = 'Arrow keys turn the model, with Shift the light; plus and minus zoom, Home takes all back.';
+const HINT = 'Arrow keys turn the model, with Shift the light; plus and minus zoom; Home resets everything.';
 
-// A server has no elements; the class is there all the same, for whoever imports it.
+// There is no HTMLElement on a server, but the module must be importable there too.
 const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement);
 
 /**
- * `<hatched-model src="model.glb">`: a model, hatched.
+ * `<hatched-model src="model.glb">` shows a hatched model.
  *
- * | attribute | |
+ * | attribute | meaning |
  * | --- | --- |
- * | `src` | address of a glTF or GLB file |
+ * | `src` | URL of a glTF or GLB file |
  * | `preset` | name of a preset of the library; `pen` by default |
- * | `light` | azimuth and elevation of the light, in degrees: `-45 40` |
- * | `controls` | lets visitors turn the model and its light; `controls="light"` the light alone |
- * | `alt` | what is to be seen, in words; empty for mere decoration |
- * | `poster` | address of a picture that is shown until the drawing is there |
- * | `draco-path` | address of a folder with three.js's decoder of Draco, for models packed with it |
- * | `ktx2-path` | address of a folder with three.js's decoder of KTX2, for models with such pictures |
+ * | `light` | azimuth and elevation of the light in degrees, such as `-45 40` |
+ * | `controls` | lets visitors turn the model and its light; with `controls="light"` only the light |
+ * | `alt` | describes the picture in words; empty if it is decoration |
+ * | `poster` | URL of a picture that is shown until the model is drawn |
+ * | `draco-path` | URL of a folder with three.js's Draco decoder, for models compressed with Draco |
+ * | `ktx2-path` | URL of a folder with three.js's KTX2 decoder, for models with KTX2 textures |
  *
- * It loads when it comes near the visible part of the page, and draws when something changes. The events `load` and `error` (an
- * `ErrorEvent` with a sentence as message) say how loading ended. `::part(poster)` and `::part(error)` can be styled.
+ * The model is loaded when it comes near the visible part of the page, and drawn when something changes. The events `load` and
+ * `error` (an `ErrorEvent` with a sentence as message) report the end of loading. `::part(poster)` and `::part(error)` can be styled.
  */
 export class HatchedModelElement extends Base {
   static readonly observedAttributes: readonly string[] = Object.keys(PROPERTIES);
@@ -84,7 +84,7 @@ export class HatchedModelElement extends Base {
   }
 
   connectedCallback(): void {
-    // Moved within the page, it has kept everything.
+    // An element that was moved within the page has kept everything.
     if (this.near) return;
     this.viewControls = new ViewControls(
       this.canvas,
@@ -104,16 +104,16 @@ export class HatchedModelElement extends Base {
   }
 
   disconnectedCallback(): void {
-    // Whoever moves an element takes it out and puts it in again, in one task.
+    // When an element is moved, it is removed and inserted in one task, so the release waits for a microtask.
     queueMicrotask(() => {
       if (!this.isConnected) this.release();
     });
   }
 
   attributeChangedCallback(name: keyof typeof PROPERTIES): void {
-    // What is set before the element stands in a page is read then.
+    // Attributes that are set before the element is connected are read when it is.
     if (!this.near) return;
-    if (OF_MODEL.includes(name)) this.askForModel();
+    if (OF_MODEL.includes(name)) this.requestModel();
     else if (name === 'light') this.showLight();
     else if (name === 'controls') this.showControls();
     else if (name === 'alt') this.showAlt();
@@ -126,9 +126,9 @@ export class HatchedModelElement extends Base {
     this.invalidate();
   };
 
-  private askForModel(): void {
+  private requestModel(): void {
     this.needsModel = true;
-    // Attributes that are set together count as one change.
+    // Attributes that are set in the same task count as a single change.
     queueMicrotask(() => this.loadWhenNear());
   }
 
@@ -138,7 +138,7 @@ export class HatchedModelElement extends Base {
     void this.load();
   }
 
-  /** Loads the model in the preset. What was drawn before stays until it is there. */
+  /** Loads the model and hatches it. The previous drawing stays until it is ready. */
   private async load(): Promise<void> {
     this.loading?.abort();
     const loading = new AbortController();
@@ -187,8 +187,8 @@ export class HatchedModelElement extends Base {
     }
     this.say('');
     this.invalidate();
-    // The light may have been what stood in the way.
-    if (this.hasFailed) this.askForModel();
+    // A wrong light may have been the reason why loading failed.
+    if (this.hasFailed) this.requestModel();
   }
 
   private fail(error: Error): void {
@@ -226,7 +226,7 @@ export class HatchedModelElement extends Base {
     if (this.poster) this.image.src = this.poster;
   }
 
-  /** Asks for one frame. Further calls before it is drawn change nothing. */
+  /** Requests a frame. Further calls before it is drawn have no effect. */
   private readonly invalidate = (): void => {
     if (this.drawing && this.isNear) this.frame ||= requestAnimationFrame(this.draw);
   };
@@ -253,7 +253,7 @@ export class HatchedModelElement extends Base {
     this.image.hidden = true;
   };
 
-  /** Frees everything. The element can be put into a page again, and then loads again. */
+  /** Frees everything. If the element is inserted into a page again, it loads again. */
   private release(): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
@@ -267,12 +267,12 @@ export class HatchedModelElement extends Base {
     this.isNear = false;
   }
 
-  /** Takes the drawing away. */
+  /** Removes the drawing. */
   private clear(): void {
     this.drawing?.dispose();
     this.drawing = undefined;
     delete this.canvas.dataset.drawn;
-    // Its memory is needed for nothing any more.
+    // A size of 0 frees the memory of the canvas.
     Object.assign(this.canvas, { width: 0, height: 0 });
     this.say('');
     this.showPoster();
@@ -295,18 +295,22 @@ for (const [name, property] of Object.entries(PROPERTIES)) {
 
 const resolve = (address: string): string => new URL(address, document.baseURI).href;
 
-/** With a slash at its end, written or not. */
+/** The URL of a folder, with a slash at its end. */
 const folderOf = (path: string): string | undefined => (path ? resolve(path.replace(/\/*$/, '/')) : undefined);
 
-const pixelRatio = (): number => Math.min(devicePixelRatio, MOST_PIXEL_RATIO);
+const pixelRatio = (): number => Math.min(devicePixelRatio, MAX_PIXEL_RATIO);
 
-/** How everything stands at first. @param light the attribute, which may be wrong */
+/**
+ * The initial arrangement.
+ *
+ * @param light the attribute, which may be invalid
+ */
 function home(light: string | null): Arrangement {
   let direction = readLight(null);
   try {
     direction = readLight(light);
   } catch {
-    // Loading says so.
+    // Loading reports the error.
   }
   return { light: direction, eye: { ...EYE }, zoom: 1 };
 }

@@ -1,10 +1,10 @@
 import type { WebGLRenderer } from 'three';
 
-/** Where a model lies, and what unpacks it. */
+/** The URL of a model, and what is needed to decode it. */
 export interface ModelSource {
   address: string;
-  /** Folders of decoders, by what they unpack. Undefined where no attribute names one. */
+  /** The folders of the decoders; undefined if no attribute names one. */
   folders: Readonly<Record<'draco' | 'ktx2', string | undefined>>;
-  /** What will draw it. */
+  /** The renderer that will draw the model. */
   renderer: WebGLRenderer;
 }

@@ -1,8 +1,8 @@
 import { type Camera, type ColorRepresentation, type Scene, WebGLRenderer } from 'three';
 
 /**
- * Draws all elements of a page in one WebGL context, because browsers allow about sixteen, and copies each drawing to the canvas
- * of its element. There while anyone uses it.
+ * Draws all elements of a page in one WebGL context, because browsers allow only about sixteen, and copies each frame to the canvas of
+ * its element. It exists as long as there are users.
  */
 export class Painter {
   private static shared: Painter | undefined;
@@ -14,7 +14,7 @@ export class Painter {
   /**
    * The painter of the page.
    *
-   * @param onRestored called when the context was lost and is there again
+   * @param onRestored called when the context is restored after it was lost
    * @throws Error if the browser has no WebGL 2
    */
   static acquire(onRestored: () => void): Painter {
@@ -34,7 +34,7 @@ export class Painter {
     this.buffer.addEventListener('webglcontextrestored', this.onRestored);
   }
 
-  /** To be called once for each `acquire`, with what that was called with. The context goes with its last user. */
+  /** Must be called once for each `acquire`, with the same function. The context is freed with its last user. */
   release(onRestored: () => void): void {
     this.users.delete(onRestored);
     if (this.users.size > 0) return;
@@ -45,16 +45,16 @@ export class Painter {
   }
 
   /**
-   * Draws a scene on a canvas, in the size that the canvas has.
+   * Draws a scene on a canvas, in the size of the canvas.
    *
-   * @returns whether it was drawn; not while the context is lost
+   * @returns whether it was drawn; false while the context is lost
    */
   paint(scene: Scene, camera: Camera, paper: ColorRepresentation, canvas: HTMLCanvasElement): boolean {
     const { buffer, renderer } = this;
     const { width, height } = canvas;
     const sheet = canvas.getContext('2d', { alpha: false });
     if (!sheet || this.context.isContextLost()) return false;
-    // The buffer only grows. Smaller drawings are made in its lower left corner.
+    // The buffer only grows. Smaller frames are drawn in its lower left corner.
     if (buffer.width < width || buffer.height < height) {
       renderer.setSize(Math.max(buffer.width, width), Math.max(buffer.height, height), false);
     }
@@ -62,7 +62,7 @@ export class Painter {
     renderer.setScissor(0, 0, width, height);
     renderer.setClearColor(paper);
     renderer.render(scene, camera);
-    // In the same task, because the drawing buffer is not kept for longer.
+    // The frame must be copied in the same task, because the drawing buffer is not preserved.
     sheet.drawImage(buffer, 0, buffer.height - height, width, height, 0, 0, width, height);
     return true;
   }

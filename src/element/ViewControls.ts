@@ -1,14 +1,14 @@
 import { MathUtils } from 'three';
 import type { Controls, Direction } from './readAttributes.js';
 
-/** Degrees for a drag over the whole width of the drawing, and for an arrow key. */
+/** Degrees for a drag over the whole width of the canvas, and for an arrow key. */
 const TURN = { drag: 180, key: 5 } as const;
-/** Neither viewer nor light goes right above the model, where left and right would change places. */
-const MOST_ELEVATION = 85;
+/** The largest elevation. Beyond the zenith left and right would be exchanged. */
+const MAX_ELEVATION = 85;
 const ZOOM = { least: 0.5, most: 6, key: 1.1, wheel: 0.001 } as const;
 const SECOND_BUTTON = 2;
 
-/** Of keys that turn: by how many steps to the right, and up. */
+/** The steps of the arrow keys, to the right and upwards. */
 const ARROWS: Readonly<Record<string, readonly [right: number, up: number]>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -17,7 +17,7 @@ const ARROWS: Readonly<Record<string, readonly [right: number, up: number]>> = {
 };
 const ZOOM_KEYS: Readonly<Record<string, number>> = { '+': ZOOM.key, '=': ZOOM.key, '-': 1 / ZOOM.key };
 
-/** What is moved. */
+/** The directions of light and eye, and the zoom. */
 export interface Arrangement {
   light: Direction;
   eye: Direction;
@@ -25,20 +25,20 @@ export interface Arrangement {
 }
 
 /**
- * Turns the model, or its light, by mouse, touch and keys.
+ * Turns the model or its light by mouse, touch and keys.
  *
- * A drag turns the model; with Shift or the second button, the light. Two fingers zoom, and so does the wheel once the drawing
- * has the focus; otherwise it scrolls the page. Arrow keys turn the model, with Shift the light; + and − zoom; Home takes all back.
+ * A drag turns the model; with Shift or the second button it turns the light. Two fingers zoom. The wheel zooms if the canvas has the
+ * focus; otherwise it scrolls the page. Arrow keys turn the model, with Shift the light; + and − zoom; Home resets everything.
  */
 export class ViewControls {
   private mode: Controls = 'none';
-  /** Where each pressed pointer is, and whether it turns the light. */
+  /** The position of each pressed pointer, and whether it turns the light. */
   private readonly pointers = new Map<number, { x: number; y: number; isForLight: boolean }>();
   private readonly listening = new AbortController();
 
   /**
-   * @param home what the Home key goes back to
-   * @param onMove called when something was moved
+   * @param home returns the arrangement that the Home key restores
+   * @param onMove called when the arrangement has changed
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -61,7 +61,7 @@ export class ViewControls {
   setMode(mode: Controls): void {
     this.mode = mode;
     this.pointers.clear();
-    // A finger that moves up or down scrolls the page.
+    // A finger that moves up or down must still scroll the page.
     this.canvas.style.touchAction = mode === 'none' ? '' : 'pan-y';
   }
 
@@ -75,7 +75,7 @@ export class ViewControls {
   private readonly onPointerMove = ({ pointerId, clientX: x, clientY: y }: PointerEvent): void => {
     const pointer = this.pointers.get(pointerId);
     if (!pointer) return;
-    const others = [...this.pointers.values()].filter((one) => one !== pointer);
+    const others = [...this.pointers.values()].filter((other) => other !== pointer);
     if (others.length === 0) {
       const scale = TURN.drag / this.canvas.clientWidth;
       this.turn((x - pointer.x) * scale, (pointer.y - y) * scale, pointer.isForLight);
@@ -113,14 +113,14 @@ export class ViewControls {
     event.preventDefault();
   };
 
-  /** @param right degrees that the near side of the model, or the light, moves to the right. */
+  /** @param right the angle by which the near side of the model, or the light, moves to the right, in degrees */
   private turn(right: number, up: number, isForLight: boolean): void {
     const { light, eye } = this.arrangement;
     const moved = isForLight ? light : eye;
-    // The model goes with the hand if the viewer goes against it.
+    // For the model to follow the hand, the eye must move the other way.
     const sign = isForLight ? 1 : -1;
     moved.azimuth = MathUtils.euclideanModulo(moved.azimuth + sign * right + 180, 360) - 180;
-    moved.elevation = MathUtils.clamp(moved.elevation + sign * up, -MOST_ELEVATION, MOST_ELEVATION);
+    moved.elevation = MathUtils.clamp(moved.elevation + sign * up, -MAX_ELEVATION, MAX_ELEVATION);
     this.onMove();
   }
 

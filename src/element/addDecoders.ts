@@ -8,8 +8,8 @@ const PACKED = { draco: 'it is packed with Draco', ktx2: 'its pictures are packe
 /**
  * Gives a loader the decoders that a file needs.
  *
- * @returns what is to be called when the file is read
- * @throws Error with what to say of the model, if a decoder cannot be had
+ * @returns a function to call when the file has been read
+ * @throws Error whose message continues a sentence about the model, if a decoder is missing or fails
  */
 export async function addDecoders(
   loader: GLTFLoader,
@@ -18,7 +18,7 @@ export async function addDecoders(
 ): Promise<() => void> {
   const borrowed: (() => void)[] = [];
   const giveBack = (): void => {
-    for (const one of borrowed) one();
+    for (const release of borrowed) release();
   };
   const borrow = async <Kind extends keyof Decoders>(kind: Kind): Promise<Decoders[Kind]> => {
     const folder = folders[kind];
@@ -36,7 +36,7 @@ export async function addDecoders(
       loader.setMeshoptDecoder((await import('three/addons/libs/meshopt_decoder.module.js')).MeshoptDecoder);
     }
     if (used.includes('KHR_draco_mesh_compression')) loader.setDRACOLoader(await borrow('draco'));
-    // Where it is not required, there are other pictures beside.
+    // If the extension is not required, the file has other textures as a fallback.
     if (required.includes('KHR_texture_basisu') || (folders.ktx2 && used.includes('KHR_texture_basisu'))) {
       loader.setKTX2Loader(await borrow('ktx2'));
     }

@@ -3,7 +3,7 @@ import type { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { SharedResources } from './SharedResources.js';
 
-/** The decoders of three.js that are files in a folder of the page, by what they unpack. */
+/** The decoders of three.js that are files in a folder of the page. */
 export interface Decoders {
   draco: DRACOLoader;
   ktx2: KTX2Loader;
@@ -11,15 +11,15 @@ export interface Decoders {
 
 interface Recipe<Decoder> {
   files: readonly string[];
-  /** Resolves when all files are there: a decoder that is disposed of earlier would start workers afterwards. */
+  /** Resolves when all files are loaded: a decoder that is disposed of earlier would start workers afterwards. */
   make(folder: string, renderer: WebGLRenderer): Promise<Decoder>;
-  /** What a worker of it must be allowed to do. */
+  /** Code that does what the decoder's worker must be allowed to do. */
   probe: string;
-  /** How a Content-Security-Policy allows it. */
+  /** The source expression with which a Content-Security-Policy allows it. */
   policy: string;
 }
 
-/** The smallest module there is. */
+/** Compiles the smallest WebAssembly module. */
 const COMPILE = 'new WebAssembly.Module(new Uint8Array([0,97,115,109,1,0,0,0]));';
 
 const RECIPES: { [Kind in keyof Decoders]: Recipe<Decoders[Kind]> } = {
@@ -42,21 +42,21 @@ const RECIPES: { [Kind in keyof Decoders]: Recipe<Decoders[Kind]> } = {
       await decoder.init();
       return decoder;
     },
-    // Its script makes functions of text.
+    // Its script creates functions from strings.
     probe: `${COMPILE}new Function('');`,
     policy: "'unsafe-eval'",
   },
 };
 
-/** By kind and folder. */
+/** The keys consist of kind and folder. */
 const shared = new SharedResources<string, DRACOLoader | KTX2Loader>();
 
 /**
- * A decoder for all models that are being loaded with it. To be given back with {@link returnDecoder}, also where it failed.
+ * Returns a decoder, which all models share that are being loaded with it. Give it back with {@link returnDecoder}, even if it fails.
  *
- * @param folder its address, with a slash at its end
- * @param renderer what draws the pictures: they are unpacked to what its graphics card reads
- * @throws Error with what to say of it after "Its decoder "
+ * @param folder the URL of its folder, with a slash at its end
+ * @param renderer the renderer that draws the textures: they are transcoded to a format of its GPU
+ * @throws Error whose message continues a sentence that begins with the decoder
  */
 export function borrowDecoder<Kind extends keyof Decoders>(
   kind: Kind,
@@ -70,7 +70,7 @@ export function borrowDecoder<Kind extends keyof Decoders>(
 /** Ends the workers of a decoder when its last user gives it back. */
 export const returnDecoder = (kind: keyof Decoders, folder: string): void => shared.giveBack(`${kind} ${folder}`);
 
-/** Looks first whether a decoder can work here: where it cannot, it never answers. */
+/** Makes a decoder, after checking that it can work on this page. One that cannot would never answer. */
 async function start<Decoder>(
   { files, make, probe, policy }: Recipe<Decoder>,
   folder: string,
@@ -83,13 +83,13 @@ async function start<Decoder>(
 async function findFile(address: string): Promise<void> {
   const enough = new AbortController();
   const response = await fetch(address, { signal: enough.signal }).catch(() => undefined);
-  // Many servers answer with a page where there is no file.
+  // Many servers answer with an HTML page if there is no file.
   const isThere = response?.ok && !response.headers.get('Content-Type')?.includes('html');
   enough.abort();
   if (!isThere) throw new Error(`was not found at ${address}.`);
 }
 
-/** Whether a worker of text starts, and may do what a decoder does. */
+/** Checks that a worker from a blob starts, and may do what the decoder does. */
 async function tryWorker(probe: string, policy: string): Promise<void> {
   const address = URL.createObjectURL(new Blob([`${probe}postMessage(0)`], { type: 'text/javascript' }));
   let worker: Worker | undefined;

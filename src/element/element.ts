@@ -1,5 +1,5 @@
 /**
- * Importing it makes browsers know `<hatched-model>`. On a server it does nothing.
+ * Importing this module defines the custom element `<hatched-model>`. On a server it does nothing.
  *
  * @module three-hatching/element
  */
@@ -15,5 +15,5 @@ declare global {
   }
 }
 
-// Two copies of the library on one page would define it twice, which is an error.
+// It would be an error if a second copy of the library on the same page defined the element again.
 if (globalThis.customElements && !customElements.get(NAME)) customElements.define(NAME, HatchedModelElement);

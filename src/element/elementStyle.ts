@@ -1,4 +1,4 @@
-/** How an element looks whose page says nothing else. A style of the page for `hatched-model` or its parts prevails. */
+/** The default style of the element. Styles of the page for `hatched-model` or its parts take precedence. */
 const STYLE = `
 :host {
   display: block;
@@ -46,7 +46,7 @@ p {
 
 let sheet: CSSStyleSheet | undefined;
 
-/** The style sheet that all elements share. Made by code, which a strict Content-Security-Policy allows. */
+/** The style sheet that all elements share. It is created by a script, which a strict Content-Security-Policy allows. */
 export function elementStyle(): CSSStyleSheet {
   if (!sheet) {
     sheet = new CSSStyleSheet();

@@ -11,13 +11,13 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelSource } from './ModelSource.js';
 import { readExtensions } from './readExtensions.js';
 
-/** Extensions that need decoders. These are large, and WebAssembly, which strict policies forbid, used or not. */
+/** The extensions that need decoders. Decoders are loaded only when needed: they are large, and strict policies forbid WebAssembly. */
 const PACKED = /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_texture_basisu)$/;
 
 /**
  * Loads a glTF or GLB file.
  *
- * @throws Error with a sentence for the reader of the page
+ * @throws Error whose message is a sentence for the reader of the page
  */
 export async function loadModel(source: ModelSource): Promise<Object3D> {
   const { address } = source;
@@ -37,13 +37,13 @@ export async function loadModel(source: ModelSource): Promise<Object3D> {
   }
 }
 
-/** Frees what a loaded model holds on the graphics card. */
+/** Frees the GPU memory of a loaded model. */
 export function disposeModel(root: Object3D): void {
   root.traverse((object) => {
     const { geometry, material, skeleton } = object as Partial<SkinnedMesh> & Partial<Mesh>;
     geometry?.dispose();
     skeleton?.dispose();
-    for (const one of [material ?? []].flat()) disposeMaterial(one);
+    for (const entry of [material ?? []].flat()) disposeMaterial(entry);
   });
 }
 
@@ -71,6 +71,6 @@ function sentenceOf(address: string, cause: unknown): string {
   return `The model ${name} could not be read: ${message}`;
 }
 
-/** Workers of Draco give plain objects. */
+/** The message of an error. The workers of Draco throw plain objects. */
 const messageOf = (cause: unknown): string =>
   cause instanceof Error ? cause.message : String((cause as { error?: unknown } | undefined)?.error ?? cause);

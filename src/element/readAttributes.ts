@@ -1,26 +1,26 @@
 import { type HatchingPreset, type PresetName, presets } from 'three-hatching';
 
-/** Where something lies on a sphere around the model, in degrees. */
+/** A direction from the model, in degrees. */
 export interface Direction {
-  /** From the front of the model to the right, as the viewer sees it at first. */
+  /** The angle from the front of the model to the right, as seen in the initial view. */
   azimuth: number;
-  /** Above the horizon. */
+  /** The angle above the horizon. */
   elevation: number;
 }
 
-/** What a drag or an arrow key turns. */
+/** The object that a drag or an arrow key turns. */
 export type Controls = 'none' | 'orbit' | 'light';
 
 const DEFAULT_PRESET: PresetName = 'pen';
-/** From the upper left, as in most drawings of the right-handed. */
+/** The default light comes from the upper left, as in most drawings of right-handed people. */
 const DEFAULT_LIGHT: Direction = { azimuth: -45, elevation: 40 };
-const MOST_ELEVATION = 90;
+const MAX_ELEVATION = 90;
 
 /**
- * The preset of a name.
+ * Reads the preset.
  *
- * @param text of the attribute; null or '' for the default, `pen`
- * @throws Error that names all presets, if there is no such
+ * @param text the attribute; null or '' for the default, `pen`
+ * @throws Error that names all presets, if there is none of this name
  */
 export function readPreset(text: string | null): HatchingPreset {
   const name = text?.trim() || DEFAULT_PRESET;
@@ -29,25 +29,25 @@ export function readPreset(text: string | null): HatchingPreset {
 }
 
 /**
- * The direction of the light.
+ * Reads the direction of the light.
  *
- * @param text of the attribute: azimuth and elevation in degrees, as `-45 40`; null or '' for the default
- * @throws Error if it is not two numbers, or the elevation is not between −90 and 90
+ * @param text the attribute: azimuth and elevation in degrees, such as `-45 40`; null or '' for the default
+ * @throws Error if it does not consist of two numbers, or the elevation is not between −90 and 90
  */
 export function readLight(text: string | null): Direction {
   const words = (text ?? '').split(/[\s,]+/).filter(Boolean);
   if (words.length === 0) return { ...DEFAULT_LIGHT };
   const [azimuth, elevation] = words.map(Number);
-  if (words.length === 2 && Number.isFinite(azimuth) && Math.abs(elevation) <= MOST_ELEVATION) {
+  if (words.length === 2 && Number.isFinite(azimuth) && Math.abs(elevation) <= MAX_ELEVATION) {
     return { azimuth, elevation };
   }
   throw new Error(`The light is "${text}", but must be its azimuth and elevation in degrees, as "-45 40".`);
 }
 
 /**
- * What can be turned.
+ * Reads what visitors can turn.
  *
- * @param text of the attribute: null for nothing, `light` for the light, anything else for the model
+ * @param text the attribute: null for nothing, `light` for the light only, any other value for model and light
  */
 export function readControls(text: string | null): Controls {
   if (text === null) return 'none';

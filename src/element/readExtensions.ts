@@ -1,14 +1,14 @@
 /** The extensions that a glTF file names. */
 export interface GltfExtensions {
   used: readonly string[];
-  /** Those without which it cannot be read. */
+  /** The extensions without which the file cannot be read. */
   required: readonly string[];
 }
 
 const MAGIC = 0x46546c67;
 const HEADER = 20;
 
-/** The extensions of a glTF or GLB file. None where it cannot be read: its loader says why. */
+/** Reads the extensions of a glTF or GLB file. If the file cannot be read, it returns none, and the loader reports the error. */
 export function readExtensions(content: ArrayBuffer): GltfExtensions {
   try {
     const view = new DataView(content);

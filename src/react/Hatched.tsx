@@ -6,7 +6,7 @@ import { Hatcher } from './Hatcher.js';
 import { hintAtToneMapping } from './toneMappingHint.js';
 
 /**
- * Hatches its children, or a loaded scene, with `applyHatching`, and keeps them hatched while children come, go and change.
+ * Hatches its children, or a loaded scene, with `applyHatching`, and keeps them hatched while children are added, removed and changed.
  *
  * ```tsx
  * <Hatched preset="pencil">
@@ -18,8 +18,8 @@ import { hintAtToneMapping } from './toneMappingHint.js';
  * <Hatched preset="engraving" object={gltf.scene} />
  * ```
  *
- * On unmounting, everything has its own look back and what was made is freed. Children may suspend. Use `<Canvas flat>`: a tone
- * mapping greys paper and ink.
+ * When it unmounts, everything gets its own look back, and all memory is freed. Children may suspend. Use `<Canvas flat>`, because
+ * tone mapping makes paper and ink grey.
  */
 export function Hatched({
   object,

@@ -7,21 +7,21 @@ type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces'>;
 type GroupProps = Omit<ThreeElements['group'], keyof ApplyHatchingOptions | 'object' | 'onError' | 'children'>;
 
 /**
- * What `<Hatched>` takes: the options of `applyHatching`, those below, and everything that a group takes.
+ * The props of `<Hatched>`: the options of `applyHatching`, those below, and all props of a group.
  *
- * Options may change at any time. Parameters of `material` and `lines`, and the map, count from the next frame on; where the
- * geometry has to be prepared anew, the last look is drawn meanwhile. Functions are called when they are needed, and another
- * function alone changes nothing.
+ * Options may change at any time. Parameters of `material` and `lines`, and the map, take effect in the next frame. If the geometry
+ * must be prepared again, the last look is drawn until it is ready. Passing another function does not by itself change anything: the
+ * latest function is called when it is needed.
  */
 export interface HatchedProps extends HatchedOptions, GroupProps {
   children?: ReactNode;
-  /** A loaded scene, such as `gltf.scene`, beside the children or in their place. It is not disposed of. */
+  /** A loaded scene, such as `gltf.scene`, besides the children or instead of them. It is not disposed of. */
   object?: Object3D | undefined;
-  /** Whether the children are shown with their own materials until they are hatched. Default: they are not shown. */
+  /** Whether the children are shown with their own materials until they are hatched. Default: false, they are not shown. */
   showUnhatched?: boolean | undefined;
-  /** Called whenever the scene has been hatched or has got new values. `hatched.skipped` says what was left as it is, and why. */
+  /** Called whenever the scene was hatched or restyled. `hatched.skipped` lists the meshes that were left alone, and why. */
   onHatched?: ((hatched: HatchedScene) => void) | undefined;
-  /** Called if the scene cannot be hatched; it is then shown as it is. Left out: the error goes to the nearest error boundary. */
+  /** Called if the scene cannot be hatched; it is then shown as it is. By default the error goes to the nearest error boundary. */
   onError?: ((error: unknown) => void) | undefined;
 }
 
@@ -41,7 +41,7 @@ const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
   createWorker: true,
 };
 
-/** Tells the options of hatching from what a group takes. */
+/** Separates the options of hatching from the props of the group. */
 export function splitProps(props: HatchedOptions & GroupProps): { options: HatchedOptions; group: GroupProps } {
   const options: Record<string, unknown> = {};
   const group: Record<string, unknown> = {};

@@ -13,24 +13,24 @@ import { sameValue } from './sameValue.js';
 import { Veil } from './Veil.js';
 import { WantedMap } from './WantedMap.js';
 
-/** What a `Hatcher` tells. */
+/** The listeners of a `Hatcher`. */
 export interface HatcherEvents {
-  /** The scene is hatched, for the first time or anew, or has new values. */
+  /** Called when the scene was hatched or restyled. */
   onHatched(hatched: HatchedScene): void;
-  /** The scene could not be hatched. It is as it was before. */
+  /** Called when the scene could not be hatched. It has not changed. */
   onError(error: unknown): void;
 }
 
 /**
- * Keeps a scene hatched while its options and its meshes change: sets values where that is enough, and hatches anew where it is not. The
- * last look is drawn until the next is ready.
+ * Keeps a scene hatched while its options and its meshes change. If it is enough to set new values, the scene is restyled; otherwise
+ * it is hatched again. The last look is drawn until the next one is ready.
  */
 export class Hatcher {
   private wanted: ApplyHatchingOptions | undefined;
-  /** What was tried last, whether or not that went well. */
+  /** The options that were tried last, whether or not it was a success. */
   private tried: ApplyHatchingOptions | undefined;
   private hatched: HatchedScene | undefined;
-  /** What the scene is hatched with. */
+  /** The options that the scene is hatched with. */
   private applied: ApplyHatchingOptions | undefined;
   private map: TonalArtMap | null = null;
   private releaseMap = (): void => {};
@@ -39,14 +39,14 @@ export class Hatcher {
   private readonly veil = new Veil();
   private isBusy = false;
 
-  /** @param showsUnhatched whether meshes are drawn as they are until they are hatched */
+  /** @param showsUnhatched whether meshes are drawn with their own materials until they are hatched */
   constructor(
     private readonly root: Object3D,
     private readonly showsUnhatched: boolean,
     private readonly events: HatcherEvents,
   ) {}
 
-  /** Brings the scene to these options. Functions alone change nothing, and are called when they are needed. */
+  /** Hatches the scene with these options. Another function by itself changes nothing; the latest is called when it is needed. */
   update(options: ApplyHatchingOptions): void {
     if (this.wanted && sameValue(this.wanted, options)) {
       Object.assign(this.wanted, options);
@@ -56,15 +56,15 @@ export class Hatcher {
     this.bringUpToDate();
   }
 
-  /** Called before each frame: looks whether the scene is still what was hatched. */
+  /** Looks whether the scene has changed since it was hatched. It must be called before each frame. */
   follow(): void {
     if (!this.wanted || !this.snapshot.differs(this.root)) return;
-    // What comes in the middle of the work is hatched right after it.
+    // A change during the work is hatched right after it.
     if (this.isBusy) this.coverUnhatched(this.wanted);
     else this.bringUpToDate();
   }
 
-  /** Gives the scene back its own look, and frees what was made. */
+  /** Gives the scene back its own look, and frees all memory. */
   dispose(): void {
     this.abort.abort();
     this.veil.lift(undefined);
@@ -80,7 +80,7 @@ export class Hatcher {
     try {
       while (!signal.aborted && !this.isUpToDate()) await this.take(this.wanted!);
     } catch (error) {
-      // Not again before something changes.
+      // With this snapshot there is no other try before something changes.
       this.snapshot.take(this.root);
       this.veil.lift(undefined);
       if (!signal.aborted) this.events.onError(error);
@@ -104,7 +104,7 @@ export class Hatcher {
       if (!this.restyled(options, map.map)) await this.hatch(options, map);
     } catch (error) {
       map.release();
-      // What changed meanwhile may be why: the caller sees that there is more to do.
+      // A change during the work may have caused the error. The caller sees the change, and tries again.
       if (!this.abort.signal.aborted && this.snapshot.differs(this.root)) return;
       throw error;
     }
@@ -115,7 +115,7 @@ export class Hatcher {
     this.events.onHatched(this.hatched!);
   }
 
-  /** Whether what is hatched already would be drawn with a map, with these options. What is not finds out by itself. */
+  /** Whether the hatched scene would need a map with these options. For an unhatched scene `applyHatching` finds that out. */
   private drawsWithMap({ material = {} }: ApplyHatchingOptions): boolean {
     if (!this.hatched) return false;
     return typeof material === 'function' ? this.hatched.materials.some(needsMap) : needsMap(material);
@@ -135,7 +135,7 @@ export class Hatcher {
     const hatched = await applyHatching(this.root, {
       ...options,
       tonalArtMap: map.source,
-      // A mesh of React's may be there before its geometry.
+      // React may add a mesh before its geometry.
       filter: (mesh) => hasPositions(mesh) && filter(mesh),
       replaces: this.hatched,
       signal,
@@ -145,7 +145,7 @@ export class Hatcher {
     this.hatched = hatched;
     const hasChanged =
       !this.snapshot.hasMeshesOf(this.root) || hatched.skipped.some(({ mesh }) => this.snapshot.looksOtherwise(mesh));
-    // Left as it was before, the snapshot says that there is more to do.
+    // If the snapshot stays as it is, the caller sees the change, and hatches the scene again.
     if (!hasChanged) this.snapshot.take(this.root);
     this.veil.lift(hatched);
   }

@@ -2,14 +2,14 @@ import type { ReactElement, Ref } from 'react';
 import type { HatchingLineParameters, HatchingLines as Lines } from 'three-hatching';
 import './elements.js';
 
-/** What `<HatchingLines>` takes: the properties of `HatchingLineMaterial`. */
+/** The props of `<HatchingLines>`: the properties of `HatchingLineMaterial`. */
 export interface HatchingLinesProps extends HatchingLineParameters {
   ref?: Ref<Lines> | undefined;
 }
 
 /**
- * Contours, borders and creases of the mesh it is a child of, whose geometry was prepared with `lines`. Every property may
- * change at any time; one that is taken away goes back to its default.
+ * Draws the contours, borders and creases of its parent mesh, whose geometry must be prepared with `lines`. Every prop may change at
+ * any time; a prop that is removed goes back to its default.
  *
  * ```tsx
  * <mesh geometry={geometry}>

@@ -1,6 +1,6 @@
 import type { Material, Mesh, Object3D } from 'three';
 
-/** Which meshes a scene has, in order, and how they look: what has to stay as it is for a hatched scene to stay hatched. */
+/** Remembers the meshes of a scene in order, with their geometries and materials, to notice when the scene changes. */
 export class SceneSnapshot {
   private readonly meshes: Mesh[] = [];
   private readonly geometries: Mesh['geometry'][] = [];
@@ -17,24 +17,24 @@ export class SceneSnapshot {
     }
   }
 
-  /** Whether a mesh came or went, or was given another geometry or material. Allocates nothing. */
+  /** Whether a mesh was added or removed, or got another geometry or material. It allocates nothing. */
   differs(root: Object3D): boolean {
     return this.compare(root, 0) !== this.meshes.length;
   }
 
-  /** Whether a mesh is new, or looks otherwise. */
+  /** Whether a mesh is new, or has another geometry or material. */
   looksOtherwise(mesh: Mesh): boolean {
     const place = this.meshes.indexOf(mesh);
     return place < 0 || mesh.geometry !== this.geometries[place] || mesh.material !== this.materials[place];
   }
 
-  /** Whether there are the same meshes, whatever they look like. */
+  /** Whether the scene has the same meshes, whatever their geometries and materials. */
   hasMeshesOf(root: Object3D): boolean {
     const meshes = meshesOf(root);
     return meshes.length === this.meshes.length && meshes.every((mesh, i) => mesh === this.meshes[i]);
   }
 
-  /** Compares what is at or below an object with the meshes from `place` on. The place after them; NaN where they differ. */
+  /** Compares the meshes at or below an object with those from `place` on. Returns the place after them, or NaN if they differ. */
   private compare(object: Object3D, place: number): number {
     let next = place;
     if (isMesh(object)) {
@@ -50,7 +50,7 @@ export class SceneSnapshot {
   }
 }
 
-/** Every mesh at or below an object. */
+/** All meshes at or below an object. */
 export function meshesOf(root: Object3D): Mesh[] {
   return root.getObjectsByProperty('isMesh', true) as Mesh[];
 }

@@ -1,7 +1,7 @@
 import type { Mesh, Object3D } from 'three';
 import type { HatchedScene, HatchingLines } from 'three-hatching';
 
-/** Keeps meshes from being drawn for a while, without touching what React sets: meanwhile they are in no layer. */
+/** Hides meshes for a while by taking them out of all layers. Properties that React sets, such as `visible`, stay as they are. */
 export class Veil {
   private readonly masks = new Map<Object3D, number>();
 
@@ -11,12 +11,12 @@ export class Veil {
     object.layers.mask = 0;
   }
 
-  /** Lines of another geometry than the one that a mesh has now. */
+  /** Hides the lines of a mesh whose geometry has changed. */
   coverLines({ children }: Mesh): void {
     for (const child of children) if ((child as Partial<HatchingLines>).isHatchingLines) this.cover(child);
   }
 
-  /** Shows all again, and their lines, which were made to be in the same layers. */
+  /** Shows all meshes again, and puts their new lines into the same layers. */
   lift(hatched: HatchedScene | undefined): void {
     for (const [mesh, mask] of this.masks) mesh.layers.mask = mask;
     for (const lines of hatched?.lines ?? []) {

@@ -1,14 +1,14 @@
 import { type ApplyHatchingOptions, type MapDrawing, TonalArtMap } from 'three-hatching';
 import { retainMap, sharedMap } from './sharedMaps.js';
 
-/** Share of the progress for the map. */
+/** The share of the progress for the map. */
 const MAP_SHARE = 0.2;
 
-/** The map that options name or ask for. One that is to be drawn is shared with all who ask for the same, and drawn once it is needed. */
+/** The map that the options ask for. A generated map is made when it is needed, and shared by all who ask for the same map. */
 export class WantedMap {
-  /** What was taken so far. */
+  /** The map, once it exists. */
   map: TonalArtMap | null = null;
-  /** Gives back what was taken. */
+  /** Releases the shared map. */
   release: () => void = () => {};
 
   constructor(private readonly options: ApplyHatchingOptions) {
@@ -16,13 +16,13 @@ export class WantedMap {
     if (tonalArtMap instanceof TonalArtMap) this.map = tonalArtMap;
   }
 
-  /** As `applyHatching` takes it: what need not be drawn, or how to take it. */
+  /** The option `tonalArtMap` of `applyHatching`: the map if it exists, or a function that makes it. */
   get source(): ApplyHatchingOptions['tonalArtMap'] {
     const { tonalArtMap } = this.options;
     return tonalArtMap === null || tonalArtMap instanceof TonalArtMap ? tonalArtMap : () => this.drawn();
   }
 
-  /** To be called when something will be drawn with it. */
+  /** Makes the map if it does not exist yet. Call this when the map is needed. */
   async take(): Promise<void> {
     if (typeof this.source === 'function') await this.source();
   }

@@ -3,11 +3,11 @@ import { HatchingLineMaterial, HatchingLines, HatchingMaterial } from 'three-hat
 
 declare module '@react-three/fiber' {
   interface ThreeElements {
-    /** `HatchingMaterial`: every property is an attribute. */
+    /** A `HatchingMaterial`. Every property is a prop. */
     hatchingMaterial: ThreeElement<typeof HatchingMaterial>;
-    /** `HatchingLines` of the mesh it is a child of. `<HatchingLines>` takes the properties of the lines directly. */
+    /** The `HatchingLines` of the parent mesh. With `<HatchingLines>` the properties of the lines are props. */
     hatchingLines: ThreeElement<typeof HatchingLines>;
-    /** `HatchingLineMaterial`, which several lines may share. */
+    /** A `HatchingLineMaterial`, which several lines may share. */
     hatchingLineMaterial: ThreeElement<typeof HatchingLineMaterial>;
   }
 }

@@ -11,14 +11,14 @@ import { namesOf, sameValue } from './sameValue.js';
 
 type Values = Readonly<Record<string, unknown>>;
 
-/** Of the lines: which edges are creases is decided when the geometry is prepared. */
+/** The options of lines that take effect only when the geometry is prepared: those that decide which edges are creases. */
 const BAKED_LINE_OPTIONS: readonly string[] = ['creaseAngle', 'creaseLength'];
 
 /**
- * Gives a hatched scene new values of its materials and lines, where that is all that changes: at once, and with nothing made anew.
- * The map is left to the caller.
+ * Sets new values of the materials and lines of a hatched scene, if nothing else has changed in the options. The map is left to the
+ * caller.
  *
- * @returns whether that was all; if not, nothing has changed
+ * @returns whether that was enough. If not, the scene has not changed.
  */
 export function restyle(hatched: HatchedScene, from: ApplyHatchingOptions, to: ApplyHatchingOptions): boolean {
   const { material: fromMaterial = {}, lines: fromLines = false, tonalArtMap: _fromMap, ...fromRest } = from;
@@ -39,7 +39,7 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
   const changes = changed(from as Values, to as Values, HATCHING_DEFAULTS);
   if (!changes || 'strokeScale' in changes) return null;
   if (!('technique' in changes)) return changes;
-  // The others need a geometry that was prepared for them.
+  // Techniques with adjacency need a geometry that was prepared for them.
   return [from, to].some(needsAdjacency) ? null : changes;
 }
 
@@ -49,8 +49,8 @@ function lineChanges(from: boolean | object, to: boolean | object): Values | nul
 }
 
 /**
- * What to set to come from some values to others; what is no longer named gets its default. `null` if that is not known: what three's
- * own materials have too was taken over from the scene's.
+ * The values to set to get from `from` to `to`. A value that `to` no longer has gets its default. Returns `null` if that is unknown,
+ * because the property was taken over from the scene's own material.
  */
 function changed(from: Values, to: Values, defaults: Values): Values | null {
   const changes: Record<string, unknown> = {};
@@ -65,7 +65,7 @@ function changed(from: Values, to: Values, defaults: Values): Values | null {
 
 let standard: MeshStandardMaterial | undefined;
 
-/** Has every property that may have been taken over from the material of a scene. */
+/** A material that has every property that may have been taken over from the material of a scene. */
 function takenOver(): MeshStandardMaterial {
   standard ??= new MeshStandardMaterial();
   return standard;

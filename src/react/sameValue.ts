@@ -1,21 +1,19 @@
 /**
- * Whether two options say the same: numbers, texts, arrays and plain objects by what they hold, anything else by being one. Two
- * functions count as the same, since components write theirs anew each time they are rendered.
+ * Whether two options have the same value. Numbers, strings, arrays and plain objects are compared by content, other objects by
+ * identity. Two functions count as the same, since components create theirs anew with each render.
  */
-export function sameValue(one: unknown, other: unknown): boolean {
-  if (Object.is(one, other)) return true;
-  if (typeof one === 'function' && typeof other === 'function') return true;
-  if (Array.isArray(one) && Array.isArray(other)) {
-    return one.length === other.length && one.every((value, i) => sameValue(value, other[i]));
+export function sameValue(a: unknown, b: unknown): boolean {
+  if (Object.is(a, b)) return true;
+  if (typeof a === 'function' && typeof b === 'function') return true;
+  if (Array.isArray(a) && Array.isArray(b)) {
+    return a.length === b.length && a.every((value, i) => sameValue(value, b[i]));
   }
-  if (!isPlain(one) || !isPlain(other)) return false;
-  return namesOf(one, other).every((name) => sameValue(one[name], other[name]));
+  if (!isPlain(a) || !isPlain(b)) return false;
+  return namesOf(a, b).every((name) => sameValue(a[name], b[name]));
 }
 
-/** The names that one of two objects has, or both. */
-export const namesOf = (one: object, other: object): string[] => [
-  ...new Set([...Object.keys(one), ...Object.keys(other)]),
-];
+/** The names of the properties that at least one of two objects has. */
+export const namesOf = (a: object, b: object): string[] => [...new Set([...Object.keys(a), ...Object.keys(b)])];
 
 const isPlain = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;

@@ -4,9 +4,9 @@ import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'th
 import { sameValue } from './sameValue.js';
 import { useStable } from './useStable.js';
 
-/** What `useHatchingGeometry` takes beside the geometry. */
+/** Options of `useHatchingGeometry`. */
 export interface HatchingGeometryOptions extends Omit<PrepareHatchingGeometryOptions, 'signal'> {
-  /** Called if the geometry cannot be prepared. Left out: the error goes to the nearest error boundary. */
+  /** Called if the geometry cannot be prepared. By default the error goes to the nearest error boundary. */
   onError?: ((error: unknown) => void) | undefined;
 }
 
@@ -18,9 +18,9 @@ interface Prepared {
 }
 
 /**
- * Prepares a geometry for `<hatchingMaterial>`, in a worker. `null` until it is ready, so that something else can be drawn
- * meanwhile; disposes of the result when the component unmounts or the source changes. It does not suspend: a geometry that is
- * made in the same component would be made anew with every try.
+ * Prepares a geometry for `<hatchingMaterial>`, in a worker. Returns `null` until it is ready, so that you can draw something else in
+ * the meantime. The result is disposed of when the component unmounts or the source changes. The hook does not suspend, because a
+ * source that is created in the same component would be created again with every attempt.
  *
  * ```tsx
  * const source = useMemo(() => new TorusKnotGeometry(), []);

@@ -1,7 +1,7 @@
 import { useState } from 'react';
 import { sameValue } from './sameValue.js';
 
-/** The same object as long as what it holds is the same, for objects that components write anew each time they are rendered. */
+/** Returns the same object as long as its content is the same, for objects that components create anew with each render. */
 export function useStable<Value>(value: Value): Value {
   const [stable, setStable] = useState(value);
   if (stable === value || sameValue(stable, value)) return stable;

@@ -4,16 +4,16 @@ import { forgetMap, retainMap, type SharedMapOptions, type SharedMapSource, shar
 import { useStable } from './useStable.js';
 
 /**
- * A tonal art map. Suspends until it is there, so put a `<Suspense>` around. The same source gives the same map to all who ask
- * for it, `<Hatched>` among them; it leaves the graphics card with the last of them.
+ * Returns a tonal art map, and suspends until it is ready, so put a `<Suspense>` around the component. All components with the same
+ * source share one map, including `<Hatched>`. Its GPU memory is freed when the last of them unmounts.
  *
  * ```tsx
  * const woodcut = useTonalArtMap({ style: 'woodcut' });
  * const mine = useTonalArtMap('/maps/mine/map.json');
  * ```
  *
- * @param source how it is drawn, as for `TonalArtMap.generate`, or what `TonalArtMap.load` loads. Default: the style `hatching`
- * @throws what `generate` or `load` reject with, to the nearest error boundary
+ * @param source the options of `TonalArtMap.generate`, or the source of `TonalArtMap.load`. Default: the style `hatching`
+ * @throws the error of `generate` or `load`, to the nearest error boundary
  */
 export function useTonalArtMap(source: SharedMapSource = {}, options: SharedMapOptions = {}): TonalArtMap {
   const stable = useStable(source);
@@ -22,10 +22,10 @@ export function useTonalArtMap(source: SharedMapSource = {}, options: SharedMapO
   return map;
 }
 
-/** Begins to make a map before a component asks for it. */
+/** Starts to make a map before a component asks for it. */
 useTonalArtMap.preload = (source: SharedMapSource = {}, options: SharedMapOptions = {}): void => {
   sharedMap(source, options).catch(() => {});
 };
 
-/** Forgets a map, or all of them, so that it is made anew. */
+/** Forgets a map, or all maps, so that the next component makes it again. */
 useTonalArtMap.clear = (source?: SharedMapSource): void => forgetMap(source);
