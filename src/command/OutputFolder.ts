@@ -8,22 +8,22 @@ import { sentenceOf } from './sentenceOf.js';
 /** Whether a file name is one of a saved map. */
 const isMapFile = (name: string): boolean => /^(map\.json|(tone-\d+|thresholds)-level-\d+\.png)$/.test(name);
 
-/** What the name of a folder within begins with where files lie until all are written. */
+/** The beginning of the name of the temporary folder, which holds the files until all are written. */
 const DRAFT = '.three-hatching-';
 
 /**
- * The folder that a map goes into. Whatever may go wrong shows in `open`, before anything is drawn. All files of a map are
- * written or none, and nothing else in the folder is touched. The folder itself stays, be it a link or a disk of its own.
+ * The folder that a map is written to. `open` finds most faults before anything is drawn. Either all files of a map are written or
+ * none, and nothing else in the folder is touched. The folder itself is kept, since it may be a link or a mount point.
  */
 export class OutputFolder {
-  /** Folders that were made, the outermost first. */
+  /** The folders that were created, the outermost first. */
   private readonly made: string[] = [];
   private readonly draft: string;
   private isWritten = false;
 
   /**
-   * @param folder as it was named; may not exist yet
-   * @param mayReplace whether a map that is there may be replaced
+   * @param folder the path of the folder, which need not exist yet
+   * @param mayReplace whether an existing map may be replaced
    */
   constructor(
     private readonly folder: string,
@@ -33,9 +33,9 @@ export class OutputFolder {
   }
 
   /**
-   * Makes the folder if it is missing and tries whether so many bytes can be written there. To be closed whatever happens.
+   * Creates the folder if it is missing, and checks that `bytes` bytes can be written there. Call `close` afterwards in any case.
    *
-   * @throws UsageError with one sentence
+   * @throws UsageError whose message is a single sentence
    */
   async open(bytes: number): Promise<void> {
     try {
@@ -51,9 +51,9 @@ export class OutputFolder {
   }
 
   /**
-   * Writes all files, and takes away those of the map that was there.
+   * Writes all files, and removes those of the map before.
    *
-   * @throws the signal's reason if it aborts, or an Error with one sentence; all is as before then
+   * @throws the signal's reason when aborted, or an Error whose message is a single sentence. The folder has not changed then.
    */
   async write(files: readonly MapFile[], signal: AbortSignal): Promise<void> {
     const { folder, draft } = this;
@@ -65,7 +65,7 @@ export class OutputFolder {
         await writeFile(join(draft, name), bytes);
       }
       signal.throwIfAborted();
-      // Others may have written there while the map was drawn.
+      // Another program may have written files there while the map was drawn.
       const replaced = await this.mapFilesThere();
       await moveAll([
         ...replaced.map((name) => [join(folder, name), join(old, name)] as const),
@@ -78,15 +78,15 @@ export class OutputFolder {
     }
   }
 
-  /** Takes away what was only needed on the way, and the folders that were made in vain. */
+  /** Removes temporary files, and also the folders that were created if nothing was written. */
   async close(): Promise<void> {
     await rm(this.draft, { recursive: true, force: true }).catch(() => {});
     if (this.isWritten) return;
-    // One that is not empty has become somebody else's.
+    // A folder that is not empty is kept, because another program has used it.
     for (const folder of this.made.toReversed()) await rmdir(folder).catch(() => {});
   }
 
-  /** Not `mkdir` with `recursive`: below /proc Node tries that for ever. */
+  /** Creates a folder and its parents. `mkdir` with `recursive` would never return below /proc. */
   private async make(path: string): Promise<void> {
     if (await isFolder(path)) return;
     const parent = dirname(path);
@@ -99,7 +99,11 @@ export class OutputFolder {
     this.made.push(path);
   }
 
-  /** @throws UsageError if there is anything but the files of a map, or a map that may not be replaced */
+  /**
+   * The names of the map files in the folder.
+   *
+   * @throws UsageError if the folder has other files, or a map that may not be replaced
+   */
   private async mapFilesThere(): Promise<string[]> {
     const { folder } = this;
     const entries = (await readdir(folder, { withFileTypes: true })).filter(({ name }) => !name.startsWith(DRAFT));
@@ -114,13 +118,17 @@ export class OutputFolder {
   }
 }
 
-/** Whether there is a folder of that name. @throws UsageError if there is something else, or it cannot be known */
+/**
+ * Whether a path is a folder.
+ *
+ * @throws UsageError if it is something else, or cannot be read
+ */
 async function isFolder(path: string): Promise<boolean> {
   try {
     if ((await stat(path)).isDirectory()) return true;
   } catch (error) {
     const { code } = error as NodeJS.ErrnoException;
-    // Below a file too, which is found on the way up.
+    // ENOTDIR means that the path lies below a file, which `make` finds on its way up.
     if (code === 'ENOENT' || code === 'ENOTDIR') return false;
     throw new UsageError(sentenceOf(path, error));
   }

@@ -1,6 +1,6 @@
 const WIDTH = 30;
 
-/** A line that fills from left to right. Prints nothing if the stream is not a terminal, for example a log. */
+/** A progress bar in a terminal. It prints nothing if the stream is not a terminal, but a log for example. */
 export class ProgressBar {
   private shown = -1;
 

@@ -28,7 +28,7 @@ try {
     const { map, out, force } = request;
     const folder = new OutputFolder(out, force);
     try {
-      await folder.open(mostBytes(map));
+      await folder.open(maxBytes(map));
       const files = await draw(map);
       await folder.write(files, abort.signal);
       bar.clear();
@@ -59,13 +59,13 @@ async function draw(map: HatchImageOptions): Promise<MapFile[]> {
   );
 }
 
-/** How many bytes the files of a map have at most: those of its images and of its thresholds, not compressed. */
-function mostBytes(map: HatchImageOptions): number {
+/** The largest possible size of the files of a map, in bytes: that of its images and thresholds without compression. */
+function maxBytes(map: HatchImageOptions): number {
   const { size, tones } = resolveHatchImageOptions(map);
   return Math.ceil((4 / 3) * size ** 2 * (tones + 3));
 }
 
-/** Prints what went wrong and returns the exit code. */
+/** Prints the message of an error and returns the exit code. */
 function reportError(error: unknown): number {
   if (abort.signal.aborted) {
     process.stderr.write('three-hatching: interrupted; nothing was written.\n');

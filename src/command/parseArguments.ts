@@ -3,10 +3,10 @@ import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
 
-/** A mistake in how the command was called, reported without a stack trace. */
+/** A mistake in the command line, which is reported without a stack trace. */
 export class UsageError extends Error {}
 
-/** What the command was asked to do. */
+/** The task of the command. */
 export type Request =
   | { action: 'help' }
   | { action: 'list' }
@@ -30,17 +30,17 @@ export const HELP = `three-hatching tam: draws a tonal art map into a folder of 
 
   npx three-hatching tam --style woodcut --out maps/woodcut
 
-  --style <name>          what it looks like; --list names them all (default hatching)
-  --preset <name>         the map of a preset, in the place of a style
-  --out <folder>          where it goes; the folder is made, and must not hold a map yet
+  --style <name>          the style of the strokes; --list prints all (default hatching)
+  --preset <name>         draws the map of a preset instead of a style
+  --out <folder>          the folder to write to; it is created, and must not hold a map yet
   --size <texels>         side of the finest level: 64, 128, 256, 512 or 1024 (default 256)
-  --tones <count>         with blank paper, 4 to 16 (default 8)
-  --levels <count>        each has half the texels of the one before (default: down to 16)
-  --seed <number>         another whole number, another drawing (default 1)
-  --stroke-width <texels> how wide strokes are (default: as the style says)
-  --force                 replaces the map that is there
-  --list                  names the styles
-  --help                  says this
+  --tones <count>         number of tones including blank paper, 4 to 16 (default 8)
+  --levels <count>        number of levels, each half as large as the previous (default: down to 16 texels)
+  --seed <number>         a whole number; each places the strokes differently (default 1)
+  --stroke-width <texels> width of the strokes (default: that of the style)
+  --force                 replaces an existing map
+  --list                  prints the names of the styles
+  --help                  prints this text
 
 Load it with TonalArtMap.load('maps/woodcut/map.json').
 `;
@@ -48,17 +48,18 @@ Load it with TonalArtMap.load('maps/woodcut/map.json').
 /**
  * Reads the command line.
  *
- * @param args without node and the script
- * @throws UsageError if they make no valid request
+ * @param args the arguments, without node and the script
+ * @throws UsageError if they are not valid
  */
 export function parseArguments(args: readonly string[]): Request {
   const { values, positionals } = read(args);
   if (values.help || args.length === 0) return { action: 'help' };
   const [command, ...rest] = positionals;
-  if (command !== 'tam') throw new UsageError(`"${command ?? ''}" is no command; the only one is tam. See --help.`);
-  if (rest.length > 0) throw new UsageError(`"${rest[0]}" is one word too many; a folder goes after --out.`);
+  if (command !== 'tam')
+    throw new UsageError(`"${command ?? ''}" is not a command; the only command is tam. See --help.`);
+  if (rest.length > 0) throw new UsageError(`"${rest[0]}" is an unexpected argument; name the folder after --out.`);
   if (values.list) return { action: 'list' };
-  if (!values.out) throw new UsageError('--out is missing; name the folder that the map goes into.');
+  if (!values.out) throw new UsageError('--out is missing; name the folder to write the map to.');
   const map: HatchImageOptions = {
     ...mapOfPreset(values),
     ...(values.style !== undefined && { style: values.style as StrokeStyleName }),
@@ -78,18 +79,18 @@ export function parseArguments(args: readonly string[]): Request {
   return { action: 'draw', map, out: values.out, force: values.force ?? false };
 }
 
-/** What the map of a preset is drawn with. */
+/** The options of the map of a preset. */
 function mapOfPreset({ preset, style }: { preset?: string; style?: string }): HatchImageOptions {
   if (preset === undefined) return {};
-  if (style !== undefined) throw new UsageError('--preset and --style say the same in two ways; give one of them.');
+  if (style !== undefined) throw new UsageError('--preset and --style exclude each other; pass only one of them.');
   const drawn = Object.entries<HatchingPreset>(presets).filter(([, { tonalArtMap }]) => tonalArtMap !== null);
   const found = drawn.find(([name]) => name === preset)?.[1].tonalArtMap;
   if (found) return { ...found };
-  const reason = Object.hasOwn(presets, preset) ? 'which needs no map' : 'which is no preset';
+  const reason = Object.hasOwn(presets, preset) ? 'which needs no map' : 'which is not a preset';
   throw new UsageError(`--preset is ${preset}, ${reason}; use one of ${drawn.map(([name]) => name).join(', ')}.`);
 }
 
-/** The names of the styles, one a line. */
+/** The names of the styles, one per line. */
 export const styleList = (): string => `${Object.keys(strokeStyles).join('\n')}\n`;
 
 function read(args: readonly string[]) {

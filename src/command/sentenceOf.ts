@@ -1,8 +1,8 @@
-/** What the codes of the file system mean for someone who named a folder. */
+/** For each error code of the file system a sentence part for someone who has named a folder. */
 const MEANINGS: Readonly<Record<string, string>> = {
   EACCES: 'may not be written to; change its permissions, or choose another folder after --out',
   EPERM: 'may not be written to; change its permissions, or choose another folder after --out',
-  EROFS: 'lies on a disk that can only be read; choose another folder after --out',
+  EROFS: 'lies on a read-only disk; choose another folder after --out',
   ENOSPC: 'lies on a disk that is full; make room there, or choose another folder after --out',
   EDQUOT: 'lies where there is no room left for you; make room there, or choose another folder after --out',
   ENOENT: 'cannot be made there; choose another folder after --out',
@@ -12,7 +12,7 @@ const MEANINGS: Readonly<Record<string, string>> = {
   ELOOP: 'is a link that leads to itself; choose another name after --out',
 };
 
-/** One sentence for an error of the file system. Others are returned in their own words. */
+/** Describes an error of the file system in a sentence. Other errors keep their messages. */
 export function sentenceOf(path: string, error: unknown): string {
   const { code, message } = error as NodeJS.ErrnoException;
   if (code === undefined) return message;

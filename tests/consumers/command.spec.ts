@@ -124,14 +124,14 @@ test('the command writes into the folder that a link names, and tells at once of
 });
 
 for (const [args, message] of [
-  [['tam'], '--out is missing; name the folder that the map goes into.'],
-  [['draw', '--out', 'x'], '"draw" is no command; the only one is tam. See --help.'],
-  [['tam', 'x'], '"x" is one word too many; a folder goes after --out.'],
+  [['tam'], '--out is missing; name the folder to write the map to.'],
+  [['draw', '--out', 'x'], '"draw" is not a command; the only command is tam. See --help.'],
+  [['tam', 'x'], '"x" is an unexpected argument; name the folder after --out.'],
   [['tam', '--out', 'x', '--colour'], "Unknown option '--colour'"],
   [['tam', '--out', 'x', '--style', 'oil'], '--style is oil, but must be one of hatching, '],
   [['tam', '--out', 'x', '--preset', 'engraving'], '--preset is engraving, which needs no map; use one of pen, '],
-  [['tam', '--out', 'x', '--preset', 'oil'], '--preset is oil, which is no preset; use one of pen, '],
-  [['tam', '--out', 'x', '--preset', 'pen', '--style', 'ruled'], '--preset and --style say the same in two ways'],
+  [['tam', '--out', 'x', '--preset', 'oil'], '--preset is oil, which is not a preset; use one of pen, '],
+  [['tam', '--out', 'x', '--preset', 'pen', '--style', 'ruled'], '--preset and --style exclude each other'],
   [['tam', '--out', 'x', '--size', '100'], '--size is 100, but must be 64, 128, 256, 512 or 1024.'],
   [['tam', '--out', 'x', '--tones', 'many'], '--tones is many, but must be a whole number.'],
   [['tam', '--out', 'x', '--stroke-width', '9'], '--stroke-width is 9, but must be a number from 1.2 to 2.6'],

@@ -166,7 +166,7 @@ describe('what stands in the way is told before anything is drawn, in one senten
   test.each([
     ['EACCES', 'mkdir', /b may not be written to; change its permissions, or choose another folder/],
     ['EPERM', 'mkdir', /b may not be written to/],
-    ['EROFS', 'mkdir', /b lies on a disk that can only be read; choose another folder/],
+    ['EROFS', 'mkdir', /b lies on a read-only disk; choose another folder/],
     ['EACCES', 'readdir', /b may not be written to/],
     ['EACCES', 'stat', /b may not be written to/],
     ['ENOSPC', 'mkdir', /b lies on a disk that is full; make room there/],
