@@ -55,7 +55,7 @@ export const checks = {
   'files are read, good and damaged': async ({ page, modules, files }) => {
     const { file, octahedronDracoGlb, octahedronGlb, octahedronMeshoptGlb, octahedronPly } =
       await modules.ssrLoadModule('/tools/modelFiles/modelFiles.ts');
-    const { fbx } = await modules.ssrLoadModule('/tests/unit/demo/files/sceneWriters.ts');
+    const { fbx } = await modules.ssrLoadModule('/tools/modelFiles/sceneWriters.ts');
     const models = [
       file('plain.glb', octahedronGlb()),
       file('draco.glb', await octahedronDracoGlb()),

@@ -3,7 +3,7 @@ import { posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { ROOMS, WITHOUT_THREE } from './rooms.mjs';
 
-const root = fileURLToPath(new URL('../..', import.meta.url));
+export const root = fileURLToPath(new URL('../..', import.meta.url));
 const { dirname, join } = posix;
 
 /** The folders whose imports are checked. */
@@ -17,16 +17,21 @@ const IMPORT = /(?:\bfrom|\bimport)\s*\(?\s*['"]([^'"\n]+)['"]/g;
  * @returns {string[]} a sentence for each
  */
 export function forbiddenImports() {
-  return filesToCheck().flatMap((file) =>
+  return codeIn(FOLDERS).flatMap((file) =>
     [...readFileSync(`${root}${file}`, 'utf8').matchAll(IMPORT)].flatMap(([, name]) => objectionTo(file, name) ?? []),
   );
 }
 
-function filesToCheck() {
-  return FOLDERS.flatMap((folder) =>
+/**
+ * Every file of code in some folders, as its path from the root.
+ *
+ * @param {readonly string[]} folders
+ */
+export function codeIn(folders) {
+  return folders.flatMap((folder) =>
     readdirSync(`${root}${folder}`, { recursive: true })
-      .map((path) => `${folder}/${path.replaceAll('\\', '/')}`)
-      .filter((path) => CODE.test(path) && !path.includes('/node_modules/')),
+      .map((path) => `${folder}/${String(path).replaceAll('\\', '/')}`)
+      .filter((path) => CODE.test(path) && !/\/(node_modules|output)\//.test(path)),
   );
 }
 

@@ -1,5 +1,6 @@
+import { existsSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { forbiddenImports, objectionTo } from '../../../tools/imports/forbiddenImports.mjs';
+import { codeIn, forbiddenImports, objectionTo, root } from '../../../tools/imports/forbiddenImports.mjs';
 import { ROOMS } from '../../../tools/imports/rooms.mjs';
 
 test('no file imports what its room may not, and nothing outside of the tests imports from them', () => {
@@ -55,4 +56,13 @@ test('a folder that has no row is told to get one', () => {
   expect(() => objectionTo('src/newRoom/file.ts', '../mesh/TriangleMesh.js')).toThrow(
     'newRoom/file.ts lies in no room',
   );
+});
+
+test('every module that tools and tests load by its path is there', () => {
+  const missing = codeIn(['tools', 'tests', 'examples']).flatMap((file) =>
+    [...readFileSync(`${root}${file}`, 'utf8').matchAll(/ssrLoadModule\(\s*'\/([^']+)'/g)]
+      .filter(([, path]) => !existsSync(`${root}${path}`))
+      .map(([, path]) => `${file} loads ${path}`),
+  );
+  expect(missing).toEqual([]);
 });
