@@ -102,7 +102,7 @@ export const checkPrepareOptions = (
 const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
 /** For more triangles than this, `'auto'` chooses the layout `'pull'`. */
-const MANY_TRIANGLES = 200_000;
+export const MANY_TRIANGLES = 200_000;
 
 /**
  * Prepares a geometry for `HatchingMaterial`, in a worker. In every layout the new geometry has the attribute `hatchNormal`: the

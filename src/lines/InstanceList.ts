@@ -19,7 +19,7 @@ const SINE = Math.sin((3 * Math.PI) / 180);
  * The largest number of primitives, of all instances together, that are searched. A million take about ten milliseconds, and
  * more of them would block the page.
  */
-const MAX_SEARCHED = 4_000_000;
+export const MAX_SEARCHED = 4_000_000;
 /** Words of the list per primitive: its number and that of its instance. */
 const PAIR_WORDS = 2;
 /** Texels per matrix in the texture of matrices. */
