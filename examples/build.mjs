@@ -5,7 +5,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'vite';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
-/** What pages without a build step import of three.js. */
+/** The modules of three.js that pages without a build step import. */
 const THREE_FILES = [
   'build/three.module.js',
   'build/three.core.js',

@@ -29,7 +29,7 @@ renderer.shadowMap.enabled = true;
 const scene = new Scene();
 const material = new MeshLambertMaterial();
 const place = new Object3D();
-/** By chance, but the same every time. */
+/** Random numbers, which are the same every time. */
 const within = (least: number, most: number) => MathUtils.lerp(least, most, MathUtils.seededRandom());
 const heightAt = (x: number, z: number) => 1.5 * Math.exp(-(x * x + z * z) / 9) + 0.12 * Math.sin(1.3 * x + 0.8 * z);
 
@@ -39,7 +39,7 @@ for (let i = 0; i < position.count; i++) position.setY(i, heightAt(position.getX
 hill.computeVertexNormals();
 scene.add(new Mesh(hill, material));
 
-// One tree, drawn 90 times.
+// A single tree is drawn 90 times.
 const tree = mergeGeometries([
   new CylinderGeometry(0.06, 0.08, 0.4, 12).translate(0, 0.2, 0),
   new ConeGeometry(0.42, 0.8, 20, 4).translate(0, 0.7, 0),
@@ -56,7 +56,7 @@ for (let i = 0; i < wood.count; i++) {
 }
 scene.add(wood);
 
-// Stones of three kinds, in one draw call.
+// Stones of three kinds are drawn in one draw call.
 const kinds = [new IcosahedronGeometry(0.2, 1), new DodecahedronGeometry(0.2), new OctahedronGeometry(0.2, 1)];
 const stones = new BatchedMesh(36, 1000, 1000, material);
 for (const kind of kinds.map((geometry) => stones.addGeometry(geometry))) {

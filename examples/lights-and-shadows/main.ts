@@ -38,11 +38,11 @@ for (const solid of solids) {
 const pen = scalePreset(presets.pen, devicePixelRatio);
 await applyHatching(scene, {
   ...pen,
-  // A second layer of strokes where the lamps disagree, and shadows as strokes of their own.
+  // There is a second layer of strokes where the lamps disagree, and shadows have their own strokes.
   material: { ...pen.material, strokeLayers: 'lights', shadowStrokes: 'cross' },
 });
 
-/** A lamp. All together have an intensity of π. */
+/** A lamp. The intensities of all lamps sum to π. */
 function lamp(x: number, y: number, z: number, intensity: number) {
   const light = new SpotLight(0xffffff, intensity, 0, 0.8, 1, 0);
   light.position.set(x, y, z);

@@ -44,7 +44,7 @@ parts.push(new ConeGeometry(0.8, 0.9, 4).rotateY(Math.PI / 4).translate(0, 2.15,
 const material = new MeshBasicMaterial();
 const scene = new Scene().add(...parts.map((part) => new Mesh(part, material)));
 
-// Without a map, and with a tone curve that prints nothing, surfaces are blank paper; they hide the lines behind them.
+// Without a map, and with a tone curve that prints nothing, surfaces are blank paper that hides the lines behind it.
 await applyHatching(scene, {
   tonalArtMap: null,
   material: {

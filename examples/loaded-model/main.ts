@@ -14,7 +14,7 @@ gltf.scene.traverse((object) => {
   object.castShadow = object.receiveShadow = true;
 });
 
-// Every mesh is baked, every material replaced; colours and maps are taken over.
+// Every mesh is baked, and every material is replaced; colours and maps are taken over.
 await applyHatching(gltf.scene, scalePreset(presets.crossHatching, devicePixelRatio));
 
 const light = new DirectionalLight(0xffffff, Math.PI);

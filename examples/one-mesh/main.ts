@@ -15,7 +15,7 @@ renderer.setClearColor('#f7f3e8');
 renderer.setPixelRatio(devicePixelRatio);
 renderer.shadowMap.enabled = true;
 
-// A look to start from, its strokes as wide on this screen as on any other.
+// A look to start from, scaled so that its strokes have the same width on every screen.
 const pen = scalePreset(presets.pen, devicePixelRatio);
 
 // Both are made in a worker.
@@ -38,7 +38,7 @@ const scene = new Scene().add(mesh, light);
 const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
 camera.position.set(0, 0, 5);
 
-// Drawn when something changes, not all the time.
+// A frame is drawn only when something changes.
 const draw = () => renderer.render(scene, camera);
 new OrbitControls(camera, canvas).addEventListener('change', draw);
 new ResizeObserver(() => {

@@ -4,7 +4,7 @@ import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, presets, Tona
 
 const SIZE = 512;
 
-/** An image of curls that tiles. Each count holds the curls of every smaller one, so that none vanishes in the shade. */
+/** An image of curls that tiles. An image with more curls contains those of every image with fewer, so that none vanishes in the shade. */
 async function drawCurls(count: number): Promise<File> {
   const sheet = new OffscreenCanvas(SIZE, SIZE);
   const pen = sheet.getContext('2d')!;
@@ -13,7 +13,7 @@ async function drawCurls(count: number): Promise<File> {
   pen.lineWidth = 4;
   pen.lineCap = 'round';
   for (let i = 0; i < count; i++) {
-    // Spread evenly, however many there are.
+    // The curls are spread evenly, however many there are.
     const [x, y] = [SIZE * ((0.7549 * i) % 1), SIZE * ((0.5698 * i) % 1)];
     for (const [left, top] of [-SIZE, 0, SIZE].flatMap((left) => [-SIZE, 0, SIZE].map((top) => [left, top]))) {
       pen.beginPath();
@@ -26,7 +26,7 @@ async function drawCurls(count: number): Promise<File> {
   return new File([await sheet.convertToBlob()], `${count}.png`);
 }
 
-// Images are sorted by darkness, and their coarser levels are made. PNG files of an artist are loaded in the same way.
+// Images are sorted by darkness, and their coarser levels are made. You can load an artist's PNG files in the same way.
 const tonalArtMap = await TonalArtMap.load(await Promise.all([30, 90, 200, 400, 800].map(drawCurls)));
 
 const ratio = devicePixelRatio;

@@ -29,12 +29,12 @@ mesh.add(new HatchingLines(mesh, lines));
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 4, 3);
 const scene = new Scene().add(mesh, light);
-// Not the clear colour of the renderer, which RenderPass takes for a linear one.
+// The clear colour of the renderer would not do, because RenderPass treats it as linear.
 scene.background = new Color('#f7f3e8');
 const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
 camera.position.set(0, 0, 5.2);
 
-// The canvas has no part in antialiasing any more: the target of the composer has samples of its own.
+// The antialiasing of the canvas has no effect here, so the target of the composer has samples.
 const composer = new EffectComposer(renderer, new WebGLRenderTarget(1, 1, { type: HalfFloatType, samples: 4 }));
 composer.addPass(new RenderPass(scene, camera));
 const shift = new ShaderPass(RGBShiftShader);

@@ -18,10 +18,10 @@ import {
   scalePreset,
 } from 'three-hatching';
 
-/** Of the print: 10 × 7.5 cm at 300 dpi. */
+/** The size of the print in pixels: 10 × 7.5 cm at 300 dpi. */
 const DPI = 300;
 const PRINT = { width: Math.round((10 / 2.54) * DPI), height: Math.round((7.5 / 2.54) * DPI) };
-/** Pixels per inch of CSS, which the sizes of presets are for. */
+/** CSS pixels per inch. The sizes of presets are in CSS pixels. */
 const CSS_DPI = 96;
 
 const radii = [0.001, 0.34, 0.36, 0.28, 0.44, 0.62, 0.66, 0.54, 0.34, 0.22, 0.21, 0.27, 0.38];
@@ -38,7 +38,7 @@ const scene = new Scene().add(mesh, light);
 const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
 camera.position.set(0, 1, 4.6);
 
-/** Sets all widths, in centimetres the same on every device. */
+/** Scales all widths, so that they are the same in centimetres on every device. */
 function setSizes(preset: HatchingPreset) {
   material.setValues(preset.material);
   lines.material.setValues(preset.lines);
@@ -60,7 +60,7 @@ document.querySelector('button')!.addEventListener('click', () => {
   renderer.setSize(PRINT.width, PRINT.height, false);
   setSizes(scalePreset(presets.engraving, DPI / CSS_DPI));
   renderer.render(scene, camera);
-  // In the same task as the drawing, whose pixels are not kept for longer.
+  // The pixels must be read in the same task, because the drawing buffer is not preserved.
   canvas.toBlob((png) => {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(png!);

@@ -10,8 +10,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { applyHatching, presets, scalePreset } from 'three-hatching';
-// The policy of this page forbids workers that are made from text, so the worker comes as a file from the same server.
-// This is how Vite takes it; README.md says more.
+// The policy of this page forbids workers from blob: URLs, so the worker is a file from the same server.
+// This is the import for Vite; README.md says more.
 import BakeWorker from 'three-hatching/bake.worker?worker';
 
 const canvas = document.querySelector('canvas')!;

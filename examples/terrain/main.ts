@@ -15,7 +15,7 @@ const renderer = new WebGLRenderer({ canvas, antialias: true });
 renderer.setClearColor('#f7f3e8');
 renderer.setPixelRatio(devicePixelRatio);
 
-/** From light to ink: a thin line even in the sun. */
+/** The tone curve, from light to ink: lines are thin even in full light. */
 const TONES: ToneCurve = [
   [0, 0.1],
   [0.4, 0.16],
@@ -23,7 +23,7 @@ const TONES: ToneCurve = [
   [1, 0.85],
 ];
 const noise = new ImprovedNoise();
-/** Ridges: noise folded at 0, in octaves, each smaller and lower than the one before. */
+/** Ridges: noise folded at 0, in octaves, each of which is smaller and lower than the previous one. */
 function heightAt(x: number, z: number): number {
   let height = 0;
   for (let octave = 0, size = 2; octave < 4; octave++, size /= 2) {
@@ -37,7 +37,7 @@ const { position } = ground.attributes;
 for (let i = 0; i < position.count; i++) position.setY(i, heightAt(position.getX(i), position.getZ(i)));
 ground.computeVertexNormals();
 
-// 'y': lines are cut by height, as on a map. They need no tonal art map.
+// With 'y', lines follow the height, as contour lines on a map do. They need no tonal art map.
 const { material, lines } = scalePreset(presets.engraving, devicePixelRatio);
 const mesh = new Mesh(
   await prepareHatchingGeometry(ground, { lines: true }),

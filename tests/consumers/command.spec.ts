@@ -69,7 +69,7 @@ test('the command draws the map that the library draws', async ({ page }) => {
   }
 });
 
-test('the command says how it is used, and names the styles', () => {
+test('the command prints its help and the names of the styles', () => {
   for (const args of [[], ['--help'], ['tam', '-h']]) {
     const { status, stdout } = run(...args);
     expect(status).toBe(0);
@@ -107,7 +107,7 @@ test('the command replaces a map only when told so, and other files never', () =
   expect(readdirSync(work)).toEqual(['here']);
 });
 
-test('the command writes into the folder that a link names, and tells at once of one that cannot be made', () => {
+test('the command writes into the folder that a link points to, and reports at once a folder that cannot be created', () => {
   mkdirSync(join(work, 'real'));
   symlinkSync(join(work, 'real'), join(work, 'link'));
   expect(run('tam', '--size', '64', '--tones', '4', '--out', 'link').status).toBe(0);

@@ -42,7 +42,7 @@ const COPIED = [
 /** Correlation of two pictures that show the same strokes; other strokes of the same form have 0.7 or less. */
 const LIKE = 0.9;
 
-/** Everything that is published, but for the declarations: one for each source. */
+/** All published files, except the declarations, of which there is one for each source. */
 const PACKED = [
   ...['LICENSE', 'README.md'],
   ...[
@@ -121,7 +121,7 @@ test.describe('the tarball', () => {
   });
 
   test('leaves nothing in a bundle that uses nothing of it, whatever the bundler is told', async () => {
-    // As a copy without package.json, which says that there are no side effects.
+    // This is a copy without package.json, which would say that there are no side effects.
     const copy = join(projectFolder, 'copy');
     cpSync(join(libraryFolder, 'dist'), copy, { recursive: true });
     const [{ code }] = await bundle(`import '${copy}/index.js';`);
@@ -261,7 +261,7 @@ test.describe('a hatched cube', () => {
     const server = await serveFolders({ '/': await viteBuild('plain') }, { 'Content-Security-Policy': STRICT_CSP });
     await page.goto(`${server.url}/plain.html`);
     expectHatching(await pixels(page));
-    // The browser reports every worker that it refuses, and the library says once what it does about it.
+    // The browser reports every worker that it refuses; the library warns once.
     const refused = pageProblems.filter((problem) => /^console error: .*worker-src 'self'/.test(problem));
     expect(refused.length).toBeGreaterThan(0);
     expect(pageProblems.filter((problem) => !refused.includes(problem))).toEqual([
@@ -415,7 +415,7 @@ function compilerOutput(compile: () => string): string {
   }
 }
 
-/** Builds one of the pages and returns the folder. */
+/** Builds a page and returns its folder. */
 async function viteBuild(name: string): Promise<string> {
   const outDir = join(projectFolder, `dist-${name}`);
   await build({

@@ -13,7 +13,7 @@ let installed: string[] | undefined;
 
 /**
  * Builds the library, packs it as it would be published, and installs the tarball in a small project that holds the
- * pages beside this file. Once for all tests that one process runs.
+ * pages beside this file. It does so once for all tests of a process.
  *
  * @returns the paths of all files in the tarball
  */

@@ -58,7 +58,7 @@ test('StrictMode mounts, unmounts and mounts: the children are hatched', async (
   expect(progress.at(-1)).toBe(1);
 });
 
-test('what changes is hatched anew, and nothing is drawn unhatched meanwhile', async ({ page }) => {
+test('changes are hatched again, and nothing is drawn unhatched in between', async ({ page }) => {
   const hatched = async (change: Shown) => {
     const before = await page.evaluate((c) => {
       const { hatchings } = window.page;

@@ -11,7 +11,7 @@ const GROUND = new THREE.Color(0x00ff00);
 
 type Parameters = THREE.MeshLambertMaterialParameters;
 
-/** Where a feature is shown. `dress` gives geometry and parameters the material that is to be looked at. */
+/** Where a feature is shown. `dress` makes the tested material from a geometry and parameters. */
 interface Stage {
   scene: THREE.Scene;
   renderer: THREE.WebGLRenderer;
@@ -424,7 +424,7 @@ async function draw({ show, context }: Feature, dress: Stage['dress']): Promise<
   return pixels;
 }
 
-/** How steep a picture may be from pixel to pixel to be compared: outlines and edges of shadows fall where rounding puts them. */
+/** Pixels are compared only where the picture changes less than this per pixel: rounding decides where outlines and shadows end. */
 const STEEP = 24;
 
 function compare(hatched: Uint8Array, lambert: Uint8Array, isPaper: boolean): Comparison {

@@ -509,7 +509,7 @@ for (const what of ['geometry', 'material'] as const) {
       const geometry = await prepareHatchingGeometry(tubeGeometry());
       const scene = sceneOf(sun());
       const { memory } = renderer.info;
-      // The map stays, whoever comes and goes.
+      // The map stays, whatever meshes are added and removed.
       pixelsOf(sceneOf(sun(), new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap }))), renderer);
       const before = memory.textures;
       const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap }));
@@ -621,7 +621,7 @@ test('two renderers deform the same mesh, and a lost context comes back', async 
     setTimeout(() => renderer.forceContextRestore(), 0);
     await back;
     const restored = pixelsOf(scene, renderer);
-    // The mesh is let go here. What was made for it in the context that was lost must not be freed in the one that came back.
+    // The mesh is released here. What was made for it in the lost context must not be freed in the restored one.
     const collected = { is: false, registry: new FinalizationRegistry(() => Object.assign(collected, { is: true })) };
     collected.registry.register(mesh, undefined);
     Object.assign(window, { collected, renderer });
@@ -683,7 +683,7 @@ for (const technique of kindsOfTechnique) {
       morphed: [1 + prePass, 1 + prePass, 0],
       both: [1 + prePass, 1 + prePass, 0],
     });
-    // three.js says where it must wait for programs.
+    // three.js reports when it must wait for programs.
     expect(pageProblems.splice(0).filter((problem) => !/KHR_parallel_shader_compile/.test(problem))).toEqual([]);
   });
 }

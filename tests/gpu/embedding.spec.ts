@@ -3,7 +3,7 @@ import { at, centre, covered, differing, isGround } from './pixels.js';
 import { kindsOfTechnique } from './techniques.js';
 import { test } from './toolkitPage.js';
 
-/** The material inside other people's scenes: every feature of three it must not break, one test each. */
+/** The material in other people's scenes: there is a test for each feature of three.js that it must not break. */
 
 for (const technique of kindsOfTechnique) {
   test(`an InstancedMesh gives the pixels of separate meshes, whatever the instance matrix: ${technique}`, async ({
@@ -196,7 +196,7 @@ for (const depth of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) 
       const scene = sceneOf(hatched, plain(-0.7, -0.001), plain(0.2, 0.001), sun(Math.PI, [0, 0, 1]));
       return pixelsOf(scene, makeRenderer({ [depth]: true }));
     }, depth);
-    // Left the plain square stands a hair behind the hatched one, right a hair before it.
+    // On the left the plain square is slightly behind the hatched square, on the right slightly in front of it.
     expect(at(pixels, 33, 48)).toEqual([255, 255, 255]);
     expect(at(pixels, 53, 48)).toEqual([255, 0, 0]);
   });

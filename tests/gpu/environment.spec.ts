@@ -285,7 +285,7 @@ test('an environment is there again after a lost context came back, and what was
   });
   expect(Math.abs(centre(before)[0] - 128)).toBeLessThanOrEqual(2);
   expect(difference(before, after)).toBe(0);
-  // three.js deletes the texture itself in both contexts, as any other: the one that is lost has not let it go.
+  // three.js deletes the texture itself in both contexts, as any other texture: the lost context still holds it.
   expect(pageProblems.splice(0).filter((problem) => !/context (lost|restored)/i.test(problem))).toEqual([
     expect.stringContaining('delete: object does not belong to this context'),
   ]);

@@ -125,7 +125,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
     ...spec.lines,
     side: spec.doubleSided ? DoubleSide : FrontSide,
   });
-  // Set one by one: as parameters, those that the technique does not use would be warned of.
+  // They are set separately: among the parameters, those that the technique does not use would cause a warning.
   hatching.strokeOffset.set(...strokeOffset);
   hatching.strokeRotation = strokeRotation;
   hatching.edgePixels = 0;

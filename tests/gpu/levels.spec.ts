@@ -167,7 +167,7 @@ function medianStrokeWidth(red: number[]): number {
         ink += darkness;
         darkest = Math.max(darkest, darkness);
       } else {
-        // Grey alone is the end of a stroke, or one that only another tone has.
+        // Isolated grey is the end of a stroke, or a stroke that only another tone has.
         if (darkest > 0.6) widths.push(ink);
         [ink, darkest] = [0, 0];
       }

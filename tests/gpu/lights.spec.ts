@@ -248,7 +248,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       for (const { tone, single, layered } of shown.beyond) {
         expect(differing(single, layered, 60) / (96 * 96), 'changed').toBeGreaterThan(0.05);
         // Hatch images end at an ink of 0.95, and crisp blending takes neighbours for independent, which on a flat wall they are
-        // not: there one layer is not exact either.
+        // not: there a single layer is not exact either.
         const tolerance = Math.max(0.02, Math.abs(ink(single) - tone) + 0.015);
         expect(Math.abs(ink(layered) - tone), `ink at ${tone}`).toBeLessThan(tolerance);
         if (technique === 'anchored') expect(tolerance).toBeLessThan(0.035);

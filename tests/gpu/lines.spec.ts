@@ -148,7 +148,7 @@ test('a torus has two closed contours from each of four views', async ({ page })
   expect(loops).toEqual([2, 2, 2, 2]);
 });
 
-test('no line of a sphere shows through one before it', async ({ page }) => {
+test('no line of a sphere shows through a sphere in front of it', async ({ page }) => {
   const { inside, outside } = await page.evaluate(async () => {
     const { THREE, linedMesh, paperScene, lookFrom, draw, mostDifferent, total } = window.lining;
     const near = await linedMesh(new THREE.IcosahedronGeometry(1, 20));
@@ -246,7 +246,7 @@ test('a contour tapers to nothing where it ends in a cusp', async ({ page }) => 
         inner.push({ u, v, bend: bend(u, v) });
       }
     }
-    const cusps = inner.filter((one, i) => i > 0 && one.bend * inner[i - 1].bend < 0);
+    const cusps = inner.filter(({ bend }, i) => i > 0 && bend * inner[i - 1].bend < 0);
     const full = inner.reduce((best, one) => (one.bend > best.bend ? one : best));
     const lines = linesOf(mesh);
     const size = 700;
@@ -681,7 +681,7 @@ test('a dry line catches on the tooth, most at its sides; the tooth stays with t
   expect(other).toBeGreaterThan(0.05);
 });
 
-test('a geometry without lines is named once, and the scene goes on', async ({ page, pageProblems }) => {
+test('a geometry without lines is reported once, and the scene is still drawn', async ({ page, pageProblems }) => {
   const ink = await page.evaluate(async () => {
     const { THREE, HatchingLines, paperScene, lookFrom, draw, total } = window.lining;
     const mesh = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial({ color: 0 }));
@@ -724,7 +724,7 @@ test('on a transparent canvas lines bring their own alpha; a multisampled target
   expect(sampled / ink).toBeLessThan(1.03);
 });
 
-test('between the groups of a mesh with several materials there is a line, and on one with one there is none', async ({
+test('there is a line between the groups of a mesh with several materials, and none with a single material', async ({
   page,
 }) => {
   const inks = await page.evaluate(async () => {

@@ -105,7 +105,7 @@ test('the tooth stays with the sheet, the strokes with the model; tiles of a pic
       strokes: differing(from(0, 2, 0), from(0.31, 2, 0)),
       values: new Set(grain).size,
     };
-    // The whole, and its four quarters one by one.
+    // These are the whole picture and its four quarters.
     const whole = from(0, 2, 0.5);
     let seams = 0;
     for (const [x, y] of [

@@ -69,11 +69,11 @@ test('movement is drawn in a lower resolution with strokes as wide, and rest in 
     still: [192, 3, toothSize, 1, 3],
     moving: [96, 1.5, toothSize / 2, 0.5, 2],
     restBeforeFrame: 1,
-    // What was set meanwhile stays.
+    // A size that was set in the meantime stays.
     rest: [192, 3, 7, 1, 3],
-    // What moves may be a light: the caller says so.
+    // A light may move too, which the caller must say.
     light: [96, 1.5, toothSize / 2, 0.5, 2],
-    // A ratio that was set meanwhile is the full one.
+    // A pixel ratio that was set in the meantime is the full one.
     ratioSet: [72, 1.5, toothSize / 2, 0.5, 2],
     disposed: [144, 3, toothSize, 1, 3],
   });

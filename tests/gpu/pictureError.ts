@@ -10,7 +10,7 @@ export interface PictureError {
   values: number;
 }
 
-/** How far a picture, RGBA, is from what the reference says of some of its pixels. */
+/** The error of an RGBA picture, compared with the reference at some of its pixels. */
 export function pictureError(pixels: ArrayLike<number>, reference: ReadonlyMap<number, Vec3>): PictureError {
   let sum = 0;
   let near = 0;

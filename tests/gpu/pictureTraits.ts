@@ -1,6 +1,6 @@
 import type { PNG } from 'pngjs';
 
-/** What one sees of a drawing from afar, whatever the colours of its ink and paper. All from 0 to 1, about. */
+/** The traits of a drawing that are visible from afar, whatever the colours of ink and paper. All are about 0 to 1. */
 export interface PictureTraits {
   /** Share of the paper that is covered. */
   ink: number;

@@ -5,7 +5,7 @@ import { PLANS } from '../../tools/pictures/plans.mjs';
 import { expect, test } from '../browser/test.js';
 import { type PictureTraits, pictureTraits, traitDistances } from './pictureTraits.js';
 
-/** How many times farther apart two presets must be than one preset before and after the light has moved by a few degrees. */
+/** The distance of two presets must be this many times that of a preset from itself after the light has moved by a few degrees. */
 const CLEARLY = 4;
 
 /** A drawing of the sheet in docs/presets.md, 200 pixels wide. */
@@ -15,7 +15,7 @@ async function thumbnail(page: Page, picture: Picture, change: Partial<Picture> 
   return pictureTraits(PNG.sync.read(Buffer.from(address!.slice(address!.indexOf(',') + 1), 'base64')));
 }
 
-test('the presets tell apart at 200 pixels, by more than colour', async ({ page }) => {
+test('the presets can be distinguished at 200 pixels, and not only by colour', async ({ page }) => {
   test.setTimeout(300_000);
   await page.goto('./tools/pictures/pictures.html');
   await page.waitForFunction(() => typeof window.drawPicture === 'function');

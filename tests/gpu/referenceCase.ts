@@ -12,7 +12,7 @@ import { defaults, directional, eye, identity, orthographic, perspective } from 
 /** Pixels per side of the pictures that are compared with a reference in double precision. */
 export const SIZE = 192;
 
-/** What differs from a torus under one light, seen in perspective. */
+/** The differences from a torus under one light, seen in perspective. */
 export interface ReferenceCase {
   name: string;
   mesh?: PlainMesh;

@@ -134,7 +134,7 @@ function strokeMap(): Promise<TonalArtMap> {
   return strokes;
 }
 
-/** A plane that receives shadows, of more triangles than two. `isGrey`: its tone as a flat grey, where a map says so. */
+/** A plane of many triangles that receives shadows. With `isGrey` and a map it shows its tone as a flat grey. */
 async function ground(
   technique: HatchingTechnique,
   parameters: HatchingMaterialParameters = {},

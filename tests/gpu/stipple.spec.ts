@@ -131,7 +131,7 @@ test('dots are round and even at any slant, and do not merge below half tone', a
   for (const { slant, light, mid } of found) {
     const aspects = light.flat().map(({ aspect }) => aspect);
     const even = light.map(evenness);
-    // What is much larger than most are several in one.
+    // Areas much larger than most are several dots that touch.
     const most = middle(mid.map(({ area }) => area));
     const merged = mid.filter(({ area }) => area > 1.7 * most).length / mid.length;
     testInfo.annotations.push({
@@ -162,7 +162,7 @@ test('the ink of dots is the tone in the mean, at any size and slant and between
       [60, 3.2],
     ]) {
       for (const tone of [0.02, 0.1, 0.3, 0.5, 0.525, 0.55, 0.6, 0.9]) {
-        // Not a tone of one picture alone: dots are few in the lights.
+        // A tone needs several pictures, because there are few dots in the lights.
         for (const zoom of [1, 1.25, 1.55]) {
           const mean = draw({ tone, slant, dot, zoom }).reduce((sum, ink) => sum + ink, 0) / 256 ** 2;
           found.push(`${slant}° ${dot} px ${tone} ${zoom}: ${(mean - tone).toFixed(3)}`);
@@ -208,7 +208,7 @@ test('dots stay where they are on the surface, while others are born and die', a
   });
   expect(found.count).toBeGreaterThan(60);
   expect(found.shifted).toBeGreaterThan(0.97);
-  // Dots never go as one comes nearer, at whatever distance they were born.
+  // No dot disappears while the camera approaches, at whatever distance it has appeared.
   for (const share of found.nearer) expect(share, `${found.nearer}`).toBeGreaterThan(0.9);
   expect(found.slanted).toBeGreaterThan(0.9);
   expect(found.changed).toBeLessThan(5);

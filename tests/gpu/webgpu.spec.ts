@@ -6,10 +6,7 @@ const THREES = [
   /Vertex attribute "position" not found on geometry/,
 ];
 
-test("beside three's error stands one sentence that says what to do, and nothing breaks", async ({
-  page,
-  pageProblems,
-}) => {
+test("besides three's error a single message says what to do, and nothing breaks", async ({ page, pageProblems }) => {
   for (const lines of [false, true]) {
     await page.goto('tests/gpu/webgpu.html');
     await page.waitForFunction(() => window.drawWithWebGPURenderer !== undefined);
@@ -21,7 +18,7 @@ test("beside three's error stands one sentence that says what to do, and nothing
     expect(others.length).toBeGreaterThan(0);
     for (const problem of others)
       expect(
-        THREES.some((one) => one.test(problem)),
+        THREES.some((pattern) => pattern.test(problem)),
         problem,
       ).toBe(true);
   }

@@ -10,7 +10,7 @@ async function drawWithWebGPURenderer(lines: boolean): Promise<number> {
   camera.position.z = 4;
   await applyHatching(scene, { preset: 'technical', lines });
   let calls = 0;
-  // A handler of one's own, which goes on being called.
+  // The user's own handler must still be called.
   mesh.onBeforeRender = () => {
     calls++;
   };

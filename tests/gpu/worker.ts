@@ -167,7 +167,7 @@ const workerTests = {
     return { before, after: await digest(torus), expected, died };
   },
 
-  /** A request in a worker that closes itself while it works, then one in the worker that has taken its place. */
+  /** Sends a request to a worker that closes itself while it works, then another to the worker that replaces it. */
   async closing() {
     let workers = 0;
     const createWorker = () => (workers++ === 0 ? new ClosingWorker() : new BakeWorker());

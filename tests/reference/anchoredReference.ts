@@ -6,7 +6,7 @@ import { type HatchingReference, LAYER_SHIFT } from './hatchingReference.js';
 import { normalDistribution } from './normalDistribution.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
-/** g = Φ⁻¹(h) of one level of the threshold map at (u, v) in tiles; of variance 1, and unlike that of any other level. */
+/** g = Φ⁻¹(h) of a level of the threshold map at (u, v) in tiles. It has variance 1, and is independent of other levels. */
 export type ThresholdFunction = (u: number, v: number, level: number) => number;
 
 export interface AnchoredSettings {
@@ -18,7 +18,7 @@ export interface AnchoredSettings {
   screenConstancy: number;
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
   threshold: ThresholdFunction;
-  /** Texels per side of level 0. One of them is to take one pixel. */
+  /** Texels per side of level 0. A texel should cover one pixel. */
   mapSize: number;
   mapLevels: number;
 }
@@ -26,7 +26,7 @@ export interface AnchoredSettings {
 /** A standard normal field, but for the skew of mixed levels. */
 interface Field {
   g: number;
-  /** 0 where it comes from one level, 1 half way between two. */
+  /** 0 if it comes from a single level, 1 half way between two levels. */
   mixing: number;
 }
 
@@ -98,7 +98,7 @@ function anchoredField(
   };
 }
 
-/** That of one lattice, for which the map would be too fine by so many octaves. */
+/** The value of one lattice, for which the map would be too fine by this many octaves. */
 function latticeField(
   point: Vec3,
   tangent: Vec3,

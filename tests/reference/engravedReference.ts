@@ -41,7 +41,7 @@ interface LineFunction {
   gradient(place: Vec3): Vec3;
 }
 
-/** What the families of one object are cut by: the first, and two across it, of which a place takes what crosses better. */
+/** The functions whose level sets are the families of an object: the first, and two across it, of which the better one is used. */
 interface Families {
   first: LineFunction;
   /** Axes across that of the first and across each other; what crosses leans towards one of them. */

@@ -72,7 +72,7 @@ export interface ReferenceScene {
   unitsPerPixel?: (at: Vec3) => number;
 }
 
-/** By how much a layer's pattern is shifted against that of the one before, in tiles or anchors. */
+/** The shift of a layer's pattern against that of the previous layer, in tiles or anchors. */
 export const LAYER_SHIFT: Vec3 = [17.37, 5.71, 11.13];
 
 /** One of the layers of strokes that are printed over one another. */
@@ -84,7 +84,7 @@ export interface ReferenceLayer {
 
 /** What of a tone stays with a layer that others cross from some tone on: 0.4 of what is above. */
 const kept = (tone: number, from: number) => (tone > from ? from + 0.4 * (tone - from) : tone);
-/** What is to be printed over a tone to make it another. */
+/** The tone that must be printed over one tone to give another. */
 const missing = (tone: number, printed: number) => 1 - (1 - tone) / (1 - printed);
 
 const LUMINANCE: Vec3 = [0.2126729, 0.7151522, 0.072175];

@@ -53,7 +53,7 @@ const texels = stippleMap().image.data as Uint8Array;
 /** The share of an octave in which a dot grows. */
 const GROWTH = 0.35;
 
-/** Area of a dot so far into the octave, as a share of its full one. */
+/** The area of a dot at a point of the octave, as a share of its full area. */
 const grownBy = (octave: number, birth: number): number =>
   birth === 0 ? 1 : clamp01((octave - birth * (1 - GROWTH)) / GROWTH);
 

@@ -7,7 +7,7 @@ export interface Picture {
   data: Uint8Array;
 }
 
-/** What the gate says of a picture. Only `different` fails. */
+/** The result of the gate for a picture. Only `different` fails. */
 export interface Verdict {
   verdict: 'identical' | 'close' | 'different';
   /** One line for the report. */
@@ -70,7 +70,7 @@ function inkOf({ data }: Picture): number {
 
 const percent = (part: number) => `${(100 * part).toFixed(3)} %`;
 
-/** Whether every pixel has the same colour: what a lost context, a missing model or a camera inside one gives. */
+/** Whether every pixel has the same colour, as with a lost context, a missing model or a camera inside the model. */
 export function isSingleColour({ data }: Picture): boolean {
   const words = new Uint32Array(data.slice().buffer);
   return words.every((word) => word === words[0]);

@@ -1,4 +1,4 @@
-/** The page of the screenshot tests: renders one scenario after the other and gives back its pixels. */
+/** The page of the screenshot tests. It renders one scenario after another and returns its pixels. */
 import {
   DirectionalLight,
   type Light,

@@ -32,7 +32,7 @@ const loaders: Record<ScenarioModel, () => Promise<BufferGeometry>> = {
   suzanne: async () => {
     const { default: dataUri } = await import('@pmndrs/assets/models/suzi.glb.js');
     const draco = new DRACOLoader();
-    // The type knows folders only; two addresses are allowed as well.
+    // The type only knows folders, but two URLs are allowed too.
     draco.setDecoderPath({ js: dracoScriptUrl, wasm: dracoWasmUrl } as unknown as string);
     const { scene } = await new GLTFLoader().setDRACOLoader(draco).loadAsync(dataUri);
     draco.dispose();
