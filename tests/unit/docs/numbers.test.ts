@@ -110,6 +110,13 @@ describe('times are those of the benchmarks', () => {
     expect(numbersIn('docs/lines.md', text)).toEqual([Math.min(...shares), Math.max(...shares)]);
   });
 
+  test('of pixels that flip while the light turns', () => {
+    const flips = /Flips under a 0\.5° turn of the light.*?\|.*?\| ([\d.]+) \(\w+\) \| ([\d.]+) \(\w+\)/;
+    const [anchored, engraved] = numbersIn('docs/metrics.md', flips);
+    expect(numbersIn('docs/anchored.md', /worst case is ([\d.]+) times the flips/)).toEqual([anchored]);
+    expect(numbersIn('docs/engraved.md', /up to ([\d.]+) times as many pixels change/)).toEqual([rounded(engraved, 1)]);
+  });
+
   test('of media beside ink', () => {
     const ratios = (rasteriser: string, medium: string): number[] =>
       Object.values<{ drawn: Record<string, { ratio: number[] }> }>(resultOf(`media.${rasteriser}`).models)
