@@ -23,7 +23,7 @@ export interface AnchoredSettings {
   mapLevels: number;
 }
 
-/** A standard normal field, but for the skew of mixed levels. */
+/** A field of standard normal distribution, except for the skew of mixed levels. */
 interface Field {
   g: number;
   /** 0 if it comes from a single level, 1 half way between two levels. */
@@ -65,15 +65,15 @@ export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
 }
 
 /**
- * By how many octaves strokes are drawn coarser than face on: where the surface, turned away about the strokes, shows less than
- * half the distance between them, by what it shows less.
+ * The number of octaves by which strokes are coarser than face on. Strokes become coarser where the surface is so slanted that their
+ * distance on the screen is less than half of that face on.
  */
 function crowdedOctaves(across: Vec3, normal: Vec3, toViewer: Vec3): number {
   const angle = Math.atan2(Math.abs(dot(across, toViewer)), Math.abs(dot(normal, toViewer)));
   return Math.max(0, -1 - Math.log2(Math.max(Math.cos(angle), 0.01)));
 }
 
-/** The field at a point in object space, where a pixel is as wide as so many object units and strokes are coarser by octaves. */
+/** The field at a point in object space, for a width of a pixel in object units, and strokes that are coarser by some octaves. */
 function anchoredField(
   point: Vec3,
   tangent: Vec3,
@@ -88,7 +88,7 @@ function anchoredField(
   const octaves = lattice - magnification + coarser;
   const coarse = latticeField(point, tangent, bitangent, lattice, octaves, settings);
   if (settings.screenConstancy === 0) return coarse;
-  // The last three quarters of the way to the next lattice, smoothly.
+  // The fade covers the last three quarters of the way to the next lattice.
   const way = Math.min(1, Math.max(0, (1 - lattice + wanted - 0.25) / 0.75));
   const fade = way * way * (3 - 2 * way);
   const fine = latticeField(point, tangent, bitangent, lattice + 1, octaves + 1, settings);
@@ -131,13 +131,13 @@ function latticeField(
   return { g: sum / Math.sqrt(squares), mixing: 4 * share * (1 - share) * Math.min(1, 2 * share) };
 }
 
-/** h of a field: uniform, with the skew of mixed levels put right as fitted to generated maps. */
+/** h of a field: uniform after the skew of mixed levels is corrected by a fit to generated maps. */
 function uniformOf({ g, mixing }: Field): number {
   const h = normalDistribution(g);
   return h + mixing * h * (1 - h) * (1.07 * (h - 0.42) ** 2 - 0.14);
 }
 
-/** By how much the tone exceeds the threshold, of the layer where it does most: ink where positive. */
+/** The amount by which the tone exceeds the threshold, in the layer where it is largest. A positive amount is ink. */
 export function anchoredExcess(
   reference: HatchingReference,
   point: Vec3,
@@ -155,7 +155,7 @@ export function anchoredExcess(
   const unshadowed = reference.tone(world, worldNormal, false);
   const isCrossed = settings.shadowStrokes === 'cross';
   const layers = reference.layers(isCrossed ? unshadowed : tone, crossing).map((layer, i) => ({ ...layer, shift: i }));
-  // Shadows lie across the strokes of the light and take what is missing to the tone; behind all other layers' shifts.
+  // The layer of shadows crosses the strokes of the light and supplies the missing tone. Its shift follows those of all other layers.
   if (isCrossed && tone > unshadowed) {
     layers.push({ tone: 1 - (1 - tone) / (1 - unshadowed), angle: Math.PI / 2, shift: 3 });
   }

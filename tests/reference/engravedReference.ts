@@ -1,6 +1,6 @@
 /**
- * The technique `engraved` at one fragment, in double precision, as documented: level sets of functions of the place, octaves of
- * a ruler, ink by shares of pixels, families printed over one another, the hand. Shares no code with the shader.
+ * The technique `engraved` at one fragment, in double precision, as documented: level sets of functions of the position, octaves of
+ * lines, ink as shares of pixels, families that are printed over each other, and the hand. It shares no code with the shader.
  */
 import { mat3, mat4, vec3 } from 'gl-matrix';
 import type { HatchingReference, ReferenceLight } from './hatchingReference.js';
@@ -29,13 +29,13 @@ export interface EngravedScene {
   lights: readonly ReferenceLight[];
   matrixWorld: number[];
   camera: ReferenceCamera;
-  /** Of the picture in pixels; it is square. */
+  /** The width and height of the picture, in pixels. */
   size: number;
-  /** Of the bounding sphere, object space. */
+  /** The centre of the bounding sphere, in object space. */
   centre: Vec3;
 }
 
-/** A function on the object whose level sets are lines. Places count from its centre, all in tiles. */
+/** A function on the object whose level sets are lines. Positions are relative to the centre, in tiles. */
 interface LineFunction {
   value(place: Vec3): number;
   gradient(place: Vec3): Vec3;
@@ -44,10 +44,10 @@ interface LineFunction {
 /** The functions whose level sets are the families of an object: the first, and two across it, of which the better one is used. */
 interface Families {
   first: LineFunction;
-  /** Axes across that of the first and across each other; what crosses leans towards one of them. */
+  /** Axes perpendicular to that of the first family and to each other. The crossing lines lean towards one of them. */
   sides: readonly [Vec3, Vec3];
   across: readonly [LineFunction, LineFunction];
-  /** What shadows cross it by leans the other way. */
+  /** The lines that cross it in shadows lean the other way. */
   shadows: readonly [LineFunction, LineFunction];
 }
 
@@ -65,7 +65,7 @@ const smoothly = (from: number, to: number, x: number) => {
 
 const alongAxis = (axis: Vec3): LineFunction => ({ value: (place) => dot(place, axis), gradient: () => axis });
 
-/** How much nearer a lamp is than to the centre; or farther, with a sign of −1. */
+/** How much nearer a point light is to the position than to the centre; with a sign of −1 how much farther. */
 const towardsLamp = (lamp: Vec3, sign: number): LineFunction => ({
   value: (place) => sign * (vec3.length(lamp) - vec3.distance(place, lamp)),
   gradient: (place) => mixed(unit(mixed(lamp, 1, place, -1)), sign, lamp, 0),
@@ -76,7 +76,7 @@ const combined = (a: LineFunction, s: number, b: LineFunction, t: number): LineF
   gradient: (place) => mixed(a.gradient(place), s, b.gradient(place), t),
 });
 
-/** The convention for an axis across another: by the world's up unless the axis itself comes near it. */
+/** The convention for an axis perpendicular to another: it uses the world's up direction, unless the axis is nearly parallel to it. */
 const axisAcross = (axis: Vec3): Vec3 => unit(cross(axis, Math.abs(axis[1]) < 0.8 ? [0, 1, 0] : [0, 0, 1]));
 
 /** The principal axis of Σ w L Lᵀ, in object space, pointing where the lights together point. */
@@ -93,9 +93,8 @@ export function principalAxis(lights: readonly { toLight: Vec3; weight: number }
 }
 
 /**
- * The direction of the lights from the centre, and one over the distance of the lamp that stands for them, in tiles: the second
- * derivatives of the mean of the lights' own functions are those of its function, as far as one number can say. Without
- * lights, up.
+ * The direction of the lights from the centre, and the reciprocal of the distance of the point light that represents them, in tiles. Its
+ * function approximates the second derivatives of the mean of the lights' functions. Without lights the direction is up.
  */
 function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { axis: Vec3; bend: number } {
   const toObject = mat4.invert(mat4.create(), matrixWorld as unknown as mat4)!;
@@ -122,7 +121,7 @@ function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { ax
   return { axis, bend: bend / vec3.length(mean) };
 }
 
-/** isDark: no light arrives, and lines run across their axis. */
+/** With `isDark` no light arrives, and lines run across their axis. */
 function familiesOf(scene: EngravedScene, isDark: boolean): Families {
   const { lineField, crossAngle, strokeRotation } = scene.settings;
   const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
@@ -147,8 +146,8 @@ function familiesOf(scene: EngravedScene, isDark: boolean): Families {
 }
 
 /**
- * How many pixels the tangent plane at a place takes along two of its directions, from the derivatives of the whole
- * projection; from it the length of the screen gradient of any function.
+ * The number of pixels that two directions of the tangent plane take on the screen, from the derivatives of the whole projection. From
+ * this follows the length of the screen gradient of any function.
  */
 class ScreenPlane {
   private readonly tangents: [Vec3, Vec3];
@@ -161,7 +160,7 @@ class ScreenPlane {
     this.viewToObject = mat3.invert(mat3.create(), mat3.fromMat4(mat3.create(), objectToView))!;
     const q = vec3.transformMat4([0, 0, 0], place, objectToView) as Vec3;
     const n = unit(turned(normal, mat3.transpose(mat3.create(), this.viewToObject)));
-    // Any two will do.
+    // Any two tangents work.
     const start: Vec3 = Math.abs(n[2]) < 0.7 ? [0, 0, 1] : [1, 0, 0];
     const e = unit(mixed(start, 1, n, -dot(start, n)));
     this.tangents = [e, cross(n, e)];
@@ -175,7 +174,7 @@ class ScreenPlane {
     this.pixels = this.tangents.map((t) => [moved(0, t), moved(1, t)]) as [[number, number], [number, number]];
     const [[a, b], [c, d]] = this.pixels;
     const faceOn = (p[5] * size) / 2 / depth;
-    // A surface that leans away further than 0.12 of face on counts as if it did not.
+    // The slant is limited: a cosine below 0.12 counts as 0.12.
     this.area = Math.max(Math.abs(a * d - b * c), 0.12 * faceOn ** 2);
   }
 
@@ -189,7 +188,7 @@ class ScreenPlane {
   }
 }
 
-/** The share of a pixel, so far from the middle of a line across it, that ink of this width takes; thin lines pale instead. */
+/** The share of a pixel that a line of this width covers, at a distance from its middle. Thin lines become paler instead of thinner. */
 function lineShare(away: number, width: number): number {
   const half = Math.max(width, 1) / 2;
   const overlap = Math.min(half, away + 0.5) - Math.max(-half, away - 0.5);
@@ -206,19 +205,19 @@ export function lotOf(value: number): number {
 /** A factor on the width of the line at a value. */
 export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * lotOf(value) - 0.25);
 
-/** Where along its lines a place is: by two coordinates, in tiles, and how much the first of them counts. */
+/** The position along the lines: two coordinates, in tiles, and the weight of the first. */
 interface Along {
   places: readonly [number, number];
   share: number;
 }
 
-/** A wedge of length 1 after another: up from −1 to 1 over 0.7 of it, and down. */
+/** A row of wedges of length 1: each rises from −1 to 1 over 0.7 of its length, and falls over the rest. */
 function gouge(x: number): number {
   const t = x - Math.floor(x);
   return t < 0.7 ? (2 * t) / 0.7 - 1 : (2 * (1 - t)) / 0.3 - 1;
 }
 
-/** How much of its room the cut of a line takes, where old lines lie so far apart and new ones have grown by so much. */
+/** The share of its room that the cut of a line takes, for a distance of old lines and a growth of the new ones. */
 function cutShare(line: number, white: number, { places, share }: Along, period: number, into: number): number {
   const swell = 0.42;
   const lot = lotOf(line);
@@ -230,7 +229,7 @@ function cutShare(line: number, white: number, { places, share }: Along, period:
     return mixed(gouge(wedges + lot), gouge(2 * wedges + lot), longer);
   });
   const wave = mixed(waves[1], waves[0], share) / (flattened(longer) * flattened(share));
-  // So that the mean over all waves is what is asked for.
+  // This makes the mean over all waves the wanted one.
   const middleFor = (rare: number) => (rare < swell ? Math.sqrt(4 * swell * rare) - swell : rare);
   const middle = white < 0.5 ? middleFor(white) : 1 - middleFor(1 - white);
   return clamp01(middle + swell * wave);
@@ -243,7 +242,7 @@ const octaveOf = (x: number): number => {
 };
 const powerOf = (octave: number): number => 2 ** Math.floor(octave) * (1 + octave - Math.floor(octave));
 
-/** The darkness of one family: every line of a ruler with octaves that may lie on the pixel. slope: on the surface. */
+/** The darkness of a family: of all lines, in all octaves, that may lie on the pixel. */
 function ruledDarkness(
   value: number,
   perPixel: number,
@@ -272,7 +271,7 @@ function ruledDarkness(
   return settings.carved ? 1 - Math.min(covered, 1) : Math.min(covered, 1);
 }
 
-/** Two parabolas in the place of a sine of period 2: up from −1 to 0, down from 0 to 1. */
+/** Two parabolas instead of a sine of period 2: up from −1 to 0, down from 0 to 1. */
 const wave = (x: number): number => {
   const t = 2 * (x / 2 - Math.floor(x / 2)) - 1;
   return t < 0 ? 4 * t * (-t - 1) : 4 * t * (t - 1);
@@ -286,7 +285,7 @@ function slowWaves([x, y, z]: Vec3): Vec3 {
   return [wave(0.73 * c + 0.35), wave(0.73 * a + 1.18), wave(0.73 * b + 1.66)];
 }
 
-/** Where the hand puts a place, in tiles, and how much it presses there. */
+/** The position that the hand moves a position to, in tiles, and its pressure there. */
 function hand(place: Vec3, { handmade }: EngravedSettings): { strayed: Vec3; pressure: number } {
   const waves = slowWaves(place.map((c) => 3.5 * c) as Vec3);
   return { strayed: mixed(place, 1, waves, 0.012 * handmade), pressure: 0.3 * handmade * waves[0] * waves[1] };
@@ -301,8 +300,8 @@ export class EngravedReference {
    * Darkness at one fragment.
    *
    * @param place - in object space.
-   * @param normal - that lines go by, in object space. Of any length, as the next.
-   * @param toneNormal - that tone goes by, in world space.
+   * @param normal - the normal for the lines, of any length, in object space.
+   * @param toneNormal - the normal for the tone, of any length, in world space.
    */
   darkness(place: Vec3, normal: Vec3, toneNormal: Vec3): number {
     const { reference, settings, centre } = this.scene;
@@ -317,14 +316,14 @@ export class EngravedReference {
     const plane = new ScreenPlane(this.scene, place, n);
     const { first, sides, across, shadows } = this.familiesAt(world, lit);
 
-    // Where the surface lies in a level set of the first family, that has no lines.
+    // Where the surface lies in a level set of the first family, this family has no lines.
     const slope = vec3.length(cross(n, first.gradient(strayed)));
     const has = smoothly(0.06, 0.18, slope);
     // Squares of the sines at which the lines of the two cross those of the first.
     const axis = cross(...sides);
     const [b, c] = sides.map((side) => dot(n, cross(axis, side)) ** 2);
     const share = 1 + has * (smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)) - 1);
-    /** What two families leave blank that together leave as much as they are asked to. */
+    /** The shares that two families leave blank, so that both together leave the wanted share. */
     const leftByBoth = (two: readonly [LineFunction, LineFunction], blank: number) => {
       const blankB = 1 + share * (blank - 1);
       return leftBy(two[0], 1 - blankB, 1) * leftBy(two[1], 1 - blank / blankB, 1);
@@ -343,13 +342,13 @@ export class EngravedReference {
       return 1 - ruledDarkness(family.value(strayed), perPixel, familySlope, pressed, settings, along);
     };
     if (tone >= 1) return 1;
-    // Above crossFrom it takes 0.4 of the tone; what it leaves blank too much the others cover, by the law of products.
+    // Above crossFrom the first family takes 0.4 of the tone. The others cover the excess that it leaves blank; shares of blank multiply.
     const firstTone = has * (own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom));
     const leftByOwn = leftBy(first, firstTone, slope) * leftByBoth(across, (1 - own) / (1 - firstTone));
     return 1 - leftByOwn * leftByBoth(shadows, (1 - tone) / (1 - own));
   }
 
-  /** Those of the lights that arrive there. */
+  /** The lights that arrive at the position. */
   private familiesAt(world: Vec3, toneNormal: Vec3): Families {
     const { lights, reference } = this.scene;
     const arriving = lights.filter((light) => !reference.turnsAway(light, toneNormal, world));

@@ -1,7 +1,7 @@
 /**
  * Algorithms 1, 2 and 3 of Suarez, Belhadj and Boyer, "GPU real time hatching", 2013, one fragment at a time, in double
- * precision and without a graphics card. Written from that article and from the conventions in the documentation; shares no
- * code with the shader. Several lights: structure tensor of their directions. Radiance: as three documents its lights.
+ * precision and without a GPU. It was written from that article and from the conventions in the documentation, and shares no code with
+ * the shader. Several lights are combined by the structure tensor of their directions; radiance follows the documentation of three.js.
  */
 import { glMatrix, mat3, type mat4, vec3 } from 'gl-matrix';
 import { normalDistribution } from './normalDistribution.js';
@@ -82,7 +82,7 @@ export interface ReferenceLayer {
   angle: number;
 }
 
-/** What of a tone stays with a layer that others cross from some tone on: 0.4 of what is above. */
+/** The share of the tone above `crossFrom` that stays with the layer that others cross: 0.4. */
 const kept = (tone: number, from: number) => (tone > from ? from + 0.4 * (tone - from) : tone);
 /** The tone that must be printed over one tone to give another. */
 const missing = (tone: number, printed: number) => 1 - (1 - tone) / (1 - printed);
@@ -255,7 +255,7 @@ export class HatchingReference {
     return { bitangent: vec3.scaleAndAdd([0, 0, 0], along, e2, sign * Math.sin(angle)) as Vec3, crossing };
   }
 
-  /** Whether strokes count the light no longer where it does not arrive, from a sine of elevation of 0.05 on. n: world space. */
+  /** Whether strokes ignore the light where it does not arrive: only above a sine of elevation of 0.05. `n` is in world space. */
   turnsAway(light: ReferenceLight, n: Vec3, at: Vec3): boolean {
     const isAsked = !!light.isBlocked && this.scene.material.shadowStrokes === 'reorient';
     return isAsked && dot(n, incident(light, at)!.direction) > 0.05;
@@ -296,7 +296,7 @@ export class HatchingReference {
         response += Math.max(dot(mirrored, view), 0) ** material.shininess;
       }
       if (!light.isBlocked || !hasShadows) radiance += (luminance(arriving.color) / Math.PI) * response;
-      // A hemisphere of that light, from the other side.
+      // Reflected light is a hemisphere of that light from the other side.
       radiance += (material.reflectedLight * luminance(arriving.coneless) * (1 - cosine)) / (2 * Math.PI);
     }
     let tone = 1 - clamp01(radiance);
@@ -423,8 +423,8 @@ export class HatchingReference {
   }
 
   /**
-   * The same, crisp: by how much the tone exceeds the threshold, of the layer where it does most; ink where positive.
-   * `field`: Φ⁻¹ of the threshold at (u, v).
+   * The crisp variant: the amount by which the tone exceeds the threshold, in the layer where it is largest. A positive amount is ink.
+   * `field` is Φ⁻¹ of the threshold at (u, v).
    */
   crispExcess(field: (u: number, v: number) => number, ...at: Parameters<HatchingReference['shades']>): number {
     const { frames } = this.shades(...at);

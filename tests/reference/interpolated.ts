@@ -1,7 +1,7 @@
 import type { ReferenceFragment } from './rasterizeReference.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
-/** What a fragment gets of an attribute: xyz per vertex, interpolated over its triangle. */
+/** The value of an attribute at a fragment: xyz per vertex, interpolated over the triangle. */
 export function interpolated(
   values: readonly number[],
   indices: readonly number[],

@@ -19,8 +19,8 @@ export interface ReferenceFragment {
  * Rasterizes triangles at pixel centres, in double precision; row 0 is the bottom row, as readPixels gives it. All
  * triangles must lie in front of the camera.
  *
- * @param subpixelBits - of the card, which moves vertices to the nearest place it knows: thirty-seconds of a pixel with four of
- *   them, which shows in what has sharp edges. Default: as many as it takes.
+ * @param subpixelBits - the subpixel precision of the GPU, which moves vertices to the nearest position of a grid. This shows at sharp
+ *   edges. By default vertices are not moved.
  * @returns one entry per pixel, null where nothing is seen.
  */
 export function rasterizeReference(

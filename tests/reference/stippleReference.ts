@@ -1,6 +1,6 @@
 /**
- * The medium `stipple` at one fragment, in double precision, as documented: planes, a set of points that holds itself, discs on the
- * screen. Shares no code with the shader, but for the table of the points.
+ * The medium `stipple` at one fragment, in double precision, as documented: planes, a self-similar set of points, discs on the
+ * screen. It shares no code with the shader, except for the table of the points.
  */
 import { mat3, mat4, vec3 } from 'gl-matrix';
 import { STIPPLE_MAP_SIZE, stippleMap } from '../../src/tam/stippleMap.js';
@@ -12,7 +12,7 @@ export interface StippleScene {
   reference: HatchingReference;
   matrixWorld: number[];
   camera: ReferenceCamera;
-  /** Of the picture in pixels; it is square. */
+  /** The width and height of the picture, in pixels. */
   size: number;
   settings: { strokeScale: number; strokeWidth: number; screenConstancy: number; edgePixels: number };
 }
@@ -30,7 +30,7 @@ const AXES: readonly Vec3[] = [-1, 0, 1]
   .slice(14)
   .map(unit);
 
-/** The axes that a surface is near enough to, towards the side it looks to, and the share of each. */
+/** The axes that are near enough to the normal of a surface, on its front side, and the share of each. */
 function planesOf(normal: Vec3): { axis: Vec3; share: number }[] {
   const facing = AXES.map((axis) => Math.abs(dot(axis, normal)));
   const best = Math.max(...facing);
@@ -57,7 +57,7 @@ const GROWTH = 0.35;
 const grownBy = (octave: number, birth: number): number =>
   birth === 0 ? 1 : clamp01((octave - birth * (1 - GROWTH)) / GROWTH);
 
-/** The mean of that over all births: exact, since between the births at which dots begin and end to grow it is linear. */
+/** The mean area over all times of appearance. It is exact, because the area is linear in between. */
 function meanGrown(octave: number): number {
   const ends = [0, (octave - GROWTH) / (1 - GROWTH), octave / (1 - GROWTH), 1].map(clamp01).toSorted((a, b) => a - b);
   let sum = 0;
@@ -68,7 +68,7 @@ function meanGrown(octave: number): number {
   return sum;
 }
 
-/** Area of all discs together over the whole, of which they cover so much at such a place in an octave: they overlap. */
+/** The total area of all discs that gives a coverage at a point of the octave. Discs overlap, so it is larger than the coverage. */
 function areaFor(covered: number, octave: number): number {
   if (covered <= 0.5) return covered;
   return (
@@ -77,7 +77,7 @@ function areaFor(covered: number, octave: number): number {
   );
 }
 
-/** The share of ink at so many pixels from the middle of a disc with an edge so wide. Below the edge it pales. */
+/** The share of ink at a distance from the middle of a disc with a soft edge. Discs smaller than their edge become paler. */
 function discInk(away: number, area: number, edge: number): number {
   const squared = area / Math.PI;
   const radius = Math.sqrt(Math.max(squared - edge ** 2 / 12, edge ** 2 / 4));
@@ -87,7 +87,7 @@ function discInk(away: number, area: number, edge: number): number {
 export class StippleReference {
   constructor(private readonly scene: StippleScene) {}
 
-  /** Darkness at one fragment. place: object space. normals: as interpolated; of strokes in object space, of tone in world space. */
+  /** The darkness at a fragment, from its position in object space and the interpolated normals for strokes (object) and tone (world). */
   darkness(place: Vec3, normal: Vec3, toneNormal: Vec3): number {
     const { reference, settings } = this.scene;
     const tone = reference.tone(reference.toWorld(place), unit(toneNormal));
@@ -101,7 +101,7 @@ export class StippleReference {
     for (const { axis, share } of planesOf(between)) {
       const [u, v] = acrossAxis(axis);
       const moves = [u, v].map((side) => {
-        // From a step in the plane along the axis to the surface.
+        // This takes a step in the plane along the axis to the surface.
         const lifted = side.map((x, i) => x - (axis[i] * dot(side, lie)) / dot(axis, lie)) as Vec3;
         return toScreen(lifted);
       }) as [Vec2, Vec2];
@@ -120,13 +120,13 @@ export class StippleReference {
     return tone <= 0.5 ? 1 - blank.black : 1 - blank.black * (1 - blank.white);
   }
 
-  /** What black dots cover, and white ones of the rest: below half tone none, above 0.6 all the light there is. */
+  /** The share that black dots cover, and the share of the rest that white dots cover: none below half tone, all of the light above 0.6. */
   private shares(tone: number): { black: number; white: number } {
     const black = tone <= 0.5 ? tone : Math.max(0, 0.5 - (tone - 0.5) * 5);
     return { black, white: tone <= 0.5 ? 0 : (1 - tone) / (1 - black) };
   }
 
-  /** moves: pixels for a step along each of the plane's axes. share: of all dots. own: what these cover, and all of them. */
+  /** The ink of one plane. `moves` are the pixels for a step along each of its axes, and `share` is its share of all dots. */
   private dots(at: Vec2, moves: [Vec2, Vec2], share: number, own: number, all: number): number {
     const { strokeScale, strokeWidth, screenConstancy, edgePixels } = this.scene.settings;
     const pixelArea = Math.abs(moves[0][0] * moves[1][1] - moves[0][1] * moves[1][0]);
@@ -154,7 +154,7 @@ export class StippleReference {
     return Math.min(ink, 1);
   }
 
-  /** How many pixels a step in object space takes, by the derivatives of the whole projection; and how the surface lies for dots. */
+  /** The number of pixels for a step in object space, from the derivatives of the whole projection, and the slant of the surface. */
   private screenMap(place: Vec3, normal: Vec3): { toScreen: (step: Vec3) => Vec2; lie: Vec3 } {
     const { camera, matrixWorld, size } = this.scene;
     const objectToView = mat4.multiply(mat4.create(), camera.view as unknown as mat4, matrixWorld as unknown as mat4);
@@ -171,8 +171,7 @@ export class StippleReference {
       const inView = vec3.transformMat3([0, 0, 0], step, linear) as Vec3;
       return [moved(0, inView), moved(1, inView)];
     };
-    // A surface that leans away from the line of sight further than to a cosine of 0.33 is taken for one that does not. The cosine
-    // is to a line of sight as long as it is deep.
+    // The slant is limited: a cosine below 0.33 counts as 0.33. It is the cosine to a line of sight whose length is the depth.
     const toObject = mat3.invert(mat3.create(), linear)!;
     const inView = unit(vec3.transformMat3([0, 0, 0], normal, mat3.transpose(mat3.create(), toObject)) as Vec3);
     const isPerspective = p[11] !== 0;
