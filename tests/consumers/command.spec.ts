@@ -63,7 +63,7 @@ test('the command draws the map that the library draws', async ({ page }) => {
   for (const [name, bytes] of saved) {
     const drawn = readFileSync(join(work, 'a', name));
     const expected = Buffer.from(bytes);
-    // Node and the browser deflate in ways of their own.
+    // Node and the browser compress differently.
     if (name.endsWith('.json')) expect(drawn.equals(expected)).toBe(true);
     else expect(PNG.sync.read(drawn).data.equals(PNG.sync.read(expected).data), name).toBe(true);
   }
@@ -114,7 +114,7 @@ test('the command writes into the folder that a link points to, and reports at o
   expect(lstatSync(join(work, 'link')).isSymbolicLink()).toBe(true);
   expect(readdirSync(join(work, 'real'))).toContain('map.json');
   writeFileSync(join(work, 'file'), 'mine');
-  // A map that takes many seconds: nothing of it may be drawn.
+  // This map would take many seconds, so the test shows that nothing of it is drawn.
   const refused = run('tam', '--style', 'stippling', '--size', '1024', '--tones', '16', '--out', 'file/x');
   expect([refused.status, refused.stderr]).toEqual([
     2,
@@ -145,7 +145,7 @@ for (const [args, message] of [
 }
 
 test('the command, interrupted, leaves nothing behind', async () => {
-  // A map that takes many seconds, and enough of them for Node to start on a busy machine.
+  // This map takes many seconds, enough for Node to start on a busy machine.
   const options = ['--style', 'stippling', '--size', '1024', '--tones', '16', '--out', 'half'];
   const child = spawn(process.execPath, [script, 'tam', ...options], { cwd: work });
   let said = '';

@@ -24,7 +24,7 @@ declare global {
 const STRICT_CSP =
   "default-src 'none'; script-src 'self'; worker-src 'self'; img-src data:; base-uri 'none'; object-src 'none'";
 
-/** Drawings whose code is copied: one by its preset, made of all that there is; one spelled out, of a file of one's own. */
+/** Drawings whose code is copied: one with a preset and all features, and one with single settings and the user's own file. */
 const COPIED = [
   {
     name: 'a preset, with a ground, shadows and occlusion',
@@ -66,10 +66,10 @@ test.beforeAll(() => {
   files = installPackedLibrary();
 });
 
-/** The smallest bundles that a page with a build of its own can have, in bytes after gzip: what it loads at once. */
+/** The smallest bundles of a page with its own build, in bytes after gzip: the code that it loads at once. */
 const MOST_BYTES = { HatchingMaterial: 36_500, 'HatchingMaterial, prepareHatchingGeometry, TonalArtMap': 51_000 };
 
-/** Of the components of React alone, and of the web component alone, with what it loads at once. */
+/** The sizes of the React components and of the web component, each with the code that it loads at once. */
 const MOST_BYTES_OF_REACT = 5_000;
 const MOST_BYTES_OF_ELEMENT = 7_500;
 
@@ -171,7 +171,7 @@ test.describe('the tarball', () => {
         strict: true,
         exactOptionalPropertyTypes: true,
         noEmit: true,
-        // Those of React Three Fiber do not stand a strict look; ours are used by the file.
+        // The declarations of React Three Fiber fail a strict check; ours are checked because the file uses them.
         skipLibCheck: true,
       };
       writeFileSync(
@@ -275,7 +275,7 @@ test.describe('a hatched cube', () => {
 test.describe('a page copied from the playground', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  /** The packages of the CDN as they lie here. */
+  /** The packages of the CDN, served from node_modules. */
   const packages = {
     [`three@${versionOf(threeFolder)}`]: threeFolder,
     [`three-hatching@${versionOf(root)}`]: libraryFolder,
@@ -327,7 +327,7 @@ test.describe('a page copied from the playground', () => {
       await page.setViewportSize({ width: shown.width, height: shown.height });
       for (const path of preset ? [''] : ['', 'module']) {
         await page.goto(`${site}${path}`);
-        // It draws when it has what it draws, and with the bake once more.
+        // It draws when the model is loaded, and again when it is baked.
         await expect
           .poll(async () => likeness(shown, PNG.sync.read(await page.screenshot()), WHOLE), { timeout: 30_000 })
           .toBeGreaterThan(LIKE);
@@ -347,13 +347,13 @@ function versionOf(folder: string): string {
 
 const packageJson = () => JSON.parse(readFileSync(join(libraryFolder, 'package.json'), 'utf8'));
 
-/** The source that a declaration is of. */
+/** The source file of a declaration. */
 const sourceOf = (declaration: string): string => {
   const path = join(root, declaration.replace(/^dist/, 'src').replace(/\.d\.ts$/, ''));
   return existsSync(`${path}.tsx`) ? `${path}.tsx` : `${path}.ts`;
 };
 
-/** A file of dist and all of its own kind that it imports, at once or later. */
+/** A file of dist and all other files of dist that it imports, at once or later. */
 function withImports(file: string, known: string[] = []): string[] {
   if (known.includes(file)) return [];
   known.push(file);
@@ -361,7 +361,7 @@ function withImports(file: string, known: string[] = []): string[] {
   return known;
 }
 
-/** What a consumer's bundler makes of an entry, three.js apart. */
+/** The output of a consumer's bundler for an entry, without three.js. */
 async function bundle(entry: string, external = /^three($|\/)/): Promise<Rolldown.OutputChunk[]> {
   const input = join(projectFolder, 'entry.js');
   writeFileSync(input, entry);
@@ -378,7 +378,7 @@ async function bundle(entry: string, external = /^three($|\/)/): Promise<Rolldow
   return (result as Rolldown.RolldownOutput).output.filter((file) => file.type === 'chunk');
 }
 
-/** The entries of a bundle and all that they import. */
+/** The entries of a bundle, and all chunks that they import. */
 function loadedAtOnce(chunks: readonly Rolldown.OutputChunk[]): Rolldown.OutputChunk[] {
   const byName = new Map(chunks.map((chunk) => [chunk.fileName, chunk]));
   const atOnce = new Set(chunks.filter(({ isEntry }) => isEntry));
@@ -388,7 +388,7 @@ function loadedAtOnce(chunks: readonly Rolldown.OutputChunk[]): Rolldown.OutputC
   return [...atOnce];
 }
 
-/** In bytes after gzip. */
+/** The size in bytes after gzip. */
 const sizeOf = (chunks: readonly Rolldown.OutputChunk[]): number =>
   chunks.reduce((sum, { code }) => sum + gzipSync(code).length, 0);
 
@@ -438,7 +438,7 @@ const pixels = (page: Page) => page.evaluate(() => window.rendering);
 
 let first: number[] | undefined;
 
-/** The cube is there, with strokes and paper on it, and is the same for every consumer. */
+/** Checks that the cube is drawn with strokes and paper, and that it is the same for every consumer. */
 function expectHatching(red: number[]): void {
   const part = (from: number, to: number) => red.filter((value) => value >= from && value < to).length / red.length;
   expect(part(0, 64), 'ink').toBeGreaterThan(0.02);

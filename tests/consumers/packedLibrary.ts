@@ -4,7 +4,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
-/** A project of its own; three and the tools are found in the repository's node_modules, above it. */
+/** A separate project. It finds three and the tools in the node_modules of the repository above it. */
 export const projectFolder = join(root, 'tests/output/consumers');
 export const libraryFolder = join(projectFolder, 'node_modules/three-hatching');
 export const threeFolder = join(root, 'node_modules/three');

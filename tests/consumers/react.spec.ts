@@ -5,7 +5,7 @@ import { createServer, type ViteDevServer } from 'vite';
 import { expect, test } from '../browser/test.js';
 import { installPackedLibrary, projectFolder } from './packedLibrary.js';
 
-/** What the page can be told to show. */
+/** The settings of the page. */
 type Shown = Record<string, unknown>;
 
 /** A React app in StrictMode on a development server with hot reload, with the packed library. */
@@ -14,7 +14,7 @@ const environment = process.env.NODE_ENV;
 
 test.beforeAll(async () => {
   installPackedLibrary();
-  // A build by Vite, as in the tests before, leaves "production" here, and then there is no hot reload.
+  // A build by Vite, as in earlier tests, leaves "production" here, which disables hot reload.
   process.env.NODE_ENV = 'development';
   server = await createServer({
     configFile: false,
@@ -97,7 +97,7 @@ test('what cannot be hatched is skipped; an error shows the scene as it is', asy
 });
 
 test('40 mounts and unmounts leave nothing behind: no textures, geometries, programs, workers', async ({ page }) => {
-  // Eight times programs are built anew.
+  // Programs are compiled eight times.
   test.slow();
   const toggle = async (times: number) => {
     const memory = await page.evaluate(async (count) => {
@@ -105,7 +105,7 @@ test('40 mounts and unmounts leave nothing behind: no textures, geometries, prog
       for (let i = 0; i < count; i++) {
         const { hatchings } = window.page;
         window.page.show({ hatched: true, loaded: true });
-        // Four of five go before they are hatched.
+        // Four of five are removed before they are hatched.
         for (let n = 0; n < 2 || (i % 5 === 0 && window.page.hatchings === hatchings); n++) await frame();
         if (i % 5 === 0) window.page.pixels();
         window.page.show({ hatched: false });

@@ -1,4 +1,4 @@
-/** What the tests of meshes that deform build from, beside the toolkit: models that move, and what the pre-pass made of them. */
+/** The helpers for tests of meshes that deform, besides the toolkit: models that move, and the output of the pre-pass. */
 import './toolkit.js';
 import * as THREE from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
@@ -52,14 +52,14 @@ function addMorphTargets(geometry: THREE.BufferGeometry, isRelative: boolean): T
   return geometry;
 }
 
-/** A mesh on two bones, the second to be turned; `geometry` is what `tubeGeometry` gave, perhaps prepared. */
+/** A mesh with two bones, of which the second can be turned. `geometry` comes from `tubeGeometry`, and may be prepared. */
 function onBones(
   geometry: THREE.BufferGeometry,
   material: HatchingMaterial,
 ): THREE.SkinnedMesh<THREE.BufferGeometry, HatchingMaterial> {
   const mesh = new THREE.SkinnedMesh(geometry, material);
   const bones = [new THREE.Bone(), new THREE.Bone()];
-  // Away from the origin, about which a turn of surface and light together would change no coordinate at all.
+  // The bone is away from the origin: if surface and light turned about the origin together, no coordinate would change.
   bones[1].position.set(0.25, 0.1, 0);
   bones[0].add(bones[1]);
   mesh.add(bones[0]);
@@ -100,7 +100,7 @@ async function hatchedModel(content: string, clip: number, parameters: HatchingM
 const wordsOf = (geometry: THREE.BufferGeometry) =>
   pulledVerticesOf(geometry)!.triangleVertices.image.data as unknown as Uint32Array;
 
-/** The texels of a float texture that was drawn into. Not by its render target, which textures of older versions do not name. */
+/** The texels of a float texture that was drawn into. In older versions a texture does not know its render target. */
 function texelsOf(renderer: THREE.WebGLRenderer, texture: THREE.Texture): Float32Array {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const { width, height } = texture.image as { width: number; height: number };
@@ -131,7 +131,7 @@ function deformedCorners(
   });
 }
 
-/** The same by three.js on the processor; the normal by its formula, for which it has no function. */
+/** The same from three.js on the CPU; the normal from its formula, for which three.js has no function. */
 function expectedCorner(mesh: THREE.Mesh, corner: number): DeformedVertex {
   const { geometry } = mesh;
   const position = mesh.getVertexPosition(corner, new THREE.Vector3());
@@ -175,7 +175,7 @@ function deviation(renderer: THREE.WebGLRenderer, mesh: THREE.Mesh<THREE.BufferG
   const distance = (a: number[], b: number[]) => Math.hypot(...a.map((x, i) => x - b[i]));
   for (const [corner, { position, normal }] of expected.entries()) {
     const rest = new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position, corner).toArray();
-    // Not Math.max, which would lose a NaN.
+    // Math.max would hide a NaN here.
     for (const [name, value] of [
       ['position', distance(position, corners[corner].position) / size],
       ['normal', distance(normal, corners[corner].normal) / Math.hypot(...normal)],
@@ -239,9 +239,9 @@ function onlyBones(mesh: THREE.SkinnedMesh, words: Uint32Array): Map<number, num
 }
 
 /**
- * For a skinned mesh that `move` brings into the pose of each frame, under a light that is fixed in the frame of one bone at a
- * time: the largest change, in tiles, of stroke coordinates from frame to frame, on triangles that move rigidly with that
- * bone, together with their neighbours. Also how many such triangles and bones there are.
+ * Measures the largest change of stroke coordinates from frame to frame, in tiles, of a skinned mesh that `move` brings into the pose of
+ * each frame. For each bone the light is fixed in the frame of the bone, and the triangles are those that move rigidly with it,
+ * together with their neighbours. Also returns the numbers of such triangles and bones.
  */
 function drift(
   scene: THREE.Scene,

@@ -48,7 +48,7 @@ function analyticMap(name: AnalyticMapName): TonalArtMap {
   return map;
 }
 
-/** What the material needs of a map for `anchored`: nothing but thresholds. */
+/** The part of a map that the material needs for `anchored`: only thresholds. */
 function analyticThresholdMap(): TonalArtMap {
   const { size, levels, field } = analyticThreshold;
   const drawn = Array.from({ length: levels }, (_, level) => {
@@ -58,7 +58,7 @@ function analyticThresholdMap(): TonalArtMap {
     );
     return { size: side, encoded, thresholds: new Float32Array() };
   });
-  // Standard normal as it is, as far as the material is told: the reference does not correct the variance either.
+  // These moments tell the material that the field is standard normal: the reference does not correct the variance either.
   const thresholdMoments = { variance: 1, coarserVariance: 1, covariance: 0 };
   return {
     size,
@@ -66,7 +66,7 @@ function analyticThresholdMap(): TonalArtMap {
     levels,
     thresholdTexture: new ThresholdTexture(pairThresholdLevels(drawn)),
     thresholdMoments,
-    // Read by no technique that reads thresholds.
+    // No technique that reads thresholds reads this.
     texture: new DataArrayTexture(),
   } as unknown as TonalArtMap;
 }
@@ -99,7 +99,7 @@ function makeLight(light: ReferenceLight, scene: Scene): Light {
   return made;
 }
 
-/** Of what only casts shadows. */
+/** A material for objects that only cast shadows. */
 const invisible = new MeshBasicMaterial({ side: DoubleSide, colorWrite: false, depthWrite: false });
 
 const renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
@@ -107,7 +107,7 @@ renderer.outputColorSpace = LinearSRGBColorSpace;
 renderer.shadowMap.enabled = true;
 document.body.append(renderer.domElement);
 
-/** Renders one picture and returns its pixels, RGBA, bottom row first, in base64: a list of numbers would take longer to pass than to draw. */
+/** Renders a picture and returns its pixels (RGBA, bottom row first) in base64, which is passed much faster than a list of numbers. */
 async function renderHatching(spec: HatchingSpec): Promise<string> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
@@ -170,7 +170,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
 
 declare global {
   interface Window {
-    /** Binary places of a pixel to which the card moves vertices. */
+    /** The subpixel precision of the GPU in bits: vertices are moved to this grid. */
     subpixelBits: number;
     renderHatching: typeof renderHatching;
   }

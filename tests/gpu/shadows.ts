@@ -1,4 +1,4 @@
-/** What the tests of shadows look at: a ball over a plane, the plane seen straight from above, the ball by its shadow alone. */
+/** The scene of the tests of shadows: a ball over a plane, seen from above. The ball is visible only by its shadow. */
 import './toolkit.js';
 import * as THREE from 'three';
 import {
@@ -13,13 +13,13 @@ export type LightKind = 'directional' | 'spot' | 'point' | 'point over a seam' |
 export type Filter = 'Basic' | 'PCF' | 'VSM';
 type ShadowLight = THREE.DirectionalLight | THREE.SpotLight | THREE.PointLight;
 
-/** Pixels a side, and units: the camera sees the square from −1 to 1. */
+/** The width and height of the picture in pixels. The camera sees the square from −1 to 1. */
 const SIZE = 192;
 const MAP_SIZE = 192;
 const CENTRE = new THREE.Vector3(0.35, 0.25, 0.8);
 const RADIUS = 0.35;
 
-/** Towards the light, or where it stands. The ball's shadow falls into the picture under all of them. */
+/** The directions to the lights, or their positions. Under all of them the shadow of the ball is in the picture. */
 const PLACES: Record<LightKind, [number, number, number]> = {
   directional: [0.9, 0.7, 2.2],
   sun: [0.9, 0.7, 2.2],
@@ -29,11 +29,11 @@ const PLACES: Record<LightKind, [number, number, number]> = {
   'point over a seam': [2.5, 0.2, 3],
 };
 
-/** Older versions of three.js know nothing of suns. */
+/** Older versions of three.js have no suns. */
 const hasSun = THREE.ShaderChunk.lights_pars_begin.includes('NUM_SUN_LIGHTS');
 const addons = import.meta.glob('../../node_modules/three/examples/jsm/lights/SunLight.js');
 
-/** A light that does not grow weaker with distance: `arriving` is N·L times its intensity over π. */
+/** A light without attenuation. `arriving` is N·L times its intensity divided by π. */
 async function lightOf(kind: LightKind, intensity = 2.6): Promise<ShadowLight> {
   let light: ShadowLight;
   if (kind === 'sun') {
@@ -57,7 +57,7 @@ async function lightOf(kind: LightKind, intensity = 2.6): Promise<ShadowLight> {
   return light;
 }
 
-/** Makes the light cast shadows, hard ones unless asked otherwise. */
+/** Makes the light cast shadows, which are hard by default. */
 function casting(light: ShadowLight, radius = 0): ShadowLight {
   light.castShadow = true;
   light.shadow.radius = radius;
@@ -70,7 +70,7 @@ function casting(light: ShadowLight, radius = 0): ShadowLight {
 function texelOf(kind: LightKind, light: ShadowLight): number {
   const camera = light.shadow.camera as THREE.OrthographicCamera;
   if (kind === 'sun') {
-    // Of the coarser cascade.
+    // This is the texel of the coarser cascade.
     const cascades = light.shadow as unknown as { getCamera(index: number): typeof camera };
     const widths = [0, 1].map((index) => cascades.getCamera(index)).map(({ left, right }) => right - left);
     return Math.max(...widths) / light.shadow.mapSize.x;
@@ -128,7 +128,7 @@ function ellipse(light: ShadowLight): THREE.Mesh {
 
 let strokes: Promise<TonalArtMap> | undefined;
 
-/** Drawn once for the page. */
+/** The map, which is generated once for the page. */
 function strokeMap(): Promise<TonalArtMap> {
   strokes ??= TonalArtMap.generate({ size: 128 });
   return strokes;
@@ -154,7 +154,7 @@ async function ground(
 
 const renderers = new Map<string, THREE.WebGLRenderer>();
 
-/** Kept: contexts are few. */
+/** The renderer is kept, because browsers allow only few contexts. */
 function rendererOf(filter: Filter = 'PCF', parameters: THREE.WebGLRendererParameters = {}): THREE.WebGLRenderer {
   const key = JSON.stringify([filter, parameters]);
   let renderer = renderers.get(key);

@@ -1,4 +1,4 @@
-/** What the embedding tests build their scenes from, as a global, since a test's own code runs inside `evaluate`. */
+/** The helpers with which tests build their scenes. They are a global, since the code of a test runs inside `evaluate`. */
 import * as THREE from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
@@ -17,7 +17,7 @@ import {
 
 const SIZE = 96;
 
-/** Tones that are flat greys: image k is all of darkness k / 4. Pixels then show tone alone. */
+/** Tones that are flat greys: every texel of image k has the darkness k / 4, so that pixels show only the tone. */
 function greyMap(): TonalArtMap {
   return TonalArtMap.fromHatchImages({
     size: 4,
@@ -86,9 +86,9 @@ function pixelsOf(
 }
 
 /**
- * The pieces of a square picture whose pixels touch side by side, as lists of pixels; but none that the picture cuts.
+ * The connected pieces of a square picture, as lists of pixels. Pieces at the border of the picture are left out.
  *
- * @param side of the picture, in pixels
+ * @param side the width and height of the picture, in pixels
  * @param isIn whether a pixel belongs to a piece
  */
 function wholePieces(side: number, isIn: (pixel: number) => boolean): number[][] {

@@ -32,7 +32,7 @@ async function hashOf(array: ArrayBufferView<ArrayBuffer>): Promise<string> {
   return `${array.byteLength} bytes ${Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('')}`;
 }
 
-/** Counts the workers that the page makes, and can make the page one that has no workers. */
+/** Counts the workers that the page creates, and can disable workers on the page. */
 const NativeWorker = globalThis.Worker;
 let workersMade = 0;
 class CountingWorker extends NativeWorker {
@@ -68,7 +68,7 @@ async function prepareAndDigest(options?: PrepareHatchingGeometryOptions, geomet
 
 const largeTorus = () => new TorusGeometry(1, 0.4, 300, 300);
 
-/** Lets the page believe that it runs on so many cores. */
+/** Sets the number of cores that the page sees. */
 const pretendCores = (count: number) =>
   Object.defineProperty(navigator, 'hardwareConcurrency', { value: count, configurable: true });
 

@@ -174,7 +174,7 @@ class ScreenPlane {
     this.pixels = this.tangents.map((t) => [moved(0, t), moved(1, t)]) as [[number, number], [number, number]];
     const [[a, b], [c, d]] = this.pixels;
     const faceOn = (p[5] * size) / 2 / depth;
-    // The slant is limited: a cosine below 0.12 counts as 0.12.
+    // The slant is limited: the area on the screen counts as at least 0.12 of the area face on.
     this.area = Math.max(Math.abs(a * d - b * c), 0.12 * faceOn ** 2);
   }
 
