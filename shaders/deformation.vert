@@ -29,12 +29,8 @@ void main() {
   #endif // VERTEX_PER_TEXEL
 
   #include <beginnormal_vertex>
-  #include <morphnormal_vertex>
-  #include <skinbase_vertex>
-  #include <skinnormal_vertex>
   #include <begin_vertex>
-  #include <morphtarget_vertex>
-  #include <skinning_vertex>
+  #include "deformVertex"
   vPosition = transformed;
   vNormal = objectNormal;
   vTurn = vec4(0.0);

@@ -34,9 +34,9 @@ vec3 anyTangent(const in vec3 n) {
     light.color = vec3(0.0);
   }
 
-  #define TURN_IN_SHADOW(kind, i, light) turnInShadow(isLightShadowed[kind + i], light)
+  #define TURN_IN_SHADOW(number, light) turnInShadow(isLightShadowed[number], light)
 #else
-  #define TURN_IN_SHADOW(kind, i, light)
+  #define TURN_IN_SHADOW(number, light)
 #endif // REORIENTS_IN_SHADOW
 
 #if LIGHTS_WITH_DIRECTION == 1
@@ -48,16 +48,8 @@ vec3 lightBitangent(
 ) {
   crossing = 0.0;
   IncidentLight light;
-  #if NUM_DIR_LIGHTS == 1
-    getDirectionalLightInfo(directionalLights[0], light);
-  #elif NUM_SUN_LIGHTS == 1
-    getSunLightInfo(sunLights[0], light);
-  #elif NUM_POINT_LIGHTS == 1
-    getPointLightInfo(pointLights[0], viewPosition, light);
-  #else
-    getSpotLightInfo(spotLights[0], viewPosition, light);
-  #endif // NUM_DIR_LIGHTS
-  TURN_IN_SHADOW(0, 0, light);
+  #define VISIT_LIGHT(source, number) TURN_IN_SHADOW(number, light);
+  #include "eachLight"
   vec3 l = viewToObject * light.direction;
   vec3 projected = l - n * dot(l, n);
   float squaredLength = dot(projected, projected);
@@ -79,10 +71,13 @@ struct LightOrientation {
 
 // What a light weighs where it does not reach: a cone or a terminator must not leave strokes without a direction.
 #define UNLIT_WEIGHT 1e-4
+// The cosine by which a light still counts beyond its terminator, so that strokes do not lose their direction right there.
+#define BEHIND_TERMINATOR 0.05
 
 void addLight(inout LightOrientation o, const in vec3 toLight, const in vec3 arriving, const in vec3 emitted) {
-  vec2 l = vec2(dot(toLight, o.e1), dot(toLight, o.e2));
-  float facing = max(dot(toLight, o.n) + 0.05, 0.0);
+  vec3 direction = normalize(toLight);
+  vec2 l = vec2(dot(direction, o.e1), dot(direction, o.e2));
+  float facing = max(dot(direction, o.n) + BEHIND_TERMINATOR, 0.0);
   float w = lightLuminance(arriving) * facing + UNLIT_WEIGHT * lightLuminance(emitted);
   o.tensor += w * vec2(l.x * l.x - l.y * l.y, 2.0 * l.x * l.y);
   o.sum += w * l;
@@ -104,41 +99,13 @@ vec3 lightBitangent(
   o.weight = 0.0;
 
   IncidentLight light;
-#if NUM_DIR_LIGHTS > 0
-  for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
-    getDirectionalLightInfo(directionalLights[i], light);
-    TURN_IN_SHADOW(DIRECTIONAL_LIGHT, i, light);
-    addLight(o, normalize(viewToObject * light.direction), light.color, directionalLights[i].color);
-  }
-#endif // NUM_DIR_LIGHTS
-#if NUM_SUN_LIGHTS > 0
-  for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
-    getSunLightInfo(sunLights[i], light);
-    TURN_IN_SHADOW(SUN_LIGHT, i, light);
-    addLight(o, normalize(viewToObject * light.direction), light.color, sunLights[i].color);
-  }
-#endif // NUM_SUN_LIGHTS
-#if NUM_POINT_LIGHTS > 0
-  for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-    getPointLightInfo(pointLights[i], viewPosition, light);
-    TURN_IN_SHADOW(LAMP_LIGHT, i, light);
-    addLight(o, normalize(viewToObject * light.direction), light.color, pointLights[i].color);
-  }
-#endif // NUM_POINT_LIGHTS
-#if NUM_SPOT_LIGHTS > 0
-  for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-    getSpotLightInfo(spotLights[i], viewPosition, light);
-    TURN_IN_SHADOW(SPOT_LIGHT, i, light);
-    addLight(o, normalize(viewToObject * light.direction), light.color, spotLights[i].color);
-  }
-#endif // NUM_SPOT_LIGHTS
-#if NUM_HEMI_LIGHTS > 0 && LIGHTS_WITH_DIRECTION == 0
-  // A sky alone still has an up; beside a real light it is only fill.
-  for (int i = 0; i < NUM_HEMI_LIGHTS; i++) {
-    vec3 sky = hemisphereLights[i].skyColor;
-    addLight(o, normalize(viewToObject * hemisphereLights[i].direction), sky, sky);
-  }
-#endif // NUM_HEMI_LIGHTS
+  #define VISIT_LIGHT(source, number) TURN_IN_SHADOW(number, light); addLight(o, viewToObject * light.direction, light.color, source.color);
+  #include "eachLight"
+  #if LIGHTS_WITH_DIRECTION == 0
+    // A sky alone still has an up; beside a real light it is only fill.
+    #define VISIT_LIGHT(source) addLight(o, viewToObject * source.direction, source.skyColor, source.skyColor);
+    #include "eachSky"
+  #endif // LIGHTS_WITH_DIRECTION
 
   float amplitude = length(o.tensor);
   // Lights in line with the normal say nothing, so they do not disagree either.

@@ -64,9 +64,8 @@ float indirectRadiance(const in vec3 n) {
   #ifdef USE_LIGHT_PROBES
     irradiance += getLightProbeIrradiance(lightProbe, n);
   #endif // USE_LIGHT_PROBES
-  #if NUM_HEMI_LIGHTS > 0
-    for (int i = 0; i < NUM_HEMI_LIGHTS; i++) irradiance += getHemisphereLightIrradiance(hemisphereLights[i], n);
-  #endif // NUM_HEMI_LIGHTS
+  #define VISIT_LIGHT(source) irradiance += getHemisphereLightIrradiance(source, n);
+  #include "eachSky"
   #ifdef ENVIRONMENT
     irradiance += environmentIrradiance(n);
   #endif // ENVIRONMENT
@@ -97,30 +96,17 @@ void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSur
   surface.radiance += openToSky() * reflectedLight * luminance(color) * RECIPROCAL_PI * seen;
 }
 
-// The same of all lights that have a direction. Light from all around knows no shadow and no cone.
-void addReflectedRadiance(const in vec3 position, inout HatchingSurface surface) {
+// The same of a light at a place: its cone and its shadow do not count.
+void addReflection(
+  const in vec3 toLight, const in vec3 color, const in float range, const in float decay, inout HatchingSurface surface
+) {
+  addReflection(normalize(toLight), getDistanceAttenuation(length(toLight), range, decay) * color, surface);
+}
+
+void addReflectedRadiance(const in vec3 viewPosition, inout HatchingSurface surface) {
   if (reflectedLight == 0.0) return;
-  #if NUM_DIR_LIGHTS > 0
-    for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
-      addReflection(directionalLights[i].direction, directionalLights[i].color, surface);
-    }
-  #endif // NUM_DIR_LIGHTS
-  #if NUM_SUN_LIGHTS > 0
-    for (int i = 0; i < NUM_SUN_LIGHTS; i++) addReflection(sunLights[i].direction, sunLights[i].color, surface);
-  #endif // NUM_SUN_LIGHTS
-  #if NUM_POINT_LIGHTS > 0
-    for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-      IncidentLight light;
-      getPointLightInfo(pointLights[i], position, light);
-      addReflection(light.direction, light.color, surface);
-    }
-  #endif // NUM_POINT_LIGHTS
-  #if NUM_SPOT_LIGHTS > 0
-    for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-      vec3 toLight = spotLights[i].position - position;
-      float away = length(toLight);
-      float strength = getDistanceAttenuation(away, spotLights[i].distance, spotLights[i].decay);
-      addReflection(toLight / away, strength * spotLights[i].color, surface);
-    }
-  #endif // NUM_SPOT_LIGHTS
+  #define VISIT_LIGHT(source, number) addReflection(source.direction, source.color, surface);
+  #include "eachDistantLight"
+  #define VISIT_LIGHT(source, number) addReflection(source.position - viewPosition, source.color, source.distance, source.decay, surface);
+  #include "eachPositionalLight"
 }

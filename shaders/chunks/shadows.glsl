@@ -9,10 +9,7 @@
     return 1.0;
   }
 
-  // three calls these as it walks the lights. A macro does not expand within itself.
-  #define getShadow(map, size, intensity, bias, radius, at) tellShadow(getShadow(map, size, intensity, bias, radius, at))
-  #define getPointShadow(map, size, intensity, bias, radius, at, near, far) tellShadow(getPointShadow(map, size, intensity, bias, radius, at, near, far))
-  #define getSunShadow(map, light, index) tellShadow(getSunShadow(map, light, index))
+  #include "lightShadows"
 
   #if SHADOW_STROKES == SHADOW_STROKES_REORIENT
     #define REORIENTS_IN_SHADOW
@@ -22,10 +19,6 @@
     int lightsMet = 0;
     float lightSent = 0.0; // of all lights together, but for shadows
     float lightTaken = 0.0; // what shadows take of it, less what they leave
-    #define LAMP_LIGHT 0
-    #define SPOT_LIGHT NUM_POINT_LIGHTS
-    #define SUN_LIGHT (SPOT_LIGHT + NUM_SPOT_LIGHTS)
-    #define DIRECTIONAL_LIGHT (SUN_LIGHT + NUM_SUN_LIGHTS)
 
     // Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding.
     #define LEAST_RESPONSE 0.05

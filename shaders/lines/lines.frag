@@ -7,6 +7,7 @@ uniform float opacity;
 
 #include <common>
 #include <dithering_pars_fragment>
+#include "lineCoverage"
 #include "lines/surroundings"
 #ifdef WOBBLE
   #include "lines/wobble"
@@ -38,8 +39,7 @@ void main() {
   float halfWidth = mix(vHalfWidths.x, vHalfWidths.y, t);
   // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
   float fringe = place == t ? 0.5 : 0.0;
-  // Lines below a pixel fade instead of breaking.
-  float coverage = clamp(max(halfWidth, 0.5) + fringe - away, 0.0, 1.0) * min(2.0 * halfWidth, 1.0);
+  float coverage = lineCoverage(away, halfWidth, fringe);
   #ifdef TOOTH
     coverage *= dryInk(min(away / max(halfWidth, 0.5), 1.0));
   #endif // TOOTH

@@ -3,40 +3,14 @@
 
 uniform vec2 shadeWeights; // lit, shaded
 
-// The direction the light comes from at a point in view space, all lights by their luminance; not of unit length.
-vec3 meanLight(const in vec3 position) {
+// The direction that the light comes from at a point in view space: the mean of all lights by their luminance, not of unit length.
+vec3 meanLight(const in vec3 viewPosition) {
   vec3 sum = vec3(0.0);
   IncidentLight light;
-  #if NUM_DIR_LIGHTS > 0
-    for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
-      getDirectionalLightInfo(directionalLights[i], light);
-      sum += lightLuminance(light.color) * light.direction;
-    }
-  #endif // NUM_DIR_LIGHTS
-  #if NUM_SUN_LIGHTS > 0
-    for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
-      getSunLightInfo(sunLights[i], light);
-      sum += lightLuminance(light.color) * light.direction;
-    }
-  #endif // NUM_SUN_LIGHTS
-  #if NUM_POINT_LIGHTS > 0
-    for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-      getPointLightInfo(pointLights[i], position, light);
-      sum += lightLuminance(light.color) * light.direction;
-    }
-  #endif // NUM_POINT_LIGHTS
-  #if NUM_SPOT_LIGHTS > 0
-    for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-      getSpotLightInfo(spotLights[i], position, light);
-      sum += lightLuminance(light.color) * light.direction;
-    }
-  #endif // NUM_SPOT_LIGHTS
-  #if NUM_HEMI_LIGHTS > 0
-    for (int i = 0; i < NUM_HEMI_LIGHTS; i++) {
-      float sky = lightLuminance(hemisphereLights[i].skyColor) - lightLuminance(hemisphereLights[i].groundColor);
-      sum += 0.5 * sky * hemisphereLights[i].direction;
-    }
-  #endif // NUM_HEMI_LIGHTS
+  #define VISIT_LIGHT(source, number) sum += lightLuminance(light.color) * light.direction;
+  #include "eachLight"
+  #define VISIT_LIGHT(source) sum += 0.5 * (lightLuminance(source.skyColor) - lightLuminance(source.groundColor)) * source.direction;
+  #include "eachSky"
   return sum;
 }
 

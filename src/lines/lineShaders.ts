@@ -1,4 +1,5 @@
 import type { Shaders } from '../material/hatchingShaders.js';
+import { lightChunks } from '../material/lightKinds.js';
 import { resolveIncludes } from '../material/resolveIncludes.js';
 import { conventionsChunk } from '../material/shaderConventions.js';
 import { lineConventionsChunk } from './lineConventions.js';
@@ -7,7 +8,7 @@ import { lineConventionsChunk } from './lineConventions.js';
 const files: Readonly<Record<string, string>> = import.meta.glob(
   [
     '../../shaders/lines/*',
-    '../../shaders/chunks/{lightLuminance,normalDistribution,tooth}.glsl',
+    '../../shaders/chunks/{lightLuminance,lineCoverage,normalDistribution,tooth}.glsl',
     '../../shaders/perTriangle/turns.glsl',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -21,6 +22,7 @@ export function lineShaders(): Shaders {
   const chunks: Record<string, string> = {
     conventions: conventionsChunk(),
     'lines/conventions': lineConventionsChunk(),
+    ...lightChunks(),
   };
   for (const [path, text] of Object.entries(files)) {
     chunks[path.replace('../../shaders/', '').replace('chunks/', '').replace('.glsl', '')] = text;

@@ -1,5 +1,6 @@
 import { environmentLayout } from './environmentLayout.js';
 import type { HatchingTechnique } from './hatchingProperties.js';
+import { lightChunks } from './lightKinds.js';
 import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
 import { shadowMapsChunk } from './shadowMaps.js';
@@ -48,6 +49,7 @@ function chunksFor(technique?: HatchingTechnique): Record<string, string> {
     mapTransforms: mapTransformsChunk(),
     packing: packingChunk(),
     shadowMaps: shadowMapsChunk(),
+    ...lightChunks(),
   };
   for (const [path, text] of Object.entries(files)) {
     const name = path

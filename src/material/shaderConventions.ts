@@ -5,6 +5,7 @@ import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../tam/toothMap.js';
 import { constantCase } from './constantCase.js';
 import type { HatchingProperty, HatchingTexture } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES } from './hatchingProperties.js';
+import { lightCountDefine } from './lightKinds.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
 /** The most spans a tone curve of one's own can have: one less than it has points. */
@@ -29,8 +30,7 @@ export const conventionsChunk = (): string =>
     `#define STIPPLE_MAP_SIZE ${STIPPLE_MAP_SIZE}`,
     `#define TOOTH_MAP_SIZE ${TOOTH_MAP_SIZE}.0`,
     `#define TOOTH_MAP_BUMP ${TOOTH_MAP_BUMP}.0`,
-    // Versions of three.js before sun lights do not replace the name by their number.
-    ...(ShaderChunk.lights_pars_begin.includes('NUM_SUN_LIGHTS') ? [] : ['#define NUM_SUN_LIGHTS 0']),
+    lightCountDefine(),
   ].join('\n');
 
 /** The define of a map that says by which varying it goes; not there where there is no map. */

@@ -1,5 +1,6 @@
 // The four nearest points of a 3-D simplex lattice of edge 1, and a kernel around each. All four at once, as vectors: an
 // array that a loop walks through would live in memory on some devices.
+#include "largestComponents"
 
 struct LatticeAnchors {
   mat4x3 offsets; // from each anchor to the point
@@ -29,11 +30,8 @@ uvec4 hashAnchors(const in ivec3 cell, const in vec3 second, const in vec3 third
 LatticeAnchors nearestAnchors(const in vec3 x, const in float lattice) {
   vec3 cell = floor(x + dot(x, vec3(1.0 / 3.0)));
   vec3 first = x - cell + dot(cell, vec3(1.0 / 6.0));
-  // Ties go the same way in all components, or the lattice would tear along its diagonals.
-  vec3 greater = step(first.yzx, first.xyz);
-  vec3 less = 1.0 - greater;
-  vec3 second = min(greater, less.zxy);
-  vec3 third = max(greater, less.zxy);
+  vec3 second, third;
+  largestComponents(first, second, third);
   mat4x3 offsets = mat4x3(first, first - second + 1.0 / 6.0, first - third + 1.0 / 3.0, first - 0.5);
   vec4 squares = vec4(
     dot(offsets[0], offsets[0]), dot(offsets[1], offsets[1]), dot(offsets[2], offsets[2]), dot(offsets[3], offsets[3])

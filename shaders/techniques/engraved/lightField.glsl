@@ -35,9 +35,9 @@ vec3 fieldAxisOf(const in mat3 tensor, const in vec3 sum) {
 
 // Lights that do not arrive where it is known do not count.
 #ifdef REORIENTS_IN_SHADOW
-  #define ARRIVING(kind, i, color) (isLightShadowed[kind + i] ? vec3(0.0) : color)
+  #define ARRIVING(number, color) (isLightShadowed[number] ? vec3(0.0) : color)
 #else
-  #define ARRIVING(kind, i, color) color
+  #define ARRIVING(number, color) color
 #endif // REORIENTS_IN_SHADOW
 
 // Unit direction and one over the distance, field space. viewToField: linear part. place: any, view space.
@@ -48,38 +48,15 @@ vec4 fieldLight(const in mat3 viewToField, const in vec3 place, const in vec3 fr
   #else
     mat3 tensor = mat3(0.0);
     vec3 sum = vec3(0.0);
-    #if NUM_DIR_LIGHTS > 0
-      for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * directionalLights[i].direction, ARRIVING(DIRECTIONAL_LIGHT, i, directionalLights[i].color));
-      }
-    #endif // NUM_DIR_LIGHTS
-    #if NUM_SUN_LIGHTS > 0
-      for (int i = 0; i < NUM_SUN_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * sunLights[i].direction, ARRIVING(SUN_LIGHT, i, sunLights[i].color));
-      }
-    #endif // NUM_SUN_LIGHTS
-    #if NUM_POINT_LIGHTS > 0
-      for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * (pointLights[i].position - place) + fromOrigin, ARRIVING(LAMP_LIGHT, i, pointLights[i].color));
-      }
-    #endif // NUM_POINT_LIGHTS
-    #if NUM_SPOT_LIGHTS > 0
-      for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-        addFieldLight(tensor, sum, viewToField * (spotLights[i].position - place) + fromOrigin, ARRIVING(SPOT_LIGHT, i, spotLights[i].color));
-      }
-    #endif // NUM_SPOT_LIGHTS
+    #define VISIT_LIGHT(source, number) addFieldLight(tensor, sum, viewToField * source.direction, ARRIVING(number, source.color));
+    #include "eachDistantLight"
+    #define TO_LAMP(source) (viewToField * (source.position - place) + fromOrigin)
+    #define VISIT_LIGHT(source, number) addFieldLight(tensor, sum, TO_LAMP(source), ARRIVING(number, source.color));
+    #include "eachPositionalLight"
     vec3 axis = fieldAxisOf(tensor, sum);
     float bend = 0.0;
-    #if NUM_POINT_LIGHTS > 0
-      for (int i = 0; i < NUM_POINT_LIGHTS; i++) {
-        bend += fieldBend(axis, viewToField * (pointLights[i].position - place) + fromOrigin, ARRIVING(LAMP_LIGHT, i, pointLights[i].color));
-      }
-    #endif // NUM_POINT_LIGHTS
-    #if NUM_SPOT_LIGHTS > 0
-      for (int i = 0; i < NUM_SPOT_LIGHTS; i++) {
-        bend += fieldBend(axis, viewToField * (spotLights[i].position - place) + fromOrigin, ARRIVING(SPOT_LIGHT, i, spotLights[i].color));
-      }
-    #endif // NUM_SPOT_LIGHTS
+    #define VISIT_LIGHT(source, number) bend += fieldBend(axis, TO_LAMP(source), ARRIVING(number, source.color));
+    #include "eachPositionalLight"
     // One lamp at this place bends the field as much. Directional lights bend nothing, but their slope counts.
     return vec4(axis, bend / max(length(tensor * axis), 1e-20));
   #endif // LIGHTS_WITH_DIRECTION

@@ -1,16 +1,15 @@
 // One family of lines: level sets of a function at equal distances, whose width is the tone. As one comes nearer a new line is
 // born between every two (the octaves of a ruler), and the share of ink stays the tone throughout.
+#include "lineCoverage"
+
 uniform float lineSpacing; // pixels between lines, or 256ths of a tile
 uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that none shimmer
 
 // Where a function rises less than so much along the surface, new lines are born on the object too.
 #define SPARSEST_SLOPE 0.4
 
-// The ink of one line. away: of the fragment from its centre, halfWidth: of the line, both in pixels.
-float lineInk(const in float away, const in float halfWidth) {
-  // Below a pixel the line keeps its ink and loses its darkness.
-  return clamp(max(halfWidth, 0.5) + 0.5 - away, 0.0, 1.0) * min(2.0 * halfWidth, 1.0);
-}
+// How far the edge of a line fades, in pixels.
+#define FRINGE 0.5
 
 // The logarithm to base 2 at powers of two, and linear between them: all that continuous octaves need. x: above 0.
 float octaves(const in float x) {
@@ -53,9 +52,9 @@ float ruledLines(
   float youngRoom = 0.5 * (pixels - spacing);
   // All that a pixel may lie on: their shares of it add up.
   float covered = min(1.0,
-    lineInk((x - below) * pixels, oldRoom * WIDTH_OF(below * period))
-    + lineInk(abs(x - below - 0.5) * pixels, youngRoom * WIDTH_OF((below + 0.5) * period))
-    + lineInk((below + 1.0 - x) * pixels, oldRoom * WIDTH_OF((below + 1.0) * period))
+    lineCoverage((x - below) * pixels, oldRoom * WIDTH_OF(below * period), FRINGE)
+    + lineCoverage(abs(x - below - 0.5) * pixels, youngRoom * WIDTH_OF((below + 0.5) * period), FRINGE)
+    + lineCoverage((below + 1.0 - x) * pixels, oldRoom * WIDTH_OF((below + 1.0) * period), FRINGE)
   );
   #ifdef CARVED
     return 1.0 - covered;
