@@ -71,7 +71,7 @@ void main() {
   material.radiance += luminance(totalEmissiveRadiance);
   PerToneNormal tone = shadedTone(material);
   HatchingParameters parameters = readHatchingParameters();
-  // Where frames are made per fragment, they were made of the lights that arrive.
+  // For frames that are made per vertex: those made per fragment know already which lights arrive.
   #ifdef TURNS_IN_SHADOW
     parameters = turnedInShadow(parameters);
   #endif // TURNS_IN_SHADOW

@@ -1,18 +1,18 @@
 // Pencil, charcoal, chalk: what a stroke leaves grows with its pressure, which is the tone, and catches on the tooth of the paper.
-// The paper lies on the screen, so its field does too: it is blended with that of the strokes as fields are, and strokes move
-// below it.
+// The paper lies on the screen, and its field with it: strokes move below the grain. The field of the paper and that of the strokes are
+// blended as any two fields are.
 #include "tooth"
 
 uniform float tooth;
 uniform float softness;
 uniform float smudge;
 
-// Grain as hard as its pixels would flicker.
+// Grain whose edges are as hard as a pixel would flicker.
 #define LEAST_SOFTNESS 0.1
 
-// As the ink of a pen: the mean is the tone.
+// What a dry medium leaves ∈ [0, 1], of a field under a tone. As with ink, its mean is the tone.
 float inkAt(const in HatchField field, const in float tone, const in float crowding) {
-  // What is rubbed in and what is drawn, printed over one another, are the tone.
+  // A smudged tone and a drawn one, printed over one another, give the tone.
   float blank = max(1.0 - tone, 1e-6);
   float rubbed = 1.0 - pow(blank, smudge);
   float drawn = 1.0 - pow(blank, 1.0 - smudge);

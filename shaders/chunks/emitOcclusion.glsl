@@ -1,4 +1,4 @@
-// Instances are at many places, and have none. They need their attributes for themselves, too.
+// Instances stand in many places, so none is baked for them. Not reading the attribute leaves room for those of instancing.
 #if defined(USE_INSTANCING) || defined(USE_BATCHING)
   vOcclusion = 0.0;
 #else

@@ -1,4 +1,5 @@
-// The light of the scene's environment, an image all around, where there is one. A define: some devices compute either side of a branch.
+// The light of the scene's environment, an image all around, where there is one. It is a define,
+// because some devices compute both sides of a branch.
 #ifdef ENVIRONMENT
 uniform float environmentIntensity;
 uniform mat3 environmentRotation; // from world space into the image
@@ -6,7 +7,7 @@ uniform mat3 environmentRotation; // from world space into the image
 
 // n: view space.
 vec3 environmentIrradiance(const in vec3 n) {
-  // From the left is the transpose, the inverse of a rotation.
+  // A vector times a matrix is multiplied by the transpose, which is the inverse of a rotation.
   vec3 inWorld = n * mat3(viewMatrix);
   return PI * environmentIntensity * blurredEnvironment(environmentRotation * inWorld);
 }

@@ -1,7 +1,7 @@
 #include "crossedTones"
 #include "technique/hatchLayer"
 
-// What shifts the pattern of a layer against that of the one before, in tiles or, for `anchored`, in anchors.
+// The shift of each layer against the one before, in tiles or, for `anchored`, in anchors: any numbers that bring no strokes together.
 #define LAYER_SHIFT vec3(17.37, 5.71, 11.13)
 #include "technique/layers"
 
@@ -21,7 +21,7 @@
   uniform float crossFrom; // tone above which a second layer crosses the first
   uniform vec4 layerTurns; // cosine and sine of the angle from the first layer to the second, and to the third
 
-  // Of what the first layer leaves to the others, what the second has when the third begins: half way from crossFrom to 1.
+  // The tone left by the first layer from which on the third crosses the second. The tone is then half way from crossFrom to 1.
   #define THIRD_FROM 0.375
 
   float hatch(const in HatchingParameters h, const in PerToneNormal tone) {

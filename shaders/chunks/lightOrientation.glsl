@@ -103,7 +103,7 @@ vec3 lightBitangent(
   #include "eachLight"
   #if LIGHTS_WITH_DIRECTION == 0
     // A sky alone still has an up; beside a real light it is only fill.
-    #define VISIT_LIGHT(source) addLight(o, viewToObject * source.direction, source.skyColor, source.skyColor);
+    #define VISIT_LIGHT(source, number) addLight(o, viewToObject * source.direction, source.skyColor, source.skyColor);
     #include "eachSky"
   #endif // LIGHTS_WITH_DIRECTION
 

@@ -1,9 +1,9 @@
-// What occlusion takes of the light. Light from all around loses the share of the sky that is hidden. Light with a direction may
-// well arrive, yet cavities must read under any: it loses as much where much is hidden, and nearly nothing where little is, so
-// that the lights of open forms stay clear.
+// What ambient occlusion takes of the light. Light from all around loses the share of the sky that is hidden. Light with a direction
+// may well reach a cavity, but cavities must be seen under any light: it loses as much where much of the sky is hidden, and nearly
+// nothing where little is, so that the lights of open forms stay clear.
 uniform float occlusion; // how much of it counts
 
-// From so much on, all of it counts.
+// The occlusion from which on light with a direction loses as much as light from all around.
 #define CAVITY 0.4
 
 float openToSky() {

@@ -3,13 +3,13 @@
 #include "environment"
 
 uniform float shininess;
-uniform float reflectedLight; // share of each light that the surroundings throw back
+uniform float reflectedLight; // share of each light that the surroundings reflect
 
 struct HatchingSurface {
   vec3 smoothNormal; // unit, view space
   ToneNormals normals; // the same
   PerToneNormal radiance;
-  PerToneNormal shadowed; // what shadows have taken of it, where strokes know of them
+  PerToneNormal shadowed; // what shadows have taken of it, where TELLS_SHADOWS
 };
 
 float cosines(const in vec3 direction, const in vec3 normal) {
@@ -50,7 +50,7 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
   #endif // TELLS_SHADOWS
   surface.radiance += arriving;
 }
-// three also hands over what only its own materials need: a sum called reflectedLight among it, which there is none of here.
+// three also passes what only its own materials need. One argument is named reflectedLight, and does not exist here.
 #define RE_Direct(light, at, normal, toViewer, clearcoat, surface, sum) addDirectRadiance(light, toViewer, surface)
 
 void occludeLights(inout HatchingSurface surface) {
@@ -64,7 +64,7 @@ float indirectRadiance(const in vec3 n) {
   #ifdef USE_LIGHT_PROBES
     irradiance += getLightProbeIrradiance(lightProbe, n);
   #endif // USE_LIGHT_PROBES
-  #define VISIT_LIGHT(source) irradiance += getHemisphereLightIrradiance(source, n);
+  #define VISIT_LIGHT(source, number) irradiance += getHemisphereLightIrradiance(source, n);
   #include "eachSky"
   #ifdef ENVIRONMENT
     irradiance += environmentIrradiance(n);
@@ -89,7 +89,7 @@ void addIndirectRadiance(inout HatchingSurface surface) {
   surface.radiance += openToSky() * radiance;
 }
 
-// What the surroundings throw back of one light: they are a sky of that light from the opposite side, so shade is
+// What the surroundings reflect of one light: they act as a sky of that light on the opposite side, so shade is
 // darkest at the terminator and opens up behind it (an engraver's reflected light).
 void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSurface surface) {
   PerToneNormal seen = 0.5 - 0.5 * cosines(toLight, surface.normals);

@@ -5,8 +5,8 @@
 
 float hatchInShadow(const in HatchingParameters h, const in PerToneNormal tone, const in HatchingSurface surface) {
   #if defined(TELLS_SHADOWS) && SHADOW_STROKES == SHADOW_STROKES_CROSS
-    // The strokes of the light run on through the shadow. It lies over them as a layer of its own, which takes what is missing
-    // to the tone: 1 − (1 − T)/(1 − T_unshadowed).
+    // The strokes of the light run on through the shadow. It lies over them as a layer of its own, which adds what the tone
+    // lacks: 1 − (1 − T)/(1 − T_unshadowed).
     PerToneNormal unshadowed = unshadowedTone(surface);
     return 1.0 - (1.0 - hatch(h, unshadowed)) * (1.0 - shadowLayer(h, leftOf(tone, unshadowed)));
   #else

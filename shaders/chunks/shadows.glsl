@@ -1,4 +1,4 @@
-// Shadows as something that strokes know of. three hands over light that shadows have dimmed; here the two are told apart.
+// Tells the light of a lamp from its shadow, because strokes need to know both. three's chunks multiply the two.
 #if defined(USE_SHADOWMAP) && (SHADOW_STROKES != SHADOW_STROKES_TONE || TONE_MODEL == TONE_MODEL_SHADOW)
   #define TELLS_SHADOWS
 
@@ -14,11 +14,11 @@
   #if SHADOW_STROKES == SHADOW_STROKES_REORIENT
     #define REORIENTS_IN_SHADOW
 
-    // In three's order.
+    // Noted as three's chunk walks over the lights, by their number.
     bool isLightShadowed[LIGHTS_WITH_DIRECTION];
     int lightsMet = 0;
-    float lightSent = 0.0; // of all lights together, but for shadows
-    float lightTaken = 0.0; // what shadows take of it, less what they leave
+    float lightSent = 0.0; // luminance of all lights together, without their shadows
+    float lightTaken = 0.0; // what shadows take of it, less what they let pass
 
     // Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding.
     #define LEAST_RESPONSE 0.05

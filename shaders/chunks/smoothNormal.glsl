@@ -1,4 +1,5 @@
-// three interpolates a normal unless shading is flat. Only smooth tone looks at it; for the others it would be a row of varyings.
+// three interpolates a normal unless shading is flat. Only tone by the smooth normal reads it; otherwise it
+// would take up a varying for nothing.
 #if TONE_NORMAL == TONE_NORMAL_FACE && !defined(FLAT_SHADED)
   #define FLAT_SHADED
   #undef USE_TANGENT

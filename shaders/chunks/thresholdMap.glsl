@@ -1,8 +1,8 @@
-// The threshold map: where a texel of the hatch becomes ink. Stored as g = Φ⁻¹(h) of the tone h from which the texel is
+// The threshold map says from which tone on each texel of the hatch is ink. Stored as g = Φ⁻¹(h) of the tone h from which the texel is
 // ink, h uniform on [0, 1], so that fields may be blended without losing contrast or tone: for independent g_i,
 // Σ w_i g_i / √(Σ w_i²) is standard normal again (Heitz and Neyret, "High-Performance By-Example Noise", 2018).
 //
-// Its levels are those of the map: drawn, with strokes as wide in texels on each. They lie side by side in one texture
+// Its levels are those of the tonal art map, each drawn with strokes as wide in texels. They lie side by side in one texture
 // (src/tam/packThresholds.ts), and beside each, in green, the next coarser one: one plain fetch reads two levels.
 
 uniform highp sampler2D thresholdMap;
@@ -27,12 +27,12 @@ struct ThresholdLevel {
   float mixing;
 };
 
-// The level for strokes that would be too fine by so many octaves at the map's own size.
+// The level that makes up for strokes that are too fine by so many octaves on level 0.
 float levelFor(const in float octaves) {
   return clamp(octaves, 0.0, thresholdMapLevels - 1.0);
 }
 
-// Between two levels both are interpolated: strokes that only the finer one has come later, the others swell, and spacing
+// Between two levels their fields are interpolated: strokes that only the finer one has come later, the others swell, and spacing
 // changes evenly.
 ThresholdLevel chooseLevel(const in float level) {
   float finer = floor(level);
@@ -42,7 +42,8 @@ ThresholdLevel chooseLevel(const in float level) {
   float size = thresholdMapSize * exp2(-finer);
   // Every level has a margin of one texel.
   vec2 corner = vec2(2.0 * (thresholdMapSize - size + finer) + 1.0, 1.0);
-  return ThresholdLevel(corner * thresholdMapTexel, size * thresholdMapTexel, share, inversesqrt(variance), 4.0 * rest * share * min(2.0 * share, 1.0));
+  float mixing = 4.0 * rest * share * min(2.0 * share, 1.0);
+  return ThresholdLevel(corner * thresholdMapTexel, size * thresholdMapTexel, share, inversesqrt(variance), mixing);
 }
 
 float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {

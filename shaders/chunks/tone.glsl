@@ -2,7 +2,7 @@
 #include "toneCurve"
 
 uniform float toneSteps;
-// Slope and height at tone 0 of the ramp from 0, where paper stays blank, to 1.
+// The ramp that tone is multiplied by, so that highlights stay blank paper: its slope, and its height at tone 0.
 uniform vec2 highlightRamp;
 
 PerToneNormal highlightKept(const in PerToneNormal tone) {
@@ -19,7 +19,7 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
   return highlightKept(clamp(curvedTone(tone), 0.0, 1.0));
 }
 
-// What the surface's light, shadows included, prints.
+// The tone that the light of the surface prints, shadows included.
 PerToneNormal shadedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
@@ -31,7 +31,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
   #endif // TONE_MODEL
 }
 
-// What it would print if nothing cast shadows.
+// The tone that it would print if nothing cast shadows.
 PerToneNormal unshadowedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     return PerToneNormal(0.0);

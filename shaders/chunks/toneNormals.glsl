@@ -1,8 +1,8 @@
 // N_t, which tone is computed from: the normals of the faces as the technique knows them, perhaps several at once, or one
-// smooth normal. Whatever follows is written for either.
+// smooth normal. The chunks that follow work with either.
 #include "technique/faceNormals"
 
-// Of the triangle: 1 where its front is seen, −1 where its back is.
+// 1 where the front of the triangle is seen, −1 where its back is.
 float seenSide(const in float faceDirection) {
   #ifdef DOUBLE_SIDED
     return faceDirection;

@@ -1,13 +1,13 @@
-// The tooth of paper: it lies on the screen, and in the tiles of a larger picture by the whole of it.
+// The tooth of paper. It lies on the screen; in the tiles of a larger picture it lies on the whole picture.
 uniform sampler2D toothMap; // a standard normal field, low where the paper stands up (src/tam/toothMap.ts)
 uniform vec2 toothOffset; // of this picture within a larger one, pixels
 uniform float toothSize; // pixels to a bump
 
-// What variance neighbouring texels of the map do not share.
+// The share of their variance that neighbouring texels of the map do not have in common.
 #define TOOTH_UNSHARED (3.0 / 19.0)
 
-// Where bumps are so many pixels large, as in a print, smaller ones lie on them, as strong as this in the end: else one would see how
-// the map is interpolated.
+// Bumps larger than DETAIL_FROM pixels, as in a print, carry smaller ones, or the interpolation of the map would show: DETAIL_FINER
+// times as fine, and from DETAIL_TO pixels on as strong as DETAIL.
 #define DETAIL_FROM 3.0
 #define DETAIL_TO 9.0
 #define DETAIL 0.6
@@ -27,6 +27,6 @@ float toothField() {
   float detail = DETAIL * smoothstep(DETAIL_FROM, DETAIL_TO, toothSize);
   float coarse = toothOf(toothSize);
   if (detail == 0.0) return coarse;
-  // At another size the map is as good as another one: variances add.
+  // At another size the map is as good as an independent one: variances add.
   return (coarse + detail * toothOf(toothSize / DETAIL_FINER)) * inversesqrt(1.0 + detail * detail);
 }

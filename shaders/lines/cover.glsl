@@ -31,6 +31,19 @@ vec2 pixelOf(const in vec4 clip) {
   return viewport.xy + (0.5 * clip.xy / clip.w + 0.5) * viewport.zw;
 }
 
+// Just behind the near plane, as a factor on its distance.
+#define BEHIND_NEAR 1.0001
+
+// Moves an end that lies before the near plane onto it, along the piece.
+void cutAt(const in float z, inout vec3 place, inout PieceEnd cut, const in vec3 otherPlace, const in PieceEnd other) {
+  float t = (z - place.z) / (otherPlace.z - place.z);
+  place = mix(place, otherPlace, t);
+  cut.weight = mix(cut.weight, other.weight, t);
+  cut.anchor = mix(cut.anchor, other.anchor, t);
+  cut.overshoot = 0.0;
+}
+
+// Writes the position and the varyings of one corner of the triangle.
 void coverPiece(const in Piece piece, const in int corner) {
   float scale = objectScale;
   #ifdef USE_INSTANCING
@@ -41,23 +54,12 @@ void coverPiece(const in Piece piece, const in int corner) {
   vec3 start = (objectToView() * vec4(from.position, 1.0)).xyz;
   vec3 end = (objectToView() * vec4(to.position, 1.0)).xyz;
 
-  // Cut off what lies before the near plane; it has no place on the screen.
+  // What lies before the near plane has no place on the screen.
   if (!isOrthographic) {
-    float z = -1.0001 * nearDistance;
+    float z = -BEHIND_NEAR * nearDistance;
     if (min(start.z, end.z) > z) return;
-    if (start.z > z) {
-      float t = (z - start.z) / (end.z - start.z);
-      start = mix(start, end, t);
-      from.weight = mix(from.weight, to.weight, t);
-      from.anchor = mix(from.anchor, to.anchor, t);
-      from.overshoot = 0.0;
-    } else if (end.z > z) {
-      float t = (z - end.z) / (start.z - end.z);
-      end = mix(end, start, t);
-      to.weight = mix(to.weight, from.weight, t);
-      to.anchor = mix(to.anchor, from.anchor, t);
-      to.overshoot = 0.0;
-    }
+    if (start.z > z) cutAt(z, start, from, end, to);
+    else if (end.z > z) cutAt(z, end, to, start, from);
   }
 
   vec2 halves = 0.5 * lineWidth * vec2(from.weight, to.weight);
@@ -83,8 +85,7 @@ void coverPiece(const in Piece piece, const in int corner) {
     vAnchorStart = from.anchor;
     vAnchorEnd = to.anchor;
   #endif // WOBBLE
-  // Half of a rectangle around the capsule. Of the triangles that cover it this has its right angle at one corner and twice
-  // its sides.
+  // A right triangle that covers the rectangle around the capsule: its right angle lies at a corner, and its legs are twice the sides.
   float reachAlong = 0.5 * size + reach + max(from.overshoot, to.overshoot);
   vec2 local = corner == 0 ? vec2(-reachAlong, -reach) : corner == 1 ? vec2(3.0 * reachAlong, -reach) : vec2(-reachAlong, 3.0 * reach);
   vec2 pixel = middle + local.x * along + local.y * vec2(-along.y, along.x);

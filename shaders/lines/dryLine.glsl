@@ -5,9 +5,9 @@
 
 uniform float tooth;
 
-// How much of the tooth counts in the middle of a line.
+// The share of the tooth that counts in the middle of a line; at its sides all of it does.
 #define MIDDLE 0.4
-// Over so much of the heights of the paper a line goes from all to nothing.
+// The range of heights of the paper over which a line goes from full ink to none.
 #define LINE_SOFTNESS 0.3
 
 // What is left of full ink. across: 0 in the middle of the line, 1 at its side.

@@ -1,9 +1,9 @@
 // Hidden lines. Each end is moved along its ray towards the eye before the depth test, so far that the surface it lies on does
 // not hide it, and hardly further; it stays where it is on the screen.
 
-// How far the bounding radius counts: rounding, and what smooth normals and flat triangles differ by.
+// The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by.
 #define LIFT_SHARE 0.004
-// The most that the bend of the surface is made up for, times the bounding radius.
+// The most lift for the bend of the surface, as a share of the bounding radius.
 #define MOST_RISE 0.11
 // How steeply the faces beside an edge may rise towards the eye.
 #define EDGE_SLOPE 3.0

@@ -16,7 +16,7 @@ uniform float opacity;
   #include "lines/dryLine"
 #endif // TOOTH
 
-// Where on the piece a pixel lies beside: 0 at the start, 1 at the end, beyond outside of these.
+// The place along the piece that is nearest to a pixel: 0 at the start, 1 at the end, and outside of [0, 1] beyond them.
 float placeOf(const in vec2 pixel) {
   vec2 along = vEnds.zw - vEnds.xy;
   return dot(pixel - vEnds.xy, along) / max(dot(along, along), 1e-8);

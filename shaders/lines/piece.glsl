@@ -10,7 +10,7 @@ struct PieceEnd {
 
 struct Piece {
   PieceEnd start, end;
-  float extent; // how far what holds the piece reaches along the line of sight, object units
+  float extent; // how deep the triangle of the piece is along the line of sight, object units
   bool isSmooth; // on a surface, not an edge
 };
 

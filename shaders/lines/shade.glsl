@@ -9,7 +9,7 @@ vec3 meanLight(const in vec3 viewPosition) {
   IncidentLight light;
   #define VISIT_LIGHT(source, number) sum += lightLuminance(light.color) * light.direction;
   #include "eachLight"
-  #define VISIT_LIGHT(source) sum += 0.5 * (lightLuminance(source.skyColor) - lightLuminance(source.groundColor)) * source.direction;
+  #define VISIT_LIGHT(source, number) sum += 0.5 * (lightLuminance(source.skyColor) - lightLuminance(source.groundColor)) * source.direction;
   #include "eachSky"
   return sum;
 }
@@ -30,11 +30,15 @@ vec3 normalInView(const in vec3 normal) {
   #endif // USE_INSTANCING
 }
 
-// What the line weighs at a point by the light that falls on the surface there.
+// Up to the first of these, of (1 − N·L) / 2, a line is as heavy as on the lit side, from the second on as in the shade.
+#define LIT 0.15
+#define SHADED 0.85
+
+// The weight of a line at a point by the light that falls on the surface there.
 float shadeWeight(const in vec3 normal, const in vec3 light) {
   float brightness = dot(light, light);
   float shaded = brightness > 0.0 ? 0.5 - 0.5 * dot(normalInView(normal), light * inversesqrt(brightness)) : 0.5;
-  return mix(shadeWeights.x, shadeWeights.y, smoothstep(0.15, 0.85, shaded));
+  return mix(shadeWeights.x, shadeWeights.y, smoothstep(LIT, SHADED, shaded));
 }
 
 void shade(inout Piece piece) {

@@ -2,7 +2,8 @@
 uniform float wobble; // pixels
 uniform float radius; // of the bounding sphere, object units
 
-// Waves of about a third of the radius in three directions, whose phases bend one another so that nothing repeats in sight.
+// Waves of about a third of the radius in three directions, whose phases bend one another so that nothing seems to repeat.
+// The numbers mean nothing: they are directions and phases without a pattern.
 vec2 wobbleAt(const in vec3 anchor) {
   vec3 p = anchor / radius;
   float a = sin(dot(p, vec3(11.3, 7.1, -5.9)) + 1.7 * sin(dot(p, vec3(-4.3, 6.7, 9.1))));

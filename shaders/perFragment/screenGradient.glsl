@@ -1,12 +1,12 @@
 // How fast a function of the place on the object changes on the screen, from the smooth normal: derivatives of the function
 // would be those of flat triangles, and show their edges.
 
-// Surfaces that lean away further than this share of face on are taken for it, which bounds how close lines crowd.
+// Surfaces whose cosine to the viewer is less than this are treated as if it were this, which bounds how close lines crowd.
 #define LEAST_FACING 0.12
 
 // The tangent plane of a fragment and what the projection makes of it.
 struct ScreenMap {
-  mat3 viewToPlace; // linear part; vectors go by it, and gradients and normals the other way by its transpose: from the left
+  mat3 viewToPlace; // linear part, for vectors; its transpose, written as a factor on the right, takes gradients and normals back
   vec3 normal; // view space, of any length
   vec2 centre; // of the screen as seen from here: what one step in depth shifts
   float scale; // view units per pixel of the plane, held down where it leans away, over the length of the normal
@@ -23,7 +23,7 @@ ScreenMap screenMap(const in vec3 n, const in mat3 viewToPlace) {
   return map;
 }
 
-// The screen gradient of a function with this gradient in that space, per pixel; turned by a right angle. Linear.
+// The gradient per pixel, on the screen, of a function with this gradient in that space. It is turned by a right angle, and linear.
 vec2 screenGradient(const in vec3 gradient, const in ScreenMap map) {
   // Along a line of equal value: as much longer as the function is steeper, and brought to the screen as any vector is.
   vec3 along = cross(map.normal, gradient * map.viewToPlace);

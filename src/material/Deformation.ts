@@ -4,11 +4,11 @@ import { Pose } from './Pose.js';
 /** Positions, normals and rotations of the vertices of a geometry in one pose: a texel each, on one graphics context. */
 export class Deformation {
   readonly target: WebGLRenderTarget;
-  /** The pose it was drawn in. */
+  /** The pose that its textures hold. */
   readonly pose: Pose = new Pose();
   /** How many meshes are in this pose, and draw with it. */
   holders = 0;
-  /** What the meshes were drawn with. */
+  /** The materials that meshes were drawn with in this pose. */
   readonly users: Set<Material> = new Set();
   isDisposed = false;
 

@@ -4,13 +4,13 @@ import { Deformation } from './Deformation.js';
 import { hashOf } from './Pose.js';
 import { PrePass } from './PrePass.js';
 
-/** What a mesh draws with at present. */
+/** The deformation that a mesh draws with at present. */
 export interface Held {
   readonly pool: DeformationPool;
   deformation: Deformation | undefined;
 }
 
-/** Of a material: what was drawn with it, and how to stop listening for its end. */
+/** The deformations that were drawn with a material, and a function that stops listening for its disposal. */
 interface MaterialUse {
   readonly deformations: Set<Deformation>;
   release(): void;
@@ -18,15 +18,15 @@ interface MaterialUse {
 
 /**
  * The deformations of one geometry on one graphics context. Each pose is drawn once, however many meshes are in it and however many
- * materials, cameras and frames draw them. Meshes with a skin have one each: no two lie in the same pose.
+ * materials, cameras and frames draw them. Meshes with a skin have a deformation each, since no two are in the same pose.
  */
 export class DeformationPool {
   isDisposed = false;
   private readonly prePass: PrePass;
   private readonly all = new Set<Deformation>();
-  /** Those that meshes without a skin share, by the hash of their pose. */
+  /** The deformations that meshes without a skin share, by the hash of their pose. */
   private readonly byPose = new Map<number, Deformation>();
-  /** One that nobody holds: meshes that move together leave one for another in every frame. */
+  /** A deformation that no mesh holds: meshes that move together exchange theirs for another in every frame. */
   private spare: Deformation | undefined;
   private readonly materials = new Map<Material, MaterialUse>();
   private readonly compiled = new Set<boolean>();
@@ -42,7 +42,7 @@ export class DeformationPool {
   }
 
   /**
-   * What a mesh draws with in its present pose, while the renderer draws it with `material` for `camera`. Draws the pose if no other mesh
+   * The deformation of a mesh in its present pose, while the renderer draws it with `material` for `camera`. Draws the pose if no other mesh
    * has it. Allocates nothing once every pose has its textures.
    */
   present(held: Held, camera: Camera, mesh: Mesh, material: Material): Deformation {
@@ -73,8 +73,8 @@ export class DeformationPool {
   }
 
   /**
-   * Frees the graphics memory. Called when the geometry is disposed of, and when the context is lost: later the names of what it held may
-   * mean something else, in a context that came back. What a material has drawn is freed with that.
+   * Frees the graphics memory. Called when the geometry is disposed of, and when the context is lost: in a restored
+   * context the old names of its textures may stand for others. When a material is disposed of, so are the deformations drawn with it.
    */
   readonly dispose = (): void => {
     if (this.isDisposed) return;
@@ -101,7 +101,7 @@ export class DeformationPool {
     const hash = hashOf(influences);
     const twin = this.byPose.get(hash);
     if (twin?.pose.isOf(influences)) return this.give(held, twin);
-    // Others may be in the pose that this mesh leaves.
+    // Other meshes may still be in the pose that this one leaves.
     const deformation = before?.holders === 1 ? before : this.give(held, this.spare ?? this.make());
     this.forgetPose(deformation);
     deformation.pose.update(mesh);
@@ -163,7 +163,7 @@ export class DeformationPool {
     const onDispose = (): void => {
       release();
       this.materials.delete(material);
-      for (const one of deformations) this.drop(one);
+      for (const deformation of deformations) this.drop(deformation);
     };
     const release = (): void => material.removeEventListener('dispose', onDispose);
     material.addEventListener('dispose', onDispose);

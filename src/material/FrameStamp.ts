@@ -1,6 +1,6 @@
 import type { Camera, WebGLRenderer } from 'three';
 
-/** By what tells renderers apart, so that none is kept. */
+/** A number for each renderer, by its `info`: a renderer itself would be kept from being collected. */
 const numbers = new WeakMap<object, number>();
 let last = 0;
 

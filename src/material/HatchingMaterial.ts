@@ -57,7 +57,7 @@ import {
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
 
-/** Before the shaders of a mesh that neither deforms nor has instances. */
+/** Is put before the shaders of a mesh that neither deforms nor has instances. */
 const RIGID = '#define RIGID\n';
 
 const viewport = /* @__PURE__ */ new Vector4();
@@ -80,7 +80,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
   override readonly type: string = 'HatchingMaterial';
 
-  /** Of which space `normalMap` is, as in three's own materials: `TangentSpaceNormalMap` or `ObjectSpaceNormalMap`. */
+  /** The space of `normalMap`, as in three's own materials: `TangentSpaceNormalMap` or `ObjectSpaceNormalMap`. */
   normalMapType: NormalMapTypes = TangentSpaceNormalMap;
 
   /** Choices that were made, and the technique, on which the defaults of the others depend. */
@@ -88,17 +88,17 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     technique: HATCHING_DEFAULTS.technique,
   };
   private curve: ToneCurve = HATCHING_DEFAULTS.toneCurve;
-  /** Whose shaders these are. They are set when the technique changes, so that a user may change them. */
+  /** The technique of the present shaders. They are set only when it changes, so that a user may replace them. */
   private shaderTechnique: HatchingTechnique | undefined;
   /** Whether the scene drawn last has an environment. */
   private hasEnvironment = false;
-  /** The frame that the properties were last brought to the shader for. */
+  /** The frame for which the uniforms were last written. */
   private readonly written = new FrameStamp();
-  /** Of the frame before. */
+  /** The program switches of the last frame. */
   private drawnSwitches: number | undefined;
-  /** Where the mesh drawn last has its adjacency. */
+  /** Where the mesh that was drawn last has its adjacency. */
   private vertexLayout: VertexLayout = 'corner';
-  /** Whether a renderer that knows GLSL has asked for it. */
+  /** Whether a WebGLRenderer has drawn or compiled this material. */
   private isWithWebGL = false;
   /** Meshes announced before the first program was built. */
   private announced: Mesh[] = [];
@@ -135,7 +135,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * The older name of `strokeLayers: 'lights'`: true where that is chosen. Set to false it takes that back, and nothing else.
+   * The older name of `strokeLayers: 'lights'`: true where that is chosen. Setting it to false changes `strokeLayers` only if that is `'lights'`.
    *
    * @deprecated Set `strokeLayers`.
    */
@@ -159,7 +159,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     super.setValues(values);
     if (!values) return;
     if (this.defines !== defines) {
-      // three.js puts what was given in the place of the material's own.
+      // three.js has replaced the material's own defines by the given ones.
       this.defines = { ...defines, ...this.defines };
       this.needsUpdate = true;
       this.writeProgram();
@@ -168,7 +168,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * Gives the material what `toJSON` wrote, but for the tonal art map; anything else in the JSON is passed over. Called by
+   * Sets the properties that `toJSON` wrote, all but the tonal art map; anything else in the JSON is ignored. Called by
    * three's own loaders, which find the class after `MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial)`.
    *
    * @param textures by uuid
@@ -187,7 +187,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /**
    * Called by the renderer, which is about to choose a program, before a frame or for `compile`: brings the program up to date.
    *
-   * @returns what tells it apart from programs of other hooks
+   * @returns a key that tells the program apart from those of other hooks
    */
   override customProgramCacheKey(): string {
     if (this.announced.some(environmentAround)) this.hasEnvironment = true;
@@ -197,8 +197,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * Every renderer asks which program it is. WebGLRenderer then builds it or draws, at once and for the first time; WebGPURenderer never
-   * comes so far.
+   * Reports a WebGPURenderer. Every renderer asks for the program's key; a WebGLRenderer then calls another hook at once, a
+   * WebGPURenderer never does.
    */
   private askForRenderer(): void {
     if (this.isWithWebGL) return;
@@ -219,12 +219,12 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * Called by the renderer. Tells the shaders what three tells the vertex shader alone, and builds the programs of the pre-pass and
-   * of the environment's blur too, which only drawing does.
+   * Called by the renderer. Defines in both shaders what three defines in the vertex shader alone. Also builds the programs of the
+   * pre-pass and of the environment's blur, which otherwise only drawing would do.
    */
   override onBeforeCompile(shader: ProgramParameters, renderer: WebGLRenderer): void {
     this.isWithWebGL = true;
-    // A hook of a user may have called the one before it, which is this one too.
+    // A user's hook may call this one, which then runs twice.
     if (isRigid(shader) && !shader.vertexShader.includes(RIGID)) {
       shader.vertexShader = `${RIGID}${shader.vertexShader}`;
       shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
@@ -236,7 +236,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     }
   }
 
-  /** Called by the renderer. Brings the properties to the shader. */
+  /** Called by the renderer. Writes the properties into the uniforms. */
   override onBeforeRender(
     renderer: WebGLRenderer,
     scene: Scene,
@@ -246,7 +246,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     _group: Group,
   ): void {
     this.isWithWebGL = true;
-    // Once for all the meshes of a frame. Uniforms that are the same three.js uploads once, too, unless it is told otherwise.
+    // Once for all the meshes of a frame: three.js, too, uploads the uniforms of a material once, unless it is told otherwise.
     if (this.uniformsNeedUpdate || !this.written.isOf(renderer, camera)) {
       this.written.note(renderer, camera);
       const switches = programSwitches(this);
@@ -254,7 +254,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       this.drawnSwitches = switches;
       this.writeUniforms(renderer.capabilities.maxTextureSize);
     }
-    // The cameras of an ArrayCamera have a part of the target each.
+    // Each camera of an ArrayCamera has its own part of the target.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
     const drawn = part ?? renderer.getCurrentViewport(viewport);
     this.uniforms.viewportHeight.value = drawn.w;
@@ -301,7 +301,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     return this;
   }
 
-  /** What three's own materials write, and every property that is not at its default. The tonal art map is left out. */
+  /** As three's own materials, with every property that is not at its default. The tonal art map is left out. */
   override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<ShaderMaterial['toJSON']> {
     // Not ShaderMaterial's: that writes the shaders and the uniforms, which follow from the properties.
     const json = Material.prototype.toJSON.call(this, meta);
@@ -343,7 +343,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     }
   }
 
-  /** Properties are plain values; this is the one place that brings them to the shader. Allocates nothing. */
+  /** Properties are plain values; only here are they written into uniforms. Allocates nothing. */
   private writeUniforms(maxTextureSize = Infinity): void {
     const u = this.uniforms;
     const isOfThresholds = usesThresholds(this);
@@ -397,8 +397,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * Brings choices to the shader: the technique's are its chunks, the others are defines. What does not count for the
-   * technique stays at its default: no other program.
+   * Brings choices to the shaders: the technique chooses the chunks, the others are defines. A choice that does not count for the
+   * technique stays at its default, so that it builds no other program.
    */
   private writeProgram(): void {
     const { technique } = this;
@@ -427,7 +427,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       else write(property.define, value ? '' : undefined);
     }
     write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
-    // As three.js has USE_UV1 to USE_UV3.
+    // three.js itself defines USE_UV1 to USE_UV3.
     write('USE_UV0', usesFirstChannel ? '' : undefined);
     // Strokes that are sized on the object alone need one lattice, and no code for a second.
     const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];

@@ -21,14 +21,14 @@ export class Pose {
     return this.hasChanged || this.length !== length;
   }
 
-  /** Whether it is that of a mesh without a skin, with these influences. */
+  /** Whether this is the pose of a mesh without a skin that has these influences. */
   isOf(influences: ArrayLike<number>): boolean {
     if (this.length !== influences.length) return false;
     for (let i = 0; i < influences.length; i++) if (this.numbers[i] !== Math.fround(influences[i])) return false;
     return true;
   }
 
-  /** {@link hashOf} the influences of a mesh without a skin. */
+  /** The hash of the influences, for the pose of a mesh without a skin. See {@link hashOf}. */
   get influenceHash(): number {
     return hashOf(this.numbers, Math.max(this.length, 0));
   }
@@ -51,12 +51,12 @@ export class Pose {
   }
 }
 
-/** A bundler may leave it out where nobody uses it; it would keep two arrays, because one reads the other's buffer. */
+/** Reads the bits of a number. A bundler that finds no use for it may leave it out; two arrays on one buffer it would keep. */
 const bits = /* @__PURE__ */ new DataView(/* @__PURE__ */ new ArrayBuffer(4));
-/** Engines keep numbers of so many bits without garbage. */
+/** Engines store integers of up to 30 bits without allocating. */
 const HASH_BITS = 0x3fffffff;
 
-/** A number that poses of equal influences share, and others seldom. Allocates nothing. */
+/** A hash: equal for poses of equal influences, and seldom equal for others. Allocates nothing. */
 export function hashOf(influences: ArrayLike<number>, length: number = influences.length): number {
   let hash = length;
   for (let i = 0; i < length; i++) {

@@ -19,7 +19,7 @@ import { pullColumns, pullTextureSize } from '../bake/pullLayout.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { deformationShaders } from './hatchingShaders.js';
 
-/** The corners of a mesh as points; with an index, its vertices. three.js uploads bones and morph targets for them as for the mesh. */
+/** The corners of a mesh as points, or its vertices if it has an index. three.js uploads its bones and morph targets as it does for the mesh. */
 class CornerPoints extends Points {
   isSkinnedMesh = false;
   skeleton: Skeleton | undefined;
@@ -30,17 +30,17 @@ class CornerPoints extends Points {
 const noScene = /* @__PURE__ */ new Scene();
 const noCamera = /* @__PURE__ */ new Camera();
 const allCorners = { start: 0, count: Infinity };
-/** With this three.js builds the program, and then neither binds nor draws. */
+/** With this range three.js builds the program, and then neither binds nor draws. */
 const noCorners = { start: 1, count: -2 };
 
-/** Draws where the vertices of a geometry of the `pull` or `indexed` layout lie in the poses of its meshes. */
+/** Deforms the vertices of a geometry of the `pull` or `indexed` layout into textures, for the poses of its meshes. */
 export class PrePass {
-  /** Of what it draws into, in texels. */
+  /** Of its render targets, in texels. */
   readonly size: { readonly width: number; readonly height: number };
   private readonly points: CornerPoints;
   private readonly shader: ShaderMaterial;
 
-  /** @param vertices the textures of the `pull` layout; null: the geometry has an index, and its vertices are deformed */
+  /** @param vertices the textures of the `pull` layout; null if the geometry has an index, whose vertices are then deformed */
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly geometry: BufferGeometry,

@@ -5,7 +5,7 @@ import { environmentLayout } from './environmentLayout.js';
 const rotation = /* @__PURE__ */ new Matrix4();
 
 /**
- * Sets the uniforms of the scene's environment, which three.js hands to its own materials alone.
+ * Sets the uniforms of the scene's environment, which three.js gives to its own materials alone.
  *
  * @returns whether there is one to be lit by
  */
@@ -19,17 +19,17 @@ export function bindEnvironment(
   uniforms.environment.value = texture;
   uniforms.environmentIntensity.value = scene.environmentIntensity;
   if (!texture) return false;
-  // Transposed, a rotation is inverted: the image turns, so directions turn back.
+  // The transpose of a rotation is its inverse: where the image is turned, directions are turned back.
   uniforms.environmentRotation.value
     .setFromMatrix4(rotation.makeRotationFromEuler(scene.environmentRotation))
     .transpose();
   if (environmentLayout() === 'atlas') {
-    // As three's WebGLProgram has it: three cubes' faces side by side, of 112 texels at least.
+    // As in three's WebGLProgram: the faces of three cubes lie side by side, each at least 112 texels wide.
     const { height } = texture.image as { height: number };
     const finest = Math.log2(height) - 2;
     uniforms.environmentAtlas.value.set(1 / (3 * Math.max(2 ** finest, 112)), 1 / height, finest);
   }
-  // What has just been blurred leaves the whole target as the viewport; the cameras of an ArrayCamera have a part each.
+  // Blurring sets the viewport to the whole target; each camera of an ArrayCamera has its own part of it.
   const { viewport } = camera as Camera & { viewport?: Vector4 };
   if (viewport) renderer.state.viewport(viewport);
   return true;

@@ -16,7 +16,7 @@ import { isStale } from '../geometry/staleGeometry.js';
 import { compileDeformation, deformationOf } from './deformationOf.js';
 import type { VertexLayout } from './shaderConventions.js';
 
-/** Identities of geometries. */
+/** Identities of geometries whose problem was reported. */
 const warnedGeometries = new WeakSet<object>();
 const warnedStale = new WeakSet<object>();
 
@@ -29,8 +29,8 @@ function warnOnce(geometry: BufferGeometry, problem: string): void {
 }
 
 /**
- * Sets the uniforms of a material that is about to draw `object`: the vertex textures of the layout `pull`, deformed to the
- * present pose. Returns the layout in which the vertex shader finds the adjacency. Reports problems of a geometry once.
+ * Sets the uniforms of a material that is about to draw `object`: the vertex textures of the layout `pull`, as deformed in
+ * the present pose. Returns the layout in which the vertex shader finds the adjacency. Reports problems of a geometry once.
  */
 export function bindVertices(
   renderer: WebGLRenderer,
@@ -96,7 +96,7 @@ export function warnIfStale(geometry: BufferGeometry): void {
   warnedStale.add(identityOf(geometry));
   const remedy =
     geometry.userData.hatching.layout === 'indexed'
-      ? "A mere shift does no harm. Otherwise prepare it again, or call geometry.deleteAttribute('hatchNormal') to draw it with its own normals."
+      ? "A shift of all by the same vector does no harm. Otherwise prepare it again, or call geometry.deleteAttribute('hatchNormal') to draw it with its own normals."
       : 'Move the mesh instead of the geometry, or change the geometry before prepareHatchingGeometry.';
   console.warn(
     `HatchingMaterial: the positions of geometry "${geometry.name || geometry.uuid}" have changed since it was prepared; its neighbours and stroke normals have not. ${remedy}`,

@@ -20,8 +20,8 @@ interface Environments {
 const environments = new WeakMap<object, Environments>();
 
 /**
- * An environment as three's PMREMGenerator blurs it, made on first use and freed with the texture; null while it is loading.
- * three.js does this for its own materials alone. A texture that is blurred already is returned as it is.
+ * An environment as three's PMREMGenerator blurs it, made on first use and freed with the texture; null while the texture is
+ * loading. three.js does this for its own materials alone. A texture that is blurred already is returned as it is.
  */
 export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): Texture | null {
   if (isBlurred(texture)) return texture;
@@ -40,7 +40,7 @@ export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): T
   return made.texture;
 }
 
-/** Whether `blurredEnvironment` finds light in a texture by now. */
+/** Whether a texture has loaded far enough for `blurredEnvironment` to give light. */
 export const lightsAlready = (texture: Texture): boolean =>
   isBlurred(texture) || ((isCube(texture) || isEquirectangular(texture)) && isLoaded(texture));
 

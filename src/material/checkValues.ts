@@ -7,15 +7,15 @@ import type { HatchingProperty } from './HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 
 /**
- * Checks parameters before any of them is set, so that a wrong one changes nothing. Properties of three's own are left to three.
+ * Checks parameters before any of them is set, so that a wrong one changes nothing. Those that any material has are left to three.
  *
  * @throws TypeError, RangeError or Error naming the first property of ours whose value is of the wrong kind or out of its range
  */
 export function checkValues(parameters: HatchingMaterialParameters): void {
-  // Of an object that was read from JSON it is an own property, and three.js would put it in the place of the prototype.
+  // In an object read from JSON this is an own property, and three.js would set it as the prototype of the material.
   if (Object.hasOwn(parameters, '__proto__')) throw new TypeError('HatchingMaterial: "__proto__" is no parameter.');
   for (const [name, value] of Object.entries(parameters)) {
-    // three.js warns of undefined, and keeps what it has.
+    // three.js itself warns of undefined, and keeps the present value.
     if (value !== undefined && Object.hasOwn(HATCHING_PROPERTIES, name))
       checkValue(name as HatchingPropertyName, value);
   }
@@ -48,7 +48,7 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
   }
 }
 
-/** @throws Error unless `value` is one of the choices of a property, TypeError if it is no boolean for one that is on or off */
+/** @throws Error unless `value` is one of the choices of a property; TypeError unless it is a boolean, for a property that is a switch */
 export function checkChoice(name: HatchingPropertyName, value: unknown): void {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   if (property.kind === 'switch') check(name, typeof value === 'boolean', 'true or false');

@@ -4,7 +4,7 @@ import type { PulledVertices } from '../geometry/PulledVertices.js';
 import type { Deformation } from './Deformation.js';
 import { DeformationPool, type Held } from './DeformationPool.js';
 
-/** What is deformed on one graphics context. */
+/** The deformations on one graphics context. */
 interface OfContext {
   /** By the identity of the geometry. */
   readonly pools: WeakMap<object, DeformationPool>;
@@ -14,14 +14,14 @@ interface OfContext {
 
 /** Per `renderer.properties`: three.js makes a new one when a lost context is restored. */
 const contexts = new WeakMap<object, OfContext>();
-/** Lets go of a deformation when its mesh is garbage-collected: meshes have no `dispose()`. */
+/** Releases a deformation when its mesh is garbage-collected, because meshes have no `dispose()`. */
 const releaseWithMesh = /* @__PURE__ */ new FinalizationRegistry<Held>((held) => held.pool.release(held));
 
 /**
- * The deformation of a mesh in its present pose, while the renderer draws it with `material` for `camera`. Meshes that share a geometry
- * and a pose share it.
+ * The deformation of a mesh in its present pose, while the renderer draws it with `material` for `camera`. Meshes with the same
+ * geometry in the same pose share it.
  *
- * @param vertices the textures of the `pull` layout; null: the geometry has an index, and its vertices are deformed
+ * @param vertices the textures of the `pull` layout; null if the geometry has an index, whose vertices are then deformed
  */
 export function deformationOf(
   renderer: WebGLRenderer,

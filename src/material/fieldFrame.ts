@@ -1,6 +1,6 @@
 import { type BufferGeometry, type IUniform, Matrix3, Matrix4, type Object3D, Vector3 } from 'three';
 
-/** Under this name in `userData` of a mesh: the elements of the matrix from its object space to a frame it shares with others. */
+/** The name in `userData` of a mesh for the elements of a matrix from its object space to a frame that it shares with other meshes. */
 export const FIELD_FRAME = 'hatchingField';
 
 const frame = /* @__PURE__ */ new Matrix4();
@@ -8,11 +8,11 @@ const linear = /* @__PURE__ */ new Matrix3();
 const origin = /* @__PURE__ */ new Vector3();
 
 /**
- * Writes where the lines of `engraved` on a mesh count from, and in which frame: that which `applyHatching` gave a whole scene,
- * or else that of the object, from the centre of its bounding sphere. Allocates nothing.
+ * Writes the origin and the frame of the lines of `engraved` on a mesh: the frame that `applyHatching` gave to the whole scene, or
+ * else that of the object, with the centre of its bounding sphere as origin. Allocates nothing.
  *
  * @param strokeScale tiles per unit of object space
- * @returns whether anything changed: three uploads the uniforms of a material once for all its meshes
+ * @returns whether anything changed, in which case three must upload the uniforms again: by default it does so once for all meshes
  */
 export function writeFieldFrame(
   uniforms: Record<string, IUniform>,
@@ -26,7 +26,7 @@ export function writeFieldFrame(
     origin.setFromMatrixPosition(frame.invert());
   } else {
     linear.identity();
-    // three has computed it where it culls.
+    // three has computed the sphere already where it culls.
     if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
     origin.copy(geometry.boundingSphere!.center);
   }
@@ -43,7 +43,7 @@ export function writeFieldFrame(
   return true;
 }
 
-/** Whether it is a matrix that can be inverted: `userData` may come from a file. */
+/** Whether these are the elements of a matrix that can be inverted: `userData` may come from a file. */
 const isMatrix = (value: unknown): value is number[] =>
   Array.isArray(value) &&
   value.length === 16 &&

@@ -6,7 +6,7 @@ export type ToneCurvePoint = readonly [light: number, printed: number];
 /** See `HatchingMaterial.toneCurve`. */
 export type ToneCurve = 'linear' | 'perceptual' | readonly ToneCurvePoint[];
 
-/** A tone curve as the shader adds it up: `start`, and a cubic for each span. Spans that are not in use add nothing. */
+/** A tone curve as a sum: `start`, and a cubic for each span. Spans that are not in use add nothing. */
 export interface FittedToneCurve {
   start: number;
   /** Per span, its start and 1 / its width. */
@@ -40,7 +40,7 @@ export function fitToneCurve(points: readonly ToneCurvePoint[]): FittedToneCurve
   return { start: points[0][1], spans, cubics };
 }
 
-/** The slope at a point between two spans: a harmonic mean, which overshoots neither; 0 at a turning point. */
+/** The slope at a point between two spans: a harmonic mean, with which the curve overshoots in neither; 0 at a turning point. */
 function slopeBetween(before = Number.NaN, after = Number.NaN, widthBefore = 0, widthAfter = 0): number {
   if (Number.isNaN(before)) return after;
   if (Number.isNaN(after)) return before;

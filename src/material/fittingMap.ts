@@ -1,14 +1,14 @@
 import { identityOf } from '../geometry/identityOf.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 
-/** Identities of maps that were complained about. */
+/** Identities of maps that were reported as too large. */
 const refused = new WeakSet<object>();
 
 /**
- * The map if the device can hold its textures, otherwise null: a texture that is too large would draw everything black. Says
- * so once per map.
+ * The map if the device can hold its textures, otherwise null: a texture that is too large would draw everything black. Reports
+ * it once per map.
  *
- * @param usesThresholds whether the threshold texture is used, about twice as wide as the map, and not the map itself alone
+ * @param usesThresholds whether the threshold texture is used too, which is about twice as wide as the map
  * @param maxTextureSize of the device, in texels
  */
 export function fittingMap(

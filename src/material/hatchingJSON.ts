@@ -23,9 +23,9 @@ export function propertiesToJSON(material: HatchingMaterialProperties): Record<s
 }
 
 /**
- * Gives a material what `toJSON` wrote. three.js writes every property by its name, so this needs none of its loaders, whose
- * ways changed over the versions. Textures are looked up by their uuid; one that is not there is left out. JSON may come from
- * anywhere: what is no known property is passed over, and nothing is set if a value is of the wrong kind.
+ * Gives a material what `toJSON` wrote. three.js writes every property by its name, so this needs none of its loaders, which
+ * differ between versions. Textures are looked up by their uuid; those that are missing are left out. JSON may come from
+ * anywhere: unknown properties are ignored, and nothing is set if a value is of the wrong kind.
  */
 export function setFromJSON(
   material: HatchingMaterialProperties,
@@ -56,10 +56,10 @@ export function setFromJSON(
   if (userData !== undefined) material.userData = userData;
 }
 
-/** What a material is known by, and what three.js counts. */
+/** What identifies a material, and the version that three.js counts up. */
 const FIXED = /^(is[A-Z]|_|uuid$|type$|version$)/;
 
-/** The properties beside those of the table that are plain values in JSON, and such values: most are those of any material. */
+/** Properties that are not in the table and are plain values in JSON, with an example value each: most are those of any material. */
 function plainProperties(): Map<string, unknown> {
   const { blendColor, ...others } = new Material();
   const properties = {

@@ -5,20 +5,21 @@ import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
 import { shadowMapsChunk } from './shadowMaps.js';
 
-/** The text of a program's two stages: ours resolved; three resolves its own includes when it compiles. */
+/** The text of a program's two stages. Our includes are resolved; three resolves its own when it compiles. */
 export interface Shaders {
   vertexShader: string;
   fragmentShader: string;
 }
 
 /** Every file of shaders/ but those of lines, as text. */
-const files: Readonly<Record<string, string>> = import.meta.glob(['../../shaders/**', '!../../shaders/lines/**'], {
+const files: Readonly<Record<string, string>> = import.meta.glob(['./**', '!./lines/**'], {
+  base: '../../shaders',
   query: '?raw',
   import: 'default',
   eager: true,
 });
 
-// Resolved when first asked for: a page that never hatches should not pay, nor a bundler have to keep it.
+// Shaders are resolved when first asked for, so that a page that never hatches does not pay, and a bundler may leave this out.
 const made = new Map<string, Shaders>();
 
 /** The shaders of a technique. */
@@ -33,8 +34,8 @@ function shadersFrom(name: string, technique?: HatchingTechnique): Shaders {
   if (!shaders) {
     const chunks = chunksFor(technique);
     shaders = {
-      vertexShader: resolveIncludes(files[`../../shaders/${name}.vert`], chunks),
-      fragmentShader: resolveIncludes(files[`../../shaders/${name}.frag`], chunks),
+      vertexShader: resolveIncludes(files[`./${name}.vert`], chunks),
+      fragmentShader: resolveIncludes(files[`./${name}.frag`], chunks),
     };
     made.set(key, shaders);
   }
@@ -53,11 +54,11 @@ function chunksFor(technique?: HatchingTechnique): Record<string, string> {
   };
   for (const [path, text] of Object.entries(files)) {
     const name = path
-      .replace('../../shaders/', '')
+      .replace('./', '')
       .replace(`techniques/${technique}/`, 'technique/')
       .replace('chunks/', '')
       .replace('.glsl', '');
-    // Another technique's chunks are no business of this one's.
+    // Chunks of other techniques are left out.
     if (!name.startsWith('techniques/')) chunks[name] = text;
   }
   chunks['environment/layout'] = chunks[`environment/${environmentLayout()}`];

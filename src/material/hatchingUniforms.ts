@@ -64,13 +64,13 @@ export function createHatchingUniforms(): Uniforms {
 }
 
 /**
- * Uniforms that Vue does not wrap, since it wraps what goes by the name of Object. Behind a proxy a texture is another to the
- * renderer, and one that is drawn into would be black.
+ * Gives uniforms another tag than `Object`, so that Vue does not wrap them in a proxy. The renderer takes a texture behind a proxy for another
+ * texture, and would find nothing in one that it has drawn into.
  */
 export const keptFromProxies = (uniforms: Uniforms): Uniforms =>
   Object.defineProperty(uniforms, Symbol.toStringTag, { value: 'Uniforms' });
 
-/** Brings the properties that have a uniform of their own to it. Allocates nothing. */
+/** Writes the properties that have a uniform of their own into it. Allocates nothing. */
 export function writePropertyUniforms(material: HatchingMaterialProperties, uniforms: Uniforms): void {
   for (const key in HATCHING_PROPERTIES) {
     const name = key as HatchingPropertyName;

@@ -1,19 +1,18 @@
 import type { Material } from 'three';
 
 type Hooks = Pick<Material, 'onBeforeRender' | 'onBeforeCompile' | 'customProgramCacheKey'>;
-// Whatever they take and return: it is handed on.
+// Their arguments and results are only passed on, so any type will do.
 type Hook = (this: unknown, ...parameters: unknown[]) => unknown;
 
-/** What a user set, by what was made of it. */
+/** The hook that a user set, by the function that was made of it. */
 const given = /* @__PURE__ */ new WeakMap<object, unknown>();
 
 /**
- * Lets a material do its part of three's hooks whatever a user sets in their place, who finds them as on three's own materials:
- * what is set may call what was there before, bound to the material or not; a hook that was read can be set again; programs are
- * told apart by the source of what was set; and `delete` takes it back.
+ * Runs a material's own parts of three's hooks (`onBeforeCompile` and others) even if a user sets hooks in their place. For the user
+ * they behave as on three's own materials: the new hook may call the old one, bound to the material or not; a hook that was read can
+ * be set again; the source of the new hook tells programs apart; and `delete` removes it.
  *
- * @param parts the material's own, from its prototype. They come first. Where what was set calls what was there before, they are
- * called once more.
+ * @param parts the material's own parts, from its prototype. They run before the user's hook, and once more if that calls the old hook.
  */
 export function keepHooks(material: Material, parts: Hooks): void {
   for (const name of ['onBeforeRender', 'onBeforeCompile', 'customProgramCacheKey'] as const) {
@@ -29,8 +28,8 @@ export function keepHooks(material: Material, parts: Hooks): void {
 }
 
 function withPart(material: Material, part: Hook, set: Hook | null | undefined): Hook {
-  // Named one by one: rest parameters would be an array for every mesh of every frame. The renderer may know the material by a
-  // proxy, whose textures would be proxies too, and others to the renderer: its part is that of the material itself.
+  // Parameters are named one by one, because rest parameters would allocate an array for every mesh of every frame. The renderer may hold
+  // a proxy of the material; our part is called on the material itself, since textures read from a proxy are other ones to the renderer.
   const hook: Hook = function (a, b, c, d, e, f) {
     const result = part.call(material, a, b, c, d, e, f);
     return set === part ? result : set?.call(this, a, b, c, d, e, f);

@@ -25,7 +25,7 @@ export function writePictureOffset(target: Vector2, camera: Camera, viewport: Ve
     return;
   }
   const { fullHeight, offsetX, offsetY, width, height } = view;
-  // Views count from the upper left, in units of their own.
+  // View offsets count from the upper left, in units of the full view.
   const fromBelow = fullHeight - offsetY - height;
   target.set((offsetX * viewport.z) / width - viewport.x, (fromBelow * viewport.w) / height - viewport.y);
 }

@@ -1,9 +1,9 @@
 import type { WebGLProgramParametersWithUniforms } from 'three';
 
-/** What three.js builds a program by, which it hands to `onBeforeCompile`. */
+/** The parameters of a program, which three.js passes to `onBeforeCompile`. */
 export type ProgramParameters = WebGLProgramParametersWithUniforms;
 
-/** Whether the vertices of what the program draws move with their object alone. three tells the vertex shader only. */
+/** Whether the vertices that the program draws move only with their object. three defines these facts in the vertex shader alone. */
 export function isRigid({ skinning, instancing, batching, morphTargets, morphNormals }: ProgramParameters): boolean {
   return !(skinning || instancing || batching || morphTargets || morphNormals);
 }

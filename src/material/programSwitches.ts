@@ -3,8 +3,9 @@ import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 
 /**
- * What three.js builds a program by but looks at only once `needsUpdate` is set, as one number: whether there are textures and
- * which coordinates they go by, whether strokes are sized on the screen, sides, vertex colours and the like. Another number needs another program. Allocates nothing.
+ * All that decides which program three.js builds, but that it reads only after `needsUpdate` is set, as one number: which textures
+ * there are and their channels, whether strokes are sized on the screen, sides, vertex colours and the like. Another number needs
+ * another program. Allocates nothing.
  */
 export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
   let switches: number = material.normalMapType;

@@ -2,7 +2,7 @@ const OUR_INCLUDE = /^[ \t]*#include[ \t]*"(.*)"[ \t]*$/gm;
 
 /**
  * Replaces every line `#include "name"` in `source` by `chunks[name]`, recursively. Includes in angle brackets are
- * three's own and stay for three to resolve, so the two never collide and three's ShaderChunk is left alone.
+ * three's own; three resolves them, so the two never collide and three's ShaderChunk stays as it is.
  *
  * @throws Error if a chunk is missing, or includes itself.
  */

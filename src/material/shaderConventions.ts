@@ -8,7 +8,7 @@ import { HATCHING_PROPERTIES } from './hatchingProperties.js';
 import { lightCountDefine } from './lightKinds.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
-/** The most spans a tone curve of one's own can have: one less than it has points. */
+/** The most spans that a tone curve given by points can have: one less than points. */
 export const TONE_CURVE_SPANS = 7;
 
 export const VERTEX_LAYOUTS = ['corner', 'pull', 'deforming'] as const;
@@ -18,7 +18,7 @@ export type VertexLayout = (typeof VERTEX_LAYOUTS)[number];
 const numbered = (prefix: string, names: readonly string[]) =>
   names.map((name, index) => `#define ${prefix}_${constantCase(name)} ${index}`);
 
-/** The names TypeScript and GLSL share, as defines. Which of them is chosen is a define of the material. */
+/** The names that TypeScript and GLSL share, as defines. The one that is chosen is a define of the material. */
 export const conventionsChunk = (): string =>
   [
     ...Object.values<HatchingProperty>(HATCHING_PROPERTIES).flatMap((property) =>
@@ -33,13 +33,13 @@ export const conventionsChunk = (): string =>
     lightCountDefine(),
   ].join('\n');
 
-/** The define of a map that says by which varying it goes; not there where there is no map. */
+/** The define that names the varying of a map's coordinates. It is not defined where there is no map. */
 export const channelDefine = ({ uniform }: HatchingTexture): string => `${uniform.toUpperCase()}_CHANNEL`;
 
-/** Where the fragment finds the coordinates of a channel. */
+/** The varyings that hold the coordinates of each channel. */
 export const CHANNEL_VARYINGS = ['vUv', 'vUv1', 'vUv2', 'vUv3'] as const;
 
-/** What three's chunks call a map's coordinates: those of its channel, moved by its transform. */
+/** Macros for the names by which three's chunks ask for a map's coordinates: those of its channel, times its transform. */
 export const mapTransformsChunk = (): string =>
   Object.values<HatchingProperty>(HATCHING_PROPERTIES)
     .filter((property) => property.kind === 'texture')
@@ -50,7 +50,7 @@ export const mapTransformsChunk = (): string =>
     })
     .join('\n');
 
-/** What shadows of older versions of three.js unpack depth with; a version may come that has no such chunk any more. */
+/** three's chunk by which shadows of older versions unpack depth. A later version may no longer have it. */
 export const packingChunk = (): string => ('packing' in ShaderChunk ? '#include <packing>' : '');
 
 /** Declarations of the attributes of the `corner` layout. */

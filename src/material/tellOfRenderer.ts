@@ -1,8 +1,8 @@
 let wasTold = false;
 
 /**
- * Says once that WebGPURenderer, with any backend, cannot draw what is written in GLSL. three.js names the material and draws its own
- * default in its place; this says what to do.
+ * Reports once that WebGPURenderer, with any backend, cannot draw materials written in GLSL. three.js only names the material and draws its
+ * default material in its place; this message also says what to do.
  *
  * @param what the class that cannot be drawn
  */

@@ -6,7 +6,7 @@ import { isUsedBy } from './lookFacts.js';
 
 const warned = new Set<string>();
 
-/** Warns, once each, of parameters that were set to something and do not count for the technique. */
+/** Warns once of each parameter that is set but does not count for the technique. */
 export function warnOfUnused(parameters: HatchingMaterialParameters, technique: HatchingTechnique): void {
   for (const name of Object.keys(parameters)) {
     if (!Object.hasOwn(HATCHING_PROPERTIES, name)) continue;

@@ -9,11 +9,27 @@ export const shortShaders: Plugin = {
   async load(id) {
     const [path, query] = id.split('?');
     if (query !== 'raw' || !/\.(glsl|vert|frag)$/.test(path)) return null;
-    const text = (await readFile(path, 'utf8'))
-      .replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '')
-      .replace(/^\s+|[ \t]+$/gm, '')
-      // Spaces stay in directives, where the space after a macro's name has a meaning, and beside + and −, or `a + +b` would become `a++b`.
-      .replace(/^[^#].*/gm, (line) => line.replace(/ ?([=*/<>,;(){}?:&|]) ?/g, '$1'));
-    return `export default ${JSON.stringify(text)};`;
+    return `export default ${JSON.stringify(shortened(await readFile(path, 'utf8')))};`;
   },
 };
+
+/** The same program in fewer characters. Statements keep their lines, so that a compiler's message still finds them. */
+export function shortened(text: string): string {
+  return (
+    text
+      .replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '')
+      .replace(/^\s+|[ \t]+$/gm, '')
+      // A parameter is an input unless it says otherwise.
+      .replace(/\bconst in /g, '')
+      // Not in directives, where a space after a macro's name counts.
+      .replace(/^[^#].*/gm, (line) =>
+        line
+          .replace(/ ?([=*/<>,;(){}?:&|]) ?/g, '$1')
+          // Two + or − that meet would be another operator.
+          .replace(/(?<![+-]) ([+-]) (?![+-])/g, '$1'),
+      )
+      .replace(/^#(el)?if .*/gm, (line) => line.replace(/ (==|!=|>|<|&&|\|\|) /g, '$1'))
+      .replace(/(^[^#\n].*[{(,])\n(?!#)/gm, '$1')
+      .replace(/(^[^#\n].*)\n(?=[})])/gm, '$1')
+  );
+}

@@ -13,6 +13,7 @@ const uvec3 HASH_STEP = uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
 
 // Random words for the lattice points at cell, cell + second, cell + third and cell + 1. A sum, of which a corner takes its
 // share: products joined by XOR give mirrored cells the same word (finaliser: Wellons, "Prospecting for Hash Functions", 2018).
+// The factor of the lattice is the golden ratio, which spreads numbers evenly.
 uvec4 hashAnchors(const in ivec3 cell, const in vec3 second, const in vec3 third, const in uint lattice) {
   uvec3 own = uvec3(cell) * HASH_STEP;
   uint toSecond = second.x > 0.5 ? HASH_STEP.x : second.y > 0.5 ? HASH_STEP.y : HASH_STEP.z;

@@ -2,7 +2,8 @@
 #ifdef REORIENTS_IN_SHADOW
   #include "technique/lightField"
 
-  // Of the lights that arrive; where none does, across the light. It is one for all places where the same do.
+  // The light of the field, as if there were only the lights that arrive; where none does, a direction across it. It is the same for
+  // all places that the same lights reach.
   vec4 arrivingLight() {
     bool isAny = false;
     bool isAll = true;

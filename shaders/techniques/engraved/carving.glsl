@@ -1,7 +1,7 @@
 // Lines that are cut white out of the block, as in a woodcut. A gouge goes in at a point, widens and comes out again: each line is a
 // row of wedges. What they leave between them is black, and ends in points too.
 
-// How far a cut swells and narrows from its mean, as a share of its room. As much white as this is left by points alone.
+// How far a cut swells and narrows from its mean, as a share of its room. Less white than this is left by separate wedges.
 #define SWELL 0.42
 // Length of a wedge, in distances between lines, and the share of it in which it widens.
 #define CUT_LENGTH 11.0
@@ -14,7 +14,7 @@ struct Cut {
   float swell;
 };
 
-// place: along the lines in distances between old lines, and the share of the first coordinate. into: the octave.
+// place: two coordinates along the lines, in distances between old lines, and the share of the first. into: the octave, from 0 to 1.
 Cut cutFor(const in float tone, const in vec3 place, const in float into) {
   Cut cut;
   float white = 1.0 - tone;

@@ -7,7 +7,7 @@ vec3 wave(const in vec3 x) {
   return 4.0 * t * (abs(t) - 1.0);
 }
 
-// Slow waves without a period in sight, each within [−1, 1].
+// Slow waves, each within [−1, 1], without a visible period: the numbers are lengths and phases without a pattern.
 vec3 slowWaves(const in vec3 p) {
   vec3 bent = p + 0.7 * wave(0.54 * p.yzx + vec3(0.1, 0.67, 1.4));
   return wave(0.73 * bent.zxy + vec3(0.35, 1.18, 1.66));
@@ -21,16 +21,20 @@ vec3 handPoint(const in vec3 point, const in vec3 waves) {
   return point + handmade * STRAY * waves;
 }
 
-// Pressure comes and goes along a line; where the tone is light it lifts, and leaves gaps.
+// How much the pressure of a hand changes at most, and how much the widths of lines differ.
+#define PRESSURE 0.3
+#define WIDTHS 0.5
+
+// Pressure comes and goes along a line; where the tone is light the hand lifts, and leaves gaps.
 float handPressure(const in vec3 waves) {
-  return handmade * 0.3 * waves.x * waves.y;
+  return handmade * PRESSURE * waves.x * waves.y;
 }
 
 float handTone(const in float pressure, const in float tone) {
   return tone + pressure * tone * (1.0 - tone);
 }
 
-// A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
+// A random number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
 float lotOf(const in float line) {
   // Few bits of such a number are set. Multiplied by the golden ratio, they are spread evenly (Fibonacci hashing).
   uint spread = floatBitsToUint(line) * 0x9e3779b9u;
@@ -39,5 +43,5 @@ float lotOf(const in float line) {
 
 // A factor on the width of a line, the same all along it; 1 in the mean.
 float handWidth(const in float line) {
-  return 1.0 + handmade * (0.5 * lotOf(line) - 0.25);
+  return 1.0 + handmade * (WIDTHS * lotOf(line) - 0.5 * WIDTHS);
 }

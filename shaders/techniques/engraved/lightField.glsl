@@ -1,8 +1,8 @@
-// The light as one for the whole object, so that lines run on: with one light where it stands, with several the axis on which
+// One light for the whole object, so that lines run on: a single light as it stands, and of several the axis on which
 // they agree most, the principal axis of Σ w L Lᵀ, which lights from opposite sides do not cancel.
 #include "lightLuminance"
 
-// The weight of a light. One that is out still stands somewhere.
+// The weight of a light. One that is switched off still has a direction.
 float fieldWeight(const in vec3 color) {
   return lightLuminance(color) + 1e-6;
 }

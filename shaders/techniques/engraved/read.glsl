@@ -13,6 +13,11 @@ uniform mat3 objectToField; // linear part
 // those that cross it take its tone.
 #define BARE_SLOPE vec2(0.06, 0.18)
 
+// Units of the slow waves of a hand to a tile.
+#define HAND_WAVES 3.5
+// How far from evenly matched the two crossing families share a place: the difference of their squared sines.
+#define SIDE_FADE 0.35
+
 struct HatchingParameters {
   vec3 point; // as the hand strays, from the origin of the field, tiles
   float pressure; // of the hand
@@ -30,7 +35,7 @@ HatchingParameters readHatchingParameters() {
   Field field = firstField(arrivingLight());
   HatchingParameters h;
   vec3 normal = safeNormalize(vFieldNormal);
-  vec3 waves = slowWaves(3.5 * vFieldPoint);
+  vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
   h.point = handPoint(vFieldPoint, waves);
   h.pressure = handPressure(waves);
   h.onScreen = screenMap(normal, objectToField * readViewToAnchor());
@@ -44,7 +49,7 @@ HatchingParameters readHatchingParameters() {
   float acrossB = dot(normal, h.sideC);
   float acrossC = dot(normal, h.sideB);
   float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
-  float shareB = smoothstep(-0.35, 0.35, between);
+  float shareB = smoothstep(-SIDE_FADE, SIDE_FADE, between);
   h.alongFirst = vec3(dot(h.point, h.sideB), dot(h.point, h.sideC), shareB);
   h.shareB = mix(1.0, shareB, h.has);
   return h;

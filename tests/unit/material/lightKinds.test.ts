@@ -58,7 +58,8 @@ describe('the walks over lights', () => {
       expect(left, name).not.toContain('for (');
       expect(chunk.trimEnd().endsWith('#undef VISIT_LIGHT'), name).toBe(true);
     }
-    expect(lightShadows.match(/^#define get\w*Shadow\(/gm)).toHaveLength(3);
+    const told = [...lightShadows.matchAll(/^#define (get\w*Shadow)\(/gm)].map(([, name]) => name);
+    expect(new Set(told)).toEqual(new Set(['getShadow', 'getPointShadow', 'getSunShadow']));
   });
 
   test('leave out what the installed three.js does not have', () => {

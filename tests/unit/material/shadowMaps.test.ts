@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { ShaderChunk } from 'three';
 import { describe, expect, test } from 'vitest';
+import { resolveIncludes } from '../../../src/material/resolveIncludes.js';
 import { shadowMapsChunk } from '../../../src/material/shadowMaps.js';
 
 const chunkOf = (version: string) => {
@@ -11,12 +12,18 @@ const chunkOf = (version: string) => {
   return /`([\s\S]*)`/.exec(file)![1];
 };
 
+const names = ['steadyKernel', 'steadyFlat', 'steadyCube', 'bilinearFlat', 'bilinearCube'];
+const files = Object.fromEntries(
+  names.map((name) => [`shadowMaps/${name}`, readFileSync(`shaders/shadowMaps/${name}.glsl`, 'utf8')]),
+);
+const steadyOf = (source?: string) => resolveIncludes(shadowMapsChunk(source), files);
+
 /** The bodies of the functions of a name, each from its head to the next function or the end. */
 const bodiesOf = (name: string, chunk: string) =>
   chunk.split(/^\s*(?=(?:float|vec2|int) \w+\()/m).filter((part) => new RegExp(`^float ${name}\\(`).test(part));
 
 describe('the filter of shadow maps', () => {
-  const steady = shadowMapsChunk();
+  const steady = steadyOf();
 
   test("is ours in the place of three's noise, flat and cube, and blends where three does not", () => {
     const [comparing, moments, basic] = bodiesOf('getShadow', steady);
@@ -61,7 +68,7 @@ describe('the filter of shadow maps', () => {
       ['flat', flat, 'vec3(shadowCoord.xy + vec2(x, y) * away'],
       ['cube', cube, 'vec4(direction, depth)'],
     ]) {
-      const found = shadowMapsChunk(`float shadow = 1.0;\n${text}\nreturn shadow;`);
+      const found = steadyOf(`float shadow = 1.0;\n${text}\nreturn shadow;`);
       expect(found, name).toContain(ours);
       expect(found, name).toMatch(/float shadow = 1\.0;[\s\S]*return shadow;$/);
       expect(found, name).not.toContain('interleavedGradientNoise');
