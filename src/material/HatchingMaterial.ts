@@ -19,8 +19,6 @@ import { stippleMap } from '../tam/stippleMap.js';
 import { toothMap } from '../tam/toothMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
-import { blankThresholdMap } from './blankThresholdMap.js';
-import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
 import { defaultOf } from './defaultOf.js';
@@ -41,7 +39,7 @@ import {
   type HatchingTechnique,
 } from './hatchingProperties.js';
 import { hatchingShaders } from './hatchingShaders.js';
-import { createHatchingUniforms, writePropertyUniforms } from './hatchingUniforms.js';
+import { createHatchingUniforms, writeMapUniforms, writePropertyUniforms } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { isUsedBy, needsAdjacency, usesThresholds } from './lookFacts.js';
 import { writePictureOffset } from './pictureOffset.js';
@@ -357,11 +355,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     u.creaseCosine.value = Math.cos(this.creaseAngle);
     if (this.medium === 'dry') u.toothMap.value = toothMap();
     if (this.medium === 'stipple') u.stippleMap.value = stippleMap();
-    u.tonalArtMap.value = map?.texture ?? blankTonalArtMap();
-    const tones = map?.tones ?? 2;
-    u.tonalArtMapTones.value = tones;
-    // A layer begins with the last tone of the one before.
-    u.tonalArtMapLastLayer.value = Math.ceil((tones - 1) / 3) - 1;
+    writeMapUniforms(map, isOfThresholds, u);
 
     // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
     const { strokeScale: scale, strokeOffset: offset } = this;
@@ -379,21 +373,6 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       -Math.sin(crossAngle / 2),
       Math.cos(crossAngle / 2),
     );
-    if (map === null) {
-      u.thresholdMap.value = blankThresholdMap();
-      u.thresholdMapLevels.value = 1;
-      u.thresholdMoments.value.set(1, 1, 0);
-      u.thresholdMapSize.value = 1;
-      u.thresholdMapTexel.value.set(1, 1);
-    } else if (isOfThresholds) {
-      u.thresholdMap.value = map.thresholdTexture;
-      u.thresholdMapLevels.value = map.levels;
-      const { variance, coarserVariance, covariance } = map.thresholdMoments;
-      u.thresholdMoments.value.set(variance, coarserVariance, covariance);
-      u.thresholdMapSize.value = map.size;
-      const { width, height } = map.thresholdTexture.image;
-      u.thresholdMapTexel.value.set(1 / width, 1 / height);
-    }
   }
 
   /**

@@ -1,4 +1,7 @@
 import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3, Vector4 } from 'three';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { blankThresholdMap } from './blankThresholdMap.js';
+import { blankTonalArtMap } from './blankTonalArtMap.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { HatchingProperty } from './HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
@@ -85,4 +88,32 @@ function writeTransform(texture: Texture | null, uniform: IUniform<Matrix3>): vo
   if (texture === null) return;
   if (texture.matrixAutoUpdate) texture.updateMatrix();
   uniform.value.copy(texture.matrix);
+}
+
+/**
+ * Writes what the shaders know of a tonal art map; null stands for blank paper. Allocates nothing.
+ *
+ * @param isOfThresholds whether strokes are drawn from the map's thresholds
+ */
+export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolean, u: Uniforms): void {
+  u.tonalArtMap.value = map?.texture ?? blankTonalArtMap();
+  const tones = map?.tones ?? 2;
+  u.tonalArtMapTones.value = tones;
+  // A layer begins with the last tone of the one before.
+  u.tonalArtMapLastLayer.value = Math.ceil((tones - 1) / 3) - 1;
+  if (map === null) {
+    u.thresholdMap.value = blankThresholdMap();
+    u.thresholdMapLevels.value = 1;
+    u.thresholdMoments.value.set(1, 1, 0);
+    u.thresholdMapSize.value = 1;
+    u.thresholdMapTexel.value.set(1, 1);
+  } else if (isOfThresholds) {
+    u.thresholdMap.value = map.thresholdTexture;
+    u.thresholdMapLevels.value = map.levels;
+    const { variance, coarserVariance, covariance } = map.thresholdMoments;
+    u.thresholdMoments.value.set(variance, coarserVariance, covariance);
+    u.thresholdMapSize.value = map.size;
+    const { width, height } = map.thresholdTexture.image;
+    u.thresholdMapTexel.value.set(1 / width, 1 / height);
+  }
 }

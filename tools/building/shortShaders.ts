@@ -21,11 +21,11 @@ export function shortened(text: string): string {
       .replace(/^\s+|[ \t]+$/gm, '')
       // A parameter is an input unless it says otherwise.
       .replace(/\bconst in /g, '')
-      // Not in directives, where a space after a macro's name counts.
+      // Spaces stay in directives, where the space after a macro's name has a meaning.
       .replace(/^[^#].*/gm, (line) =>
         line
           .replace(/ ?([=*/<>,;(){}?:&|]) ?/g, '$1')
-          // Two + or − that meet would be another operator.
+          // Beside another + or − they stay, or `a + +b` would become `a++b`.
           .replace(/(?<![+-]) ([+-]) (?![+-])/g, '$1'),
       )
       .replace(/^#(el)?if .*/gm, (line) => line.replace(/ (==|!=|>|<|&&|\|\|) /g, '$1'))
