@@ -29,7 +29,8 @@ one of its pixels can be read. Ratios are taken within a turn; the tables have t
 
 This is figure 15 of Suarez et al. for this library, in time instead of frames per second. In the paper, hatching reached about half the frame rate of
 Phong shading of the same geometry, on a Quadro FX 3800: the dashed line.`,
-  media: 'This is what media cost, compared with the ink of a pen. Pencil, charcoal and chalk are dry; a woodcut is carved.',
+  media:
+    'This is what media cost, compared with the ink of a pen. Pencil, charcoal and chalk are dry; a woodcut is carved.',
   lines: 'This is what contours, borders and creases add to a frame, and to the main thread while the camera moves.',
   shadows: `This is what strokes that react to shadows cost, compared with strokes that shadows only darken, and what a ground that shows only shadows
 adds to the frame. The shadow map is drawn once, before.`,
