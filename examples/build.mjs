@@ -1,8 +1,9 @@
 /** `npm run build:examples`: builds the examples into dist-examples, as static files for any folder of any host. */
-import { cpSync } from 'node:fs';
+import { cpSync, existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'vite';
+import { readExamples } from './readExamples.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 /** The modules of three.js that pages without a build step import. */
@@ -23,12 +24,13 @@ const THREE_FILES = [
 export async function buildExamples(outDir) {
   const common = { root, logLevel: 'error' };
   await build({ ...common, configFile: join(root, 'examples/vite.config.ts'), root: undefined, build: { outDir } });
-  // Pages that stand alone, and what they import.
-  for (const name of ['import-map', 'web-component']) {
-    cpSync(join(root, `examples/${name}/page.html`), join(outDir, `${name}/page.html`));
+  // Pictures, pages that stand alone, and what those import.
+  for (const { folder } of readExamples()) {
+    for (const path of ['picture.webp', 'page.html'].map((name) => `${folder}/${name}`)) {
+      if (existsSync(join(root, 'examples', path))) cpSync(join(root, 'examples', path), join(outDir, path));
+    }
   }
-  for (const name of ['models', 'pictures'])
-    cpSync(join(root, `examples/${name}`), join(outDir, name), { recursive: true });
+  cpSync(join(root, 'examples/models'), join(outDir, 'models'), { recursive: true });
   for (const path of THREE_FILES) cpSync(join(root, 'node_modules/three', path), join(outDir, 'lib/three', path));
   const dist = join(outDir, 'lib/three-hatching/dist');
   for (const mode of ['production', 'element']) {

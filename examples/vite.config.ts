@@ -3,7 +3,7 @@ import { defineConfig } from 'vite';
 import { libraryEntries } from '../tools/building/libraryEntries.js';
 import { shortShaders } from '../tools/building/shortShaders.js';
 import { noticeCheck, noticeFile } from '../tools/notice/noticePlugin.js';
-import { EXAMPLES } from './examples.js';
+import { readExamples } from './readExamples.mjs';
 
 const file = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -22,6 +22,6 @@ export default defineConfig({
     chunkSizeWarningLimit: 1500,
     // A module that is preloaded by text of its own would need the policy of strict-csp to allow that.
     modulePreload: { polyfill: false },
-    rolldownOptions: { input: ['index.html', ...EXAMPLES.map(({ folder }) => `${folder}/index.html`)].map(file) },
+    rolldownOptions: { input: ['index.html', ...readExamples().map(({ folder }) => `${folder}/index.html`)].map(file) },
   },
 });

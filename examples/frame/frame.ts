@@ -9,7 +9,7 @@ const SOURCES = import.meta.glob<string>(['../*/main.{ts,tsx}', '../*/page.html'
 
 const folder = location.pathname.split('/').at(-2);
 const at = EXAMPLES.findIndex((example) => example.folder === folder);
-const { title, about, source } = EXAMPLES[at];
+const { title, about } = EXAMPLES[at];
 document.title = `${title} – three-hatching`;
 
 const text = document.createElement('div');
@@ -34,4 +34,6 @@ code.className = 'source';
 code.tabIndex = 0;
 code.ariaLabel = 'Source';
 document.body.append(text, code);
-highlight(code, await SOURCES[`../${folder}/${source}`]());
+// A folder has one module or, where there is no build step, one page.
+const [, source] = Object.entries(SOURCES).find(([path]) => path.startsWith(`../${folder}/`))!;
+highlight(code, await source());

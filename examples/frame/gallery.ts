@@ -6,7 +6,7 @@ document.querySelector('.gallery')!.append(
     const entry = document.createElement('li');
     const link = Object.assign(document.createElement('a'), { href: `./${folder}/` });
     const picture = Object.assign(document.createElement('img'), {
-      src: `./pictures/${folder}.webp`,
+      src: `./${folder}/picture.webp`,
       alt: '',
       width: 480,
       height: 360,

@@ -14,18 +14,6 @@ export interface HatchingPreset {
   readonly tonalArtMap: Readonly<MapDrawing> | null;
 }
 
-/** The names of the presets. */
-export type PresetName =
-  | 'pen'
-  | 'crossHatching'
-  | 'engraving'
-  | 'technical'
-  | 'woodcut'
-  | 'stipple'
-  | 'pencil'
-  | 'charcoal'
-  | 'chalk';
-
 /** The tone curve of printed line drawings: lights stay blank, and some paper shows even in the deepest shade. */
 const PRINTED: ToneCurve = [
   [0, 0],
@@ -239,7 +227,10 @@ const makePresets = () =>
       lines: { lineWidth: 2.6, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
       tonalArtMap: { style: 'hatching' },
     },
-  }) as const satisfies Record<PresetName, HatchingPreset>;
+  }) as const satisfies Record<string, HatchingPreset>;
+
+/** The names of the presets. */
+export type PresetName = keyof ReturnType<typeof makePresets>;
 
 function frozen<Value>(value: Value): Value {
   if (typeof value === 'object' && value !== null) for (const part of Object.values(value)) frozen(part);

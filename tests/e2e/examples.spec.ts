@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { buildExamples } from '../../examples/build.mjs';
-import { EXAMPLES } from '../../examples/examples.js';
+import { readExamples } from '../../examples/readExamples.mjs';
 import { serveFolders } from '../../tools/browser/serveFolders.js';
 import { toleratedMessages } from '../../tools/browser/toleratedMessages.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
@@ -10,6 +10,8 @@ import { octahedronDracoGlb, octahedronMeshoptGlb } from '../../tools/modelFiles
 import { expect, test } from '../browser/test.js';
 import { ktx2Picture } from './ktx2Picture.js';
 import { changedShare } from './pictures.js';
+
+const EXAMPLES = readExamples();
 
 const folder = fileURLToPath(new URL('../output/examples', import.meta.url));
 const three = fileURLToPath(new URL('../../node_modules/three', import.meta.url));
@@ -244,7 +246,7 @@ test.describe('<hatched-model>', () => {
       document.body.style.paddingBottom = '4000px';
       const late = Object.assign(document.createElement('hatched-model'), {
         src: '../models/fish.glb?late',
-        poster: '../pictures/animated-model.webp',
+        poster: '../animated-model/picture.webp',
         alt: 'late',
       });
       late.style.cssText = 'position: absolute; top: 3000px; width: 200px; height: 150px';

@@ -2,7 +2,6 @@ import { flipsAt, isKept, requirements, toneError } from './requirements.mjs';
 
 /** @typedef {import('./page.js').ModelMetrics} ModelMetrics */
 
-const techniques = ['anchored', 'engraved', 'engraved, x', 'adjacency', 'adjacency, crisp', 'triangle'];
 const colours = {
   anchored: '#0b0b0b',
   engraved: '#1e8449',
@@ -11,6 +10,7 @@ const colours = {
   'adjacency, crisp': '#2471a3',
   triangle: '#8a8a8a',
 };
+const techniques = Object.keys(colours);
 
 /** Where the i-th entry of the legend begins: each is a short line and a name. */
 const legendAt = (i) => techniques.slice(0, i).reduce((x, { length }) => x + 44 + 7 * length, 24);

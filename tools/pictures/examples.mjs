@@ -11,7 +11,7 @@ const REST = 700;
 const MOST_LOOKS = 40;
 
 /**
- * Draws the small pictures of the examples, as visitors see them, into examples/pictures.
+ * Draws the small pictures of the examples, as visitors see them, into their folders.
  *
  * @param {import('vite').ViteDevServer} server
  * @param {import('@playwright/test').Browser} browser
@@ -35,7 +35,7 @@ export async function drawExamples(server, browser, root) {
     await page.close();
     const content = Buffer.from(file, 'base64');
     bytes += content.length;
-    writeFileSync(join(root, `examples/pictures/${folder}.webp`), content);
+    writeFileSync(join(root, `examples/${folder}/picture.webp`), content);
   }
   console.log(`examples: ${EXAMPLES.length} pictures, ${Math.round(bytes / 1000)} kB`);
 }

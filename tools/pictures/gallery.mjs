@@ -1,7 +1,6 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { isSettled } from './isSettled.mjs';
-import { PRESET_NAMES } from './plans.mjs';
 import { toWebp } from './toWebp.mjs';
 
 /** Sides of the sheet that is drawn, in CSS pixels, and of the picture, in its own. */
@@ -19,6 +18,7 @@ const QUALITY = 0.8;
  */
 export async function drawGallery(server, browser, root) {
   const { GALLERY } = await server.ssrLoadModule('/src/demo/settings/gallery.ts');
+  const { PRESET_NAMES } = await server.ssrLoadModule('/src/demo/settings/presetLabels.ts');
   const pictures = [
     ...GALLERY.map(({ name, link }) => ({ ...DRAWING, name, link })),
     ...PRESET_NAMES.map((name) => ({ ...PRESET, name: `preset-${name}`, link: `preset=${name}&model=sphere` })),

@@ -1,18 +1,5 @@
 /** The pictures of the documentation: what each shows, and how the drawings lie on the sheet. */
 
-/** All presets, in the order of the playground. */
-export const PRESET_NAMES = [
-  'pen',
-  'crossHatching',
-  'engraving',
-  'technical',
-  'woodcut',
-  'stipple',
-  'pencil',
-  'charcoal',
-  'chalk',
-];
-
 const HAND = { subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.45], shadows: true };
 const PRINT = { preset: 'engraving', width: 640, height: 640, pixelRatio: 1.6, shadows: true };
 /** A print of something that stands on the sheet, with dark hollows. */
@@ -45,16 +32,20 @@ const FILLS = [
  * @property {import('./page.js').Picture[]} pictures all of one size
  */
 
-/** @type {Record<string, Plan>} */
-export const PLANS = {
+/**
+ * @param {string[]} presets the names of all presets, in the order of the library
+ * @param {string[]} techniques the names of all techniques
+ * @returns {Record<string, Plan>}
+ */
+export const plansOf = (presets, techniques) => ({
   presets: {
     columns: 3,
-    pictures: PRESET_NAMES.map((preset) => ({ ...HAND, preset, width: 400, height: 500, pixelRatio: 1.5 })),
+    pictures: presets.map((preset) => ({ ...HAND, preset, width: 400, height: 500, pixelRatio: 1.5 })),
   },
   presetsByModel: {
-    columns: PRESET_NAMES.length,
+    columns: presets.length,
     pictures: [BUST, DRAGON, { subject: 'bunny', view: [0, 0.2, 1], light: [-0.8, 1.2, 0.6] }].flatMap((subject) =>
-      PRESET_NAMES.map((preset) => ({ ...subject, preset, width: 220, height: 220, pixelRatio: 0.6, shadows: true })),
+      presets.map((preset) => ({ ...subject, preset, width: 220, height: 220, pixelRatio: 0.6, shadows: true })),
     ),
   },
   media: {
@@ -91,8 +82,8 @@ export const PLANS = {
     ),
   },
   techniques: {
-    columns: 4,
-    pictures: ['triangle', 'adjacency', 'anchored', 'engraved'].map((technique) => ({
+    columns: techniques.length,
+    pictures: techniques.map((technique) => ({
       subject: 'dragon',
       view: [0.22, 0.18, 1],
       light: [-1, 1.2, 0.85],
@@ -186,7 +177,7 @@ export const PLANS = {
       })),
     ),
   },
-};
+});
 
 /** The files of subjects that npm packages do not carry. */
 export const SUBJECT_FILES = { nefertiti: 'nefertiti_lowres.obj', fox: 'Fox.glb', man: 'CesiumMan.glb' };

@@ -12,7 +12,7 @@ import { createServer } from 'vite';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { drawExamples } from './examples.mjs';
 import { drawGallery } from './gallery.mjs';
-import { PLANS, SUBJECT_FILES } from './plans.mjs';
+import { plansOf, SUBJECT_FILES } from './plans.mjs';
 import { drawShow } from './show.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -20,14 +20,16 @@ const models = resolve(root, process.env.HATCH_MODELS ?? '../shared/models');
 const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES[subject]);
 
 const wanted = process.argv.slice(2);
-for (const name of wanted) {
-  if (!(name in PLANS) && !['gallery', 'examples', 'show'].includes(name))
-    throw new Error(
-      `tools/pictures/run.mjs: no picture "${name}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show.`,
-    );
-}
-
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
+const { HATCHING_PROPERTIES, presets } = await server.ssrLoadModule('/src/index.ts');
+const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
+const unknown = wanted.find((name) => !(name in PLANS) && !['gallery', 'examples', 'show'].includes(name));
+if (unknown !== undefined) {
+  await server.close();
+  throw new Error(
+    `tools/pictures/run.mjs: no picture "${unknown}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show.`,
+  );
+}
 const { writePalettePng } = await server.ssrLoadModule('/tools/pictures/writePalettePng.ts');
 await server.listen();
 const browser = await chromium.launch(await launchOptions());

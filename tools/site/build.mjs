@@ -8,6 +8,7 @@ import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, write
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { buildExamples } from '../../examples/build.mjs';
+import { readExamples } from '../../examples/readExamples.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const site = join(root, 'tools/site');
@@ -58,7 +59,9 @@ function gatherPages() {
     cpSync(join(root, 'docs', name), join(pages, name), { recursive: true });
   cpSync(join(site, 'static'), pages, { recursive: true });
   cpSync(join(root, 'public/lamp.svg'), join(pages, 'public/lamp.svg'));
-  cpSync(join(root, 'examples/pictures'), join(pages, 'public/examples-pictures'), { recursive: true });
+  for (const { folder } of readExamples()) {
+    cpSync(join(root, `examples/${folder}/picture.webp`), join(pages, `public/examples-pictures/${folder}.webp`));
+  }
   const home = readFileSync(join(pages, 'home.md'), 'utf8');
   rmSync(join(pages, 'home.md'));
   const readme = readFileSync(join(root, 'README.md'), 'utf8')

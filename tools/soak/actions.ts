@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { Random } from '../../src/demo/settings/Random.js';
+import { SETTINGS } from '../../src/demo/settings/settings.js';
 import { drop, framesDrawn, idle, savePicture } from '../browser/playground.js';
 import { columnGlb } from '../modelFiles/columnModel.js';
 import {
@@ -21,8 +22,9 @@ import { LACKS, visitPoor } from './poorBrowsers.js';
 type Action = (page: Page, random: Random) => Promise<void>;
 
 export const MODELS = ['cube', 'sphere', 'teapot', 'bunny', 'dragon4', 'suzanne', 'fish'];
-export const TECHNIQUES = ['anchored', 'engraved', 'adjacency', 'adjacencyCrisp', 'triangle'];
-export const STYLES = ['hatching', 'crossHatching', 'stippling', 'dashes', 'woodcut', 'pencil', 'ruled', 'contours'];
+export const TECHNIQUES = Object.keys(SETTINGS.technique.choices);
+/** All but the user's own. */
+export const STYLES = Object.keys(SETTINGS.mapStyle.choices).filter((style) => style !== 'file');
 
 const setting =
   (key: string, values: readonly string[]): Action =>

@@ -1,16 +1,14 @@
-import type { PresetName } from 'three-hatching';
+import { type PresetName, presets } from 'three-hatching';
 
-/** The presets of the library, as the pages name them. */
-export const PRESET_LABELS = {
-  pen: 'Pen',
-  crossHatching: 'Cross-hatching',
-  engraving: 'Engraving',
-  technical: 'Technical',
-  woodcut: 'Woodcut',
-  stipple: 'Stipple',
-  pencil: 'Pencil',
-  charcoal: 'Charcoal',
-  chalk: 'Chalk',
-} as const satisfies Record<PresetName, string>;
+/** The presets of the library, in its order. */
+export const PRESET_NAMES = Object.keys(presets) as PresetName[];
 
-export const PRESET_NAMES = Object.keys(PRESET_LABELS) as PresetName[];
+/** `crossHatching` as `Cross-hatching`. */
+const labelOf = (name: string): string =>
+  `${name[0].toUpperCase()}${name.slice(1).replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+
+/** The presets, as the pages name them. */
+export const PRESET_LABELS = Object.fromEntries(PRESET_NAMES.map((name) => [name, labelOf(name)])) as Record<
+  PresetName,
+  string
+>;
