@@ -24,20 +24,9 @@ export type {
   HatchingProperty,
 } from './material/HatchingProperty.js';
 export { HATCHING_FACTS } from './material/hatchingFacts.js';
-export type {
-  DebugView,
-  HatchingTechnique,
-  InkBlend,
-  LevelRule,
-  LineField,
-  Medium,
-  ShadowStrokes,
-  StrokeAnchor,
-  StrokeLayers,
-  ToneModel,
-  ToneNormal,
-} from './material/hatchingProperties.js';
-export { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './material/hatchingProperties.js';
+// The types of all choices.
+export type * from './material/hatchingProperties.js';
+export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/hatchingProperties.js';
 export {
   counts,
   type HatchingLook,

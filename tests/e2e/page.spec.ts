@@ -492,7 +492,7 @@ test('a model is drawn as ever though the worker that prepares it ends without a
   await ready(page);
   expect(changedShare(drawing, await readDrawing(page))).toBe(0);
   expect(pageProblems.splice(0)).toEqual([
-    expect.stringContaining('the worker died (it has ended). A new worker starts once more what it was doing.'),
+    expect.stringContaining('the worker died (it has ended). Its tasks start over in a new worker.'),
   ]);
 });
 
