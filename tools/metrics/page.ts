@@ -1,8 +1,10 @@
 /** The page of the metrics: measures one model with every technique. */
 import { type BufferGeometry, PlaneGeometry, Vector3, WebGLRenderer } from 'three';
 import {
+  counts,
   HatchingMaterial,
   type HatchingMaterialParameters,
+  needsMap,
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
@@ -157,7 +159,7 @@ function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: Hat
     material.technique === 'anchored'
       ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
       : undefined;
-  const axis: Vector = material.technique === 'engraved' && material.lineField === 'x' ? [1, 0, 0] : TO_LIGHT.toArray();
+  const axis: Vector = counts(material, 'lineField') && material.lineField === 'x' ? [1, 0, 0] : TO_LIGHT.toArray();
   return strokeKink(geometry.getAttribute('position').array, edges, axis, normals);
 }
 
@@ -167,7 +169,7 @@ function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
   return {
     coherence: strokeCoherence(even),
     spacing: strokeSpacing(even),
-    ...(material.technique !== 'engraved' && { strokeLength: lengthBySpacing(camera) / drawnLength! }),
+    ...(needsMap(material) && { strokeLength: lengthBySpacing(camera) / drawnLength! }),
   };
 }
 
@@ -201,7 +203,7 @@ function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedS
   // Not in one step: a coarser scale may bring in another level of the map.
   for (let step = 0; step < 4; step++) {
     const tooWide = strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
-    if (material.technique === 'engraved') material.lineSpacing /= tooWide;
+    if (counts(material, 'lineSpacing')) material.lineSpacing /= tooWide;
     else material.strokeScale *= tooWide;
   }
   const before = camera.evenlyToned(EVEN_TONE).shoot();

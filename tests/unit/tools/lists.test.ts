@@ -1,5 +1,4 @@
-import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { readExamples } from '../../../examples/readExamples.mjs';
 import { PRESET_LABELS } from '../../../src/demo/settings/presetLabels.js';
@@ -33,15 +32,13 @@ const LISTS: Record<string, Kept> = {
   examples: { names: readExamples().map(({ folder }) => folder), homes: [] },
 };
 
-const sources = execFileSync(
-  'git',
-  ['ls-files', '--cached', '--others', '--exclude-standard', 'src', 'tools', 'examples'],
-  {
-    encoding: 'utf8',
-  },
-)
-  .split('\n')
-  .filter((path) => /\.(ts|tsx|mjs|js|json|html)$/.test(path));
+const sources = ['src', 'tools', 'examples'].flatMap((folder) =>
+  readdirSync(folder, { recursive: true, encoding: 'utf8' })
+    .map((path) => `${folder}/${path}`)
+    .filter(
+      (path) => /\.(ts|tsx|mjs|js|json|html)$/.test(path) && !/node_modules|\.vitepress\/(cache|dist)/.test(path),
+    ),
+);
 
 /** Characters that a list takes for a name, at the most. */
 const REACH = 90;
