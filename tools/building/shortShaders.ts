@@ -13,23 +13,26 @@ export const shortShaders: Plugin = {
   },
 };
 
-/** The same program in fewer characters. Statements keep their lines, so that a compiler's message still finds them. */
+/** The same program in fewer characters. Every directive keeps its line. */
 export function shortened(text: string): string {
   return (
     text
       .replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '')
       .replace(/^\s+|[ \t]+$/gm, '')
-      // A parameter is an input unless it says otherwise.
-      .replace(/\bconst in /g, '')
+      // A parameter is an input unless it says otherwise. That it is constant saves compilers a copy.
+      .replace(/\bconst in /g, 'const ')
       // Spaces stay in directives, where the space after a macro's name has a meaning.
       .replace(/^[^#].*/gm, (line) =>
         line
           .replace(/ ?([=*/<>,;(){}?:&|]) ?/g, '$1')
           // Beside another + or − they stay, or `a + +b` would become `a++b`.
-          .replace(/(?<![+-]) ([+-]) (?![+-])/g, '$1'),
+          .replace(/(?<![+-]) ([+-]) (?![+-])/g, '$1')
+          // 0.5 and 1.0 as .5 and 1.
+          .replace(/(?<![\w.])0(\.\d)/g, '$1')
+          .replace(/(?<![\w.])(\d+\.)0(?![\w.])/g, '$1'),
       )
       .replace(/^#(el)?if .*/gm, (line) => line.replace(/ (==|!=|>|<|&&|\|\|) /g, '$1'))
-      .replace(/(^[^#\n].*[{(,])\n(?!#)/gm, '$1')
+      .replace(/(^[^#\n].*[{(,;])\n(?!#)/gm, '$1')
       .replace(/(^[^#\n].*)\n(?=[})])/gm, '$1')
   );
 }

@@ -2,12 +2,14 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { shortened } from '../../../../tools/building/shortShaders.js';
 
-/** The words, numbers and signs that a compiler sees; `const in` says nothing that it does not know. */
+/** The words, numbers and signs that a compiler sees, each in its shortest form. */
 const tokensOf = (text: string): string[] =>
-  text
-    .replace(/\/\/.*/g, '')
-    .replace(/\bconst in\b/g, '')
-    .match(/[\w.]+|[+-]+|[^\s\w.]/g) ?? [];
+  (
+    text
+      .replace(/\/\/.*/g, '')
+      .replace(/\bconst in\b/g, 'const')
+      .match(/[\w.]+|[+-]+|[^\s\w.]/g) ?? []
+  ).map((token) => token.replace(/^0(\.\d+)$/, '$1').replace(/^(\d+\.)0$/, '$1'));
 
 describe('shaders as they are shipped', () => {
   const files = readdirSync('shaders', { recursive: true, withFileTypes: true })
@@ -27,9 +29,13 @@ describe('shaders as they are shipped', () => {
     expect(shortened('float x = a - -b + +c + d - e;')).toBe('float x=a - -b + +c+d-e;');
   });
 
+  test('keep numbers what they are', () => {
+    expect(shortened('vec4 a = vec4(0.5, 1.0, 10.05, 2.0e3);')).toBe('vec4 a=vec4(.5,1.,10.05,2.0e3);');
+  });
+
   test('keep the space after a macro, which decides whether it has parameters', () => {
     expect(shortened('#define A (1 + 2) // three\n  float f(const in float x) {\n  return x;\n}\n')).toBe(
-      '#define A (1 + 2)\nfloat f(float x){return x;}\n',
+      '#define A (1 + 2)\nfloat f(const float x){return x;}\n',
     );
   });
 });
