@@ -202,7 +202,7 @@ test('an agreement is to one model on one site, whatever a link, its sender or a
   await ask('https://trusted.test/sent-on.ply');
   await yes.click();
   await expect(page.locator('#status')).toHaveText(
-    /^sent-on\.ply did not come: trusted\.test sends on to another site/,
+    /^sent-on\.ply did not come: trusted\.test redirects to another site/,
   );
   expect(asked.slice(1)).toEqual(['trusted.test/sent-on.ply']);
   expect(pageProblems.splice(0).filter((problem) => !/Content Security Policy|ERR_|CORS/.test(problem))).toEqual([]);

@@ -165,7 +165,7 @@ test('a look of one’s own stands beside the presets, also after a reload, and 
   await page.goto(`./?full#${LINK}&ink=%237a2e1d`);
   await ready(page);
   await keep('Full');
-  await expect(page.locator('#named-said')).toHaveText(/your looks are there until the page is closed\.$/);
+  await expect(page.locator('#named-said')).toHaveText(/your looks last until the page is closed\.$/);
   await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Pen', exact: true }).click();
   await looks.getByRole('button', { name: 'Full' }).click();
@@ -188,8 +188,8 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
   });
   const status = page.locator('#status');
   for (const [query, sentence] of [
-    ['?private', /keeps nothing here, as in a private window: after a reload, open octahedron\.ply again\.$/],
-    ['?full', /^octahedron\.ply is larger than what this browser keeps/],
+    ['?private', /stores nothing for this page, as in a private window: after a reload, open octahedron\.ply again\.$/],
+    ['?full', /^octahedron\.ply is larger than what this browser stores/],
   ] as const) {
     await page.goto(`./${query}#${LINK}`);
     await ready(page);
@@ -207,7 +207,7 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
   await ready(page);
   await page.evaluate(() => history.replaceState({ drawing: 'a' }, ''));
   await page.reload();
-  await expect(status).toHaveText('The browser does not give back the drawing that it keeps: open your model again.');
+  await expect(status).toHaveText('The browser does not return the drawing that it keeps: open your model again.');
   await ready(page);
   await expect(page.locator('#model-name')).toHaveText('Cube');
   await expect.poll(() => page.evaluate(() => history.state)).toBe(null);

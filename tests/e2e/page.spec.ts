@@ -220,7 +220,7 @@ test('copies the picture to the clipboard, asked for within the click; where tha
   await ready(page);
   await copy();
   await expect(page.locator('#status')).toHaveText(
-    'The browser keeps its clipboard from this page: save the picture instead.',
+    'The browser does not let this page use the clipboard: save the picture instead.',
   );
 });
 

@@ -96,7 +96,9 @@ test('an A6 sheet measures what it should; cut to the drawing it is the same, sm
 
   await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=150&pictureLayers=apart`);
   const files = Object.entries(unzipSync(await saved(page)));
-  await expect(page.locator('#status')).toHaveText('Saved as 4 PNG in a ZIP: 874 × 620 px, 148 × 105 mm, 150 dpi.');
+  await expect(page.locator('#status')).toHaveText(
+    'Saved as 4 PNG images in a ZIP: 874 × 620 px, 148 × 105 mm, 150 dpi.',
+  );
   expect(files.map(([name]) => name)).toEqual([
     'cube-1-colour.png',
     'cube-2-shadow.png',

@@ -1,4 +1,4 @@
-/** What the page that fetches tells the playground. */
+/** A message from the page that fetches a file to the playground. */
 export type FetchMessage =
   | { kind: 'ready' }
   | { kind: 'progress'; bytes: number; total: number | undefined }
@@ -6,7 +6,7 @@ export type FetchMessage =
   /** The server has answered, but not with a file. */
   | { kind: 'refused'; status: number }
   | { kind: 'too large' }
-  /** The server has named another one, which nobody has agreed to. */
-  | { kind: 'sent on' }
-  /** No answer came through: browsers do not tell scripts why. */
+  /** The server has redirected to another site, to which the user has not agreed. */
+  | { kind: 'redirected' }
+  /** The request has failed. Browsers do not tell scripts why. */
   | { kind: 'failed' };

@@ -1,17 +1,17 @@
 import type { FetchMessage } from './FetchMessage.js';
 
 /**
- * Fetches one file for the playground, in a frame of it. This page alone may reach other sites, by its Content-Security-Policy; the
- * playground may not.
+ * Fetches one file for the playground, which shows this page in a hidden frame. The Content-Security-Policy of this page allows requests
+ * to other sites; that of the playground does not.
  */
 
-/** As much as the playground takes of a model. */
+/** The size of the largest model that the playground reads. */
 const MAX_BYTES = 512 * 2 ** 20;
 
 addEventListener('message', ({ origin, source, data }: MessageEvent<{ address: string }>) => {
   if (origin === location.origin && source === parent) void answer(data.address);
 });
-/** Whether something was asked for that the policy of this page forbids. */
+/** Whether the policy of this page has blocked a request. */
 let isForbidden = false;
 addEventListener('securitypolicyviolation', () => {
   isForbidden = true;
@@ -22,7 +22,7 @@ function say(message: FetchMessage): void {
   parent.postMessage(message, location.origin);
 }
 
-/** Takes from this page, for good, the way to all sites but one: those that it sends on to nobody has agreed to. */
+/** Forbids this page, for good, requests to all sites but one, because the user has not agreed to sites that it may redirect to. */
 function keepTo(site: string): void {
   const policy = Object.assign(document.createElement('meta'), {
     httpEquiv: 'Content-Security-Policy',
@@ -38,9 +38,9 @@ async function answer(address: string): Promise<void> {
     if (!response.ok || !response.body) say({ kind: 'refused', status: response.status });
     else await read(response.body, Number(response.headers.get('Content-Length')) || undefined);
   } catch {
-    // The browser tells of the policy in a task of its own.
+    // The event that tells of the policy comes in a task of its own.
     await new Promise((resolve) => setTimeout(resolve));
-    say({ kind: isForbidden ? 'sent on' : 'failed' });
+    say({ kind: isForbidden ? 'redirected' : 'failed' });
   }
 }
 

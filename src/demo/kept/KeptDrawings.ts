@@ -2,23 +2,23 @@ import type { ModelFile } from '../files/common/ModelFile.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { inTime } from './inTime.js';
 
-/** A drawing that needs files of the user's own: everything but the files. */
+/** What is stored of a drawing that needs files of the user's own, apart from the files themselves. */
 export interface KeptDrawing {
   id: string;
   title: string;
-  /** When it was last drawn, in milliseconds since 1970. */
+  /** The time at which the drawing last changed, in milliseconds since 1970. */
   at: number;
-  /** Of its files together. */
+  /** The size of all its files together. */
   bytes: number;
-  /** Its settings, as a link has them. */
+  /** The settings, as the text of a link. */
   link: string;
-  /** Its view, to the last digit. Undefined if it is framed. */
+  /** The camera, in full precision. Undefined if the model is framed. */
   camera: CameraView | undefined;
-  /** What it looks like, as the address of a small image. Undefined until it was drawn at rest, and for drawings of earlier versions. */
+  /** A thumbnail, as a data URL. Undefined until the drawing has come to rest once, and for drawings of earlier versions. */
   picture?: string;
 }
 
-/** The files of a drawing. */
+/** The user's own files that a drawing needs. */
 export interface KeptFiles {
   model?: readonly ModelFile[] | undefined;
   map?: readonly ModelFile[] | undefined;
@@ -26,15 +26,15 @@ export interface KeptFiles {
 
 const DATABASE = 'three-hatching';
 const DRAWINGS = 'drawings';
-/** Apart from the drawings, so that changing a setting does not write a model again. */
+/** The files have a store of their own, so that changing a setting does not write the model again. */
 const FILES = 'files';
-/** So many drawings are kept; the oldest goes when another comes. */
+/** How many drawings are kept. When another one comes, the oldest is deleted. */
 const MOST = 12;
 
 /**
- * The drawings that the browser keeps for the page, with the files they need. Every call may reject, in private windows say; what is
- * read rejects after two seconds without an answer, and so does what is written, if the browser does not open the database. Once it
- * is open, writing may take as long as large files need.
+ * The drawings that the browser keeps for the page in IndexedDB, with the files they need. Every call may reject, for example in a
+ * private window. Reading rejects after two seconds without an answer, and so does writing if the browser does not open the database.
+ * Once the database is open, writing may take as long as large files need.
  */
 export class KeptDrawings {
   private opened: Promise<IDBDatabase> | undefined;
@@ -52,8 +52,8 @@ export class KeptDrawings {
   }
 
   /**
-   * Keeps a drawing with its files. Older ones make room: those beyond the number that is kept; one of the same name and size,
-   * which is this model as it was opened before; and as many as the browser's quota asks for.
+   * Keeps a drawing with its files. Deletes older drawings: those beyond the number that is kept; those of the same title and
+   * size, because they are of the same model, opened earlier; and as many as the browser's quota requires.
    */
   async keep(drawing: KeptDrawing, files: KeptFiles): Promise<void> {
     const others = (await this.list()).filter(({ id }) => id !== drawing.id);
@@ -72,7 +72,7 @@ export class KeptDrawings {
     }
   }
 
-  /** Changes what is known of a drawing, but for its files. One that was forgotten stays so. */
+  /** Changes what is stored of a drawing, apart from its files. Does nothing if the drawing was deleted. */
   async update(drawing: Pick<KeptDrawing, 'id'> & Partial<KeptDrawing>): Promise<void> {
     const known = await this.run<KeptDrawing | undefined>('readonly', (store) => store(DRAWINGS).get(drawing.id));
     if (known) await this.run('readwrite', (store) => store(DRAWINGS).put({ ...known, ...drawing }));
@@ -104,7 +104,7 @@ export class KeptDrawings {
     const database = await inTime(this.open());
     const result = new Promise<Result>((resolve, reject) => {
       const transaction = database.transaction([DRAWINGS, FILES], mode);
-      const fail = (): void => reject(transaction.error ?? new Error('The browser has stopped keeping.'));
+      const fail = (): void => reject(transaction.error ?? new Error('The browser has aborted the transaction.'));
       transaction.addEventListener('abort', fail);
       transaction.addEventListener('error', fail);
       const request = ask((name) => transaction.objectStore(name));
@@ -122,7 +122,7 @@ export class KeptDrawings {
       });
       request.addEventListener('error', () => reject(request.error));
       request.addEventListener('success', () => {
-        // Otherwise a page of a later version would wait for this one.
+        // Otherwise a page with a later version of the database would wait until this page is closed.
         request.result.addEventListener('versionchange', () => request.result.close());
         resolve(request.result);
       });

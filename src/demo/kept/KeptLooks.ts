@@ -1,29 +1,29 @@
 import { acceptLook, type OwnLook } from '../settings/ownLook.js';
 import { plainName } from '../settings/plainName.js';
 
-/** A look that the user has given a name. */
+/** A look to which the user has given a name. */
 export interface KeptLook {
   id: string;
   name: string;
   look: OwnLook;
-  /** What was drawn with it when it was kept, as the address of a small image. */
+  /** A thumbnail of the drawing from which the look was kept, as a data URL. */
   picture: string | undefined;
 }
 
 const STORED = 'three-hatching looks';
-/** So many are read, whatever is stored. */
+/** How many looks are kept. If more are stored, the rest is ignored. */
 export const MOST_LOOKS = 60;
-/** Characters of a thumbnail; ours have a tenth of it. */
+/** The most characters that a stored thumbnail may have. Those that the page makes have about a tenth of that. */
 const LONGEST_PICTURE = 100_000;
 
 /**
- * The looks that the browser keeps for the page. What it does not keep stays until the page is closed.
+ * The looks that the browser keeps for the page in its local storage. Where it cannot, they last until the page is closed.
  *
- * @param storage of the browser; reading and writing may throw
+ * @param storage returns the local storage. Calling it, reading and writing may throw.
  */
 export class KeptLooks {
   private looks: readonly KeptLook[] = [];
-  /** Whether the browser has what is here. */
+  /** Whether the browser has stored these looks. */
   private isStored = true;
 
   constructor(private readonly storage: () => Storage) {
@@ -34,17 +34,17 @@ export class KeptLooks {
     return this.looks;
   }
 
-  /** Takes over what another tab has changed. */
+  /** Reads the looks again, because another tab may have changed them. */
   refresh(): void {
     if (!this.isStored) return;
     try {
       this.looks = readLooks(this.storage().getItem(STORED));
     } catch {
-      // A browser that keeps nothing has nothing.
+      // Where nothing can be read, nothing was stored.
     }
   }
 
-  /** Changes them. @returns whether the browser keeps the change */
+  /** Changes the looks. @returns whether the browser has stored the change */
   change(edit: (looks: readonly KeptLook[]) => readonly KeptLook[]): boolean {
     this.refresh();
     this.looks = edit(this.looks);
@@ -58,7 +58,7 @@ export class KeptLooks {
   }
 }
 
-/** Looks from text that anything may have written. What is none is left out. */
+/** Reads looks from text that may have been written by anything. Entries that are no looks are left out. */
 function readLooks(text: string | null): KeptLook[] {
   let stored: unknown;
   try {

@@ -2,10 +2,10 @@ const TURNS = 8;
 const TURN_MILLISECONDS = 250;
 
 /**
- * What comes within two seconds. They are counted in turns, so that none passes while the page is busy: an answer may be there by
- * then, and wait for the page.
+ * Waits two seconds for an answer. The time is counted in turns of a timer, so that it does not run out while the page is busy: the answer
+ * may have arrived by then, and wait for the page.
  *
- * @throws what it rejects with; an Error if nothing comes
+ * @throws the reason for which the answer rejects, or an Error if none comes in time
  */
 export async function inTime<Result>(answer: Promise<Result>): Promise<Result> {
   const settled = answer.then(

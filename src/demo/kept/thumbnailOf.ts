@@ -1,10 +1,10 @@
-/** Side of a thumbnail in its own pixels: sharp on dense screens, where it is shown half as large. */
+/** The side of a thumbnail in pixels. It is shown half as large, so that it is sharp on dense screens. */
 const SIDE = 128;
 
-/** The middle of the drawing, square and small, as the address of an image. To be called in the task in which the drawing was drawn. */
+/** A thumbnail of the middle of the drawing, as a data URL. To be called in the task in which the drawing was drawn. */
 export const thumbnailOf = (drawing: HTMLCanvasElement): string => addressOf(smallCopyOf(drawing));
 
-/** The same, read when `drawn` resolves: the page does not stand still until the graphics card has drawn the drawing. */
+/** As {@link thumbnailOf}, but reads pixels only when `drawn` resolves, so that the page does not wait for the graphics card. */
 export function thumbnailWhen(drawn: Promise<void>, drawing: HTMLCanvasElement): Promise<string> {
   const copy = smallCopyOf(drawing);
   return drawn.then(() => addressOf(copy));

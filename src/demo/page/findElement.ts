@@ -1,5 +1,5 @@
 /**
- * The element with an id.
+ * Returns the element with an id.
  *
  * @throws Error if the HTML has none
  */

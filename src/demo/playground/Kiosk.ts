@@ -1,16 +1,16 @@
-/** A visitor who does nothing for so long has gone. */
+/** After so long without an action, the visitor has left. */
 const PATIENCE_MILLISECONDS = 60_000;
 
-/** Brings the drawing back to how it was at first when a visitor has gone. */
+/** Restores the first drawing when a visitor has left. */
 export class Kiosk {
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param reset brings the first drawing back */
+  /** @param reset restores the first drawing */
   constructor(private readonly reset: () => void) {
     for (const name of ['pointerdown', 'pointermove', 'keydown', 'wheel']) {
       addEventListener(name, this.onTouch, { passive: true, capture: true });
     }
-    // A long press, or the right button, would bring up the browser's menu.
+    // A long press or the right button would open the browser's menu.
     addEventListener('contextmenu', (event) => event.preventDefault());
   }
 

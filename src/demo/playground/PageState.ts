@@ -6,7 +6,7 @@ import type { Session } from './session/Session.js';
 import type { Status } from './tasks/Status.js';
 import type { TaskRunner } from './tasks/TaskRunner.js';
 
-/** Shows what state the page is in: loading, ready, without a graphics context, or without anything to draw. */
+/** Shows the state of the page: loading, ready, without a graphics context, or without anything to draw. */
 export class PageState {
   private fetchesRest = false;
 
@@ -33,7 +33,7 @@ export class PageState {
     this.session.stage.frames.invalidate();
   }
 
-  /** Shows that there is nothing to draw, and nothing that could still come. */
+  /** Shows it if there is nothing to draw, and nothing is being loaded that could be drawn. */
   showIfFailed(): void {
     const { stage } = this.session;
     if (this.tasks.isIdle && !this.opener.isOpening && !stage.isComplete && !stage.isLost) setPageState('failed');
@@ -44,7 +44,7 @@ export class PageState {
     // A page within another one offers little to open.
     if (this.fetchesRest || pageForm === 'embed') return;
     this.fetchesRest = true;
-    // Nobody waits for them: what does not come is fetched again when it is opened.
+    // A part that fails is fetched again when it is opened.
     import('./fetchRest.js').then(({ fetchRest }) => fetchRest()).catch(() => {});
   }
 

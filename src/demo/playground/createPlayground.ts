@@ -77,7 +77,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     state.showIfFailed();
   };
   if (pageForm === 'kiosk') parts.whenFetched(import('./Kiosk.js'), ({ Kiosk }) => new Kiosk(opener.follow));
-  // The wheel scrolls the page around it, until somebody has turned to the drawing.
+  // The wheel scrolls the page around the frame until the drawing has the focus.
   if (pageForm === 'embed') stage.view.zoomsWhenFocused(page.canvas);
   const isIdle = (): boolean =>
     tasks.isIdle && !stage.frames.isWaiting && !occlusion.isAwaited && !parts.isFetching && !opener.isOpening;
@@ -87,8 +87,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 }
 
 /**
- * Has the browser keep the drawing: by the page's address, and where that is not enough with its files. Not within other pages or at
- * an exhibition: what a visitor does there is nobody's work, and the address is that of somebody else's drawing.
+ * Has the browser keep the drawing, by the page's address and with its files if it has any. Not to be called within another page or at an
+ * exhibition, because the address there belongs to the drawing that its visitors are shown.
  */
 function keepDrawing({
   session,
@@ -113,7 +113,7 @@ function keepDrawing({
   return new AddressWriter(session, address, keeper, keptPicture, () => opener.isOpening);
 }
 
-/** Opens the first drawing. @param kept the drawing that the browser has kept for this entry of its history, if there is one */
+/** Opens the first drawing. @param kept the id of the drawing that the browser has kept for this entry of its history, if there is one */
 function openFirst(
   { camera, address }: LinkedDrawing,
   session: Session,

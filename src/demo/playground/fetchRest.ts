@@ -1,13 +1,13 @@
-/** So long is a browser given to be idle: one that is never idle fetches nothing. */
+/** Calls back when the browser is idle, which may be never. Browsers that cannot tell wait for a moment. */
 const whenIdle = (run: () => void): unknown =>
   'requestIdleCallback' in window ? requestIdleCallback(run) : setTimeout(run, 200);
 
 /**
  * Fetches the parts of the page that are not there yet, one after the other while it is idle, so that they open without a connection.
- * They are not run. What does not come is fetched again when it is needed.
+ * They are not run. A part that fails is fetched again when it is needed.
  */
 export async function fetchRest(): Promise<void> {
-  // Who counts bytes gets what is used.
+  // Users who save data get only the parts that they use.
   if ((navigator as { connection?: { saveData?: boolean } }).connection?.saveData) return;
   const response = await fetch('parts.json').catch(() => undefined);
   if (!response?.ok) return;

@@ -1,6 +1,6 @@
 /**
- * Whether a key was pressed as a shortcut of the page: by itself, and where it is neither a letter of a text nor chooses among names.
- * Under an open dialog the page rests.
+ * Whether a key was pressed as a shortcut of the page: without a modifier, and outside of fields and lists that take letters. Under an
+ * open dialog the page has no shortcuts.
  */
 export function isShortcut({ key, target, ctrlKey, metaKey, altKey }: KeyboardEvent, ...keys: string[]): boolean {
   if (ctrlKey || metaKey || altKey || !keys.includes(key.toLowerCase())) return false;

@@ -8,7 +8,7 @@ import { Status } from './tasks/Status.js';
 const status = new Status(page.status);
 const context = page.canvas.getContext('webgl2', {
   alpha: true,
-  // It takes a processor as long as all the rest. Strokes and lines have soft edges of their own.
+  // A software renderer needs as long for it as for everything else, and strokes and lines have soft edges of their own.
   antialias: !drawsInSoftware(),
   depth: true,
   powerPreference: 'high-performance',

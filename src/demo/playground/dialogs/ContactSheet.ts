@@ -1,6 +1,6 @@
 import type { TonalArtMap } from 'three-hatching';
 
-/** Texels per side that are shown of an image: all of the coarse levels, a corner of the finer ones. */
+/** Texels per side that are shown of an image. Coarse levels are shown whole, and of finer ones a corner. */
 const CELL = 64;
 const GAP = 6;
 
@@ -13,20 +13,20 @@ export interface ContactSheetElements {
 
 /**
  * Shows the hatch images of the map in use, one pixel per texel: tones grow darker to the right, levels coarser
- * downwards. Each tone is drawn in a task of its own, so that frames are not held up.
+ * downwards. Each tone is drawn in a task of its own, so that frames are not delayed.
  */
 export class ContactSheet {
   private readonly canvas = document.createElement('canvas');
   private map: TonalArtMap | undefined;
   private name = '';
   private opener: Element | null = null;
-  /** Number of the latest drawing. An earlier one that is still under way stops. */
+  /** Counts the calls of {@link draw}. A call that is not the latest one stops. */
   private drawing = 0;
 
   constructor(private readonly elements: ContactSheetElements) {
     const { sheet, scroller, close } = elements;
     this.canvas.setAttribute('role', 'img');
-    // Focusable, so that it can be scrolled by keyboard.
+    // It takes the focus, so that it can be scrolled with the keyboard.
     scroller.tabIndex = 0;
     scroller.append(this.canvas);
     close.addEventListener('click', () => this.close());
@@ -51,7 +51,7 @@ export class ContactSheet {
     if (this.opener instanceof HTMLElement) this.opener.focus();
   }
 
-  /** Sets the map. @param name label of its style */
+  /** Sets the map. @param name the label of its style */
   show(map: TonalArtMap, name: string): void {
     if (map === this.map) return;
     this.map = map;
@@ -83,7 +83,7 @@ export class ContactSheet {
   }
 }
 
-/** The first rows and columns of a hatch image. */
+/** Copies the first rows and columns of a hatch image. */
 function corner(image: Uint8Array, size: number, side: number): ImageData {
   const pixels = new ImageData(side, side);
   for (let i = 0; i < side * side; i++) {

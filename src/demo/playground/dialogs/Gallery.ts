@@ -1,9 +1,9 @@
 import { GALLERY, type GalleryDrawing } from '../../settings/gallery.js';
 
-/** The side of the pictures, in their own pixels. */
+/** The side of the pictures in pixels. */
 const SIDE = 256;
 
-/** Finished drawings, shown over the sheet as small pictures that open live. */
+/** Shows finished drawings as small pictures over the sheet. A click opens a drawing live. */
 export class Gallery {
   private opener: Element | null = null;
 
@@ -19,7 +19,7 @@ export class Gallery {
 
   open(): void {
     const { sheet, drawings, close } = this.elements;
-    // Made now, so that a page on which it stays closed fetches none of them.
+    // The pictures are created now, so that a page on which the gallery stays closed fetches none of them.
     if (drawings.childElementCount === 0) drawings.append(...GALLERY.map((drawing) => this.button(drawing)));
     this.opener = document.activeElement;
     sheet.hidden = false;

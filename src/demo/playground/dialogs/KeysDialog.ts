@@ -1,6 +1,6 @@
 import { findElement } from '../../page/findElement.js';
 
-/** What keys, mouse and fingers do, by what they do it to. Keys of one entry are pressed for the same; `text` is what they do. */
+/** What keys, mouse and fingers do, grouped by where they do it. All keys of a row do the same, which `text` describes. */
 const KEYS: readonly { about: string; rows: readonly (readonly [keys: string, text: string])[] }[] = [
   {
     about: 'Mouse and fingers',

@@ -1,9 +1,10 @@
 import { shownName } from '../../files/common/shownText.js';
 import type { KeptDrawing } from '../../kept/KeptDrawings.js';
 import { findElement } from '../../page/findElement.js';
+import { textButton } from '../elements/textButton.js';
 import type { Keeper } from '../session/Keeper.js';
 
-/** Lists the kept drawings: to open one, or to have it forgotten. */
+/** Lists the kept drawings, each of which can be opened or forgotten. */
 export class RecentDialog {
   private readonly dialog = findElement('recent') as HTMLDialogElement;
   private readonly rows = findElement('recent-list');
@@ -34,33 +35,26 @@ export class RecentDialog {
 
   private row({ id, title, at, bytes, picture }: KeptDrawing): HTMLElement {
     const name = shownName(title);
-    const open = button(name, () => {
+    const open = textButton(name, () => {
       this.dialog.close();
       this.onOpen(id);
     });
     const image = document.createElement('img');
     image.alt = '';
-    // Without one, its place is kept, so that names stand below each other.
+    // An image without a source keeps its place, so that the names are aligned.
     if (picture) image.src = picture;
     open.prepend(image);
-    const forget = button('Forget', async () => {
+    const forgetThis = async (): Promise<void> => {
       await this.keeper.forget([id]);
       await this.show();
       (this.rows.querySelector('button') ?? findElement('recent-close')).focus();
-    });
-    forget.setAttribute('aria-label', `Forget ${name}`);
+    };
+    const forget = textButton('Forget', () => void forgetThis(), `Forget ${name}`);
     const facts = Object.assign(document.createElement('span'), { textContent: `${dayOf(at)}, ${inMegabytes(bytes)}` });
     const row = document.createElement('li');
     row.append(open, facts, forget);
     return row;
   }
-}
-
-function button(label: string, run: () => void): HTMLButtonElement {
-  const made = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
-  made.className = 'text-button';
-  made.addEventListener('click', run);
-  return made;
 }
 
 const dayOf = (at: number): string =>

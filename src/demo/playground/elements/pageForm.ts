@@ -1,6 +1,6 @@
 /**
- * What the page is used as, by its query: `?embed`, in a frame of another page; `?kiosk`, on a screen of an exhibition. Both show
- * the drawing and its lamp alone.
+ * What the page is used as, which its query says: `?embed` in a frame of another page, `?kiosk` on a screen of an exhibition. Both show
+ * nothing but the drawing and its lamp.
  */
 export type PageForm = 'playground' | 'embed' | 'kiosk';
 
@@ -12,6 +12,6 @@ function formOf(query: string): PageForm {
   return parameters.has('embed') ? 'embed' : 'playground';
 }
 
-// Read by the style sheet.
+// The style sheet reads these.
 document.documentElement.dataset.form = pageForm;
 document.documentElement.classList.toggle('is-bare', pageForm !== 'playground');

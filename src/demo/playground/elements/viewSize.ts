@@ -2,16 +2,16 @@ import type { DrawnView } from '../../print/printPlan.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from './page.js';
 
-/** Size of the page's view, in CSS pixels. */
+/** The size of the viewport in CSS pixels. */
 export function viewSize(): { width: number; height: number } {
   const { clientWidth: width, clientHeight: height } = page.viewport;
   return { width, height };
 }
 
-/** Between this and its inverse, a model is about as wide as high: a sheet for it may be turned either way. */
+/** A model whose proportion lies between this and its inverse is about as wide as high, and suits a sheet in either orientation. */
 const SQUARE = 1.15;
 
-/** The page's view, and how a sheet for what is in it is turned: as the model, or as the page. */
+/** The viewport, and the orientation of a sheet for the model: that of the model or, if the model suits either, of the viewport. */
 export function drawnView({ view: { proportion } }: Stage): DrawnView {
   const size = viewSize();
   const isSquare = Math.max(proportion, 1 / proportion) < SQUARE;

@@ -8,31 +8,32 @@ import type { TaskRunner } from '../tasks/TaskRunner.js';
 
 type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed'>;
 
-/** Loads tonal art maps and draws with them: generated from the settings, or read from the user's files. */
+/** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
-  /** What the user's own map was read from. */
+  /** The files from which the user's own map was read. */
   ownFiles: readonly ModelFile[] | undefined;
-  /** Fetched with the first map: engraved lines and dots are drawn without. */
+  /** The cache is fetched with the first map, because engraved lines and dots are drawn without one. */
   private cache: TonalArtMapCache | undefined;
-  /** The settings of the map that is drawn with. */
+  /** The settings of the map in use. */
   private shown: MapSettings | undefined;
 
   constructor(
     private readonly stage: Stage,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
-    /** Called when another map is drawn with. */
+    /** Called when another map is in use. */
     private readonly onMap: () => void,
-    /** Called when the user's own map has become the style in the settings. */
+    /** Called when the settings have been set to the user's own map. */
     private readonly onOwnMap: (isRestored: boolean) => void,
-    /** Called when the settings of the map in use were put back. */
+    /** Called when the settings have been set back to those of the map in use. */
     private readonly onPutBack: () => void,
   ) {}
 
   /**
-   * Draws with the map that the settings ask for. If that fails or is cancelled, they are put back to those of the map in use.
+   * Draws with the map that the settings ask for. If that fails or is cancelled, the settings are set back to those of the map in
+   * use.
    *
-   * @param isWanted also if nothing is drawn with it: it is to be looked at
+   * @param isWanted whether the map is needed: for the drawing, or because the user wants to look at it
    */
   async showChosen(isWanted = drawsWithMap(this.settings)): Promise<void> {
     if (!isWanted) return;
@@ -48,7 +49,7 @@ export class MapLoader {
     this.onPutBack();
   }
 
-  /** Draws with a map read from files. @param isRestored whether it was drawn with before */
+  /** Draws with a map from files. @param isRestored whether the page goes back to the map, so that it is no change by the user */
   async showFiles(files: readonly ModelFile[], isRestored = false): Promise<void> {
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
@@ -65,12 +66,12 @@ export class MapLoader {
     });
   }
 
-  /** The label of the style of the map that is drawn with. */
+  /** The label of the style of the map in use. */
   get shownStyle(): string {
     return SETTINGS.mapStyle.choices[(this.shown ?? this.settings).mapStyle];
   }
 
-  /** To be called while the graphics context is lost. */
+  /** Releases the textures of all maps. To be called while the graphics context is lost. */
   releaseGraphics(): void {
     this.cache?.releaseGraphics();
   }

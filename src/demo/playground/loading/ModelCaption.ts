@@ -2,17 +2,17 @@ import type { ModelStatistics } from '../../drawing/HatchedModel.js';
 import { shownName, shownText } from '../../files/common/shownText.js';
 import { shortNotes } from './shortNotes.js';
 
-/** What there is to say of a model. */
+/** What the page says about a model. */
 export interface CaptionContent {
   title: string;
   statistics: ModelStatistics;
-  /** What its user should know at first sight; what matters most comes first. */
+  /** Notes that the user should see at once, the most important first. */
   notes: readonly string[];
-  /** What only those want to know who look closer. */
+  /** Notes for users who look closer. */
   details: readonly string[];
 }
 
-/** The caption of a model: its name and what matters about it; its statistics and all the rest behind a button. */
+/** The caption of a model: its name and its most important notes, with a button that shows all notes and the statistics. */
 export class ModelCaption {
   content: CaptionContent | undefined;
 
@@ -30,13 +30,13 @@ export class ModelCaption {
       about.open = false;
       about.querySelector('summary')!.focus();
     });
-    // As a menu does, it goes when the drawing or anything else is turned to.
+    // It closes as a menu does, when the user presses anything else.
     addEventListener('pointerdown', ({ target }) => {
       if (!about.contains(target as Node)) about.open = false;
     });
   }
 
-  /** @param content undefined where nothing is shown */
+  /** @param content undefined if no model is shown */
   show(content: CaptionContent | undefined): void {
     this.content = content;
     const { caption, about, notes, statistics } = this.elements;
@@ -46,7 +46,7 @@ export class ModelCaption {
       return;
     }
     const all = [...content.notes, ...content.details];
-    // New elements: new text in the old ones would count as a layout shift.
+    // The elements are replaced, because new text in the old ones would count as a layout shift.
     caption.replaceChildren(
       element('em', 'model-name', shownName(content.title)),
       ' ',
@@ -62,7 +62,7 @@ function element(tag: string, id: string, textContent: string): HTMLElement {
   return Object.assign(document.createElement(tag), { ...(id && { id }), textContent });
 }
 
-/** The statistics in words. Counts of zero are left out. */
+/** Puts the statistics into words. Counts of zero are left out. */
 function describe({ triangles, borderEdges, nonManifoldEdges, degenerateTriangles }: ModelStatistics): string {
   return [
     count(triangles, 'triangle'),

@@ -25,7 +25,7 @@ interface LoadedModel {
   drawing?: BundledDrawing | undefined;
 }
 
-/** The setting of a model, and the files of the user's own. */
+/** A model by the value of its setting, with its files if it is the user's own. */
 interface WantedModel {
   model: Settings['model'];
   files?: readonly ModelFile[] | undefined;
@@ -33,32 +33,32 @@ interface WantedModel {
 
 /** A model that the user has opened. */
 export interface OpenedModel {
-  /** Whether it is another than before, not the same with pictures that it lacked. */
+  /** Whether it is another model than before, and not the same one with pictures that were missing. */
   isOther: boolean;
-  /** How it is drawn, if it came with that. */
+  /** The look, the camera and the strokes that came with the model, if any did. */
   drawing: BundledDrawing | undefined;
 }
 
-/** How loading has ended: with files that the user has opened, with a model that the settings ask for, or with the previous one. */
+/** How loading has ended: with files that the user has opened, with a model that the settings ask for, or with the previous model. */
 export type ModelEnd = 'opened' | 'restored' | 'failed';
 
 /** Loads models and shows them. While one is loading, and if it fails, the previous one stays. */
 export class ModelLoader {
   /** The name of the model that is shown. */
   title = '';
-  /** The radius of a model that is drawn as a scene, before it was fitted. Undefined for one mesh. */
+  /** The radius that a model drawn as a scene had before it was fitted. Undefined for a single mesh. */
   sceneRadius: number | undefined;
-  /** Whether surfaces of one mesh are drawn from both sides, because it is open. */
+  /** Whether the model is a single mesh with border edges, whose surfaces are drawn from both sides. */
   isOpen = false;
-  /** What the shown model was read from. Built-in models ask for nothing. */
+  /** The files from which the shown model was read. Built-in models have none. */
   shownFiles: ShownFiles = { files: [], missing: [] };
-  /** What a stand-in has changed on the page. */
+  /** The state of the page that a stand-in has changed. */
   private beforeStandIn:
     | { upAxis: Settings['upAxis']; title: string; caption: CaptionContent | undefined; place: CameraView | undefined }
     | undefined;
-  /** The value of the setting for the model that is shown. */
+  /** The shown model, as the value of its setting. */
   private shownModel: Settings['model'];
-  /** The model that is shown or being loaded, if one is: its setting, and its files if it is the user's own. */
+  /** The model that is shown or being loaded, if there is one. */
   private wanted: WantedModel | undefined;
   private readonly caption = new ModelCaption(page.modelCaption);
   private readonly addresses = new WeakMap<readonly ModelFile[], string>();
@@ -76,20 +76,20 @@ export class ModelLoader {
   /** Shows the built-in model that the settings ask for. */
   showChosen(): void {
     const { settings } = this;
-    // A link may have placed the camera.
+    // It is not framed, because a link may have placed the camera.
     if (settings.model !== 'file') void this.showBuiltIn(settings.model, false);
   }
 
-  /** As {@link showChosen}, where nothing is shown or being loaded: the page is not left empty. */
+  /** As {@link showChosen}, if nothing is shown or being loaded, so that the page is not left empty. */
   showSomething(): void {
     if (!this.stage.model && !this.isLoading) this.showChosen();
   }
 
   /**
-   * Goes back to a model that was shown before, or that a link asks for, with the settings that are there already.
+   * Shows a model that was shown before, or that a link asks for. The settings have been changed to it already.
    *
-   * @param files of the user's own model
-   * @param isFramed whether the camera goes to where it sees the whole model
+   * @param files the files of the user's own model
+   * @param isFramed whether the camera is placed so that the whole model is in the picture
    */
   restore({ model, files }: WantedModel, isFramed: boolean): void {
     if (model === this.wanted?.model && files === this.wanted.files) return;
@@ -98,9 +98,9 @@ export class ModelLoader {
   }
 
   /**
-   * As {@link showChosen}, after another model was chosen. Resets the up axis.
+   * Shows the built-in model that the settings ask for, after the user has chosen another one. Resets the up axis.
    *
-   * @param isFramed whether the camera goes to where it sees the whole model
+   * @param isFramed whether the camera is placed so that the whole model is in the picture
    */
   changeModel(isFramed = true): void {
     const { settings } = this;
@@ -118,7 +118,7 @@ export class ModelLoader {
     return this.shownModel === 'file' ? this.shownFiles.files : undefined;
   }
 
-  /** The model that is shown, for the code that draws it elsewhere. */
+  /** The shown model as the code that draws it elsewhere needs it. */
   get codeModel(): CodeModel {
     const { shownModel: model, title, sceneRadius, isOpen } = this;
     const { root, motion } = this.stage.model ?? {};
@@ -133,7 +133,7 @@ export class ModelLoader {
     };
   }
 
-  /** Fetches a model from another site, as the user has agreed to, and shows it with the settings that are there already. */
+  /** Fetches a model from another site, to which the user has agreed, and shows it with the present settings. */
   showAddress(address: string, isFramed: boolean): void {
     const wanted: WantedModel = { model: 'file' };
     void this.show(wanted, { isFramed, isRestored: true }, async (report, signal) => {
@@ -149,19 +149,19 @@ export class ModelLoader {
     });
   }
 
-  /** Where the shown model lies on the web, if it came from there. */
+  /** The URL of the shown model, if it came from the web. */
   get address(): string | undefined {
     return this.ownFiles && this.addresses.get(this.ownFiles);
   }
 
-  /** Notes where files came from that the browser has kept. */
+  /** Remembers the URL from which files came that the browser has kept. */
   cameFrom(files: readonly ModelFile[], address: string): void {
     this.addresses.set(files, address);
   }
 
   /** Shows a model of the user's own. */
   showFiles(files: readonly ModelFile[]): Promise<void> {
-    // The same model, with pictures that it lacked, stays where it is.
+    // The same model with pictures that were missing is not framed again.
     const isFramed = !files.some((file) => this.shownFiles.files.includes(file));
     return this.showOwn(files, { isFramed, isRestored: false });
   }
@@ -215,12 +215,12 @@ export class ModelLoader {
       this.isOpen = loaded.read.kind === 'mesh' && borderEdges + nonManifoldEdges > 0;
       settings.model = model;
       if (!isRestored && !hasStandIn) settings.upAxis = loaded.read.upAxis;
-      // What is left out of our own models is no news to anyone.
+      // Notes on what was left out matter for the user's own models only.
       const told = model === 'file' ? notes : [];
       const details = model === 'file' && 'details' in loaded.read ? loaded.read.details : [];
       this.name({ title: loaded.title, statistics: next.statistics, notes: told, details });
       stage.shown.set(next, loaded.view);
-      // Who has looked around the stand-in goes on from there.
+      // The user may have moved the camera while the stand-in was shown.
       if (isFramed && !hasStandIn) stage.view.frame();
       if (isRestored) this.onChange('restored');
       else this.onChange('opened', { isOther: isFramed, drawing: loaded.drawing });
@@ -228,14 +228,14 @@ export class ModelLoader {
     });
     if (end === 'failed') {
       this.takeStandInAway();
-      // The previous model stays, and the panel must show its name again.
+      // The previous model stays, so the setting goes back to it.
       settings.model = this.shownModel;
       this.wanted = { model: this.shownModel, files: this.ownFiles };
       this.onChange('failed');
     }
   }
 
-  /** Draws a large mesh at once with what is known of it. */
+  /** Draws a large mesh at once, as well as it can be drawn before it is prepared. */
   private showStandIn({ read, title, view }: LoadedModel, isFramed: boolean, isRestored: boolean): void {
     const { stage, settings } = this;
     const standIn = standInOf(read, settings);
@@ -252,7 +252,7 @@ export class ModelLoader {
     if (isFramed) stage.view.frame();
   }
 
-  /** Puts back the page as it was before a stand-in for a model that does not come. */
+  /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
   private takeStandInAway(): void {
     const { stage, settings, beforeStandIn: before } = this;
     if (!before) return;

@@ -7,9 +7,9 @@ import type { TaskRunner } from '../tasks/TaskRunner.js';
 
 const STAGE = 'darkening hollows';
 
-/** Bakes the occlusion of the model that is shown, once, when the settings first ask for it. */
+/** Bakes the ambient occlusion of the shown model, once, when the settings first ask for it. */
 export class OcclusionLoader {
-  /** The model that was baked, also if that failed or was cancelled. */
+  /** The model for which a bake was started, even if it failed or was cancelled. */
   private model: HatchedModel | undefined;
   private bake: OcclusionBake | undefined;
 
@@ -19,20 +19,23 @@ export class OcclusionLoader {
     private readonly tasks: TaskRunner,
   ) {}
 
-  /** Whether it will be baked when the model has been drawn without. */
+  /** Whether a bake will start as soon as the model has been drawn without occlusion. */
   get isAwaited(): boolean {
     const { model, isLost } = this.stage;
     return model !== undefined && model !== this.model && this.settings.occlusion > 0 && !isLost;
   }
 
-  /** To be called when the model or the settings have changed, or the time of a frame is known: it does not delay the first. */
+  /**
+   * Starts a bake if one is needed. To be called when the model or the settings have changed, and when the time of a frame was measured,
+   * because the bake must not delay the first frame.
+   */
   update(): void {
-    // A stand-in is gone before its occlusion were there.
+    // A stand-in is replaced before a bake of it could end.
     const model = this.stage.shown.isStandIn ? undefined : this.stage.model;
     if (model !== this.model) this.letGo();
     if (!model || !this.isAwaited || this.stage.quality.milliseconds === undefined) return;
     this.model = model;
-    // All instances share their vertices, so there is no place to keep the occlusion of each.
+    // Occlusion is stored per vertex, and all instances share their vertices.
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
     void this.tasks.run('occlusion', async (report, signal) => {
       report(STAGE);
@@ -42,7 +45,7 @@ export class OcclusionLoader {
         signal,
         onProgress: (progress) => report(STAGE, progress),
         onPass: () => this.stage.frames.invalidate(),
-        // The hollows can wait, and a picture that is being saved must not change.
+        // Other tasks are more urgent, and a picture that is being saved must not change.
         pause: () => this.tasks.others('occlusion', signal),
       });
       if (signal.aborted) bake.dispose();
@@ -50,7 +53,7 @@ export class OcclusionLoader {
     });
   }
 
-  /** Stops, and keeps nothing of a model that is gone. */
+  /** Stops the bake and disposes its result, because the model is gone. */
   private letGo(): void {
     this.tasks.stop('occlusion');
     this.bake?.dispose();

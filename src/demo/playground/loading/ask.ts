@@ -1,29 +1,29 @@
 import { shownName } from '../../files/common/shownText.js';
 import { describeAddress } from './fetchModel.js';
 
-/** A click that was meant for what lay there before agrees to nothing: so long is the first answer out of reach. */
+/** For so long the first answer is disabled, so that a click meant for what lay there before agrees to nothing. */
 const READING_MILLISECONDS = 600;
 
 interface Question {
-  /** Its lines. */
+  /** The lines of the question. */
   lines: readonly (string | HTMLElement)[];
   yes: string;
   no: string;
-  /** Whether its first answer must not be given by mistake. */
+  /** Whether the first answer has consequences and must not be given by mistake. */
   isGrave?: boolean;
 }
 
-/** What withdraws the question that stands. */
-let withdrawStanding = (): void => {};
+/** Withdraws the question that is open. */
+let withdrawOpen = (): void => {};
 
 /**
- * Asks a question with two answers. Escape is the second one, and so is a later question, since there is one at a time. Each has a
- * dialog of its own: what is answered there cannot be taken for the answer to another.
+ * Asks a question with two answers. Escape means the second answer, and so does a later question, because only one is open at a time.
+ * Each question has a dialog of its own, so that its answer cannot be taken for the answer to another one.
  *
- * @param signal when it is aborted, the question is withdrawn, as if it had been answered with the second
+ * @param signal when it is aborted, the question is withdrawn, which means the second answer
  */
 async function ask({ lines, yes, no, isGrave = false }: Question, signal?: AbortSignal): Promise<boolean> {
-  withdrawStanding();
+  withdrawOpen();
   if (signal?.aborted) return false;
   const dialog = document.createElement('dialog');
   Object.assign(dialog, { id: 'ask', className: 'ask' });
@@ -40,7 +40,7 @@ async function ask({ lines, yes, no, isGrave = false }: Question, signal?: Abort
     dialog.close('no');
     dialog.remove();
   };
-  withdrawStanding = withdraw;
+  withdrawOpen = withdraw;
   signal?.addEventListener('abort', withdraw, { signal: end.signal });
   if (isGrave) {
     refuse.autofocus = true;
@@ -50,8 +50,8 @@ async function ask({ lines, yes, no, isGrave = false }: Question, signal?: Abort
   await new Promise((resolve) => dialog.addEventListener('close', resolve, { once: true }));
   end.abort();
   dialog.remove();
-  if (withdrawStanding === withdraw) withdrawStanding = () => {};
-  // Escape closes it without a value.
+  if (withdrawOpen === withdraw) withdrawOpen = () => {};
+  // Escape closes the dialog without a value.
   return dialog.returnValue === 'yes';
 }
 
@@ -67,7 +67,7 @@ function answer(label: string, value: string): HTMLButtonElement {
   return made;
 }
 
-/** Takes a button out of reach for a moment, and again when the window comes back to the front. */
+/** Disables a button for a moment, and again when the window comes back to the front. */
 function holdBack(button: HTMLButtonElement, end: AbortSignal): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const hold = (): void => {
@@ -82,7 +82,7 @@ function holdBack(button: HTMLButtonElement, end: AbortSignal): void {
   end.addEventListener('abort', () => clearTimeout(timer));
 }
 
-/** Asks whether pictures are to be drawn with, because nobody can tell that from a picture. */
+/** Asks whether dropped pictures are strokes to draw with, which cannot be told from the pictures. */
 export function askForStrokes(names: readonly string[]): Promise<boolean> {
   const question =
     names.length === 1
@@ -91,7 +91,7 @@ export function askForStrokes(names: readonly string[]): Promise<boolean> {
   return ask({ lines: [question], yes: 'Draw strokes', no: 'Leave the drawing' });
 }
 
-/** Asks whether a model may be fetched from another site, which then knows of the visit. */
+/** Asks whether a model may be fetched from another site, which will learn about the visit. */
 export function askToFetch(address: string, signal: AbortSignal): Promise<boolean> {
   const { name, site } = describeAddress(address);
   const lines = [
@@ -103,6 +103,6 @@ export function askToFetch(address: string, signal: AbortSignal): Promise<boolea
   return ask({ lines, yes: 'Fetch it', no: 'Leave it', isGrave: true }, signal);
 }
 
-/** A line that somebody else has written, kept apart from ours. */
+/** A line with text from elsewhere, which must not look like part of the question. */
 const part = (className: string, textContent: string): HTMLElement =>
   Object.assign(document.createElement('bdi'), { className, textContent, dir: 'ltr' });

@@ -1,8 +1,8 @@
 import type { ModelFile } from '../../files/readModel.js';
 
 /**
- * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged
- * over the page; `onFailure` is called where a folder cannot be read.
+ * Receives files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged over the page.
+ * `onFailure` is called if a folder cannot be read.
  */
 export function dropFiles(
   elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
@@ -20,7 +20,7 @@ export function dropFiles(
     event.dataTransfer!.dropEffect = 'copy';
   });
   addEventListener('dragleave', (event) => {
-    // There is a related target unless the pointer leaves the page.
+    // The event has a related target unless the pointer has left the page.
     if (event.relatedTarget === null) overlay.hidden = true;
   });
   addEventListener('drop', (event) => {
@@ -31,7 +31,7 @@ export function dropFiles(
   });
   input.addEventListener('change', () => {
     const files = [...(input.files ?? [])].map((file) => ({ name: file.name, content: file }));
-    // Otherwise picking the same file again would not be a change.
+    // Otherwise there would be no event when the same file is picked again.
     input.value = '';
     if (files.length > 0) onFiles(files);
   });
@@ -40,7 +40,7 @@ export function dropFiles(
 
 /** The files of a drop, including those in folders. */
 async function droppedFiles(transfer: DataTransfer): Promise<ModelFile[]> {
-  // Both are read before the first await, because the transfer is emptied after the event.
+  // Both are read before the first await, because the browser empties the transfer after the event.
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
   const files = [...transfer.files];
   if (!entries.some((entry) => entry?.isDirectory)) return files.map((file) => ({ name: file.name, content: file }));
@@ -55,7 +55,7 @@ async function filesOf(entry: FileSystemEntry): Promise<ModelFile[]> {
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const found: ModelFile[] = [];
   for (;;) {
-    // A reader returns its entries in batches. The last one is empty.
+    // A reader returns its entries in batches, the last of which is empty.
     const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
     if (batch.length === 0) return found;
     for (const child of batch) found.push(...(await filesOf(child)));

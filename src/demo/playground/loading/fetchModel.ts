@@ -4,20 +4,20 @@ import { ModelError } from '../../files/common/ModelError.js';
 import { shownName } from '../../files/common/shownText.js';
 import type { ModelFile } from '../../files/readModel.js';
 
-/** The name of the file at an address, and of the site where it lies, in the ASCII form: there no letter looks like another. */
+/** The name of the file at a URL, and the host of its site in ASCII form, in which no letters look alike. */
 export function describeAddress(address: string): { name: string; site: string } {
   const { host, pathname } = new URL(address);
   let name = baseName(pathname);
   try {
     name = decodeURIComponent(name);
   } catch {
-    // It stays as it is written.
+    // A name that cannot be decoded is shown as it is.
   }
   return { name: name || 'model', site: host };
 }
 
 /**
- * Fetches a model from another site, through a page in a frame that may do so. The caller has asked the user.
+ * Fetches a model from another site, through a page in a hidden frame whose policy allows that. The caller has asked the user.
  *
  * @throws ModelError with one sentence for the user
  */
@@ -33,7 +33,7 @@ export function fetchModel(
   return new Promise<ModelFile>((resolve, reject) => {
     const end = (error?: unknown, content?: Blob): void => {
       removeEventListener('message', onMessage);
-      // Ends what it is doing.
+      // This ends the request, too.
       frame.remove();
       if (content) resolve({ name, content });
       else reject(error);
@@ -56,10 +56,10 @@ export function fetchModel(
         case 'too large':
           end(new ModelError(`${shown} has more than 512 MB, which is too much for a page.`));
           return;
-        case 'sent on':
+        case 'redirected':
           end(
             new ModelError(
-              `${shown} did not come: ${site} sends on to another site, which you have not agreed to. Download it there, and drop it here.`,
+              `${shown} did not come: ${site} redirects to another site, to which you have not agreed. Download it there, and drop it here.`,
             ),
           );
           return;

@@ -19,7 +19,7 @@ export async function loadMapFiles(
   }
 }
 
-/** All files of a map in one archive. PNG images are compressed already, so they are stored as they are. */
+/** Packs all files of a map into one archive. PNG images are compressed already, so they are stored as they are. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
   const { ZipWriter } = await import('../../print/ZipWriter.js');
   const zip = new ZipWriter();

@@ -1,7 +1,7 @@
-/** As many characters of notes stand in the caption; the others are behind its button. */
+/** The most characters of notes in the caption. Its button shows the rest. */
 const MAX_NOTES = 100;
 
-/** As many notes as fit, the first of them always, and how many more there are. */
+/** Joins as many notes as fit, always the first, and says how many more there are. */
 export function shortNotes(notes: readonly string[]): string {
   let text = '';
   for (const [i, note] of notes.entries()) {

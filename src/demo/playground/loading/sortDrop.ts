@@ -1,22 +1,22 @@
 import { baseName } from '../../files/common/fileName.js';
 import type { ModelFile } from '../../files/readModel.js';
 
-/** The model that is shown: the files it was read from, and the names of those it asks for beside. */
+/** The files from which the shown model was read, and the names of files that it refers to and that were missing. */
 export interface ShownFiles {
   files: readonly ModelFile[];
   missing: readonly string[];
-  /** Those out of an archive, if it was one. */
+  /** The files of the archive, if the model came in one. */
   unpacked?: readonly ModelFile[] | undefined;
 }
 
-/** What files are for. `pictures` may be a map, or may have come here by mistake. */
+/** What files are for. `pictures` may be the images of a map, or may have been dropped by mistake. */
 export type DropKind = 'model' | 'map' | 'pictures';
 
 /**
  * Tells what dropped files are for.
  *
- * @param isAtMap whether the map is being looked at, so that pictures are for it
- * @returns what they are, and the files to read: with those of the shown model, if they are what it lacks
+ * @param isAtMap whether the images of the map are open, so that pictures belong to it
+ * @returns what the files are for, and the files to read, which include those of the shown model if the dropped files were missing
  */
 export function sortDrop(
   files: readonly ModelFile[],

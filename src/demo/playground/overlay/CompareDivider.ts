@@ -1,9 +1,9 @@
 const STEP = 0.02;
 const LARGE_STEP = 0.1;
 
-/** The vertical line between two drawings of the same view, moved by dragging or with the arrow keys. */
+/** The vertical line between two drawings of the same view. The user moves it by dragging or with the arrow keys. */
 export class CompareDivider {
-  /** Its position, as a share of the width from the left. */
+  /** The position of the line, as a share of the width from the left. */
   share = 0.5;
   private readonly left = document.createElement('span');
   private readonly right = document.createElement('span');

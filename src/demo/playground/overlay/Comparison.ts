@@ -4,7 +4,7 @@ import { page } from '../elements/page.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
 import type { CompareDivider } from './CompareDivider.js';
 
-/** Two techniques side by side, with a divider between them, as long as the settings ask for that. */
+/** Compares two techniques side by side, with a divider between them, while the settings ask for that. */
 export class Comparison {
   private readonly divider: LaterPart<CompareDivider>;
 

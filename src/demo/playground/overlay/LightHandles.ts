@@ -5,19 +5,19 @@ import { LightHandle } from '../../stage/light/LightHandle.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 
-/** The handles of the light and of the second sun, which change the settings. */
+/** The handles of the light and of the second light. Dragging them changes the settings. */
 export class LightHandles {
   private readonly first: LightHandle;
   private readonly second: LightHandle;
 
-  /** @param onChange called with what was changed, after each change */
+  /** @param onChange called after each change, with the name of the handle */
   constructor(
     stage: Stage,
     private readonly settings: Settings,
     onChange: (source: string) => void,
   ) {
     const change = (source: string, values: Partial<Settings>): void => {
-      // As controls and links have them, so that a link gives back the very drawing.
+      // The values are rounded as controls and links round them, so that a link gives back exactly this drawing.
       for (const [key, value] of Object.entries(values))
         Object.assign(settings, { [key]: acceptSetting(key as keyof Settings, value) });
       onChange(source);
@@ -56,13 +56,13 @@ export class LightHandles {
       lightPosition: stage.scenery.lights.secondPosition,
       place: secondPlace,
       home: () => ({ azimuth: SETTINGS.secondAzimuth.default, elevation: SETTINGS.secondElevation.default }),
-      // Once it is moved, it no longer goes with the light.
+      // Once the user moves it, the second light no longer follows the first.
       onMove: ({ azimuth = secondPlace().azimuth, elevation = secondPlace().elevation }) =>
         change('second lamp', { secondLight: 'free', secondAzimuth: azimuth, secondElevation: elevation }),
     });
   }
 
-  /** Moves the handles to where the lights are seen. To be called with every frame. */
+  /** Moves the handles to where the lights are in the picture. To be called after each frame. */
   update(): void {
     page.secondLamp.hidden = page.lamp.hidden || this.settings.secondLight === 'none';
     this.first.update();

@@ -6,7 +6,10 @@ import type { LightHandles } from './LightHandles.js';
 import type { SheetFrame } from './SheetFrame.js';
 import { TurnHint } from './TurnHint.js';
 
-/** What lies over the drawing: the handles of the lights, the divider of a comparison, the frame of a sheet, and the hint to turn a model. */
+/**
+ * What lies over the drawing: the handles of the lights, the divider of a comparison, the frame of a sheet, and the hint that a model is
+ * the wrong way up.
+ */
 export class Overlays {
   private readonly lights: LaterPart<LightHandles>;
   private readonly sheetFrame: LaterPart<SheetFrame>;
@@ -43,7 +46,7 @@ export class Overlays {
     return this.lights.present !== undefined;
   }
 
-  /** Shows the frame of the sheet that a picture will be saved on, as long as the settings ask for a sheet; or hides it. */
+  /** Shows or hides the frame of the sheet on which a picture will be saved. It is seen only if the settings ask for a sheet. */
   showSheet(isShown: boolean): void {
     this.sheetFrame.use((frame) => frame.show(isShown));
   }

@@ -5,8 +5,8 @@ import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
 
 /**
- * The frame of the sheet that a picture will be saved on, over the drawing: what lies outside is dimmed. A model that is framed is
- * composed for the sheet meanwhile.
+ * A frame over the drawing that shows the sheet on which a picture will be saved, and dims what lies outside of it. While the frame is
+ * shown, a framed model is composed for the sheet.
  */
 export class SheetFrame {
   private readonly element = Object.assign(document.createElement('div'), { className: 'sheet-frame', hidden: true });
@@ -21,7 +21,7 @@ export class SheetFrame {
     new ResizeObserver(() => this.refresh()).observe(page.viewport);
   }
 
-  /** Shows it, as long as the settings ask for a sheet; or hides it. */
+  /** Shows or hides the frame. It is seen only if the settings ask for a sheet. */
   show(isWanted: boolean): void {
     this.isWanted = isWanted;
     this.refresh();

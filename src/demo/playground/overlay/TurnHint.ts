@@ -1,12 +1,12 @@
 import type { UpAxis } from '../../files/mesh/findUpAxis.js';
 import type { Settings } from '../../settings/settings.js';
 
-/** Asks whether a model is the wrong way up, where its flat side says so, and turns it. */
+/** Asks whether a model is the wrong way up, if its flat side suggests so, and turns it if the user agrees. */
 export class TurnHint {
-  /** The axis that points up by the model's flat side; undefined if nothing is known, or the user has looked at it. */
+  /** The up axis that the flat side of the model suggests. Undefined if there is none, or if the user has closed the hint. */
   private stands: UpAxis | undefined;
 
-  /** @param onTurn called when the settings were changed */
+  /** @param onTurn called when the user has turned the model by changing the settings */
   constructor(
     private readonly elements: { hint: HTMLElement; turn: HTMLElement; leave: HTMLElement },
     private readonly settings: Settings,
@@ -19,7 +19,7 @@ export class TurnHint {
     elements.leave.addEventListener('click', () => this.about(undefined));
   }
 
-  /** To be called when another model is shown. */
+  /** Takes over the suggested up axis of another model, or removes the hint. */
   about(stands: UpAxis | undefined): void {
     this.stands = stands;
     this.refresh();

@@ -18,7 +18,7 @@ export class Card {
   private panel: SettingsPanel | undefined;
 
   /**
-   * @param actions what the panel has buttons for
+   * @param actions the buttons of the panel
    * @param onFold called when a group of settings is unfolded or folded
    */
   constructor(
@@ -38,7 +38,7 @@ export class Card {
       const { MotionPanel } = await import('./MotionPanel.js');
       return new MotionPanel(page.motion, page.canvas, () => stage.frames.invalidate());
     });
-    // Fetched, because it would delay the first drawing. The shelf lies above the panel, and comes first so that nothing moves.
+    // The panel is fetched later, because it would delay the first drawing. The shelf lies above it and comes first, so that nothing moves.
     void Promise.all([import('./SettingsPanel.js'), this.shelf.fetch()]).then(
       ([{ SettingsPanel }]) => {
         const onChange = session.settingChanged.bind(session);
@@ -59,7 +59,7 @@ export class Card {
     stage.frames.onFrame(() => this.motion.present?.update());
   }
 
-  /** Shows the controls of a model that moves. */
+  /** Shows the controls of the model if it is animated. */
   private showMotion(): void {
     const { stage } = this.session;
     if (!this.motion.present && !stage.model?.motion) return;

@@ -6,8 +6,8 @@ import { MotionSlider, type SliderValue } from './MotionSlider.js';
 const MAX_MORPH_SLIDERS = 64;
 
 /**
- * The controls of an animated model: play and pause, clip, time, speed, and morph targets. They are made once and show one model after
- * the other: browsers keep controls that were taken out of a page, and these would keep their models.
+ * The controls of an animated model: play and pause, clip, time, speed, and morph targets. They are created once and show one model after
+ * the other, because browsers keep controls that were removed from a page in memory, and with them the models.
  */
 export class MotionPanel {
   private motion: Motion | undefined;
@@ -129,7 +129,7 @@ const speedValue = (motion: Motion): SliderValue => {
 
 const morphValue = (motion: Motion, name: string): SliderValue => ({
   name: shownName(name),
-  hint: 'Double-click to give it back to the clip',
+  hint: 'Double-click to let the clip set it again',
   min: 0,
   max: 1,
   step: 0.01,

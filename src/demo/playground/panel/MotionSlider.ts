@@ -1,7 +1,7 @@
-/** What a slider shows of a model, and sets. */
+/** A value of a model that a slider shows and sets. */
 export interface SliderValue {
   name: string;
-  /** A tooltip of its own; the name otherwise. */
+  /** The tooltip of the slider. */
   hint?: string;
   min: number;
   max: number;
@@ -9,11 +9,11 @@ export interface SliderValue {
   format: (value: number) => string;
   read: () => number;
   write: (value: number) => void;
-  /** What a double-click does. */
+  /** Called by a double-click. */
   reset?: () => void;
 }
 
-/** A labelled slider, which shows now this value and now that. */
+/** A labelled slider that can be set to show another value. */
 export class MotionSlider {
   readonly label = document.createElement('label');
   private readonly name = document.createElement('span');

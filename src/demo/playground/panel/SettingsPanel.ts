@@ -6,23 +6,23 @@ import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../se
 import { looksOf } from '../../settings/settingValues.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../../settings/table/Setting.js';
 
-/** Widths that the panel also says as those of the print. */
+/** Widths that the panel shows in millimetres of the print, too. */
 const PRINTED = ['strokeWidth', 'lineWidth'] as const;
 
-/** A button of the panel. */
+/** An action for which the panel has a button. */
 export interface PanelAction {
-  /** What changes with the settings is asked for with each change of them. */
+  /** A function is called at each change of the settings, for a label that depends on them. */
   label: string | (() => string);
   group: SettingGroup;
   run: () => void;
 }
 
-/** The controls, built from the table of settings. Each has a label and a unit, and is reset by double-click. */
+/** The controls, created from the table of settings. Each has a label and a unit, and a double-click resets it. */
 export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
   private readonly units = new Map<SettingKey, HTMLElement>();
   private readonly changingLabels: (() => void)[] = [];
-  /** The widths of strokes and lines in print, if the picture is saved in the chosen size. */
+  /** Show the widths of strokes and lines in a print of the chosen size. */
   private readonly printNotes = { strokeWidth: note(''), lineWidth: note('') };
 
   constructor(
@@ -34,14 +34,14 @@ export class SettingsPanel {
     /** Called when a group is unfolded or folded. */
     onFold: (group: SettingGroup, isOpen: boolean) => void,
   ) {
-    // Styled by our own style sheet, because the Content Security Policy forbids style elements.
+    // The page's own style sheet styles the panel, because the Content-Security-Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
     const folders = SETTING_GROUPS.map((group, i) => {
       const folder = i === 0 ? gui : gui.addFolder(group).close();
       // Without lil-gui's own style sheet, its opening animation would never end.
       folder.openAnimated = (open) => {
         folder.open(open);
-        // What a fold holds is seen at once: all of it, or its beginning if it is longer than the panel.
+        // The content of an opened fold comes into sight: all of it, or its beginning if it is longer than the panel.
         if (open) {
           folder.domElement.scrollIntoView({ block: 'nearest' });
           folder.$title.scrollIntoView({ block: 'nearest' });
@@ -68,13 +68,13 @@ export class SettingsPanel {
       if (typeof label === 'string') controller.name(label);
       else this.changingLabels.push(() => controller.name(label()));
     }
-    // Moves the folders behind the settings of the first group.
+    // The folders stand behind the settings of the first group.
     const children = gui.$children;
     children.append(...[...children.children].filter((child) => child.classList.contains('lil-gui')));
     this.refresh();
   }
 
-  /** Updates the controls after the settings were changed elsewhere. Hides those that have no effect. */
+  /** Updates the controls after the settings have changed elsewhere. Hides or disables those without an effect. */
   refresh(): void {
     for (const controller of this.controllers.values()) controller.updateDisplay();
     for (const name of this.changingLabels) name();
@@ -98,7 +98,7 @@ export class SettingsPanel {
     }
   }
 
-  /** Says how wide strokes and lines are in print. */
+  /** Shows how wide strokes and lines are in print. */
   private notePrintedWidths(): void {
     const { settings } = this;
     const millimetres = millimetresPerPixel(settings, this.drawnView());
@@ -146,7 +146,7 @@ export class SettingsPanel {
 const isPrinted = (key: SettingKey): key is (typeof PRINTED)[number] =>
   (PRINTED as readonly SettingKey[]).includes(key);
 
-/** Value, range and unit of a number, for who hears them: lil-gui has a plain field of text. */
+/** Gives screen readers the value, the range and the unit of a number, because lil-gui uses a plain text field. */
 function sayValue(controller: Controller, { min, max }: NumberSetting, value: number, unit: string): void {
   const said = {
     role: 'spinbutton',
@@ -159,7 +159,7 @@ function sayValue(controller: Controller, { min, max }: NumberSetting, value: nu
   for (const [name, text] of Object.entries(said)) input?.setAttribute(name, String(text));
 }
 
-/** A line of small text below a control. Several texts are spread over its width. */
+/** Creates a line of small text below a control. Several texts are spread over its width. */
 function note(...texts: string[]): HTMLElement {
   const element = document.createElement('span');
   element.className = 'note';

@@ -5,12 +5,12 @@ import type { LinkFollower } from './LinkFollower.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
 
-/** Opens drawings that take a while, and tells whether one is being opened. Until it is, the page's address is not written. */
+/** Opens drawings that take a while, and tells whether one is being opened, because the page's address is not written meanwhile. */
 export class DrawingOpener {
   /** Called when a drawing has been opened, or could not be. */
   onEnd: () => void = () => {};
   private opening = 0;
-  /** Fetched with the first drawing that is opened. */
+  /** The script is fetched when the first drawing is opened. */
   private links: LinkFollower | undefined;
 
   constructor(
@@ -35,7 +35,7 @@ export class DrawingOpener {
     return this.open((links) => links.openKept(id));
   }
 
-  /** Opens a model of another site, if the user agrees. @param isFramed whether the camera goes to where it sees the whole model */
+  /** Opens a model of another site, if the user agrees. @param isFramed whether the model is framed */
   openAddress(address: string, isFramed: boolean): void {
     void this.open((links) => links.showAddress(address, isFramed));
   }

@@ -3,7 +3,7 @@ import type { SavedView } from '../../settings/savedViews.js';
 import { SETTING_KEYS, type Settings } from '../../settings/settings.js';
 import type { ViewState } from '../../stage/view/View.js';
 
-/** A drawing but for its model. */
+/** The state of a drawing without its model. */
 export interface LookState {
   settings: Settings;
   /** Undefined if the model is to be framed. */
@@ -11,9 +11,9 @@ export interface LookState {
   views: readonly SavedView[];
 }
 
-/** What Undo goes back to. */
+/** The state of a drawing that Undo restores. */
 export interface DrawingState extends LookState {
-  /** Of the user's own model. */
+  /** The files of the model, if it is the user's own. */
   files: readonly ModelFile[] | undefined;
 }
 
@@ -21,7 +21,7 @@ export const isSameState = (a: DrawingState, b: DrawingState): boolean =>
   SETTING_KEYS.every((key) => a.settings[key] === b.settings[key]) &&
   a.files === b.files &&
   JSON.stringify(a.views) === JSON.stringify(b.views) &&
-  // Framed is framed, whatever the shape of the page was.
+  // A framed model is placed anew in every viewport, so its camera does not matter.
   ((isFramed(a) && isFramed(b)) || JSON.stringify(a.camera) === JSON.stringify(b.camera));
 
 const isFramed = ({ camera }: DrawingState): boolean => camera === undefined || camera.framedFor !== undefined;

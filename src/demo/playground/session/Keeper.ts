@@ -9,15 +9,15 @@ import type { PageAddress } from './PageAddress.js';
 const sizeOf = (files: readonly ModelFile[] = []): number => files.reduce((sum, { content }) => sum + content.size, 0);
 
 /**
- * Keeps drawings that need files of the user's own, so that they survive a reload, Back and a crash. Which of them the page shows
- * is noted in its entry of the browser's history.
+ * Has the browser keep drawings that need files of the user's own, so that they survive a reload, the Back button and a crash. The entry
+ * of the browser's history says which of them the page shows.
  */
 export class Keeper {
   private fetched: Promise<KeptDrawings> | undefined;
   /** The files of the drawing that is shown. */
   private files: KeptFiles = {};
   private id: string | undefined;
-  /** Writing one after the other, so that what comes later stays. */
+  /** Writes are queued, so that the latest one wins. */
   private queue: Promise<void> = Promise.resolve();
   private hasSaidWhy = false;
   private hasSaidNoAddress = false;
@@ -28,16 +28,16 @@ export class Keeper {
     private readonly onChange: () => void,
   ) {}
 
-  /** Fetched when it is first asked for: it is not needed for a first drawing. */
+  /** The script is fetched when it is first needed, which is after the first drawing. */
   private get drawings(): Promise<KeptDrawings> {
     this.fetched ??= import('../../kept/KeptDrawings.js').then(({ KeptDrawings }) => new KeptDrawings());
     return this.fetched;
   }
 
   /**
-   * To be called when the drawing has changed. A drawing without own files is left to the page's address.
+   * To be called when the drawing has changed. For a drawing without files of the user's own, the page's address is enough.
    *
-   * @param link of its settings and its view
+   * @param link the settings and the camera, as the text of a link
    */
   shown(files: KeptFiles, title: string, link: string, camera: CameraView | undefined): void {
     if (!files.model && !files.map) {
@@ -68,7 +68,7 @@ export class Keeper {
   pictured(pending: Promise<string>): void {
     const { id } = this;
     if (id === undefined) return;
-    // Where it cannot be kept, neither could the drawing, and that was said.
+    // If this fails, writing the drawing has failed as well, and the user was told.
     void pending.then((picture) => {
       this.queue = this.queue
         .then(() => this.drawings)
@@ -78,7 +78,7 @@ export class Keeper {
   }
 
   /**
-   * Reads a kept drawing, which is going to be shown, unless it is aborted. Undefined if it is gone.
+   * Reads a kept drawing, which is the shown one from now on. Undefined if it was deleted or `signal` is aborted.
    *
    * @throws Error if the browser does not give it back
    */
@@ -90,7 +90,7 @@ export class Keeper {
     return found;
   }
 
-  /** The kept drawings, the latest first. None where the browser keeps nothing. */
+  /** The kept drawings, the latest first. The list is empty if the browser keeps nothing. */
   list(): Promise<KeptDrawing[]> {
     return this.queue
       .then(() => this.drawings)
@@ -105,7 +105,7 @@ export class Keeper {
     this.onChange();
   }
 
-  /** Notes in the page's address what is shown. */
+  /** Writes into the page's address what is shown. */
   private note(link: string): void {
     if (this.address.write(link, this.id) || this.hasSaidNoAddress) return;
     this.hasSaidNoAddress = true;
@@ -119,8 +119,8 @@ export class Keeper {
       const isFull = (error as Error | null)?.name === 'QuotaExceededError';
       this.status.say(
         isFull
-          ? `${shownName(title)} is larger than what this browser keeps for a page: after a reload, open it again.`
-          : `This browser keeps nothing here, as in a private window: after a reload, open ${shownName(title)} again.`,
+          ? `${shownName(title)} is larger than what this browser stores for a page: after a reload, open it again.`
+          : `This browser stores nothing for this page, as in a private window: after a reload, open ${shownName(title)} again.`,
       );
     });
   }

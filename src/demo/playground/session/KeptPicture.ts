@@ -2,15 +2,15 @@ import { thumbnailWhen } from '../../kept/thumbnailOf.js';
 import type { Stage } from '../../stage/Stage.js';
 import { whenDrawn } from '../../stage/whenDrawn.js';
 
-/** Takes a thumbnail of a drawing when it has come to rest and is drawn whole. */
+/** Takes a thumbnail of the drawing when nothing moves any more and the drawing is complete. */
 export class KeptPicture {
   private isWanted = false;
 
   constructor(
     private readonly stage: Stage,
-    /** Whether nothing is being done that changes the drawing. */
+    /** Whether no task is running that will change the drawing. */
     private readonly isSettled: () => boolean,
-    /** Called in the task of a frame, with what is read of it later. */
+    /** Called in the task of a frame, with the thumbnail that will be read of it later. */
     private readonly take: (picture: Promise<string>) => void,
   ) {}
 
@@ -19,7 +19,7 @@ export class KeptPicture {
     if (this.isAtRest && this.stage.frames.redraw()) this.frameDrawn();
   }
 
-  /** To be called with every frame, in its task. */
+  /** To be called after each frame, in the same task. */
   frameDrawn(): void {
     if (!this.isWanted || !this.isAtRest) return;
     this.isWanted = false;
@@ -27,7 +27,7 @@ export class KeptPicture {
     this.take(thumbnailWhen(whenDrawn(context), canvas));
   }
 
-  /** If not, another frame follows: a whole one after a sketch, a fine one after a coarse one, and one with what a task brings. */
+  /** Whether the drawing is final. If not, another frame follows: after a sketch, after a coarse frame, or with the result of a task. */
   private get isAtRest(): boolean {
     const { stage } = this;
     return (

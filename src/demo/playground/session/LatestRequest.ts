@@ -1,8 +1,8 @@
-/** Waits for one thing at a time. What is asked for later takes the place of what was, which is told so by its signal. */
+/** Runs one request at a time. A later request replaces the one before, whose signal is aborted. */
 export class LatestRequest {
   private controller: AbortController | undefined;
 
-  /** @returns what came; undefined if something else was asked for meanwhile. @throws what went wrong, unless nobody waits for it */
+  /** @returns the result, or undefined if the request was replaced. @throws the error of the request, unless it was replaced */
   async run<Result>(task: (signal: AbortSignal) => Promise<Result>): Promise<Result | undefined> {
     this.drop();
     const controller = new AbortController();
@@ -18,7 +18,7 @@ export class LatestRequest {
     }
   }
 
-  /** Nobody waits any more. */
+  /** Aborts the request, if there is one. */
   drop(): void {
     this.controller?.abort();
     this.controller = undefined;

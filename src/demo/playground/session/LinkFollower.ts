@@ -19,15 +19,15 @@ export class LinkFollower {
     private readonly keeper: Keeper,
   ) {}
 
-  /** Shows what the page's address asks for. Resolves when that is known and loading. */
+  /** Shows what the page's address asks for. Resolves when loading has begun. */
   async follow(): Promise<void> {
     const { session } = this;
-    // Nobody is to agree to what the address does not ask for any more.
+    // A question about an earlier address must not be answered any more.
     this.asked.drop();
     const { drawing } = this.address;
     const { settings: next, camera, address, views } = readLink(this.address.read());
     if (drawing !== undefined) return this.openKept(drawing);
-    // While a model from the web is asked about and fetched, the one that is shown stays.
+    // The shown model stays until the user has agreed and the model from the web has come.
     if (address === undefined) session.showState({ settings: next, camera, files: undefined, views });
     else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views });
     session.recordChange();
@@ -54,7 +54,7 @@ export class LinkFollower {
         throw new ModelError(
           kept === undefined
             ? 'That drawing is no longer kept.'
-            : 'The browser does not give back the drawing that it keeps: open your model again.',
+            : 'The browser does not return the drawing that it keeps: open your model again.',
         );
       }
       const { settings: next, address: origin, views } = readLink(kept.drawing.link);

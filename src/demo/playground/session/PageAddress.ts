@@ -1,34 +1,34 @@
-/** What the page's entry in the browser's history remembers. */
+/** The state of the page's entry in the browser's history. */
 interface EntryState {
-  /** The kept drawing that it shows. */
+  /** The id of the kept drawing that the entry shows. */
   drawing?: string | undefined;
 }
 
 /** The address of the page and its entry in the browser's history, which bring back the drawing after a reload. */
 export class PageAddress {
-  /** The hash that was written or read last. */
+  /** The hash that the page has written or read last. */
   private known = location.hash;
 
-  /** The kept drawing that the entry asks for. */
+  /** The id of the kept drawing that the entry asks for. */
   get drawing(): string | undefined {
     return (history.state as EntryState | null)?.drawing;
   }
 
-  /** Whether somebody has followed a link of which the page has not been told yet. It must not be written over. */
+  /** Whether the hash was changed by a link, of which the page has not been told yet. Such a hash must not be overwritten. */
   get isFollowed(): boolean {
     return location.hash !== this.known;
   }
 
-  /** The hash, which the page is going to show. */
+  /** Reads the hash, which the page is going to show. */
   read(): string {
     this.known = location.hash;
     return this.known;
   }
 
   /**
-   * Notes what is shown, in place of what the page has shown before.
+   * Replaces the entry by one for the drawing that is shown.
    *
-   * @returns whether the browser has let it: some count how often a page does so, some forbid it to pages within others
+   * @returns whether the browser has allowed it: some limit how often a page may do so, some forbid it in frames
    */
   write(link: string, drawing: string | undefined): boolean {
     try {

@@ -10,7 +10,7 @@ import type { TaskRunner } from '../tasks/TaskRunner.js';
 import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
 import { watchPresses } from './watchPresses.js';
 
-/** What a part of the page wants to be told about the session. */
+/** The events of a session that a part of the page listens to. */
 export interface SessionListener {
   /** Called when the settings have been applied to the stage. */
   applied?(): void;
@@ -62,7 +62,7 @@ export class Session {
     this.listeners.push(listener);
   }
 
-  /** Applies the settings, as the state that nothing has led to. */
+  /** Applies the settings as the state before the first step. */
   start(): void {
     this.history.adopt();
     this.apply();
@@ -76,7 +76,7 @@ export class Session {
    * @param source see {@link EditHistory.changed}
    */
   recordChange(source?: string): void {
-    // Applied first: what the view does by itself belongs to the step.
+    // The settings are applied first, so that the step includes how the view reacts to them.
     this.apply();
     this.history.changed(source);
     this.tell('stepped');
@@ -125,7 +125,7 @@ export class Session {
     this.step(this.history.redo());
   }
 
-  /** Forgets all steps: the drawing that is shown is where the user begins. */
+  /** Forgets all steps, so that nothing can be undone. */
   forgetSteps(): void {
     this.history.clear();
     this.tell('stepped');

@@ -1,12 +1,12 @@
 /**
  * Counts how often a pointer was pressed on the page.
  *
- * @returns tells the number of the press that lasts, or undefined if nothing is pressed
+ * @returns a function that returns the number of the present press, or undefined if nothing is pressed
  */
 export function watchPresses(): () => number | undefined {
   let count = 0;
   let isPressed = false;
-  // Of several fingers, the first. Seen before whoever changes something by them.
+  // Only the first of several fingers counts. The events are captured, so that they are seen before a control reacts to them.
   const listen = (type: 'pointerdown' | 'pointerup' | 'pointercancel', next: boolean): void =>
     addEventListener(
       type,

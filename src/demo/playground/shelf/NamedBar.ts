@@ -1,7 +1,7 @@
 import { shownName } from '../../files/common/shownText.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
-/** A row of buttons, one for each of a list. What is shown is pressed. Hidden where there are none. */
+/** A row of buttons, one for each item of a list. The button of the item that is shown is pressed. An empty row is hidden. */
 export class NamedBar {
   private shown = '';
 
@@ -16,7 +16,7 @@ export class NamedBar {
     const { container, list } = this;
     const { items } = list;
     const names = JSON.stringify(items);
-    // Otherwise the focus would be lost with each change of a setting.
+    // Replacing the buttons at each change of a setting would take the focus from them.
     if (names !== this.shown) container.replaceChildren(...items.map((item, i) => this.button(item, i)));
     this.shown = names;
     container.hidden = items.length === 0;

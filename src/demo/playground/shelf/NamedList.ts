@@ -1,28 +1,28 @@
-/** Something of the user's own with a name. */
+/** A look or a view to which the user has given a name. */
 export interface NamedItem {
   name: string;
-  /** The address of a small image. */
+  /** A thumbnail, as a data URL. */
   picture?: string | undefined;
-  /** The key that chooses it. */
+  /** The key that chooses the item. */
   key?: string;
 }
 
-/** A list of them. What changes it returns a sentence for the user where there is something to say. */
+/** A list of named items. Methods that change it return a sentence for the user if there is something to say. */
 export interface NamedList {
   readonly items: readonly NamedItem[];
   readonly isFull: boolean;
-  /** A name that none of them has. */
+  /** A name that no item has. */
   readonly freeName: string;
-  /** Keeps what is shown. */
+  /** Adds what is shown. */
   add(name: string): string | undefined;
   choose(index: number): void;
   rename(index: number, name: string): string | undefined;
   remove(index: number): string | undefined;
-  /** Whether it is what is shown. */
+  /** Whether the drawing shows the item. */
   isShown(index: number): boolean;
 }
 
-/** The first of `Look 1`, `Look 2` and so on that is free, from the number that comes next. */
+/** The first free name of the form `Look 1`, `Look 2` and so on, starting from the number of items plus one. */
 export function freeName(word: string, items: readonly NamedItem[]): string {
   for (let number = items.length + 1; ; number++) {
     const name = `${word} ${number}`;

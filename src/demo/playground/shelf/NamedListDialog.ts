@@ -1,17 +1,18 @@
 import { shownName } from '../../files/common/shownText.js';
 import { findElement } from '../../page/findElement.js';
+import { textButton } from '../elements/textButton.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
-/** What the dialog says of a list. */
+/** The words of the dialog for a list. */
 export interface ListWords {
   title: string;
   about: string;
-  /** Of the button that keeps what is shown. */
+  /** The label of the button that adds what is shown. */
   add: string;
   full: string;
 }
 
-/** Lists what the user has given names: to keep another, to choose, rename or delete one. */
+/** Lists named items, which can be added, chosen, renamed and deleted. */
 export class NamedListDialog {
   private readonly dialog = findElement('named') as HTMLDialogElement;
   private readonly name = findElement('named-name') as HTMLInputElement;
@@ -40,7 +41,7 @@ export class NamedListDialog {
     this.dialog.showModal();
   }
 
-  /** Shows the list. @param sentence what is to be said of the last change */
+  /** Shows the list. @param sentence a sentence about the last change */
   private show(sentence: string | undefined): void {
     const { list, words, name, addButton } = this;
     if (!list || !words) return;
@@ -58,23 +59,16 @@ export class NamedListDialog {
     const field = Object.assign(document.createElement('input'), { type: 'text', value: name, maxLength: 40 });
     field.setAttribute('aria-label', `Name of ${name}`);
     field.addEventListener('change', () => this.show(list.rename(index, field.value)));
-    const use = button('Show', `Show ${name}`, () => {
+    const choose = (): void => {
       this.dialog.close();
       list.choose(index);
-    });
-    const remove = button('Delete', `Delete ${name}`, () => {
+    };
+    const remove = (): void => {
       this.show(list.remove(index));
       this.name.focus();
-    });
-    row.append(field, use, remove);
+    };
+    const buttons = [textButton('Show', choose, `Show ${name}`), textButton('Delete', remove, `Delete ${name}`)];
+    row.append(field, ...buttons);
     return row;
   }
-}
-
-function button(label: string, name: string, run: () => void): HTMLButtonElement {
-  const made = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
-  made.className = 'text-button';
-  made.setAttribute('aria-label', name);
-  made.addEventListener('click', run);
-  return made;
 }

@@ -14,10 +14,10 @@ export class OwnLooks implements NamedList {
     /** Draws the drawing and returns a thumbnail of it. */
     private readonly picture: () => string | undefined,
     private readonly onChoose: (look: OwnLook) => void,
-    /** Called when they have changed. */
+    /** Called when the list has changed. */
     private readonly onChange: () => void,
   ) {
-    // Another tab has changed them.
+    // Another tab has changed the stored looks.
     addEventListener('storage', () => {
       this.kept.refresh();
       onChange();
@@ -46,7 +46,7 @@ export class OwnLooks implements NamedList {
     };
     const sentence = this.change((looks) => [...looks, added].slice(0, MOST_LOOKS));
     if (sentence || settings.mapStyle !== 'file') return sentence;
-    return 'Your own strokes stay with the drawing: the look draws with Hatching.';
+    return 'Your own strokes stay with this drawing: the look draws with the strokes called Hatching.';
   }
 
   choose(index: number): void {
@@ -75,6 +75,6 @@ export class OwnLooks implements NamedList {
     this.onChange();
     return isKept
       ? undefined
-      : 'This browser keeps nothing here, or has no room: your looks are there until the page is closed.';
+      : 'This browser stores nothing for this page, or has no room: your looks last until the page is closed.';
   }
 }

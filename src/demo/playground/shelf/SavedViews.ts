@@ -4,15 +4,15 @@ import type { Settings } from '../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 
-/** The views that are kept with the drawing: from where it is seen, and where its lights are. */
+/** The views that belong to the drawing, each with a camera and lights. */
 export class SavedViews implements NamedList {
-  /** Never changed in place: Undo goes back to earlier ones. */
+  /** The array is replaced and never changed in place, because Undo goes back to earlier ones. */
   list: readonly SavedView[] = [];
 
   constructor(
     private readonly stage: Stage,
     private readonly settings: Settings,
-    /** Called when the user has changed them, or goes to one of them. */
+    /** Called when the user has changed the list, or has chosen a view. */
     private readonly onChange: () => void,
   ) {}
 
@@ -38,7 +38,7 @@ export class SavedViews implements NamedList {
     if (!view) return;
     const { stage, settings } = this;
     Object.assign(settings, view.light);
-    // A model is framed with its shadow, which is that of the lights.
+    // The settings are applied first, because a model is framed together with its shadow, which depends on the lights.
     stage.apply(settings);
     if (view.camera) stage.view.place = view.camera;
     else stage.view.frame();

@@ -18,14 +18,13 @@ const WORDS = {
   },
   views: {
     title: 'Views of this drawing',
-    about:
-      'A view is where the drawing is seen from, and where its lights are. Views go with the drawing, and with a link to it.',
+    about: 'A view is a camera and the lights. Views belong to the drawing, and a link to it brings them along.',
     add: 'Keep this view',
-    full: 'There is one for each of the keys 1 to 9: delete one first.',
+    full: 'Each of the keys 1 to 9 has a view: delete one first.',
   },
 } as const satisfies Record<string, ListWords>;
 
-/** What the user keeps at hand: looks and views, as buttons beside the presets and in dialogs. */
+/** The user's own looks and views, as buttons beside the presets and in a dialog. */
 export class Shelf {
   private readonly looks: OwnLooks;
   private readonly bars: readonly NamedBar[];

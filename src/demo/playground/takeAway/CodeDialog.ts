@@ -5,12 +5,12 @@ import { copyText } from './copyText.js';
 import { download } from './download.js';
 import { fileStem } from './fileStem.js';
 
-/** What the dialog shows. */
+/** One of the forms of code that the dialog shows. */
 interface CodeForm {
   /** Says what the code is for, in one sentence. */
   about: string;
   code: string;
-  /** Of the file that it is saved as. */
+  /** The extension of the file in which the code is saved. */
   extension: string;
 }
 
@@ -52,7 +52,7 @@ export class CodeDialog {
   }
 
   private async show(): Promise<void> {
-    // Loaded when it is asked for: few come for code.
+    // The script is fetched when it is needed, because few users ask for code.
     const { codeForms } = await import('../../code/codeForms.js');
     const { isModelInLink } = this.session;
     const make = codeForms[this.form.value as keyof typeof codeForms];
@@ -71,7 +71,7 @@ export class CodeDialog {
     this.text.focus();
     this.text.select();
     this.said.textContent =
-      'The browser keeps the clipboard from this page: the code is selected, copy it with the keyboard.';
+      'The browser does not let this page use the clipboard. The code is selected: copy it with the keyboard.';
   }
 
   private save(): void {

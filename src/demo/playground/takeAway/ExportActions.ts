@@ -9,7 +9,7 @@ import { download } from './download.js';
 import { fileStem } from './fileStem.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
-/** The actions that export a drawing: as a picture, as a link, as code; and the map it is drawn with. */
+/** The actions that export the drawing, as a picture, a video, an archive or a link, and the map. */
 export class ExportActions {
   constructor(
     private readonly session: Session,
@@ -32,7 +32,7 @@ export class ExportActions {
       run: this.saveVideo,
     });
 
-  /** The picture that the settings ask for, as one PNG. @throws Error where there is none; the status line says why */
+  /** The picture that the settings ask for, as one PNG. @throws Error if there is none; the status line says why */
   readonly drawPicture = async (): Promise<Blob> => {
     const picture = await this.draw(async () => (await import('./savePicture.js')).drawForClipboard);
     if (!picture) throw new Error('There is no picture; the status line says why.');
@@ -44,7 +44,7 @@ export class ExportActions {
     if (sentence !== undefined) this.status.say(sentence);
   }
 
-  /** Draws by what `fetchDraw` fetches. Nothing else is drawn meanwhile. Undefined where that fails. */
+  /** Runs the function that `fetchDraw` fetches. No other picture is drawn meanwhile. Undefined if it fails. */
   private async draw<Result>(
     fetchDraw: () => Promise<SaveDrawing<Result>>,
     again?: Remedy,
@@ -52,7 +52,7 @@ export class ExportActions {
     const { status } = this;
     const { stage, modelLoader } = this.session;
     if (this.tasks.isRunning('picture')) return undefined;
-    if (stage.isLost) status.fail('There is nothing to save before the graphics card has taken up the drawing again.');
+    if (stage.isLost) status.fail('There is nothing to save until the graphics card draws again.');
     else if (!stage.isComplete) status.fail('There is no drawing to save yet.');
     else {
       const settings = { ...this.session.settings };
@@ -71,17 +71,17 @@ export class ExportActions {
     return undefined;
   }
 
-  /** Saves the model with how it is drawn, for others to open here. */
+  /** Saves the model together with its look and its view. The page opens the file as this drawing. */
   readonly saveDrawing = async (): Promise<void> => {
     const { session, status } = this;
     const { modelLoader } = session;
     const { unpacked, files } = modelLoader.shownFiles;
     if (!modelLoader.ownFiles) {
-      status.say('This model is one of the page: a link to the drawing carries all of it.');
+      status.say('This model is part of the page: a link to the drawing brings all of it back.');
       return;
     }
     const link = new URLSearchParams(session.link);
-    // It comes along.
+    // The archive has the model itself.
     link.delete('model');
     try {
       const { zipDrawing } = await import('./zipDrawing.js');
@@ -102,19 +102,19 @@ export class ExportActions {
     const { mapStyle } = settings;
     try {
       download(await zipMap(map), `${mapStyle === 'file' ? 'map' : mapStyle}.zip`);
-      this.status.say('The map is saved, as PNG in a ZIP.');
+      this.status.say('The map is saved as PNG images in a ZIP.');
     } catch (error) {
       this.status.fail(sentenceFor(error));
     }
   };
 
-  /** Hands the link to the system's sheet for sharing. */
+  /** Opens the system's dialog for sharing, with the link. Copies the link if that fails. */
   readonly share = async (): Promise<void> => {
     try {
       await navigator.share({ title: document.title, url: this.link });
       if (!this.session.isModelInLink) this.status.say('The link is on its way. It cannot carry your own model.');
     } catch (error) {
-      // Closing the sheet is an answer, too.
+      // The user may have closed the dialog.
       if ((error as Error).name !== 'AbortError') await this.copyLink();
     }
   };

@@ -3,10 +3,10 @@ import type { Settings } from '../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 
 /**
- * Draws what is saved, and hands it to the browser.
+ * Draws a picture or a video, and has the browser download it unless the caller takes the result.
  *
- * @param name of the file, without its extension
- * @returns what was saved, in a sentence; or what was drawn
+ * @param name the name of the file without its extension
+ * @returns a sentence about what was saved, or the result
  * @throws Error with a sentence for the user
  */
 export type SaveDrawing<Result = string> = (

@@ -1,13 +1,14 @@
 import type { Status } from '../tasks/Status.js';
 
 /**
- * Puts a picture on the clipboard, and says whether that went well. To be called while a click is handled: the clipboard is asked at
- * once and given a promise, because some browsers, Safari among them, hear no later request.
+ * Copies a picture to the clipboard, and tells the user whether that was possible. To be called while a click is handled: the clipboard
+ * gets a promise at once, because some browsers, such as Safari, refuse later requests.
  *
- * @param draw draws the picture as PNG; where it rejects, the user has been told why
+ * @param draw draws the picture as PNG. If it rejects, the user has been told why
  */
 export async function copyPicture(draw: () => Promise<Blob>, status: Status): Promise<void> {
-  const refuse = (): void => status.fail('The browser keeps its clipboard from this page: save the picture instead.');
+  const refuse = (): void =>
+    status.fail('The browser does not let this page use the clipboard: save the picture instead.');
   if (!navigator.clipboard?.write || typeof ClipboardItem === 'undefined') {
     refuse();
     return;
@@ -19,6 +20,6 @@ export async function copyPicture(draw: () => Promise<Blob>, status: Status): Pr
   else status.say('The picture is on the clipboard, as PNG.');
 }
 
-/** Rejects also where older browsers throw because of the promise. */
+/** Rejects where older browsers throw, which do not take promises. */
 const write = async (picture: Promise<Blob>): Promise<void> =>
   navigator.clipboard.write([new ClipboardItem({ 'image/png': picture })]);

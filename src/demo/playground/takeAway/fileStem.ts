@@ -1,4 +1,4 @@
-/** The name of a drawing as that of a file, without an extension. */
+/** Turns the title of a drawing into a file name without an extension. */
 export function fileStem(title: string): string {
   const stem = title
     .replace(/\.\w+$/, '')

@@ -1,24 +1,24 @@
 import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 
-/** What lies over the drawing while it is saved. */
+/** A copy of the drawing that covers it while it is saved. */
 interface Curtain {
-  /** Shows another picture in the place of the drawing: the whole of it, on paper. */
+  /** Shows another picture instead of the drawing, all of it, on paper. */
   show(picture: HTMLCanvasElement): void;
   /** Takes the curtain away. */
   lower(): void;
 }
 
 /**
- * Puts a copy of the drawing over it, and lets nothing but Cancel be used, while a picture is drawn on the same canvas in tiles, or
- * a video frame by frame.
+ * Covers the drawing with a copy of it and disables everything but Cancel, while a picture is drawn in tiles on the same canvas, or a
+ * video frame by frame.
  */
 export function raiseCurtain(stage: Stage, paper: string): Curtain {
   const { canvas, viewport, card, bar } = page;
   const copy = document.createElement('canvas');
   copy.className = 'curtain';
   copy.setAttribute('aria-hidden', 'true');
-  // In one task, because the canvas does not keep its content for longer.
+  // The drawing is copied in the same task, because the canvas does not keep its content for longer.
   stage.frames.draw();
   const { width, height } = Object.assign(copy, { width: canvas.width, height: canvas.height });
   const context = copy.getContext('2d');

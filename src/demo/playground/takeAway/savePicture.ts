@@ -17,7 +17,7 @@ import { download } from './download.js';
 import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
-/** Pixels of the largest picture that programs can be expected to take from a clipboard. */
+/** The most pixels of a picture that other programs can be expected to paste from the clipboard. */
 const MOST_COPIED_PIXELS = 64_000_000;
 
 const LOST =
@@ -37,7 +37,7 @@ export const savePicture: SaveDrawing = (stage, settings, name, report, signal) 
       await zip.add(`${name}-${i + 1}-${layer}.png`, content);
     }
     download(zip.end(), `${name}-layers.zip`);
-    return `Saved as ${LAYERS.length} PNG in a ZIP: ${describePrint(plan)}.`;
+    return `Saved as ${LAYERS.length} PNG images in a ZIP: ${describePrint(plan)}.`;
   });
 
 /** Draws the picture that the settings ask for as one PNG, for the clipboard. */

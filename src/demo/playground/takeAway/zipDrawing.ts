@@ -3,16 +3,16 @@ import { baseName } from '../../files/common/fileName.js';
 import type { ModelFile } from '../../files/readModel.js';
 import { ZipWriter } from '../../print/ZipWriter.js';
 
-/** What a drawing of the user's own model is made of. */
+/** The parts of a drawing of the user's own model. */
 export interface DrawingFiles {
   model: readonly ModelFile[];
-  /** Of a map of the user's own. */
+  /** The images of the map, if it is the user's own. */
   strokes: readonly ModelFile[];
-  /** Settings, camera and views, as a link has them. */
+  /** Settings, camera and views, as the text of a link. */
   link: string;
 }
 
-/** A model and how it is drawn in one archive, which the page opens as it opens a model. */
+/** Packs a model and its look into one archive, which the page opens as it opens a model. */
 export async function zipDrawing({ model, strokes, link }: DrawingFiles): Promise<Blob> {
   const zip = new ZipWriter();
   await zip.add(BUNDLE.description, new Blob([describeBundle(link)]));
@@ -20,7 +20,7 @@ export async function zipDrawing({ model, strokes, link }: DrawingFiles): Promis
     [BUNDLE.model, model],
     [BUNDLE.strokes, strokes],
   ] as const) {
-    // Of several files of one name, only the first is found by a model.
+    // If several files have the same name, a model finds only the first.
     const names = new Set<string>();
     for (const { name, content } of files) {
       const plain = baseName(name);

@@ -1,8 +1,8 @@
 import { shownText } from '../../files/common/shownText.js';
 
-/** What users can do about a problem. */
+/** An action that solves a problem. */
 export interface Remedy {
-  /** Of the button. */
+  /** The label of the button. */
   label: string;
   run: () => void;
 }
@@ -12,7 +12,7 @@ interface Problem {
   remedy: Remedy | undefined;
 }
 
-/** The status line, with a progress bar, a button that cancels the task, and one that mends a problem. */
+/** The status line, with a progress bar, a button that cancels the task, and one that solves a problem. */
 export class Status {
   private cancelTask: (() => void) | undefined;
   /** The task whose stage was shown last, by the function that cancels it. */
@@ -20,7 +20,7 @@ export class Status {
   private clearTimer: ReturnType<typeof setTimeout> | undefined;
   /** Whether a message is shown that only a task which the user starts, a problem or another message may replace. */
   private isSaying = false;
-  /** What is wrong with the page, by what it is about; the latest last. */
+  /** The problems of the page by their subject, the latest last. */
   private readonly problems = new Map<string, Problem>();
   private remedy: Remedy | undefined;
 
@@ -79,7 +79,7 @@ export class Status {
   /**
    * Shows a problem until it is solved: other tasks that go on do not hide it, and it comes back after a message.
    *
-   * @param about what it is about. There is one problem at most about each thing.
+   * @param about the subject, which has one problem at most
    * @param remedy offered as long as no task runs
    */
   addProblem(about: string, sentence: string, remedy?: Remedy): void {
@@ -88,7 +88,7 @@ export class Status {
     this.write(sentence, true, remedy);
   }
 
-  /** The problem about something is solved. @param news said of it where nothing else is wrong */
+  /** Removes a problem, because it is solved. @param news a message that is shown if there are no other problems */
   solveProblem(about: string, news?: string): void {
     if (!this.problems.delete(about)) return;
     if (news && this.problems.size === 0) this.say(news);
@@ -101,7 +101,7 @@ export class Status {
     this.elements.cancel.hidden = true;
   }
 
-  /** Shows the latest problem, or, if there is none, the text. */
+  /** Shows the latest problem, or `text` if there is none. */
   private rest(text = ''): void {
     const problem = [...this.problems.values()].at(-1);
     this.write(problem?.sentence ?? text, problem !== undefined, problem?.remedy);
@@ -110,14 +110,14 @@ export class Status {
   private write(sentence: string, isError: boolean, remedy?: Remedy): void {
     clearTimeout(this.clearTimer);
     this.isSaying = false;
-    // What a reader or the browser says may hold words of a file.
+    // Messages of readers and of the browser may contain text from a file.
     const text = shownText(sentence);
     const { message, mend } = this.elements;
     this.remedy = remedy;
     mend.hidden = !remedy || this.cancelTask !== undefined;
     mend.textContent = remedy?.label ?? '';
     message.classList.toggle('is-error', isError);
-    // Written only when it changes, because screen readers would read it again.
+    // The text is written only when it changes, because screen readers would read it again.
     if (message.textContent !== text) message.textContent = text;
   }
 }

@@ -7,8 +7,8 @@ type Slot = 'model' | 'map' | 'occlusion' | 'picture';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
 /**
- * Runs the page's long tasks, at most one for the model, one for the map, one for occlusion and one for a saved picture. The status line shows them and can cancel
- * them.
+ * Runs the page's long tasks: at most one for the model, one for the map, one for occlusion and one for a saved picture. The status line
+ * shows them and can cancel them.
  */
 export class TaskRunner {
   private readonly running = new Map<
@@ -21,7 +21,7 @@ export class TaskRunner {
   constructor(
     private readonly status: Status,
     private readonly page: {
-      /** Whether there is a drawing. What failed before there was one is said until it is mended. */
+      /** Whether there is a drawing. Without one, a failure is shown until it is solved. */
       hasDrawing(): boolean;
       /** Called when the last task has ended. */
       onIdle(): void;
@@ -37,8 +37,8 @@ export class TaskRunner {
   }
 
   /**
-   * For a task that nobody waits for: resolves when all others have ended, so that what was wished for last comes first, or when the
-   * task itself is aborted. Undefined if there are none.
+   * For a task that is not urgent: resolves when all other tasks have ended, because the user waits for those, or when the task itself is
+   * aborted. Undefined if there are no other tasks.
    */
   others(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
     const isAlone = (): boolean => signal.aborted || [...this.running.keys()].every((one) => one === slot);
@@ -56,10 +56,10 @@ export class TaskRunner {
   }
 
   /**
-   * Runs a task. One that is still running in the same slot is aborted. A failure is shown in the status line until the task is tried
-   * again or, where there is a drawing all the same, another is begun.
+   * Runs a task. A task that is still running in the same slot is aborted. A failure is shown in the status line until the task is run
+   * again or, if there is a drawing all the same, until any task is run.
    *
-   * @param again offered where the task failed because the graphics card has let go of the drawing, which is no fault of the task
+   * @param again offered if the task failed because the graphics context was lost, so that it may succeed the next time
    * @returns how it ended: `replaced` if a later task took its slot, `failed` also if the user cancelled it
    */
   async run(
@@ -69,7 +69,7 @@ export class TaskRunner {
   ): Promise<TaskEnd> {
     const { status, page } = this;
     this.running.get(slot)?.controller.abort();
-    // Occlusion is baked by itself, after a model: that is no answer to what is on the status line.
+    // The page bakes occlusion without being asked, so that a failure on the status line still matters.
     if (slot !== 'occlusion' && page.hasDrawing()) for (const about of SLOTS) status.solveProblem(about);
     status.solveProblem(slot);
     const controller = new AbortController();
@@ -105,7 +105,7 @@ export class TaskRunner {
     return finished ? 'done' : 'failed';
   }
 
-  /** Stops a task that nobody needs any more, without a word. */
+  /** Stops a task that is not needed any more, without a message. */
   stop(slot: Slot): void {
     this.running.get(slot)?.controller.abort();
     if (!this.running.delete(slot)) return;

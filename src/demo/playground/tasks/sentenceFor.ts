@@ -1,15 +1,15 @@
 import { errorMessage } from '../../files/common/errorMessage.js';
 import { ModelError } from '../../files/common/ModelError.js';
 
-/** What Chromium, Firefox and Safari say where a script that is loaded on demand is missing. */
+/** The messages of Chromium, Firefox and Safari for a dynamic import that has failed. */
 const MISSING_SCRIPT = /dynamically imported module|importing a module script/i;
 
-/** What the status line says of an error. */
+/** The sentence about an error for the status line. */
 export function sentenceFor(error: unknown): string {
   if (error instanceof ModelError) return error.message;
   const message = errorMessage(error);
   if (MISSING_SCRIPT.test(message)) {
-    return 'A part of this page could not be fetched. Look after the connection, and reload the page.';
+    return 'A part of this page could not be fetched. Check the connection and reload the page.';
   }
   return `That did not work: ${message}`;
 }
