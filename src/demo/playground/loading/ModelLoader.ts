@@ -1,5 +1,6 @@
 import type { CodeModel } from '../../code/CodeModel.js';
 import { buildModel } from '../../drawing/buildModel.js';
+import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import type { Report } from '../../drawing/Report.js';
 import { standInOf } from '../../drawing/standInOf.js';
 import type { BundledDrawing } from '../../files/archives/bundle.js';
@@ -29,6 +30,14 @@ interface LoadedModel {
 interface WantedModel {
   model: Settings['model'];
   files?: readonly ModelFile[] | undefined;
+}
+
+/** How a model is shown. */
+interface WayToShow {
+  /** Whether the camera is placed so that the whole model is in the picture. */
+  isFramed: boolean;
+  /** Whether the settings ask for the model, so that showing it changes none of them. */
+  isRestored: boolean;
 }
 
 /** A model that the user has opened. */
@@ -166,11 +175,8 @@ export class ModelLoader {
     return this.showOwn(files, { isFramed, isRestored: false });
   }
 
-  private showOwn(
-    files: readonly ModelFile[],
-    { isFramed, isRestored }: { isFramed: boolean; isRestored: boolean },
-  ): Promise<void> {
-    return this.show({ model: 'file', files }, { isFramed, isRestored }, async (report, signal) => {
+  private showOwn(files: readonly ModelFile[], way: WayToShow): Promise<void> {
+    return this.show({ model: 'file', files }, way, async (report, signal) => {
       const read = await loadModelFiles(files, { signal, onStage: report });
       const { name: title, missing, unpacked, drawing } = read;
       return { title, read, shown: { files, missing, unpacked }, drawing };
@@ -187,44 +193,24 @@ export class ModelLoader {
 
   private async show(
     wanted: WantedModel,
-    { isFramed, isRestored }: { isFramed: boolean; isRestored: boolean },
+    way: WayToShow,
     load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
   ): Promise<void> {
     const { settings, stage } = this;
-    const { model } = wanted;
     this.wanted = wanted;
     if (!stage.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       const loaded = await load(report, signal);
-      this.showStandIn(loaded, isFramed, isRestored);
-      const { model: next, notes } = await buildModel(loaded.read, report, signal);
+      this.showStandIn(loaded, way);
+      const built = await buildModel(loaded.read, report, signal);
       try {
-        await stage.shown.dress(next, signal);
+        await stage.shown.dress(built.model, signal);
       } catch (error) {
-        next.dispose();
+        built.model.dispose();
         throw error;
       }
       report('drawing', 1);
-      const hasStandIn = stage.shown.isStandIn;
-      this.beforeStandIn = undefined;
-      this.shownModel = model;
-      this.title = loaded.title;
-      this.shownFiles = loaded.shown ?? { files: [], missing: [] };
-      this.sceneRadius = loaded.read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
-      const { borderEdges, nonManifoldEdges } = next.statistics;
-      this.isOpen = loaded.read.kind === 'mesh' && borderEdges + nonManifoldEdges > 0;
-      settings.model = model;
-      if (!isRestored && !hasStandIn) settings.upAxis = loaded.read.upAxis;
-      // Notes on what was left out matter for the user's own models only.
-      const told = model === 'file' ? notes : [];
-      const details = model === 'file' && 'details' in loaded.read ? loaded.read.details : [];
-      this.name({ title: loaded.title, statistics: next.statistics, notes: told, details });
-      stage.shown.set(next, loaded.view);
-      // The user may have moved the camera while the stand-in was shown.
-      if (isFramed && !hasStandIn) stage.view.frame();
-      if (isRestored) this.onChange('restored');
-      else this.onChange('opened', { isOther: isFramed, drawing: loaded.drawing });
-      page.lamp.hidden = false;
+      this.showLoaded(wanted.model, loaded, built, way);
     });
     if (end === 'failed') {
       this.takeStandInAway();
@@ -235,8 +221,38 @@ export class ModelLoader {
     }
   }
 
+  private showLoaded(
+    model: Settings['model'],
+    loaded: LoadedModel,
+    { model: next, notes }: { model: HatchedModel; notes: readonly string[] },
+    { isFramed, isRestored }: WayToShow,
+  ): void {
+    const { settings, stage } = this;
+    const { title, read, view, drawing } = loaded;
+    const hasStandIn = stage.shown.isStandIn;
+    this.beforeStandIn = undefined;
+    this.shownModel = model;
+    this.title = title;
+    this.shownFiles = loaded.shown ?? { files: [], missing: [] };
+    this.sceneRadius = read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
+    const { statistics } = next;
+    this.isOpen = read.kind === 'mesh' && statistics.borderEdges + statistics.nonManifoldEdges > 0;
+    settings.model = model;
+    if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
+    // Notes on what was left out matter for the user's own models only.
+    const isOwn = model === 'file';
+    const details = isOwn && 'details' in read ? read.details : [];
+    this.name({ title, statistics, notes: isOwn ? notes : [], details });
+    stage.shown.set(next, view);
+    // The user may have moved the camera while the stand-in was shown.
+    if (isFramed && !hasStandIn) stage.view.frame();
+    if (isRestored) this.onChange('restored');
+    else this.onChange('opened', { isOther: isFramed, drawing });
+    page.lamp.hidden = false;
+  }
+
   /** Draws a large mesh at once, as well as it can be drawn before it is prepared. */
-  private showStandIn({ read, title, view }: LoadedModel, isFramed: boolean, isRestored: boolean): void {
+  private showStandIn({ read, title, view }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
     const { stage, settings } = this;
     const standIn = standInOf(read, settings);
     if (!standIn) return;

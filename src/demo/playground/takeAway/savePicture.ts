@@ -48,7 +48,7 @@ export const drawForClipboard: SaveDrawing<Blob> = (stage, settings, _name, repo
     return drawWhole(stage, settings, plan, report, signal);
   });
 
-/** Holds frames while a picture is drawn. @param draw is given what is drawn of the view, and in which size */
+/** Holds frames behind a curtain while a picture is drawn. @param draw gets the plan of the picture: its part of the view and its size */
 async function behindCurtain<Result>(
   stage: Stage,
   settings: Settings,
