@@ -58,8 +58,8 @@ export class KeptDrawings {
   async keep(drawing: KeptDrawing, files: KeptFiles): Promise<void> {
     const others = (await this.list()).filter(({ id }) => id !== drawing.id);
     const isTwin = ({ title, bytes }: KeptDrawing) => title === drawing.title && bytes === drawing.bytes;
-    await this.forget(...others.filter((one, i) => isTwin(one) || i >= MOST - 1).map(({ id }) => id));
-    const rest = others.filter((one, i) => !isTwin(one) && i < MOST - 1);
+    await this.forget(...others.filter((other, i) => isTwin(other) || i >= MOST - 1).map(({ id }) => id));
+    const rest = others.filter((other, i) => !isTwin(other) && i < MOST - 1);
     for (;;) {
       try {
         await this.write(drawing, files);

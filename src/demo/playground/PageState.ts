@@ -41,7 +41,7 @@ export class PageState {
 
   /** Fetches the parts of the page that nobody has opened yet, once: when the tasks of the first drawing have ended. */
   private fetchRest(): void {
-    // A page within another one offers little to open.
+    // In a frame of another page, there is little to open.
     if (this.fetchesRest || pageForm === 'embed') return;
     this.fetchesRest = true;
     // A part that fails is fetched again when it is opened.

@@ -56,7 +56,7 @@ export class Dialogs {
     this.recent.use((recent) => recent.open());
   }
 
-  /** Shows the images of the map, also of one that nothing is drawn with. */
+  /** Shows the images of the map, even if the technique in use draws without a map. */
   showMap(): void {
     this.contactSheet.use((sheet) => {
       this.fill(sheet);

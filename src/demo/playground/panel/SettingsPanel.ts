@@ -52,7 +52,7 @@ export class SettingsPanel {
     });
     const folderOf = new Map(folders);
     gui.onOpenClose((folder: GUI) => {
-      const group = SETTING_GROUPS.find((one) => folderOf.get(one) === folder);
+      const group = SETTING_GROUPS.find((name) => folderOf.get(name) === folder);
       if (group) onFold(group, !folder._closed);
     });
     for (const key of SETTING_KEYS) {

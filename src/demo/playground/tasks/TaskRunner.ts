@@ -15,7 +15,7 @@ export class TaskRunner {
     Slot,
     { controller: AbortController; stage: string; progress: number | undefined; cancel: () => void }
   >();
-  /** Called when a task has ended. */
+  /** Functions that are called when a task has ended. */
   private readonly waiting = new Set<() => void>();
 
   constructor(
@@ -41,17 +41,17 @@ export class TaskRunner {
    * aborted. Undefined if there are no other tasks.
    */
   others(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
-    const isAlone = (): boolean => signal.aborted || [...this.running.keys()].every((one) => one === slot);
+    const isAlone = (): boolean => signal.aborted || [...this.running.keys()].every((running) => running === slot);
     if (isAlone()) return undefined;
     return new Promise((resolve) => {
-      const look = (): void => {
+      const check = (): void => {
         if (!isAlone()) return;
-        this.waiting.delete(look);
-        signal.removeEventListener('abort', look);
+        this.waiting.delete(check);
+        signal.removeEventListener('abort', check);
         resolve();
       };
-      this.waiting.add(look);
-      signal.addEventListener('abort', look);
+      this.waiting.add(check);
+      signal.addEventListener('abort', check);
     });
   }
 
@@ -95,7 +95,7 @@ export class TaskRunner {
     }
     const isLatest = this.running.get(slot) === entry;
     if (isLatest) this.running.delete(slot);
-    for (const look of [...this.waiting]) look();
+    for (const check of [...this.waiting]) check();
     if (failure !== undefined)
       status.addProblem(slot, sentenceFor(failure), failure instanceof LostContextError ? again : undefined);
     else if (isLatest && controller.signal.aborted) this.sayCancelled(slot);
@@ -109,7 +109,7 @@ export class TaskRunner {
   stop(slot: Slot): void {
     this.running.get(slot)?.controller.abort();
     if (!this.running.delete(slot)) return;
-    for (const look of [...this.waiting]) look();
+    for (const check of [...this.waiting]) check();
     this.show();
   }
 
@@ -119,7 +119,7 @@ export class TaskRunner {
   }
 
   private show(): void {
-    const slot = SLOTS.find((one) => this.running.has(one));
+    const slot = SLOTS.find((candidate) => this.running.has(candidate));
     const entry = slot && this.running.get(slot);
     if (!entry) this.status.idle();
     else this.status.working(entry.stage, entry.progress, entry.cancel, slot === 'occlusion');
