@@ -3,7 +3,6 @@ import type { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';
 import { dropFiles } from './loading/dropFiles.js';
-import { openDropped } from './loading/openDropped.js';
 import { listenToKeys } from './pageKeys.js';
 import type { Card } from './panel/Card.js';
 import type { Session } from './session/Session.js';
@@ -78,12 +77,14 @@ function connectKeys({ session, dialogs, fillScreen }: PageHandlers): void {
   });
 }
 
-function connectDrops({ session, status }: PageHandlers): void {
+function connectDrops({ session, parts, status }: PageHandlers): void {
   dropFiles(
     { overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
     (files) => {
       status.solveProblem('link');
-      openDropped(files, session).catch((error) => status.fail(sentenceFor(error)));
+      parts.whenFetched(import('./loading/openDropped.js'), ({ openDropped }) => {
+        openDropped(files, session).catch((error) => status.fail(sentenceFor(error)));
+      });
     },
     (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
   );

@@ -12,11 +12,9 @@ import { OcclusionLoader } from './loading/OcclusionLoader.js';
 import { Overlays } from './overlay/Overlays.js';
 import { PageState } from './PageState.js';
 import { Card } from './panel/Card.js';
-import { panelActions } from './panelActions.js';
 import { AddressWriter } from './session/AddressWriter.js';
 import { DrawingOpener } from './session/DrawingOpener.js';
 import { Keeper } from './session/Keeper.js';
-import { KeptPicture } from './session/KeptPicture.js';
 import { PageAddress } from './session/PageAddress.js';
 import { Session } from './session/Session.js';
 import { TakeAway } from './takeAway/TakeAway.js';
@@ -58,8 +56,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const fillScreen = (): void => {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };
-  const actions = panelActions(session, takeAway, dialogs, fillScreen);
-  const card = new Card(session, status, parts, actions, (group, isOpen) => {
+  const createActions = async () =>
+    (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, fillScreen);
+  const card = new Card(session, status, parts, createActions, (group, isOpen) => {
     if (group === 'Picture') overlays.showSheet(isOpen);
   });
   session.listen({ applied: () => showSettings(session.settings) });
@@ -71,7 +70,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   connectPage({ session, card, dialogs, takeAway, parts, status, fillScreen });
   addEventListener('hashchange', opener.follow);
-  const writer = pageForm === 'playground' ? keepDrawing({ session, address, keeper, opener, tasks }) : undefined;
+  const writer =
+    pageForm === 'playground' ? keepDrawing({ session, address, keeper, opener, tasks, parts }) : undefined;
   opener.onEnd = () => {
     writer?.update();
     state.showIfFailed();
@@ -96,21 +96,29 @@ function keepDrawing({
   keeper,
   opener,
   tasks,
+  parts,
 }: {
   session: Session;
   address: PageAddress;
   keeper: Keeper;
   opener: DrawingOpener;
   tasks: TaskRunner;
+  parts: LaterParts;
 }): AddressWriter {
   const { stage } = session;
-  const keptPicture = new KeptPicture(
-    stage,
-    () => tasks.isIdle && !opener.isOpening,
-    (picture) => keeper.pictured(picture),
-  );
-  stage.frames.onFrame(() => keptPicture.frameDrawn());
-  return new AddressWriter(session, address, keeper, keptPicture, () => opener.isOpening);
+  const keptPicture = parts.later(async () => {
+    const { KeptPicture } = await import('./session/KeptPicture.js');
+    const isSettled = (): boolean => tasks.isIdle && !opener.isOpening;
+    return new KeptPicture(stage, isSettled, (picture) => keeper.pictured(picture));
+  });
+  stage.frames.onFrame(() => keptPicture.present?.frameDrawn());
+  // A drawing is kept without a thumbnail if the script cannot be fetched.
+  const wantPicture = (): void =>
+    parts.whenFetched(
+      keptPicture.fetch().catch(() => undefined),
+      (picture) => picture?.want(),
+    );
+  return new AddressWriter(session, address, keeper, wantPicture, () => opener.isOpening);
 }
 
 /** Opens the first drawing. @param kept the id of the drawing that the browser has kept for this entry of its history, if there is one */

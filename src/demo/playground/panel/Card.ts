@@ -18,14 +18,14 @@ export class Card {
   private panel: SettingsPanel | undefined;
 
   /**
-   * @param actions the buttons of the panel
+   * @param createActions fetches the buttons of the panel
    * @param onFold called when a group of settings is unfolded or folded
    */
   constructor(
     private readonly session: Session,
     status: Status,
     parts: LaterParts,
-    actions: readonly PanelAction[],
+    createActions: () => Promise<readonly PanelAction[]>,
     onFold: (group: SettingGroup, isOpen: boolean) => void,
   ) {
     const { stage, settings } = session;
@@ -39,8 +39,8 @@ export class Card {
       return new MotionPanel(page.motion, page.canvas, () => stage.frames.invalidate());
     });
     // The panel is fetched later, because it would delay the first drawing. The shelf lies above it and comes first, so that nothing moves.
-    void Promise.all([import('./SettingsPanel.js'), this.shelf.fetch()]).then(
-      ([{ SettingsPanel }]) => {
+    void Promise.all([import('./SettingsPanel.js'), createActions(), this.shelf.fetch()]).then(
+      ([{ SettingsPanel }, actions]) => {
         const onChange = session.settingChanged.bind(session);
         this.panel = new SettingsPanel(page.panel, settings, actions, onChange, () => drawnView(stage), onFold);
       },

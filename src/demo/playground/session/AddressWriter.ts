@@ -1,5 +1,4 @@
 import type { Keeper } from './Keeper.js';
-import type { KeptPicture } from './KeptPicture.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
 
@@ -16,7 +15,8 @@ export class AddressWriter {
     private readonly session: Session,
     private readonly address: PageAddress,
     private readonly keeper: Keeper,
-    private readonly keptPicture: KeptPicture,
+    /** Asks for a thumbnail of the drawing. */
+    private readonly wantPicture: () => void,
     /** Whether another drawing is being opened. */
     private readonly isOpening: () => boolean,
   ) {
@@ -46,6 +46,6 @@ export class AddressWriter {
       map: session.ownStrokes,
     };
     this.keeper.shown(files, modelLoader.title, session.link, session.stage.view.ownPlace);
-    if (files.model || files.map) this.keptPicture.want();
+    if (files.model || files.map) this.wantPicture();
   }
 }

@@ -30,7 +30,7 @@ function createWriter() {
   const written: string[] = [];
   const keeper = { shown: (_files: unknown, _title: string, link: string) => void written.push(link) };
   const want = vi.fn();
-  new AddressWriter(session as never, address as never, keeper as never, { want } as never, () => state.isOpening);
+  new AddressWriter(session as never, address as never, keeper as never, want, () => state.isOpening);
   return { session, modelLoader, address, state, written, want, change: () => listeners[0].applied?.() };
 }
 
