@@ -65,7 +65,8 @@ export default defineConfig(
           ...(mode === 'react' && { banner: "'use client';" }),
           // So a page without a bundler needs no entry in its import map for the library.
           ...(mode === 'element' && { paths: { 'three-hatching': './index.js' } }),
-          codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] },
+          // Passes lie in one folder: each names what its files share after itself.
+          codeSplitting: { groups: [{ name: mode in ENTRIES ? `${mode}Shared` : 'shared', minShareCount: 2 }] },
         },
       },
     },
