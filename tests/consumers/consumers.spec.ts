@@ -50,6 +50,7 @@ const PACKED = [
     'bake.worker',
     'command',
     'element',
+    'elementShared',
     'index',
     'inlineWorker',
     'react',
