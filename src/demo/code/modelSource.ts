@@ -1,6 +1,7 @@
 import forms from 'virtual:form-sources';
 import { baseName, extensionOf, withoutGz } from '../files/common/fileName.js';
 import { shownName } from '../files/common/shownText.js';
+import { type FormatLoader, formatOf } from '../files/formats.js';
 import { BUST_FOOT } from '../models/models.js';
 import type { CodeModel } from './CodeModel.js';
 import { CDN } from './versions.js';
@@ -22,32 +23,7 @@ export interface ModelSource {
   note?: string;
 }
 
-interface Loader {
-  name: string;
-  path?: string;
-  gives: 'object' | 'scene' | 'geometry';
-}
-
-const GLTF: Loader = { name: 'GLTFLoader', gives: 'scene' };
-const USD: Loader = { name: 'USDLoader', gives: 'object' };
-
-/** The loaders of three.js by the extension of a file. */
-const LOADERS: Readonly<Record<string, Loader>> = {
-  glb: GLTF,
-  gltf: GLTF,
-  obj: { name: 'OBJLoader', gives: 'object' },
-  fbx: { name: 'FBXLoader', gives: 'object' },
-  dae: { name: 'ColladaLoader', gives: 'scene' },
-  usdz: USD,
-  usdc: USD,
-  usda: USD,
-  usd: USD,
-  '3mf': { name: 'ThreeMFLoader', path: '3MFLoader', gives: 'object' },
-  '3ds': { name: 'TDSLoader', gives: 'object' },
-  wrl: { name: 'VRMLLoader', gives: 'object' },
-  ply: { name: 'PLYLoader', gives: 'geometry' },
-  stl: { name: 'STLLoader', gives: 'geometry' },
-};
+const GLTF = formatOf('glb')!.loader;
 
 const DRAGONS = {
   dragon4: 'dragon_vrip_res4',
@@ -75,7 +51,7 @@ function sourceOf({ model, title }: CodeModel): ModelSource {
     case 'dragon3':
     case 'dragon2':
     case 'dragon1':
-      return gzippedSource(`${CDN.dragon}/models/${DRAGONS[model]}.ply.gz`, 'ply');
+      return gzippedSource(`${CDN.dragon}/models/${DRAGONS[model]}.ply.gz`, formatOf('ply')!.loader);
     case 'bunny':
       return {
         imports: ["import * as bunny from 'bunny';"],
@@ -156,12 +132,12 @@ function fileSource(title: string): ModelSource {
   const isPacked = withoutGz(name) !== name;
   const extension = extensionOf(withoutGz(name)) ?? '';
   const note = `Put ${inComment(name)} beside this file. A web server must serve both: browsers load no models from file:// addresses.`;
-  const loader = LOADERS[extension];
+  const loader = formatOf(extension)?.loader;
   if (!loader) {
     const unpacked = `The model came in ${inComment(name)}: unpack it, and write the name of the model below.`;
     return { ...loaderSource("'model.glb'", GLTF), note: unpacked };
   }
-  if (isPacked) return { ...gzippedSource(name, extension), note };
+  if (isPacked) return { ...gzippedSource(name, loader), note };
   return { ...loaderSource(inQuotes(name), loader), note };
 }
 
@@ -179,11 +155,11 @@ export function inQuotes(text: string): string {
   return `'${escaped.replaceAll('<', '\\x3c').replace(UNSEEN, escapeCode)}'`;
 }
 
-const importOf = ({ name, path = name }: Loader): string =>
-  `import { ${name} } from 'three/addons/loaders/${path}.js';`;
+const importOf = ({ name, module = name }: FormatLoader): string =>
+  `import { ${name} } from 'three/addons/loaders/${module}.js';`;
 
 /** @param address as source code */
-function loaderSource(address: string, loader: Loader): ModelSource {
+function loaderSource(address: string, loader: FormatLoader): ModelSource {
   if (loader === GLTF) {
     return {
       imports: [
@@ -201,8 +177,7 @@ const { scene: model, animations } = await loader.loadAsync(${address});`,
 }
 
 /** A file that is unpacked before it is read. */
-function gzippedSource(address: string, extension: string): ModelSource {
-  const loader = LOADERS[extension];
+function gzippedSource(address: string, loader: FormatLoader): ModelSource {
   const { code, ...source } = taken(loader, `new ${loader.name}().parse(await new Response(unpacked).arrayBuffer())`);
   return {
     ...source,
@@ -213,7 +188,7 @@ ${code}`,
 }
 
 /** Takes the model out of what a loader gives. */
-function taken(loader: Loader, given: string): ModelSource {
+function taken(loader: FormatLoader, given: string): ModelSource {
   const imports = [importOf(loader)];
   if (loader.gives === 'object') return { imports, classes: [], code: `const model = ${given};` };
   if (loader.gives === 'scene') return { imports, classes: [], code: `const { scene: model } = ${given};` };

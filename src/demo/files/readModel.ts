@@ -10,8 +10,9 @@ import type { ModelFile } from './common/ModelFile.js';
 import { MAX_BYTES } from './common/modelLimits.js';
 import { shownName } from './common/shownText.js';
 import { toUtf8 } from './common/toUtf8.js';
+import { COMPANION_EXTENSIONS, FORMATS, type FormatFile, MODEL_EXTENSIONS, type ModelFormat } from './formats.js';
 import type { GltfParts } from './gltf/parseGltf.js';
-import { type ReadGltf, readGltf } from './gltf/readGltf.js';
+import type { ReadGltf } from './gltf/readGltf.js';
 import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
 import type { PlainMesh } from './mesh/PlainMesh.js';
@@ -19,17 +20,13 @@ import { plainNormals } from './mesh/plainNormals.js';
 import { thinNote } from './mesh/thinNote.js';
 import { surfaceArea } from './mesh/triangleAreas.js';
 import { readMoving } from './moving/readMoving.js';
-import { readObj } from './obj/readObj.js';
 import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './pictures/meshPictures.js';
 import type { WantedPicture } from './pictures/WantedPicture.js';
-import { readPly } from './ply/readPly.js';
 import { cleanMesh } from './repair/cleanMesh.js';
 import { dropDuplicates } from './repair/dropDuplicates.js';
 import type { LoadedScene } from './scenes/LoadedScene.js';
 import { mergeScene } from './scenes/mergeScene.js';
-import { readScene, type SceneFormat } from './scenes/readScene.js';
-import { MODEL_EXTENSIONS, type ModelFormat, sniffFormat } from './sniffFormat.js';
-import { readStl } from './stl/readStl.js';
+import { sniffFormat } from './sniffFormat.js';
 
 export type { ModelFile };
 
@@ -110,7 +107,11 @@ async function readMain(
   onStage(`reading ${shown}`, bytes.length);
   let format = sniffFormat(withoutGz(shown), bytes);
   if (format === 'zip') {
-    const archive = await readArchive(bytes, shown, MODEL_EXTENSIONS);
+    const archive = await readArchive(bytes, shown, {
+      formats: FORMATS,
+      modelExtensions: MODEL_EXTENSIONS,
+      companionExtensions: COMPANION_EXTENSIONS,
+    });
     if ('files' in archive) {
       // Archives can be made that hold themselves.
       if (isUnpacked) throw new ModelError(`${shown} is an archive in an archive, which this page does not unpack.`);
@@ -124,8 +125,9 @@ async function readMain(
     const file = files.find((one) => baseName(one.name).toLowerCase() === wanted);
     return file && new Uint8Array(await file.content.arrayBuffer());
   };
-  const { content, upAxis, ...parsed } = await parse(format, bytes, shown, findFile);
-  const usual = usualUp(format, upAxis);
+  const { content, ...parsed } = await parse(format, { bytes, name: shown, findFile });
+  const usual = usualUp(format);
+  const upAxis = format.up;
   if ('arrays' in content) {
     const { missing } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
@@ -190,53 +192,31 @@ const brokenNote = (triangles: number): string[] =>
 const duplicateNote = (triangles: number): string[] =>
   triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
 
-/** What is usual for a format; undefined for glTF, which says that y points up, as programs that write it heed. */
-function usualUp(format: ModelFormat, up: 'y' | 'z'): UsualUp | undefined {
-  if (format === 'glb' || format === 'gltf') return undefined;
-  return { up, liesFlat: format === 'stl' || format === '3mf' };
-}
+/** Which axis a format usually has point up; undefined where files say it. */
+const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>
+  isUpCertain ? undefined : { up, liesFlat };
 
 /** What the reader of a format makes of a file. */
 interface Parsed extends Omit<ReadGltf, 'content'> {
   content: PlainMesh | GltfParts | Object3D;
-  upAxis: 'y' | 'z';
 }
 
-async function parse(
-  format: Exclude<ModelFormat, 'zip'>,
-  bytes: Uint8Array,
-  name: string,
-  findFile: FindFile,
-): Promise<Parsed> {
-  switch (format) {
-    case 'glb':
-    case 'gltf':
-      return { upAxis: 'y', ...(await readGltf(bytes, name, format === 'glb', findFile)) };
-    case 'obj':
-      return parsedOf(await readObj(bytes, findFile));
-    case 'ply':
-      return parsedOf(readPly(bytes, name));
-    case 'stl':
-      return { ...parsedOf(readStl(bytes)), upAxis: 'z' };
-    default:
-      return parseScene(format, bytes, name, findFile);
-  }
+async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
+  const read = await format.read(file);
+  if ('content' in read) return read;
+  if (!('root' in read) || read.root.animations.length === 0) return parsedOf(read);
+  const moving = await readMoving(read.root, file.name, file.findFile);
+  if (moving) return moving;
+  // It is read again, because the first scene was used up.
+  const again = (await format.read(file)) as LoadedScene;
+  return parsedOf({ ...again, notes: ['shown without its motion'] });
 }
 
-async function parseScene(format: SceneFormat, bytes: Uint8Array, name: string, findFile: FindFile): Promise<Parsed> {
-  const scene = await readScene(format, bytes, name);
-  if (scene.root.animations.length === 0) return parsedOf(scene);
-  const moving = await readMoving(scene.root, name, findFile);
-  if (moving) return { upAxis: scene.upAxis ?? 'y', ...moving };
-  // Again, because the first was used up.
-  return parsedOf({ ...(await readScene(format, bytes, name)), notes: ['shown without its motion'] });
-}
-
-/** Of what says nothing of them, y is the up axis, and nothing is missing. */
+/** What a reader does not say: that nothing is missing, and there is nothing to note. */
 function parsedOf(read: PlainMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
-  const { upAxis = 'y', notes = [], missing = [] }: Partial<LoadedScene> = isScene ? read : {};
-  return { content: isScene ? read.root : read, upAxis, broken: 0, notes, details: [], missing };
+  const { notes = [], missing = [] }: Partial<LoadedScene> = isScene ? read : {};
+  return { content: isScene ? read.root : read, broken: 0, notes, details: [], missing };
 }
 
 function safeDecode(uri: string): string {

@@ -4,28 +4,36 @@ import type { ModelFile } from '../common/ModelFile.js';
 import { type BundledDrawing, bundleFolder, isOfBundle, readBundle } from './bundle.js';
 import { checkSizes, listZip, unzip, type ZipEntry } from './zip.js';
 
-/** What may belong to a model. */
-const COMPANIONS = ['mtl', 'bin', 'png', 'jpg', 'jpeg', 'webp', 'bmp', 'gif', 'tga'];
+/** A format that an archive may have in itself. */
+interface Package {
+  /** Whether an archive with these files is a model of the format. */
+  isPackage?: (paths: readonly string[]) => boolean;
+}
+
+/** What an archive is searched for. Extensions are in lower case and without the dot. */
+interface Wanted<Format extends Package> {
+  formats: readonly Format[];
+  modelExtensions: readonly string[];
+  /** Extensions of files that models may refer to. */
+  companionExtensions: readonly string[];
+}
 
 /** A ZIP archive: itself a model, or a folder of files, which may come with how they are drawn. */
-export type Archive = { format: '3mf' | 'usd' } | { files: ModelFile[]; drawing?: BundledDrawing };
+export type Archive<Format> = { format: Format } | { files: ModelFile[]; drawing?: BundledDrawing };
 
 /**
  * Looks into a ZIP archive, and unpacks it if it is not a model in itself.
  *
- * @param modelExtensions those of files that are models, without the dot
  * @throws ModelError if it is damaged or too large, or there is no model in it
  */
-export async function readArchive(
+export async function readArchive<Format extends Package>(
   bytes: Uint8Array,
   name: string,
-  modelExtensions: readonly string[],
-): Promise<Archive> {
-  const extensionIn = (extensions: readonly string[], { path }: Pick<ZipEntry, 'path'>): boolean =>
-    extensions.includes(extensionOf(withoutGz(path)) ?? '');
-  const isModel = (entry: Pick<ZipEntry, 'path'>): boolean => isUsable(entry) && extensionIn(modelExtensions, entry);
-  const isUseful = (entry: Pick<ZipEntry, 'path'>): boolean =>
-    isModel(entry) || (isUsable(entry) && extensionIn(COMPANIONS, entry));
+  { formats, modelExtensions, companionExtensions }: Wanted<Format>,
+): Promise<Archive<Format>> {
+  const isModel = (entry: Named): boolean => isUsable(entry) && modelExtensions.includes(typeOf(entry));
+  const isUseful = (entry: Named): boolean =>
+    isModel(entry) || (isUsable(entry) && companionExtensions.includes(typeOf(entry)));
   const entries = await listZip(bytes, name);
   const folder = bundleFolder(entries);
   if (folder !== undefined) {
@@ -33,7 +41,8 @@ export async function readArchive(
     checkSizes(entries.filter(isWanted), name);
     return readBundle(await unzip(bytes, name, isWanted), folder, name);
   }
-  const format = packageFormat(entries);
+  const paths = entries.map(({ path }) => path);
+  const format = formats.find(({ isPackage }) => isPackage?.(paths));
   // Loaders of such files unpack all that is in them.
   const wanted = format ? entries : entries.filter(isUseful);
   checkSizes(wanted, name);
@@ -49,12 +58,10 @@ export async function readArchive(
   return { files };
 }
 
-function packageFormat(entries: readonly ZipEntry[]): '3mf' | 'usd' | undefined {
-  if (entries.some(({ path }) => /^\/?3D\/[^/]*\.model$/i.test(path))) return '3mf';
-  // The first file of a package in USDZ is its outermost layer.
-  return /\.usd[ac]?$/i.test(entries[0]?.path ?? '') ? 'usd' : undefined;
-}
+type Named = Pick<ZipEntry, 'path'>;
+
+const typeOf = ({ path }: Named): string => extensionOf(withoutGz(path)) ?? '';
 
 /** macOS adds files of its own to archives, in the names of the others. Archives in archives are not unpacked. */
-const isUsable = ({ path }: Pick<ZipEntry, 'path'>): boolean =>
-  !/^__MACOSX\//.test(path) && !baseName(path).startsWith('.') && extensionOf(withoutGz(path)) !== 'zip';
+const isUsable = (entry: Named): boolean =>
+  !/^__MACOSX\//.test(entry.path) && !baseName(entry.path).startsWith('.') && typeOf(entry) !== 'zip';

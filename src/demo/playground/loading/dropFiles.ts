@@ -1,15 +1,21 @@
+import { COMPANION_EXTENSIONS, formatNames, MODEL_EXTENSIONS } from '../../files/formats.js';
 import type { ModelFile } from '../../files/readModel.js';
 
+/** The descriptions of maps, and packed models. */
+const OTHER_EXTENSIONS = ['json', 'gz'];
+
 /**
- * Receives files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged over the page.
- * `onFailure` is called if a folder cannot be read.
+ * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged
+ * over the page, and names the formats of models in `formats`; `onFailure` is called where a folder cannot be read.
  */
 export function dropFiles(
-  elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
+  elements: { overlay: HTMLElement; formats: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
   onFiles: (files: ModelFile[]) => void,
   onFailure: (error: unknown) => void,
 ): void {
-  const { overlay, input, buttons } = elements;
+  const { overlay, formats, input, buttons } = elements;
+  formats.textContent = formatNames('or');
+  input.accept = [...MODEL_EXTENSIONS, ...COMPANION_EXTENSIONS, ...OTHER_EXTENSIONS].map((one) => `.${one}`).join();
   const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   addEventListener('dragenter', (event) => {
     if (carriesFiles(event)) overlay.hidden = false;

@@ -1,0 +1,10 @@
+const HEADER_BYTES = 84;
+const TRIANGLE_BYTES = 50;
+
+/** The bytes that a binary STL file takes by its count of triangles, or undefined if it cannot be one. */
+export function binaryStlLength(bytes: Uint8Array): number | undefined {
+  if (bytes.length < HEADER_BYTES) return undefined;
+  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
+  const length = HEADER_BYTES + count * TRIANGLE_BYTES;
+  return count > 0 && length <= bytes.length ? length : undefined;
+}
