@@ -1,0 +1,94 @@
+import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import { fitWeights, type GltfGeometry, type PlainGltfMesh } from './GltfGeometry.js';
+import type { GltfValues } from './GltfValues.js';
+import type { GltfWriter } from './GltfWriter.js';
+import type { GltfDocument, GltfNode } from './gltfDocument.js';
+import {
+  INSTANCE_SIZES,
+  INSTANCING,
+  type InstanceAccessors,
+  type Instances,
+  instanceAccessors,
+  instanceCount,
+  readInstances,
+} from './gltfInstances.js';
+
+/** A skeleton that was written; undefined if it is damaged. */
+export type PlainSkin = { joints: number[]; inverseBindMatrices?: number } | undefined;
+
+type NumberedMesh = PlainGltfMesh & { index: number };
+
+/** Writes the nodes of a document, with the meshes of those that are visible. */
+export class GltfNodes {
+  readonly nodes: object[] = [];
+  readonly meshes: object[] = [];
+  /** The number of morph targets of each node's mesh, by the index of the node. */
+  readonly shapes: number[] = [];
+  /** What is drawn. Instances count as often as they are drawn. */
+  readonly sums = { triangles: 0, vertices: 0, draws: 0 };
+  /** Whether a skeleton moves any mesh. */
+  isSkinned = false;
+  readonly leftOut = { skeletons: 0, instances: 0 };
+  private readonly variants = new Map<string, Promise<NumberedMesh | undefined>>();
+
+  constructor(
+    private readonly document: GltfDocument,
+    private readonly values: GltfValues,
+    private readonly geometry: GltfGeometry,
+    private readonly skins: readonly PlainSkin[],
+    private readonly writer: GltfWriter,
+  ) {}
+
+  /** Writes the next node. @throws ModelError if its mesh is not all there, or there are too many triangles */
+  async write(node: GltfNode, isVisible: boolean): Promise<void> {
+    const { name, children, matrix, translation, rotation, scale } = node;
+    const plain: Record<string, unknown> = { name, matrix, translation, rotation, scale };
+    if (children?.length) plain.children = children;
+    const index = this.nodes.push(plain) - 1;
+    if (node.mesh === undefined || !isVisible) return;
+    const places = instanceAccessors(node, this.values);
+    const skin = node.skin === undefined || places.length > 0 ? undefined : this.skins[node.skin];
+    const mesh = await this.meshOf(node.mesh, skin?.joints.length ?? 0);
+    if (!mesh) return;
+    const instances = this.instancesOf(places, mesh);
+    if (instances?.count === 0) return;
+    plain.mesh = mesh.index;
+    this.shapes[index] = mesh.shapes;
+    if (mesh.shapes > 0 && node.weights) plain.weights = fitWeights(node.weights, mesh.shapes);
+    if (mesh.isSkinned) plain.skin = node.skin;
+    else if (node.skin !== undefined) this.leftOut.skeletons++;
+    this.isSkinned ||= mesh.isSkinned;
+    if (instances) plain.extensions = { [INSTANCING]: { attributes: this.writeInstances(instances) } };
+    const count = instances?.count ?? 1;
+    this.sums.triangles += mesh.triangles * count;
+    this.sums.vertices += mesh.vertices * count;
+    this.sums.draws += mesh.json.primitives.length;
+  }
+
+  /** Writes a mesh once for every number of joints: with a skeleton it has other attributes than without. */
+  private meshOf(mesh: number, joints: number): Promise<NumberedMesh | undefined> {
+    const key = `${mesh} ${joints}`;
+    let variant = this.variants.get(key);
+    if (!variant) {
+      variant = this.geometry
+        .writeMesh(this.document.meshes[mesh], joints)
+        .then((plain) => plain && { ...plain, index: this.meshes.push(plain.json) - 1 });
+      this.variants.set(key, variant);
+    }
+    return variant;
+  }
+
+  /** The instances of a mesh; undefined if it has none. They are counted before they are read. */
+  private instancesOf(places: InstanceAccessors, { triangles }: PlainGltfMesh): Instances | undefined {
+    const count = places.length > 0 ? instanceCount(places, this.values) : 1;
+    checkTriangleCount(Math.max(1, this.sums.triangles + triangles * count));
+    if (places.length === 0) return undefined;
+    const instances = readInstances(places, count, this.values);
+    this.leftOut.instances += instances.leftOut;
+    return instances;
+  }
+
+  private writeInstances({ attributes }: Instances): Record<string, number> {
+    return Object.fromEntries(attributes.map(([key, array]) => [key, this.writer.add(array, INSTANCE_SIZES[key])]));
+  }
+}

@@ -1,0 +1,54 @@
+import type { GltfValues } from './GltfValues.js';
+import type { GltfNode } from './gltfDocument.js';
+
+/** The extension of nodes whose mesh is drawn many times. */
+export const INSTANCING = 'EXT_mesh_gpu_instancing';
+/** The numbers per instance of each attribute. */
+export const INSTANCE_SIZES: Readonly<Record<string, number>> = { TRANSLATION: 3, ROTATION: 4, SCALE: 3, _COLOR_0: 3 };
+
+/** The accessors of the attributes of a node's instances; none if it has no instances. */
+export type InstanceAccessors = readonly [name: string, accessor: number][];
+
+/** The instances of a node. */
+export interface Instances {
+  count: number;
+  attributes: [name: string, values: Float32Array][];
+  /** The number of instances that were left out. */
+  leftOut: number;
+}
+
+/** The accessors of the attributes of a node's instances. */
+export function instanceAccessors({ extensions }: GltfNode, values: GltfValues): InstanceAccessors {
+  return Object.entries(extensions?.[INSTANCING]?.attributes ?? {}).filter(
+    ([name, accessor]) => INSTANCE_SIZES[name] === values.sizeOf(accessor),
+  );
+}
+
+/** How many instances a node has by its accessors. */
+export const instanceCount = (accessors: InstanceAccessors, values: GltfValues): number =>
+  Math.min(...accessors.map(([, accessor]) => values.countOf(accessor)));
+
+/** Reads the first instances, without those whose values are not numbers. @param total how many are read */
+export function readInstances(accessors: InstanceAccessors, total: number, values: GltfValues): Instances {
+  const read = accessors.map(([name, accessor]) => ({
+    name,
+    size: INSTANCE_SIZES[name],
+    array: values.floatsOf(accessor),
+  }));
+  const isBad = new Uint8Array(total);
+  for (const { size, array } of read) {
+    for (let i = 0; i < size * total; i++) if (!Number.isFinite(array[i])) isBad[Math.floor(i / size)] = 1;
+  }
+  const kept = [...isBad.keys()].filter((instance) => isBad[instance] === 0);
+  const pick = (array: Float32Array, size: number): Float32Array => {
+    if (kept.length === total && array.length === size * total) return array;
+    const picked = new Float32Array(size * kept.length);
+    for (const [to, from] of kept.entries()) picked.set(array.subarray(size * from, size * (from + 1)), size * to);
+    return picked;
+  };
+  return {
+    count: kept.length,
+    attributes: read.map(({ name, size, array }) => [name, pick(array, size)]),
+    leftOut: total - kept.length,
+  };
+}
