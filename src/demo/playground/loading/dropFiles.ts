@@ -1,4 +1,3 @@
-import { COMPANION_EXTENSIONS, formatNames, MODEL_EXTENSIONS } from '../../files/formats.js';
 import type { ModelFile } from '../../files/readModel.js';
 
 /** The descriptions of maps, and packed models. */
@@ -14,8 +13,7 @@ export function dropFiles(
   onFailure: (error: unknown) => void,
 ): void {
   const { overlay, formats, input, buttons } = elements;
-  formats.textContent = formatNames('or');
-  input.accept = [...MODEL_EXTENSIONS, ...COMPANION_EXTENSIONS, ...OTHER_EXTENSIONS].map((one) => `.${one}`).join();
+  nameFormats(formats, input);
   const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   addEventListener('dragenter', (event) => {
     if (carriesFiles(event)) overlay.hidden = false;
@@ -42,6 +40,16 @@ export function dropFiles(
     if (files.length > 0) onFiles(files);
   });
   for (const button of buttons) button.addEventListener('click', () => input.click());
+}
+
+/** Names the formats of models, in words and to the picker of files. Without the table both do without. */
+async function nameFormats(words: HTMLElement, input: HTMLInputElement): Promise<void> {
+  const table = await import('../../files/formats.js').catch(() => undefined);
+  if (!table) return;
+  const { COMPANION_EXTENSIONS, formatNames, MODEL_EXTENSIONS } = table;
+  words.textContent = `: ${formatNames('or')}`;
+  const extensions = [...MODEL_EXTENSIONS, ...COMPANION_EXTENSIONS, ...OTHER_EXTENSIONS];
+  input.accept = extensions.map((extension) => `.${extension}`).join();
 }
 
 /** The files of a drop, including those in folders. */
