@@ -30,7 +30,7 @@ export const codeForms = {
   }),
   look: ({ settings, model }) => ({
     about: 'The look alone, for a scene, a camera and a renderer of yours.',
-    // Only a user's own model is a file that the code can load.
+    // Only a model that the user opened is a file that the code can load.
     code: codeSample(settings, model.model === 'file' ? model.sceneRadius : undefined, model.title),
     extension: 'js',
   }),

@@ -11,7 +11,7 @@ import { presetSample } from './presetSample.js';
  *
  * @param sceneRadius the radius of the scene, if the code is for a loaded scene, which keeps its own colours; undefined
  *   if it is for one geometry
- * @param name of the file that the scene is loaded from
+ * @param name the name of the file that the scene is loaded from
  */
 export function codeSample(settings: Settings, sceneRadius: number | undefined, name = 'model.glb'): string {
   const preset = presetOf(settings);
@@ -20,7 +20,7 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined, 
     : wholeSample(drawnSettings(settings), sceneRadius, name);
 }
 
-/** Code that spells out every setting that counts. */
+/** Code with every setting that has an effect. */
 function wholeSample(settings: Settings, sceneRadius: number | undefined, name: string): string {
   const isScene = sceneRadius !== undefined;
   const material = materialParameters(settings, isScene);

@@ -12,13 +12,13 @@ import { drawnWithMap, lineParameters, mapSource, materialParameters, shiftsStro
 import { modelSource } from './modelSource.js';
 import { round } from './round.js';
 
-/** An ES module that draws what the page shows, whole: model, paper, camera, lights, shadows, ground and lines. */
+/** An ES module that draws all that the page shows: model, paper, camera, lights, shadows, ground and lines. */
 export interface DrawingSample {
   /** Import declarations. */
   imports: string;
   /** The declaration of `drawHatching(canvas)`, and of functions that it calls. */
   code: string;
-  /** What somebody has to know who puts the module to use. */
+  /** What users of the module have to know. */
   note: string | undefined;
 }
 
@@ -130,7 +130,7 @@ scene.add(holder);`,
   };
 }
 
-/** Numbers of any size, as short as they can be without moving anything by a pixel. */
+/** A number of any size, with as few digits as possible without moving anything by a pixel. */
 const exact = (value: number): number => Number(value.toPrecision(5));
 
 function clipPart({ model: { clip } }: CodeDrawing, hasClips = false): Part {
@@ -149,7 +149,7 @@ function lookPart({ model, settings }: CodeDrawing): Part {
   const preset = presetOf(settings);
   const three: string[] = [];
   const hatching = ['applyHatching'];
-  // What presets leave to the page.
+  // Presets do not set these; the page does.
   const own: string[] = [];
   if (settings.shadows === 'on' && settings.shadowStrokes !== 'tone')
     own.push(`shadowStrokes: '${settings.shadowStrokes}'`);
@@ -267,7 +267,7 @@ function framesPart({ model, settings, aspect }: CodeDrawing, hasClips = false):
   const following =
     settings.lightFollows === 'viewer'
       ? `
-  // They stay with the viewer.
+  // The lights stay with the viewer.
   for (const [i, { position }] of lights.entries()) position.copy(places[i]).applyQuaternion(camera.quaternion);`
       : '';
   const isPlaying = hasClips && model.clip?.isPlaying;

@@ -5,7 +5,7 @@ import { intensityOf, mainLight, positionOf } from './lightSource.js';
 /**
  * Code that adds the lights of the page to `scene`, and the classes of three.js that it needs.
  *
- * @param radius of what they light; that of the page's models is 1
+ * @param radius the radius of the scene that they light; the page's models have 1
  */
 export function lightSample(settings: Settings, radius = 1): { code: string; classes: string[] } {
   const { made, name } = mainLight(settings);

@@ -18,6 +18,6 @@ export function mainLight({ lightKind, lightStrength, spotAngle, spotSoftness }:
   return { name, made: `new ${name}('white', ${intensityOf(lightStrength)}${more})` };
 }
 
-/** Code that puts something at a place. */
+/** Code that sets a position. */
 export const positionOf = ({ azimuth, elevation }: LightPlace, distance: number): string =>
   `setFromSphericalCoords(${[distance, ((90 - elevation) * Math.PI) / 180, (azimuth * Math.PI) / 180].map(round).join(', ')})`;

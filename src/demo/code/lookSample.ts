@@ -8,7 +8,7 @@ import { unitOf } from '../settings/table/units.js';
 import { TONE_CURVES } from '../settings/toneCurves.js';
 import { round } from './round.js';
 
-/** What makes the map of the page: from the files that it saves, or drawn. */
+/** Code that makes the map of the page: it loads the files that the page saves, or draws the map. */
 export function mapSource(settings: Settings): string {
   if (settings.mapStyle === 'file') return "await TonalArtMap.load('map.json')";
   const map = [`style: '${settings.mapStyle}'`];
@@ -19,7 +19,7 @@ export function mapSource(settings: Settings): string {
 }
 
 /**
- * The parameters of the material that count and are not at their defaults, as entries of an object; its map is the variable
+ * The parameters of the material that have an effect and are not at their defaults, as entries of an object; its map is the variable
  * `tonalArtMap`.
  *
  * @param isScene whether it is for the materials of a loaded scene, which keep their colours and get their scale elsewhere
@@ -36,7 +36,7 @@ export function materialParameters(settings: Settings, isScene: boolean): string
     const { key, property } = twin;
     const { owner, libraryDefault }: Setting = SETTINGS[key];
     if (OF_THE_MODEL.includes(property) || owner !== 'hand' || !counts(look, property)) continue;
-    // With one light there is nothing to disagree about.
+    // With one light, strokes for each light are one layer.
     if (property === 'strokeLayers' && settings.strokeLayers === 'lights' && settings.secondLight === 'none') continue;
     if (isSize(twin)) parameters.push(sizeSource(settings, twin));
     else if (settings[key] !== libraryDefault) parameters.push(`${property}: ${valueSource(settings, twin)}`);
@@ -50,7 +50,7 @@ export function materialParameters(settings: Settings, isScene: boolean): string
   return parameters;
 }
 
-/** Properties that materials of a loaded scene get from that. */
+/** Properties that materials of a loaded scene take from the scene. */
 const OF_THE_MODEL: readonly HatchingPropertyName[] = ['strokeScale', 'color'];
 
 /** Whether the parameters name a vector. */
@@ -68,7 +68,7 @@ function valueSource(settings: Settings, { key, property }: Twin): string {
 
 const inRadians = (degrees: number): string => `(${degrees} / 180) * Math.PI`;
 
-/** A size as an entry of an object: it grows with the pixels of the canvas, as far as it is measured in them. */
+/** A size as an entry of an object. As far as it is measured in pixels of the canvas, it is multiplied by the pixel ratio. */
 function sizeSource(settings: Settings, { key, property }: Twin): string {
   const power = pixelPower(materialLook(settings), property);
   const size = `${property}: ${round(settings[key] as number)}`;
@@ -76,7 +76,7 @@ function sizeSource(settings: Settings, { key, property }: Twin): string {
   return `${size} * renderer.getPixelRatio()${power === 1 ? '' : ` ** ${power}`}`;
 }
 
-/** The parameters of lines that are not at their defaults, and those in pixels. */
+/** The parameters of lines that are not at their defaults, and all that are measured in pixels. */
 export function lineParameters(settings: Settings): string[] {
   const { lineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = lineLook(settings, 1);
   const inPixels = { lineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };

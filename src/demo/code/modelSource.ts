@@ -8,7 +8,7 @@ import { CDN } from './versions.js';
 
 /** How copied code gets its model. */
 export interface ModelSource {
-  /** Import declarations, but for those from `three`. */
+  /** Import declarations, except those from `three`. */
   imports: string[];
   /** The classes of three.js that it needs. */
   classes: string[];
@@ -19,7 +19,7 @@ export interface ModelSource {
   hasClips?: boolean;
   /** Whether the model is one mesh, whose `geometry` is declared, too. */
   hasGeometry?: boolean;
-  /** What somebody has to know who puts the code to use. */
+  /** What users of the code have to know. */
   note?: string;
 }
 
@@ -43,7 +43,7 @@ export function modelSource(model: CodeModel): ModelSource {
   };
 }
 
-/** As {@link modelSource}, but where there is a geometry its mesh is not made yet. */
+/** As {@link modelSource}, but without the mesh of a geometry. */
 function sourceOf({ model, title }: CodeModel): ModelSource {
   if (model === 'file') return fileSource(title);
   switch (model) {
@@ -90,7 +90,7 @@ geometry.setAttribute('position', new Float32BufferAttribute(positions.flat(), 3
         ],
         classes: ['BufferGeometry', 'Float32BufferAttribute'],
         code: `const { positions, cells } = bust.default ?? bust;
-// Two stray triangles hang far below it.
+// Two stray triangles lie far below the bust.
 const corners = cells.filter((cell) => cell.every((i) => positions[i][1] >= ${BUST_FOOT})).flat();
 const shape = new BufferGeometry();
 shape.setAttribute('position', new Float32BufferAttribute(corners.flatMap((i) => positions[i]), 3));
@@ -141,10 +141,10 @@ function fileSource(title: string): ModelSource {
   return { ...loaderSource(inQuotes(name), loader), note };
 }
 
-/** A name as it may stand in a comment. */
+/** A name that cannot end the comment it is written into. */
 const inComment = (name: string): string => shownName(name).replaceAll('*/', '* /');
 
-/** What would make code read otherwise than it runs: it turns the text round, or cannot be seen. */
+/** Characters that would let code look different from what it does: they change the direction of text, or are invisible. */
 const UNSEEN = /[\p{Cc}\p{Cf}\p{Default_Ignorable_Code_Point}\u2028\u2029]/gu;
 
 const escapeCode = (character: string): string => `\\u{${character.codePointAt(0)!.toString(16)}}`;
@@ -158,7 +158,7 @@ export function inQuotes(text: string): string {
 const importOf = ({ name, module = name }: FormatLoader): string =>
   `import { ${name} } from 'three/addons/loaders/${module}.js';`;
 
-/** @param address as source code */
+/** Code that loads a file. @param address the address as source code */
 function loaderSource(address: string, loader: FormatLoader): ModelSource {
   if (loader === GLTF) {
     return {
@@ -187,7 +187,7 @@ ${code}`,
   };
 }
 
-/** Takes the model out of what a loader gives. */
+/** Code that takes the model out of what a loader returns. */
 function taken(loader: FormatLoader, given: string): ModelSource {
   const imports = [importOf(loader)];
   if (loader.gives === 'object') return { imports, classes: [], code: `const model = ${given};` };

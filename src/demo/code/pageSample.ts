@@ -4,18 +4,18 @@ import { drawingSample } from './drawingSample.js';
 import { escapeHtml } from './escapeHtml.js';
 import { CDN } from './versions.js';
 
-/** Where the names that copied code imports lie, for browsers. */
+/** The import map of a copied page: the addresses of the packages that the code imports. */
 export const IMPORT_MAP = {
   three: `${CDN.three}/build/three.module.js`,
   'three/addons/': `${CDN.three}/examples/jsm/`,
   'three-hatching': `${CDN.hatching}/dist/index.js`,
-  // Packed as modules, which these packages are not.
+  // These packages are not ES modules: jsDelivr serves them as such.
   bunny: `${CDN.bunny}/+esm`,
   'snowden/lo.js': `${CDN.bust}/lo.js/+esm`,
   '@pmndrs/assets/': `${CDN.assets}/`,
 } as const;
 
-/** A whole web page that shows the drawing as it is pasted, and can be turned. */
+/** A whole web page that shows the drawing, which can be turned, without any change. */
 export function pageSample(drawing: CodeDrawing): string {
   const { imports, code, note } = drawingSample(drawing);
   const title = escapeHtml(shownName(drawing.model.title));

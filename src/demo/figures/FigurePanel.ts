@@ -17,7 +17,7 @@ export interface PanelContext {
 export class FigurePanel {
   readonly element: HTMLElement;
   readonly canvas = document.createElement('canvas');
-  /** Whether the canvas is in view, or nearly. */
+  /** Whether the canvas is in view, or just outside of it. */
   isVisible = false;
   /** Whether the canvas must be drawn again. */
   isOutdated = true;
@@ -42,7 +42,7 @@ export class FigurePanel {
     this.element.append(this.canvas, label);
   }
 
-  /** Whether there is nothing to wait for: the panel is out of view or up to date. */
+  /** Whether the panel is out of view or up to date, so that nothing is to be awaited. */
   get isSettled(): boolean {
     return !this.isVisible || !this.isOutdated;
   }

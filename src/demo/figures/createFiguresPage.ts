@@ -15,10 +15,10 @@ declare global {
   }
 }
 
-/** After this time, the remaining panels are left to the next frame. */
+/** After so many milliseconds, the remaining panels are left to the next frame. */
 const FRAME_MILLISECONDS = 12;
 
-/** The first figure of what goes beyond the paper, before which a heading says so. */
+/** The first figure that is not in the paper. A heading stands before it. */
 const FIRST_BEYOND = FIGURES.find(({ inThePaper }) => inThePaper === undefined);
 
 /** Adds the figures to the page, whether they can be drawn or not, and returns their panels. */
@@ -110,7 +110,7 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   function draw(): void {
     const start = performance.now();
     const ready = panels.filter(({ isReady }) => isReady);
-    // Those that were drawn longest ago come first, so that all get their turn while the light keeps turning.
+    // Panels that were drawn longest ago come first, so that all are drawn in turn while the light keeps turning.
     for (const panel of ready.sort((a, b) => paintedAt.get(a)! - paintedAt.get(b)!)) {
       if (performance.now() - start > FRAME_MILLISECONDS) {
         scheduler.invalidate();
@@ -121,6 +121,29 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
     }
   }
 
+  observePanels(panels);
+
+  function invalidateAll(): void {
+    for (const panel of panels) panel.invalidate();
+  }
+
+  turn.addEventListener('input', () => {
+    turned = turn.valueAsNumber;
+    turn.ariaValueText = `${turned < 0 ? '−' : ''}${Math.abs(turned)}°`;
+    turnValue.textContent = turn.ariaValueText;
+    invalidateAll();
+  });
+  technique.addEventListener('change', (event) => {
+    choice = (event.target as HTMLInputElement).value as TechniqueChoice;
+    invalidateAll();
+  });
+
+  watchContext(context.canvas as HTMLCanvasElement, say, invalidateAll);
+  setPageState('ready');
+}
+
+/** Tells panels whether they are in view, and the sizes of their canvases. */
+function observePanels(panels: readonly FigurePanel[]): void {
   const byCanvas = new Map<Element, FigurePanel>(panels.map((panel) => [panel.canvas, panel]));
   const views = new IntersectionObserver(
     (entries) => {
@@ -143,23 +166,10 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
     views.observe(canvas);
     sizes.observe(canvas, { box });
   }
+}
 
-  function invalidateAll(): void {
-    for (const panel of panels) panel.invalidate();
-  }
-
-  turn.addEventListener('input', () => {
-    turned = turn.valueAsNumber;
-    turn.ariaValueText = `${turned < 0 ? '−' : ''}${Math.abs(turned)}°`;
-    turnValue.textContent = turn.ariaValueText;
-    invalidateAll();
-  });
-  technique.addEventListener('change', (event) => {
-    choice = (event.target as HTMLInputElement).value as TechniqueChoice;
-    invalidateAll();
-  });
-
-  const buffer = context.canvas as HTMLCanvasElement;
+/** Says when the graphics context is lost, and calls back when it is there again. */
+function watchContext(buffer: HTMLCanvasElement, say: (sentence: string) => void, onRestored: () => void): void {
   buffer.addEventListener('webglcontextlost', () => {
     setPageState('lost');
     say(
@@ -169,7 +179,6 @@ export function createFiguresPage(context: WebGL2RenderingContext, say: (sentenc
   buffer.addEventListener('webglcontextrestored', () => {
     setPageState('ready');
     say('');
-    invalidateAll();
+    onRestored();
   });
-  setPageState('ready');
 }

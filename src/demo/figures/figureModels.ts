@@ -11,11 +11,11 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { shellChair } from '../models/shellChair.js';
 import { memoize } from './memoize.js';
 
-/** A model of a figure: about of radius 1 around the origin, in parts that may have materials of their own. */
+/** A model of a figure, with a radius of about 1 around the origin, in parts that may have different materials. */
 export interface FigureModel {
   parts: Record<string, BufferGeometry>;
   side: Side;
-  /** The points that must be in the picture, as xyz. */
+  /** The points that must lie in the picture, as xyz. */
   outline: ArrayLike<number>;
 }
 
@@ -37,7 +37,7 @@ const models = {
 
 export type FigureModelName = keyof typeof models;
 
-/** Loads and bakes a model, once, with what lines are drawn from. @throws ModelError with one sentence for the user */
+/** Loads a model and bakes it, with the data of its lines; a second call returns the same. @throws ModelError with one sentence for the user */
 export const figureModel = memoize((name: FigureModelName): Promise<FigureModel> => models[name]());
 
 const LOADING = { signal: new AbortController().signal, onStage: () => {} };
@@ -86,7 +86,7 @@ async function triangles(...neighbours: Neighbour[]): Promise<FigureModel> {
   source.setIndex([...FOUR_TRIANGLES.c, ...neighbours.flatMap((name) => FOUR_TRIANGLES[name])]);
   const baked = await prepareHatchingGeometry(source, { layout: 'corner' });
   const parts = { centre: range(baked, 0, 3), others: range(baked, 3, 3 * neighbours.length) };
-  // The outline of all four, so that the triangles stay in the same place.
+  // The points of all four triangles, so that they stay in the same place in every panel.
   return { parts, side: DoubleSide, outline: FOUR_TRIANGLES_POSITIONS };
 }
 

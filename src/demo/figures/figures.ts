@@ -31,9 +31,9 @@ export interface Look
     >
   > {
   style?: StrokeStyleName;
-  /** Draws with a preset of the library; the rest of the look changes it. */
+  /** A preset of the library, which the other fields of the look change. */
   preset?: PresetName;
-  /** Draws contours, borders and creases, with what differs from their defaults or from those of the preset. */
+  /** Contours, borders and creases, by the parameters that differ from their defaults or from those of the preset; `false` for none. */
   lines?: HatchingLineParameters | false;
 }
 
@@ -78,10 +78,10 @@ export interface Row {
 }
 
 export interface Figure extends PanelDefaults {
-  /** That of the paper by Suarez et al., or a letter for what goes beyond it. */
+  /** The number in the paper by Suarez et al., or a letter for a figure that is not in it. */
   number: number | 'A' | 'B' | 'C' | 'D';
   title: string;
-  /** One sentence on what the figure shows in the paper by Suarez et al.; none for what goes beyond it. */
+  /** One sentence on what the figure shows in the paper by Suarez et al.; undefined for a figure that is not in it. */
   inThePaper?: string;
   /** One sentence on what is shown here. */
   here: string;

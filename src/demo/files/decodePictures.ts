@@ -24,7 +24,7 @@ async function decode({ content, width, height, isReduced }: Picture): Promise<I
   try {
     return await createImageBitmap(content, {
       ...(isReduced && { resizeWidth: width, resizeHeight: height, resizeQuality: 'medium' }),
-      // As three's loader of pictures has it: no conversion of what the shader reads as numbers.
+      // The shader reads pictures as numbers, which must not be converted. three's ImageBitmapLoader sets the same.
       premultiplyAlpha: 'none',
       colorSpaceConversion: 'none',
     });

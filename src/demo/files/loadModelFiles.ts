@@ -10,10 +10,10 @@ export interface LoadOptions {
   onStage: (stage: string) => void;
 }
 
-/** The main thread stands still while it reads, and cannot be stopped: small files only. */
+/** Only smaller files are read on the main thread: it does nothing else meanwhile, and reading cannot be stopped. */
 const MAX_BYTES_WITHOUT_WORKER = 4 * 2 ** 20;
 
-/** The reader did not start: its script is missing, or a Content-Security-Policy forbids workers. */
+/** The worker did not start: its script is missing, or a Content-Security-Policy forbids workers. */
 class NotStarted extends Error {}
 
 /**
@@ -52,7 +52,7 @@ function startWorker(): Worker {
   try {
     return new Worker(new URL('./model.worker.ts', import.meta.url), { type: 'module', name: 'model' });
   } catch {
-    // There are none, or the page may not make one.
+    // The browser has no workers, or the page may not start one.
     throw new NotStarted();
   }
 }
@@ -76,7 +76,7 @@ async function readInWorker(files: readonly ModelFile[], { signal, onStage }: Lo
       let hasSpoken = false;
       const fail = (event: Event): void => {
         event.preventDefault();
-        // A reader that did not load has no message. What others say is JavaScript's.
+        // The error of a worker that did not load has no message. Other messages are JavaScript's, and not for users.
         const isLoaded = hasSpoken || ('message' in event && Boolean(event.message));
         reject(isLoaded ? new ModelError('The file could not be read: the reader stopped.') : new NotStarted());
       };

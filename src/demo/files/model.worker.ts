@@ -11,11 +11,11 @@ export type ModelWorkerMessage =
 
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
-/** What to transfer. Several pictures may share a bitmap. */
+/** The buffers and bitmaps to transfer. Several pictures may share a bitmap. */
 function transferables(model: ReadModel): Transferable[] {
   if (model.kind === 'mesh') {
     const bitmaps = model.pictures.flatMap((picture) => (picture ? [picture.bitmap] : []));
-    // The normals of a stand-in may be those of the mesh.
+    // The stand-in may share the normals of the mesh.
     const buffers = new Set([...meshBuffers(model.mesh), ...(model.plainNormals ? [model.plainNormals.buffer] : [])]);
     return [...buffers, ...new Set(bitmaps)] as Transferable[];
   }

@@ -41,32 +41,32 @@ interface Read {
   name: string;
   /** The up axis that is usual for the format. */
   upAxis: 'y' | 'z';
-  /** What the caption is to say: what is missing, chosen or left out, and why. What matters most comes first. */
+  /** Notes for the caption: what is missing, chosen or left out, and why. The most important one comes first. */
   notes: string[];
-  /** What only those want to know who look closer. */
+  /** Facts for the longer text that opens on request. */
   details: string[];
-  /** The names of files that the model asks for and that were not dropped along. */
+  /** The names of files that the model refers to and that were not dropped along. */
   missing: string[];
-  /** The files out of the archive that was read, with those that were dropped along. Undefined if it was none. */
+  /** The files from the archive that was read, with those that were dropped along. Undefined if no archive was read. */
   unpacked?: readonly ModelFile[];
-  /** How the archive says that it is drawn, if it says so. */
+  /** How the model is drawn, if the archive has a description of it. */
   drawing?: BundledDrawing | undefined;
 }
 
 export interface ReadMesh extends Read {
   kind: 'mesh';
   mesh: PlainMesh;
-  /** The pictures of its ranges; undefined for those that are not there. */
+  /** The pictures of the mesh's ranges; undefined for missing ones. */
   pictures: (MeshPicture | undefined)[];
-  /** Those of a stand-in until the mesh is baked; null if it needs none. */
+  /** Normals for a stand-in that is drawn until the mesh is baked; null if it needs none. */
   plainNormals: Float32Array | null;
-  /** Which of its axes points up, where its flat side tells so against its format. */
+  /** The axis that points up by the model's flat side, if that is not the usual one of its format. */
   stands: UpAxis | undefined;
 }
 
 export interface ReadParts extends Read {
   kind: 'parts';
-  /** What to tell from which of its axes points up; undefined if its own is believed. */
+  /** What the format usually means for the axes, to find the one that points up; undefined if the file says it. */
   usual: UsualUp | undefined;
   parts: GltfParts;
 }
@@ -113,7 +113,7 @@ async function readMain(
       companionExtensions: COMPANION_EXTENSIONS,
     });
     if ('files' in archive) {
-      // Archives can be made that hold themselves.
+      // An archive can be made that contains itself.
       if (isUnpacked) throw new ModelError(`${shown} is an archive in an archive, which this page does not unpack.`);
       const along = files.filter((file) => file !== main);
       return { ...(await readArchived(archive.files, name, along, onStage)), drawing: archive.drawing };
@@ -212,7 +212,7 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
   return parsedOf({ ...again, notes: ['shown without its motion'] });
 }
 
-/** What a reader does not say: that nothing is missing, and there is nothing to note. */
+/** Completes what a reader returned: nothing is missing and there is nothing to note unless it says so. */
 function parsedOf(read: PlainMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
   const { notes = [], missing = [] }: Partial<LoadedScene> = isScene ? read : {};
@@ -233,7 +233,7 @@ function chooseMain(files: readonly ModelFile[]): ModelFile {
   return main;
 }
 
-/** The place of a file's extension in the order of preference; behind all others if it is no model. */
+/** The index of a file's extension in the order of preference; files that are no models come last. */
 function rankOf({ name }: ModelFile): number {
   const at = MODEL_EXTENSIONS.indexOf(extensionOf(withoutGz(name)) ?? '');
   return at === -1 ? MODEL_EXTENSIONS.length : at;

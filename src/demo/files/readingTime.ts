@@ -2,8 +2,8 @@ const SECONDS = 20;
 const SECONDS_PER_MEGABYTE = 0.5;
 
 /**
- * Seconds that a reader may be silent. Some parsers say nothing before they are done, so larger files get longer: even text
- * is read at some megabytes per second.
+ * The seconds that a reader may take without reporting progress. Some parsers report nothing before they are done, so larger files get
+ * longer: even text is read at some megabytes per second.
  *
  * @param bytes of what is being read, unpacked
  */

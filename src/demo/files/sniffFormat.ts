@@ -36,13 +36,13 @@ export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat | 'zip
 /** Biome takes a literal with these characters for a mistake. */
 const ZIP_SIGNATURE = `PK${String.fromCharCode(3, 4)}`;
 
-/** Points instead of surfaces, by how their files begin or are named. */
+/** Formats of points, which have no surfaces, by how their files begin or are named. */
 const POINTS: readonly [what: string, beginning: RegExp, extensions: readonly string[]][] = [
   ['Gaussian splats', /^NGSP/, ['splat', 'ksplat', 'spz', 'sog']],
   ['a cloud of points', /^(# \.PCD|LASF|ASTM-E57)/, ['pcd', 'las', 'laz', 'e57', 'xyz', 'pts', 'ptx']],
 ];
 
-/** Models of other programs. */
+/** Formats of models that the page does not read, by how their files begin. */
 const FOREIGN: readonly [what: string, beginning: RegExp][] = [
   ['a Blender file', /^BLENDER/],
   ['a STEP file', /^ISO-10303-21/],
@@ -51,7 +51,7 @@ const FOREIGN: readonly [what: string, beginning: RegExp][] = [
   ['an AMF file', /^\s*<[\s\S]*<amf\b/],
 ];
 
-/** What is often dropped by mistake. */
+/** Files that are often dropped by mistake, by how they begin. */
 const OTHER_KINDS: readonly [what: string, beginning: RegExp][] = [
   ['a web page', /^\s*<(!doctype\s+html|html|head|body)/i],
   ['an XML file', /^\s*(<\?xml|<svg)/i],

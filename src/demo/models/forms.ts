@@ -1,4 +1,4 @@
-/** Forms that are made by code, because they are worth drawing. All stand on a plane of constant y, or float. */
+/** Models that are made by code. All stand on a plane of constant y, or float. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -35,7 +35,7 @@ function grid(columns: number, rows: number, surface: Surface): BufferGeometry {
 export const knot = (): BufferGeometry => new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3);
 
 const WHORLS = 4.5;
-/** How much larger each whorl is than the one before. */
+/** The size of each whorl divided by that of the one before. */
 const GROWTH = 1.9;
 
 /** A sea snail: a tube that grows as it winds around an axis that leans, with ribs across it. */
@@ -115,7 +115,7 @@ const COLUMN: readonly (readonly [radius: number, height: number])[] = [
 export function column(): BufferGeometry {
   const rings = COLUMN.flatMap(([radius, height], i) => {
     const next = COLUMN[i + 1];
-    // The shaft needs rings for its flutes to end in, and for strokes to follow.
+    // The shaft needs rings of vertices: its flutes end in them, and strokes follow them.
     const steps = next && next[1] - height > 1 ? 24 : 1;
     return Array.from({ length: steps }, (_, step) => {
       const t = step / steps;
@@ -136,7 +136,7 @@ export function column(): BufferGeometry {
 /** Two wheels whose teeth mesh. */
 export function gears(): BufferGeometry {
   const wheel = (): BufferGeometry => mergeGeometries(gearWheel())!;
-  // Apart by twice the radius of the middle of a tooth, and half a tooth further on.
+  // The second wheel is twice the radius at the middle of a tooth away, and turned by half a tooth.
   const other = wheel()
     .rotateZ(TURN * (0.3 / 20))
     .translate(1.76, 0, 0);
@@ -176,7 +176,7 @@ function noise(x: number, z: number): number {
   return lerp(lerp(chance(i, j), chance(i + 1, j), s), lerp(chance(i, j + 1), chance(i + 1, j + 1), s), t);
 }
 
-/** A number in [0, 1) for a place of the lattice, always the same. */
+/** A number in [0, 1) for a point of the lattice, always the same. */
 function chance(i: number, j: number): number {
   let bits = Math.imul(i, 0x27d4eb2d) ^ Math.imul(j, 0x165667b1);
   bits = Math.imul(bits ^ (bits >>> 15), 0x85ebca6b);

@@ -10,7 +10,7 @@ export async function loadHand(): Promise<PlainMesh> {
   const mesh = mergeScene(scene);
   fitModel(mesh);
   const { positions, normals } = mesh;
-  // In the file, its fingers point down and its back faces x.
+  // In the file, the fingers point down and the back of the hand faces x.
   for (const triples of [positions, normals]) {
     for (let i = 0; triples && i < triples.length; i += 3) {
       const [x, y, z] = triples.subarray(i, i + 3) as unknown as [number, number, number];

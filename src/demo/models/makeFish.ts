@@ -16,7 +16,7 @@ import {
 } from 'three';
 import type { ModelScene } from '../files/gltf/parseGltf.js';
 
-/** Rings from nose to tail, vertices per ring, bones along the spine. */
+/** The numbers of rings from nose to tail, of vertices per ring, and of bones along the spine. */
 const RINGS = 96;
 const SIDES = 48;
 const BONES = 10;
@@ -106,14 +106,14 @@ function bodyGeometry(): BufferGeometry {
   for (let ring = 0; ring <= RINGS; ring++) {
     const place = ring / RINGS;
     const [above, below, thickness] = profileAt(place);
-    // Only the part in front of the tail is puffed up, to a round cross section.
+    // Only the body in front of the tail is puffed up, to a round cross section.
     const air = Math.exp(-(((place - 0.34) / 0.17) ** 2));
     const [bone, weight] = [Math.min(BONES - 2, Math.floor(place * (BONES - 1))), (place * (BONES - 1)) % 1];
     const isEnd = ring === 0 || ring === RINGS;
     for (let side = 0; side < (isEnd ? 1 : SIDES); side++) {
       const angle = (2 * Math.PI * side) / SIDES;
       const [y, z] = isEnd ? [0, 0] : [Math.sin(angle), Math.cos(angle)];
-      // Thinner towards the top and bottom, so that fins end in an edge.
+      // The body is thinner towards the top and bottom, so that fins end in an edge.
       const height = y * (y > 0 ? above : below);
       const width = z * thickness * (1 - 0.35 * Math.abs(y) ** 1.5);
       positions.push(2 * place - 1, height, width);

@@ -12,7 +12,7 @@ import type { BuiltInScene } from './BuiltInScene.js';
 interface BuiltIn {
   /** The name in the caption. */
   title: string;
-  /** Direction from the model to the eye at first, if not the default. */
+  /** The direction from the model to the eye when it is opened, if not the default. */
   view?: [number, number, number];
   load(options: LoadOptions): Promise<ReadModel | BuiltInScene>;
 }
@@ -60,7 +60,7 @@ const builtIn = {
   hand: {
     title: 'Hand',
     view: [0.1, 0.12, 1],
-    // In the file it has the grey of a glove.
+    // In the file, the hand has the grey of a glove.
     load: async () => readMesh('Hand', { ...(await (await import('./loadHand.js')).loadHand()), colors: null }),
   },
   bust: {
@@ -131,11 +131,11 @@ function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNo
   };
 }
 
-/** The lowest point of the bust, in its file. Two stray triangles hang far below it. */
+/** The lowest y of the bust in its file. Two stray triangles lie far below it. */
 export const BUST_FOOT = -4.7;
 const isStray = (positions: number[][], cell: number[]): boolean => cell.some((i) => positions[i][1] < BUST_FOOT);
 
-/** One of {@link forms}. */
+/** The mesh of one of {@link forms}. */
 function form(title: string, name: keyof typeof import('./forms.js')): BuiltIn {
   return threeShape(title, async () => (await import('./forms.js'))[name]());
 }

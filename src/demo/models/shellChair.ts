@@ -8,7 +8,7 @@ import {
   Vector3,
 } from 'three';
 
-/** Rows along the shell and columns across it. Few, so that its triangles can be seen. */
+/** The rows along the shell and the columns across it. They are few, so that its triangles can be seen. */
 const ROWS = 18;
 const COLUMNS = 12;
 
@@ -46,10 +46,10 @@ function shell(): BufferGeometry {
     const v = row / ROWS;
     spine.getPointAt(v, place);
     spine.getTangentAt(v, tangent);
-    // The normal on the inside: up from the seat, forwards from the back.
+    // This is the normal on the inside: it points up from the seat and forwards from the back.
     const inward = new Vector3(0, -tangent.z, tangent.y);
     const width = 0.5 * (1 - 0.5 * (2 * v - 1) ** 6) - 0.04 * v;
-    // Deepest where seat and back meet, flat at the front edge.
+    // The shell is deepest where seat and back meet, and flat at the front edge.
     const depth = 0.34 * Math.sin(Math.PI * Math.min(1, 0.9 * v)) ** 1.5;
     for (let column = 0; column <= COLUMNS; column++) {
       const u = (2 * column) / COLUMNS - 1;

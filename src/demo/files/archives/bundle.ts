@@ -3,27 +3,30 @@ import { ModelError } from '../common/ModelError.js';
 import type { ModelFile } from '../common/ModelFile.js';
 import type { ZipEntry } from './zip.js';
 
-/** In an archive that bundles a model with how it is drawn: what says so, the files of the model, and the images it is drawn with. */
+/** The paths in a bundle, an archive of a model and its look: the description, the folder of the model, and that of the map's images. */
 export const BUNDLE = { description: 'three-hatching.json', model: 'model/', strokes: 'strokes/' } as const;
 
-/** Of the description. A later page may write a higher one, which means something else. */
+/** The format and the version that the description names. A higher version is of a later page, and may mean something else. */
 const FORMAT = 'three-hatching drawing';
 const VERSION = 1;
 const MAX_DESCRIPTION_BYTES = 64 * 1024;
 
-/** How a bundled model is drawn. What it says has yet to be checked, as that of a link. */
+/** How a bundled model is drawn. It is not checked yet: it may say anything, as a link may. */
 export interface BundledDrawing {
   /** Settings, camera and views, as a link has them. */
   link: string;
-  /** The images of a map of its own. */
+  /** The images of a map that the user brought along. */
   strokes: ModelFile[];
 }
 
-/** What the description of a bundle says. */
+/** The text of a bundle's description. */
 export const describeBundle = (link: string): string =>
   JSON.stringify({ format: FORMAT, version: VERSION, drawing: link }, undefined, 2);
 
-/** The folder of an archive in which a bundle lies, with its slash; undefined if it is none. Some programs pack the folder around it along. */
+/**
+ * The folder of an archive in which a bundle lies, with its slash; undefined if the archive is no bundle. Some programs pack the folder around
+ * the files too.
+ */
 export function bundleFolder(entries: readonly ZipEntry[]): string | undefined {
   const { description } = BUNDLE;
   return entries
@@ -69,7 +72,7 @@ function readDescription(bytes: Uint8Array | undefined, name: string): string {
   try {
     if (bytes && bytes.length <= MAX_DESCRIPTION_BYTES) description = JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    // It is damaged, as is one that is too long.
+    // The description is damaged, and is refused below, as is one that is too long.
   }
   const { format, version, drawing } = description ?? {};
   if (format === FORMAT && typeof version === 'number' && version > VERSION) {

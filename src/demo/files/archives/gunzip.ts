@@ -1,8 +1,8 @@
 import { ModelError } from '../common/ModelError.js';
 
-/** What is left of an archive's limit however small it is. */
+/** Every archive may unpack to so much, however small it is. */
 const SMALL_BYTES = 64 * 1024 * 1024;
-/** Models shrink to a tenth, the most regular ones to a fiftieth. What shrinks more was made to fill the memory. */
+/** Models shrink to a tenth, the most regular ones to a fiftieth. An archive that shrank more was made to fill the memory. */
 const MAX_RATIO = 64;
 
 /**
@@ -10,7 +10,7 @@ const MAX_RATIO = 64;
  * file as content encoding, and the browser has unpacked it already.
  *
  * @param maxBytes after unpacking
- * @throws ModelError if they are damaged, or unpack to too much; that is noticed before it is done
+ * @throws ModelError if they are damaged, or as soon as they have unpacked to too much
  */
 export async function gunzip(bytes: Uint8Array, name: string, maxBytes: number): Promise<Uint8Array> {
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;

@@ -1,7 +1,7 @@
 import { ModelError } from '../common/ModelError.js';
 import { MAX_BYTES } from '../common/modelLimits.js';
 
-/** What is left of the limit however small the archive is, and how much models shrink at most. */
+/** Every archive may unpack to so much, however small it is; larger ones to so many times their size. */
 const SMALL_BYTES = 64 * 1024 * 1024;
 const MAX_RATIO = 64;
 const MAX_ENTRIES = 10_000;
@@ -28,7 +28,7 @@ export async function listZip(bytes: Uint8Array, name: string): Promise<ZipEntry
   return entries;
 }
 
-/** @throws ModelError if files are too large together, or for what they are packed to */
+/** @throws ModelError if files are too large together, or too large for the size they are packed to */
 export function checkSizes(entries: readonly ZipEntry[], name: string): void {
   const packed = entries.reduce((sum, entry) => sum + entry.packedSize, 0);
   const limit = Math.min(MAX_BYTES, Math.max(SMALL_BYTES, MAX_RATIO * packed));
@@ -48,7 +48,7 @@ export async function unzip(
   try {
     const files = unzipSync(bytes, {
       filter: ({ name: path, size: packedSize, originalSize }) =>
-        // Without packing, the size is that of the packed file, whatever the archive announces.
+        // A file that is stored without compression has the size it takes in the archive, whatever the archive announces.
         !path.endsWith('/') && isWanted({ path, packedSize, size: Math.max(packedSize, originalSize) }),
     });
     return new Map(Object.entries(files));

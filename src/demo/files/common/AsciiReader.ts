@@ -14,7 +14,7 @@ const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i);
 export class AsciiReader {
   private readonly decoder = new TextDecoder('latin1');
 
-  /** @param at where to begin */
+  /** @param at the byte to begin at */
   constructor(
     private readonly bytes: Uint8Array,
     private at = 0,

@@ -7,11 +7,11 @@ export class ModelError extends Error {
 }
 
 /**
- * A sentence for what was thrown while a file was read. A ModelError is returned as it is. What a loader says is passed on; what
- * JavaScript itself says (`Cannot read properties of undefined`) is not: it means nothing to who dropped the file.
+ * A sentence for an error that was thrown while a file was read. A ModelError is returned as it is. A loader's message is passed on; one
+ * of JavaScript itself (`Cannot read properties of undefined`) is not: it means nothing to whoever dropped the file.
  *
- * @param file the name of what was dropped
- * @param part what was being read, as the subject of a sentence
+ * @param file the name of the file that was dropped
+ * @param part the part that was being read, as the subject of a sentence
  */
 export function toModelError(file: string, error: unknown, part = 'it'): ModelError {
   if (error instanceof ModelError) return error;
@@ -29,7 +29,7 @@ export function toModelError(file: string, error: unknown, part = 'it'): ModelEr
   return new ModelError(`${name} could not be read; ${part} seems to be damaged${reason && ` (${reason})`}.`);
 }
 
-/** Whether an error was made by a loader: those of JavaScript and of the browser have names of their own. */
+/** Whether a loader threw an error: errors of JavaScript and of the browser have names of their own. */
 function isOfLoader(error: unknown): error is Error {
   return error instanceof Error && error.name === 'Error' && Object.getPrototypeOf(error) === Error.prototype;
 }

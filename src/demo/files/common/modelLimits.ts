@@ -1,2 +1,5 @@
-/** Of all files of a model together, also once they are unpacked. A model is held in memory several times while it is read. */
+/**
+ * The most bytes that all files of a model may have together, also once they are unpacked. A model is held in memory several times while it
+ * is read.
+ */
 export const MAX_BYTES = 512 * 2 ** 20;

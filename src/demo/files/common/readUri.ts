@@ -8,7 +8,7 @@ export async function readUri(uri: string, findFile: FindFile): Promise<Uint8Arr
 }
 
 /**
- * The bytes in a data URI; undefined if it is damaged. Read here, not by `fetch`, which a Content-Security-Policy without
+ * The bytes in a data URI; undefined if it is damaged. They are not read by `fetch`, which a Content-Security-Policy without
  * `connect-src data:` forbids.
  */
 export function dataOf(uri: string): Uint8Array<ArrayBuffer> | undefined {

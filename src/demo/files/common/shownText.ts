@@ -1,8 +1,8 @@
-/** As many characters are shown of the name of a file, and of a sentence. */
+/** The most characters that are shown of a file's name, and of a sentence. */
 const MAX_NAME = 60;
 const MAX_TEXT = 400;
 
-/** What turns text round, joins it, or cannot be seen; half of a pair of surrogates; the blank of Braille. */
+/** Characters that change the direction of text, join it, or are invisible; half of a surrogate pair; the blank of Braille. */
 const UNSEEN = /[\p{Cf}\p{Cs}\p{Default_Ignorable_Code_Point}\u2800]/gu;
 const BLANKS = /[\s\p{Cc}]+/gu;
 /** More accents than any script sets on a letter: they would be drawn over the lines above. */
@@ -16,7 +16,7 @@ export function shownName(name: string): string {
   return cut(plain(name), MAX_NAME) || 'a file without a name';
 }
 
-/** Text in which a file may have had a say, as it is shown. */
+/** Text that may contain words of a file, as it is shown. */
 export function shownText(text: string): string {
   return cut(plain(text), MAX_TEXT);
 }

@@ -1,4 +1,4 @@
-/** How much of a file is looked at to see whether it is text in UTF-16 without a mark at its beginning. */
+/** The bytes of a file that are searched to tell whether it is text in UTF-16 without a byte order mark. */
 const SAMPLE_BYTES = 64;
 
 /**
@@ -15,7 +15,7 @@ export function toUtf8(bytes: Uint8Array): Uint8Array {
 function utf16Encoding(bytes: Uint8Array): 'utf-16le' | 'utf-16be' | undefined {
   if (bytes[0] === 0xff && bytes[1] === 0xfe) return 'utf-16le';
   if (bytes[0] === 0xfe && bytes[1] === 0xff) return 'utf-16be';
-  // Without a mark: Latin letters, each beside a zero.
+  // Text without a mark is recognised by its Latin letters, each of which has a zero beside it.
   const sample = bytes.subarray(0, SAMPLE_BYTES);
   const isText = (first: number): boolean => {
     for (let i = 0; i + 1 < sample.length; i += 2) {

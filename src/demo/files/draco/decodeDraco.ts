@@ -1,7 +1,7 @@
 import type { Attribute, DecoderModule } from 'draco3d';
 import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
 
-/** How the values of a type of glTF are held, and Draco's name of that type. */
+/** The typed array for each component type of glTF, and Draco's name of that type. */
 const TYPES = {
   5120: [Int8Array, 'DT_INT8'],
   5121: [Uint8Array, 'DT_UINT8'],
@@ -17,7 +17,7 @@ export interface DracoAttribute {
   componentType: keyof typeof TYPES;
 }
 
-/** So many values per vertex; none at all where an attribute is missing, or its values are of another type. */
+/** Values per vertex; 0 if the attribute is missing, or its values have another type. */
 export interface DracoValues {
   values: Float32Array;
   size: number;
@@ -75,9 +75,9 @@ export function decodeDraco(
 }
 
 /**
- * What Draco writes into its own memory.
+ * Copies what Draco writes into its own memory.
  *
- * @param write gets the address, and returns false if there was nothing to write
+ * @param write is given the address to write to, and returns false if there was nothing to write
  * @throws Error if it can get no more memory
  */
 function copyOut(
@@ -89,7 +89,7 @@ function copyOut(
   if (address === 0) throw new Error('Draco: out of memory');
   try {
     if (write(address) === false) return undefined;
-    // Its memory may have moved meanwhile.
+    // Draco's memory may have grown, and moved, while it wrote.
     return draco.HEAPU8.slice(address, address + byteLength).buffer as ArrayBuffer;
   } finally {
     draco._free(address);

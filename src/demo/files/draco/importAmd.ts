@@ -1,14 +1,14 @@
-/** By their addresses: a script hands out what it holds when it runs, which it does but once. */
+/** The exports of scripts, by their addresses: a script hands them out when it runs, and it runs only once. */
 const imported = new Map<string, Promise<unknown>>();
 
-/** One at a time, since a script does not say which it is. */
+/** Scripts are imported one at a time, since a script does not say which one it is. */
 let last: Promise<unknown> = Promise.resolve();
 
 /**
- * What a script holds that hands it to a loader of AMD modules, if there is one. It is imported as a module: the only way that
- * pages and workers of modules share, and that no Content-Security-Policy forbids which allows the page's own scripts.
+ * The exports of a script that offers them to a loader of AMD modules. It is imported as a module: that works in pages and in module
+ * workers alike, and wherever a Content-Security-Policy allows the page's own scripts.
  *
- * @throws Error if it cannot be fetched, or holds nothing
+ * @throws Error if it cannot be fetched, or exports nothing
  */
 export function importAmd<Held>(address: string): Promise<Held> {
   let held = imported.get(address);

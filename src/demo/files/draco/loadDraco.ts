@@ -6,7 +6,7 @@ import { importAmd } from './importAmd.js';
 
 type StartDraco = (options: object) => Promise<DecoderModule>;
 
-/** Damaged parts are written on the console otherwise. Who dropped the file gets a sentence instead. */
+/** Keeps the decoder from reporting damaged parts in the console. Whoever dropped the file is told in a sentence instead. */
 const QUIET = { print: () => {}, printErr: () => {} };
 
 /**

@@ -4,10 +4,10 @@ import type { GltfWriter } from './GltfWriter.js';
 import type { GltfMesh, GltfPrimitive } from './gltfDocument.js';
 import { drawsTriangles, toTriangles } from './gltfTriangles.js';
 
-/** WebGL 2 promises textures of 256 layers, and three.js keeps one shape in each. */
+/** WebGL 2 guarantees textures of 256 layers, and three.js keeps one morph target in each. */
 const MAX_SHAPES = 256;
 const MAX_SHAPE_BYTES = 256 * 1024 * 1024;
-/** Three.js keeps a shape as four floats for the place of a vertex, and four for its normal. */
+/** three.js keeps a morph target as four floats for the position of a vertex, and four for its normal. */
 const SHAPE_VERTEX_BYTES = 32;
 const TRIANGLE_LIST = 4;
 
@@ -45,7 +45,7 @@ interface PartSource {
   indices(): Uint32Array | undefined;
 }
 
-/** Unpacks a part that is packed with Draco. Its attributes have the names of glTF; their values are normalized. @throws ModelError */
+/** Unpacks a primitive that is packed with Draco. Its attributes have the names of glTF; their values are normalized. @throws ModelError */
 export type DracoSource = (
   packed: NonNullable<NonNullable<GltfPrimitive['extensions']>['KHR_draco_mesh_compression']>,
   primitive: GltfPrimitive,
@@ -55,18 +55,18 @@ export type DracoSource = (
 export interface LeftOut {
   /** Triangles with a corner that is missing or not a number. */
   triangles: number;
-  /** Attributes and shapes whose values do not fit the vertices. */
+  /** Attributes and morph targets whose values do not fit the vertices. */
   attributes: number;
-  /** Shapes that are too many. */
+  /** Morph targets beyond the most that can be drawn. */
   shapes: number;
-  /** Parts that are points or lines. */
+  /** Primitives that are points or lines. */
   lines: number;
 }
 
-/** A mesh as it is written. */
+/** A mesh in the document that is written. */
 export interface PlainGltfMesh {
   json: { name?: string | undefined; primitives: object[]; weights?: number[]; extras?: { targetNames: string[] } };
-  /** Of all its primitives. */
+  /** The triangles of all its primitives together. */
   vertices: number;
   triangles: number;
   shapes: number;
@@ -149,7 +149,7 @@ export class GltfGeometry {
     return { attributes, indices, vertexCount, targets, material };
   }
 
-  /** Joints that the skeleton lacks get no weight: reading them would fail. */
+  /** Sets the weights of joints to 0 that the skeleton does not have: reading them would fail. */
   private readJoints(
     { attributes }: GltfPrimitive,
     source: PartSource,
@@ -173,7 +173,7 @@ export class GltfGeometry {
     ];
   }
 
-  /** Vertices that are not numbers are laid onto one that is, because even unused vertices count for bounds. */
+  /** Moves vertices whose coordinates are not numbers to one that is valid, because even unused vertices count for the bounds. */
   private repair(values: Float32Array): Repaired {
     let repaired = this.repaired.get(values);
     if (!repaired) {
@@ -183,7 +183,7 @@ export class GltfGeometry {
     return repaired;
   }
 
-  /** How many shapes the parts of a mesh get: all the same number. */
+  /** The number of morph targets that all primitives of a mesh get. */
   private limitShapes(parts: readonly Part[]): number {
     const wanted = Math.max(...parts.map(({ targets }) => targets.length));
     const vertices = Math.max(...parts.map(({ vertexCount }) => vertexCount));
@@ -205,7 +205,7 @@ export class GltfGeometry {
     const names = ['POSITION', 'NORMAL'].filter(
       (name) => attributes.has(name) && shown.some((target) => target[name] !== undefined),
     );
-    // Every shape needs the same attributes, or three.js takes the base mesh in place of the missing ones.
+    // Every morph target needs the same attributes: three.js replaces a missing one by that of the base mesh.
     const shape = (i: number): object =>
       Object.fromEntries(
         (shapes > 0 && names.length === 0 ? ['POSITION'] : names).map((name) => [
@@ -257,7 +257,7 @@ export class GltfGeometry {
 
 interface Repaired {
   positions: Float32Array;
-  /** 1 for every vertex that is a place. Undefined if all are. */
+  /** 1 for every vertex whose coordinates are numbers; undefined if those of all vertices are. */
   isUsable: Uint8Array | undefined;
 }
 
@@ -278,7 +278,7 @@ function repairPositions(values: Float32Array): Repaired {
   return { positions, isUsable };
 }
 
-/** So many weights, zeros where there are too few. */
+/** The first `count` weights, filled up with zeros. */
 export const fitWeights = (weights: readonly number[], shapes: number): number[] =>
   Array.from({ length: shapes }, (_, i) => weights[i] ?? 0);
 

@@ -8,7 +8,7 @@ import {
   TYPE_SIZES,
 } from './gltfDocument.js';
 
-/** What accessors may take when they are unpacked, beside four times what the file has. */
+/** The bytes that accessors may always take when they are unpacked. They may take four times the bytes of the file, too. */
 const SPARE_BYTES = 256 * 1024 * 1024;
 
 type ComponentType = keyof typeof COMPONENT_BYTES;
@@ -22,7 +22,7 @@ const READ: Record<ComponentType, (view: DataView, at: number) => number> = {
   5126: (view, at) => view.getFloat32(at, true),
 };
 
-/** Largest values of the integer types, which normalized ones are divided by. */
+/** The largest values of the integer types, by which normalized values are divided. */
 const NORMAL: Record<ComponentType, number> = { 5120: 127, 5121: 255, 5122: 32767, 5123: 65535, 5125: 1, 5126: 1 };
 
 const MESHOPT_BYTES_AT_MOST = 256;
@@ -43,7 +43,7 @@ export class GltfValues {
     this.bytesLeft = SPARE_BYTES + 4 * buffers.reduce((sum, { length }) => sum + length, 0);
   }
 
-  /** Loads the decoder of meshopt, if anything is packed with it. */
+  /** Loads meshopt's decoder if a buffer view is packed with it. */
   async prepare(): Promise<void> {
     if (!this.document.bufferViews.some((view) => packingOf(view))) return;
     const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
@@ -159,12 +159,12 @@ export class GltfValues {
     const { byteOffset } = values;
     this.copy(this.viewOf(values.bufferView), { byteOffset, componentType }, count, size, undefined, (i, value) => {
       const item = Math.floor(i / size);
-      // One beyond the end is ignored by typed arrays.
+      // Typed arrays ignore an index beyond their end.
       target[places[item] * size + (i - item * size)] = value;
     });
   }
 
-  /** Calls `put` with every number of so many items. */
+  /** Calls `put` with every number of the first items. */
   private copy(
     bytes: Uint8Array,
     { byteOffset = 0, componentType }: { byteOffset?: number | undefined; componentType: ComponentType },
@@ -183,7 +183,7 @@ export class GltfValues {
     }
   }
 
-  /** Notes that so many bytes are about to be taken. A few bytes of text could ask for gigabytes. */
+  /** Counts bytes that are about to be allocated, and throws if they are too many: a few bytes of text could ask for gigabytes. */
   private spend(bytes: number): void {
     this.bytesLeft -= bytes;
     if (!(this.bytesLeft >= 0))

@@ -15,7 +15,7 @@ const TYPES: Record<number, string> = { 1: 'SCALAR', 2: 'VEC2', 3: 'VEC3', 4: 'V
 /** Collects arrays of values for a new glTF document, every array once. */
 export class GltfWriter {
   readonly accessors: PlainAccessor[] = [];
-  /** By the index of their buffer view. */
+  /** The arrays, by the index of their buffer view. */
   readonly arrays: ArrayBuffer[] = [];
   private readonly written = new Map<Values, number>();
 
@@ -42,7 +42,7 @@ export class GltfWriter {
   }
 }
 
-/** Loaders cull and warn by these bounds. Those of the file may be missing or wrong. */
+/** The bounds of an accessor, by which loaders cull and warn. Those in the file may be missing or wrong. */
 function boundsOf(values: Values): { min: number[]; max: number[] } {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];

@@ -14,7 +14,7 @@ export interface ChosenScene {
   visible: number[];
   /** What to say about the choice. */
   notes: string[];
-  /** What only those want to know who look closer. */
+  /** Facts for the longer text that opens on request. */
   details: string[];
 }
 
@@ -43,8 +43,8 @@ export function chooseScene(document: GltfDocument, fileName: string): ChosenSce
 }
 
 /**
- * Leaves every node with one parent at most: the loader would wait for ever for one that lies below itself. Nodes of the scene
- * keep one that is in the scene too; a parent outside of it does not take them away.
+ * Leaves every node one parent at most: the loader would wait for ever for a node that lies below itself. Nodes of the scene keep a
+ * parent that is in the scene too; a parent outside of the scene does not take them away.
  *
  * @param listed the nodes of the scene
  * @returns the nodes without a parent: those of the scene, and all others
@@ -68,7 +68,7 @@ function topmostNodes(
   const free = (among: Iterable<number>): number[] => [...among].filter((node) => isTaken[node] === 0);
   const inScene = nodesBelow(nodes, listed);
   for (const node of inScene) takeChildren(node);
-  // What lies below another node of the scene is drawn there.
+  // A node below another node of the scene is drawn there.
   const roots = free(new Set(listed));
   for (const node of roots) isTaken[node] = 1;
   for (const node of nodes.keys()) if (!inScene.has(node)) takeChildren(node);

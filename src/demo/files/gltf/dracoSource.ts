@@ -5,7 +5,7 @@ import type { DracoSource } from './GltfGeometry.js';
 import type { GltfValues } from './GltfValues.js';
 import type { GltfDocument } from './gltfDocument.js';
 
-/** Unpacks the parts of a document that are packed with Draco. Its decoder is fetched with the first of them. */
+/** Unpacks the primitives of a document that are packed with Draco. The decoder is fetched for the first of them. */
 export function dracoSource(document: GltfDocument, values: GltfValues, fileName: string): DracoSource {
   let loaded: Promise<DecoderModule> | undefined;
   return async ({ bufferView, attributes }, primitive) => {

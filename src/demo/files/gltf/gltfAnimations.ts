@@ -3,15 +3,15 @@ import type { GltfWriter } from './GltfWriter.js';
 import type { GltfAnimationSampler, GltfChannel, GltfDocument } from './gltfDocument.js';
 
 const VALUES_PER_KEY = { translation: 3, rotation: 4, scale: 3 } as const;
-/** A cubic spline has two tangents beside each value. */
+/** Values per key: a cubic spline has two tangents beside each value. */
 const SPLINE_VALUES = 3;
 
 /**
- * Writes the animations of a document, without the tracks that a player could not play: it would loop for ever over keys that
- * have the wrong number of values.
+ * Writes the animations of a document, without tracks that cannot be played: three's mixer would loop for ever over keys with the wrong
+ * number of values.
  *
  * @param inScene the nodes that are shown; tracks of others belong to other scenes
- * @param shapesOf the number of shapes of a node's mesh
+ * @param shapesOf the number of morph targets of a node's mesh
  * @returns the animations, and how many tracks were left out
  */
 export function writeAnimations(
@@ -31,7 +31,7 @@ export function writeAnimations(
     const channels: object[] = [];
     const samplers: object[] = [];
     for (const channel of animation.channels) {
-      // A channel without a node is valid: it moves what an extension names.
+      // A channel without a node is valid: an extension names what it moves.
       if (channel && !inScene.has(channel.target.node ?? -1)) continue;
       const sampler = channel && writeSampler(channel, animation.samplers[channel.sampler], values, writer, shapesOf);
       if (!sampler) {

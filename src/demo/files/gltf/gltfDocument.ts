@@ -110,9 +110,9 @@ const textureUse = orNothing(
   record({
     index: required(indexIn('textures')),
     texCoord: oneOf(0, 1, 2, 3),
-    /** Of a normal map. */
+    /** The strength of a normal map. */
     scale: real,
-    /** Of a map of occlusion. */
+    /** The strength of an occlusion map. */
     strength: real,
     extensions: record({
       KHR_texture_transform: record({
@@ -171,7 +171,7 @@ const animationSampler = record({
   output: required(accessorIndex),
   interpolation: oneOf('LINEAR', 'STEP', 'CUBICSPLINE'),
 });
-/** Its channels and samplers of a wrong shape become undefined, and are counted with those of wrong values. */
+/** An animation. Channels and samplers of a wrong shape become undefined, and are counted with those of wrong values. */
 const animation = orNothing(
   record({
     name,
@@ -199,9 +199,9 @@ const LISTS = {
 
 type Lists = { [List in keyof typeof LISTS]: TypeOf<(typeof LISTS)[List]> };
 
-/** A glTF document in which every field is of its type and every index in range. What is not drawn is left out. */
+/** A glTF document in which every field has its type and every index is in range. Fields that nothing is drawn from are left out. */
 export interface GltfDocument extends Lists {
-  /** The index of the scene to show, if it names one. */
+  /** The index of the scene to show, if the document names one. */
   scene: number | undefined;
 }
 

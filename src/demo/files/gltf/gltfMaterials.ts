@@ -1,9 +1,9 @@
 import type { GltfDocument, GltfMaterial, GltfTextureUse } from './gltfDocument.js';
 
-/** The uses of textures in a material that can be drawn. */
+/** The fields of a material whose textures can be drawn. */
 const TEXTURES = ['normalTexture', 'occlusionTexture', 'emissiveTexture'] as const;
 
-/** The index of a texture's image: of one that can be read, if there is any. */
+/** The index of a texture's image: of one in a format that can be read, if there are several. */
 export function textureSource({ textures }: GltfDocument, texture: number | undefined): number | undefined {
   const { source, extensions } = textures[texture ?? -1] ?? {};
   return (
@@ -40,7 +40,7 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
   return document.materials.map((material) => {
     const { name, alphaMode, alphaCutoff, doubleSided, emissiveFactor, extensions } = material ?? {};
     const { factor, texture } = baseColor(material);
-    // Without the picture that says where, all of the surface would emit light, and nothing of it be hatched.
+    // Without the picture that says where the surface emits light, all of it would, and none of it would be hatched.
     const hasGlow = !material?.emissiveTexture || drawn(material.emissiveTexture) !== undefined;
     const strength = extensions?.KHR_materials_emissive_strength;
     return {
@@ -59,7 +59,7 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
   });
 }
 
-/** That of the older extension for gloss, where a material has no other. */
+/** The base colour of the older extension for gloss, if a material has no other. */
 function baseColor(material: GltfMaterial | undefined): {
   factor?: number[] | undefined;
   texture?: GltfTextureUse | undefined;

@@ -16,7 +16,7 @@ export interface Picture extends PictureSize {
 /** The pictures that are drawn, by the index of their image, and what to say about the others. */
 export interface Pictures {
   pictures: (Picture | undefined)[];
-  /** The names of those that nobody dropped. */
+  /** The names of pictures that were not dropped along. */
   missing: string[];
   notes: string[];
 }

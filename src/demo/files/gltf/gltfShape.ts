@@ -1,16 +1,16 @@
 import { ModelError } from '../common/ModelError.js';
 
-/** What a shape needs to know about the document it reads. */
+/** What the reader of a type needs to know about the document. */
 export interface ShapeContext {
   /** The name of the file, for messages. */
   name: string;
-  /** The lengths of the document's lists, by their names, for the indices into them. */
+  /** The lengths of the document's lists, by their names, to check indices into them. */
   lengths: Readonly<Record<string, number>>;
-  /** Places whose value was of no use and was left out. */
+  /** The places of values that were left out, because they have the wrong type. */
   leftOut: string[];
 }
 
-/** Reads a value of a JSON document as one of a known type. @throws ModelError if it has another */
+/** Reads a value of a JSON document as one of a known type. @throws ModelError if it has another type */
 export type Shape<Type> = (value: unknown, at: string, context: ShapeContext) => Type;
 
 const LONGEST_QUOTE = 40;
@@ -61,7 +61,7 @@ export const listOf =
     return value.map((one, i) => item(one, `${at}[${i}]`, context));
   };
 
-/** A list of so many numbers. */
+/** A list of a fixed number of numbers. */
 export const reals = (length: number): Shape<number[]> =>
   simple<number[]>(
     `${length} numbers`,
@@ -107,7 +107,7 @@ export const record =
     return result as RecordOf<All>;
   };
 
-/** A value that a model can do without: it is left out if it is not of its shape. */
+/** A value that a model can do without: it is left out if it has the wrong type. */
 export const orNothing =
   <Type>(shape: Shape<Type>): Shape<Type | undefined> =>
   (value, at, context) => {

@@ -20,14 +20,14 @@ import { InstanceShapes } from './InstanceShapes.js';
 
 /** The checked parts of a glTF file, in a form that a worker can post. */
 export interface GltfParts {
-  /** A document without packing, whose buffer views are the arrays. */
+  /** A document without compression, whose buffer views are the arrays. */
   json: object;
   arrays: ArrayBuffer[];
   /** The image and sampler of each texture. */
   textures: { image: number; sampler: GltfSampler | undefined }[];
-  /** By the index of their image. */
+  /** Pictures to decode, by the index of their image. */
   pictures: (Picture | undefined)[];
-  /** The pictures once they are decoded. */
+  /** The decoded pictures, by the index of their image. */
   bitmaps: (ImageBitmap | undefined)[];
 }
 
@@ -37,7 +37,7 @@ export interface ModelScene {
   animations: AnimationClip[];
 }
 
-/** Makes a scene of its parts, in slices. Nothing is fetched, and nothing is decoded. Rejects with the signal's reason. */
+/** Makes a scene from the parts of a file, in slices. Nothing is fetched, and nothing is decoded. Rejects with the signal's reason. */
 export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise<ModelScene> {
   const slices = new Slices(signal);
   const loader = new GLTFLoader()
@@ -47,7 +47,7 @@ export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise
   return { root: scene, animations };
 }
 
-/** Gives three's loader the arrays and pictures that it would load otherwise. */
+/** Gives three's loader the arrays and pictures that it would otherwise load. */
 class PartsPlugin implements GLTFLoaderPlugin {
   readonly name = 'parts';
   /** The mesh that was asked for last. */
@@ -59,7 +59,7 @@ class PartsPlugin implements GLTFLoaderPlugin {
     private readonly slices: Slices,
   ) {}
 
-  /** One mesh after another, with pauses: three's loader asks for thousands at once, and makes them in one task. */
+  /** Makes one mesh after another, with pauses: three's loader asks for thousands at once, and would make them in one task. */
   loadMesh(index: number): ReturnType<GLTFParser['loadMesh']> {
     const mesh = this.latest.then(() => this.slices.next()).then(() => this.parser.loadMesh(index));
     this.latest = mesh.catch(() => {});

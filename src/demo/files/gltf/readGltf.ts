@@ -20,15 +20,15 @@ const MAX_SCENE = { vertices: 300_000, nodes: 5_000, draws: 2_000, channels: 20_
 
 /** What was read of a glTF file. */
 export interface ReadGltf {
-  /** One merged mesh; or, if that could not show what is in the file, its checked parts. */
+  /** One merged mesh; or the checked parts of the file, if one mesh could not show what is in it. */
   content: PlainMesh | GltfParts;
   /** Number of triangles left out because a corner was missing or not a number. */
   broken: number;
-  /** What to say about the model: what was chosen, and what was left out. */
+  /** Notes for the caption: what was chosen, and what was left out. */
   notes: string[];
-  /** What only those want to know who look closer. */
+  /** Facts for the longer text that opens on request. */
   details: string[];
-  /** The names of pictures that it asks for and that nobody dropped. */
+  /** The names of pictures that the file refers to and that were not dropped along. */
   missing: string[];
 }
 

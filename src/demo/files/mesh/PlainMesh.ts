@@ -10,11 +10,11 @@ export interface PlainMesh {
   indices: Uint32Array | null;
   /** Two numbers per vertex, only of meshes with pictures. */
   uvs?: Float32Array;
-  /** Which corners are drawn with which picture, one after the other, only of meshes with pictures. */
+  /** Ranges of corners by picture, without gaps between them; only of meshes with pictures. */
   ranges?: PictureRange[];
 }
 
-/** Corners in a row that are drawn with one picture. */
+/** Consecutive corners that are drawn with one picture. */
 export interface PictureRange {
   start: number;
   count: number;

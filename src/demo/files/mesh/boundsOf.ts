@@ -1,4 +1,4 @@
-/** The least and the largest of each coordinate. Infinite, the wrong way round, where there are no points. */
+/** The least and the largest value of each coordinate. Without points, `low` is Infinity and `high` is -Infinity. */
 export interface Bounds {
   low: [x: number, y: number, z: number];
   high: [x: number, y: number, z: number];

@@ -1,10 +1,13 @@
 import { ModelError } from '../common/ModelError.js';
 
-/** What a page can get for one model, beside the copies that are held while it is read and baked. */
+/** The memory that a page can get for one model, beside the copies that are held while it is read and baked. */
 const MAX_BYTES = 2 ** 30;
-/** A large mesh as it is baked: layout `pull`, with normals, colours and the data of lines. Measured on a million triangles. */
+/**
+ * The memory of a large mesh once it is baked: layout `pull`, with normals, colours and the data of lines. It was measured on a million
+ * triangles.
+ */
 const BYTES_PER_TRIANGLE = 205;
-/** In round numbers, as the sentence gives it. */
+/** A round number, since a message gives it. */
 const MAX_TRIANGLES = Math.floor(MAX_BYTES / BYTES_PER_TRIANGLE / 1e5) * 1e5;
 
 /** @throws ModelError if there are no triangles to draw, or more than memory allows */

@@ -8,25 +8,27 @@ export type UpAxis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
 const AXES = ['x', 'y', 'z'] as const;
 /** How far a triangle may lie from the outermost plane and still belong to a flat side, as a share of the model's extent. */
 const FLATNESS = 0.004;
-/** A model may stand on a side of which so much is flat, and so many times as much as of any side across. */
+/**
+ * A model may stand on a side if this share of it is flat, and if its flat area is so many times as large as that of any side across.
+ */
 const STAND_SHARE = 0.25;
 const DISTINCTNESS = 3;
-/** What would be so much lower than it is wide may as well hang on a wall: a relief or a board. */
+/** A model that would be so much lower than it is wide may as well hang on a wall: a relief or a board. */
 const LOWEST = 0.4;
-/** What is so much thinner than it is long and wide is a plate, though its edges are flat, too. */
+/** A model that is so much thinner than it is long and wide is a plate, though its edges are flat, too. */
 const PLATE = 0.25;
 
-/** What the format of a model says of its axes. */
+/** What a format usually means for the axes of a model. */
 export interface UsualUp {
   /** The axis that usually points up. */
   up: 'y' | 'z';
-  /** Whether models lie flat on the bed of a printer, so that none of them hangs on a wall or stands on its edge. */
+  /** Whether models lie flat on the bed of a printer, so that no model hangs on a wall or stands on its edge. */
   liesFlat: boolean;
 }
 
 /**
- * Tells which axis of a model points up from the flat side that it stands on, unless it stands firmly already, as a vehicle does on
- * its wheels, however flat another side of it is.
+ * Finds the axis of a model that points up, by the flat side that it stands on. A model that stands firmly the way it is, as a vehicle
+ * does on its wheels, is left that way, however flat another side is.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one
@@ -69,7 +71,7 @@ export function findUpAxis(
     if (!liesFlat && size[best] < LOWEST * width) return undefined;
   }
   const [below, above] = areas[best];
-  // A column has two such sides: it is left the way it is.
+  // A column has two pairs of such sides: it is left the way it is.
   return above > 1.1 * below ? `-${AXES[best]}` : AXES[best];
 }
 

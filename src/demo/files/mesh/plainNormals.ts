@@ -1,6 +1,6 @@
 import type { PlainMesh } from './PlainMesh.js';
 
-/** Fewer triangles than this are joined so fast that a stand-in would only flicker. */
+/** A mesh with fewer triangles is baked so fast that a stand-in would only flicker. */
 const LEAST_TRIANGLES = 100_000;
 
 /**
@@ -44,7 +44,7 @@ export function plainNormals(mesh: PlainMesh): Float32Array | null {
     sums[i + 1] *= scale;
     sums[i + 2] *= scale;
   }
-  // What the file says of other vertices counts, as it does in the bake.
+  // Where the file has a normal, it counts, as it does in the bake.
   if (!normals) return sums;
   for (let i = 0; i < sums.length; i += 3) {
     if (isSet(normals, i)) for (let k = i; k < i + 3; k++) sums[k] = normals[k];

@@ -5,7 +5,7 @@ import { forEachTriangle } from './triangleAreas.js';
 const CONTACT = 0.005;
 /** A model stands firmly if it can be tilted by 20 degrees in any direction and does not fall over. */
 const TILT = Math.tan((20 * Math.PI) / 180);
-/** Directions in which it is tilted. */
+/** The number of directions in which it is tilted. */
 const DIRECTIONS = Array.from({ length: 24 }, (_, i) => {
   const angle = (2 * Math.PI * i) / 24;
   return [Math.cos(angle), Math.sin(angle)] as const;
@@ -25,7 +25,7 @@ export function standsFirmly(positions: ArrayLike<number>, indices: ArrayLike<nu
   const lowest = low[height];
   const extent = Math.max(...high.map((value, axis) => value - low[axis]));
   const centre = centreOfArea(positions, indices);
-  /** How far what touches the ground reaches in each direction, from below the centre. */
+  /** How far the vertices on the ground reach in each direction, from the point below the centre. */
   const reach = DIRECTIONS.map(() => -Infinity);
   for (let i = 0; i < positions.length; i += 3) {
     if (positions[i + height] - lowest > CONTACT * extent) continue;

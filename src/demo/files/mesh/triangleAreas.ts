@@ -1,5 +1,5 @@
 /**
- * Calls back with every triangle of a mesh: the places of its corners among the positions, and its area.
+ * Calls back with every triangle of a mesh: the index of each corner's x among the positions, and the area.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one

@@ -8,7 +8,7 @@ interface Json {
   samplers?: object[];
 }
 
-/** What of three's exporter is used here. */
+/** The members of three's exporter that are used here. */
 interface Writer {
   json: Json;
   extensionsUsed: Record<string, boolean>;
@@ -19,7 +19,7 @@ const REPEAT = 10497;
 const TRANSFORM = 'KHR_texture_transform';
 
 /**
- * Writes the pictures of materials into glTF by their names alone. Three's exporter would take the pixels, which are not decoded yet.
+ * Writes the pictures of materials into glTF by their names alone. three's exporter would read their pixels, which are not decoded yet.
  */
 export class GltfPictureWriter {
   /** Pictures that are parts of the model, by their URIs. */
@@ -27,12 +27,12 @@ export class GltfPictureWriter {
   private readonly maps = new Map<Material, Texture>();
   private readonly indices = new Map<string, number>();
 
-  /** Gives a material, which has no map of its own, this one in the file. */
+  /** Gives a material without a map this one in the file. */
   use(material: Material, map: Texture): void {
     this.maps.set(material, map);
   }
 
-  /** What three's exporter asks for each material. */
+  /** The plugin for three's exporter, which calls it for each material. */
   plugin({ json, extensionsUsed }: Writer): object {
     return {
       name: 'pictures',
@@ -73,7 +73,7 @@ export class GltfPictureWriter {
   }
 }
 
-/** Pictures in glTF begin at the top, those of most loaders at the bottom. */
+/** Turns the picture over: pictures in glTF begin at the top, those of most loaders at the bottom. */
 function transformOf({ offset, repeat, flipY }: Texture): object {
   return flipY
     ? { offset: [offset.x, 1 - offset.y], scale: [repeat.x, -repeat.y] }

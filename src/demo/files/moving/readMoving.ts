@@ -3,14 +3,14 @@ import { counted } from '../common/counted.js';
 import type { FindFile } from '../common/FindFile.js';
 import { type ReadGltf, readGltf } from '../gltf/readGltf.js';
 
-/** Writing a larger scene anew would take too long, and it would not be drawn in motion anyway. */
+/** Writing a larger scene as glTF would take too long, and it would not be drawn in motion anyway. */
 const MAX_VERTICES = 300_000;
 
 /**
- * Reads a scene that moves, by way of glTF, whose reader checks and keeps motion.
+ * Reads a scene that moves: it is written as glTF, whose reader checks motion and keeps it.
  *
  * @param root with its clips; it is of no use afterwards
- * @returns undefined if it does not move, or not so that it can be shown
+ * @returns undefined if nothing moves, or its motion cannot be shown
  */
 export async function readMoving(root: Object3D, name: string, findFile: FindFile): Promise<ReadGltf | undefined> {
   if (root.animations.length === 0 || countVertices(root) > MAX_VERTICES) return undefined;
@@ -25,7 +25,7 @@ export async function readMoving(root: Object3D, name: string, findFile: FindFil
     const notes = leftOut > 0 ? [counted(leftOut, 'damaged animation track', 'left out')] : [];
     return { ...read, notes: [...read.notes, ...notes] };
   } catch {
-    // It can still be shown at rest.
+    // The scene can still be shown at rest.
     return undefined;
   }
 }

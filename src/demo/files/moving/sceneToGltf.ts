@@ -26,15 +26,15 @@ const VALUES_PER_KEY: Readonly<Record<string, number>> = {
 /** A scene as glTF. */
 export interface WrittenScene {
   glb: Uint8Array;
-  /** The pictures that it asks for, by their URIs in it, as far as they are parts of the model. */
+  /** The pictures that are parts of the model, by the URIs that the document refers to them with. */
   pictures: ReadonlyMap<string, Blob>;
   /** Tracks that cannot be played. */
   leftOut: number;
 }
 
 /**
- * Writes a scene of one of three's loaders, with the clips it carries, as glTF: so it is checked and drawn as glTF is. Its materials
- * become those of glTF; what shows nothing is left out. The scene is changed and of no use afterwards.
+ * Writes a scene of one of three's loaders, with its clips, as glTF, so that it is checked and drawn as glTF is. Its materials become those
+ * of glTF; objects that show nothing are left out. The scene is changed and of no use afterwards.
  *
  * @throws Error as the exporter has it
  */
@@ -59,7 +59,7 @@ export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
     clip.userData = {};
   }
   const animations: AnimationClip[] = root.animations.filter(({ tracks }) => tracks.length > 0);
-  // Loaders hang them on several objects.
+  // Loaders put the clips on several objects.
   holder.traverse((object) => {
     object.animations = [];
   });
@@ -76,7 +76,7 @@ function plainMaterial(material: MeshPhongMaterial, pictures: GltfPictureWriter)
   return plain;
 }
 
-/** Leaves of an object what glTF can hold and a drawing shows. The exporter would warn of the rest. */
+/** Removes from an object what glTF cannot hold or a drawing does not show. The exporter would warn of it. */
 function makePlain(object: Object3D): void {
   object.userData = {};
   if ('isLight' in object || 'isCamera' in object) object.visible = false;
@@ -90,7 +90,7 @@ function makePlain(object: Object3D): void {
   if (normal) {
     for (let i = 0; i < normal.count; i++) {
       const length = Math.hypot(normal.getX(i), normal.getY(i), normal.getZ(i));
-      // They are computed anew if one is of no use.
+      // The normals are computed anew if one of them has no direction.
       if (!(length > 0 && length < Infinity)) {
         geometry.deleteAttribute('normal');
         break;
@@ -105,7 +105,7 @@ function makePlain(object: Object3D): void {
   };
 }
 
-/** Whether a track is whole, and moves something that is there. */
+/** Whether a track has all its values, and moves an object that is there. */
 function isPlayable(track: KeyframeTrack, root: Object3D): boolean {
   const { nodeName, propertyName, propertyIndex } = PropertyBinding.parseTrackName(track.name);
   const node = PropertyBinding.findNode(root, nodeName);
@@ -115,7 +115,7 @@ function isPlayable(track: KeyframeTrack, root: Object3D): boolean {
     const { morphTargetDictionary } = node as Mesh;
     if (morphTargetDictionary?.[propertyIndex] === undefined) return false;
   }
-  // The only two that glTF has of what loaders make.
+  // Of the interpolations that loaders use, glTF has only these two.
   if (track.getInterpolation() !== InterpolateDiscrete) track.setInterpolation(InterpolateLinear);
   const { times, values } = track;
   return (

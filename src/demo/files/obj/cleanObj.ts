@@ -1,5 +1,5 @@
 /**
- * Leaves what an OBJ file draws triangles from, in the form that three's loader reads: vertices, faces and the use of materials.
+ * Keeps the lines of an OBJ file that triangles are drawn from, in the form that three's loader reads: vertices, faces and the use of materials.
  * The loader takes words of a comment for corners, faces beside lines or points for lines, and minutes for many groups.
  */
 export function cleanObj(text: string): string {
@@ -13,23 +13,23 @@ export function cleanObj(text: string): string {
   );
 }
 
-/** Makes vertices without a colour white where others have one. The loader would give their colours to other vertices. */
+/** Makes vertices without a colour white where others have one. three's loader would give the colours to the wrong vertices. */
 function withAllColors(text: string): string {
   if (!/^[ \t]*v(?:[ \t]+\S+){6}/m.test(text)) return text;
   return text.replace(/^([ \t]*v(?:[ \t]+\S+){3})(?:[ \t]+\S+){0,2}[ \t]*$/gm, '$1 1 1 1');
 }
 
-/** What an OBJ file says of its files of materials, in its order. A line may name several, see {@link namesIn}. */
+/** The names of material files in an OBJ file, line by line. A line may have several, see {@link namesIn}. */
 export function materialLibraries(text: string): string[] {
   return [...withLineFeeds(text).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*$/gm)].map(([, names]) => names ?? '');
 }
 
-/** The names in a line of several, as far as can be told: they may hold spaces, and end as such files do. */
+/** The names in a line with several. They may contain spaces, and are told apart by their extension. */
 export function namesIn(line: string): string[] {
   return line.match(/\S.*?\.mtl(?=\s|$)|\S.*/gi) ?? [];
 }
 
-/** Leaves of an MTL file what a hatched surface shows: colours and their pictures, and where these are cut out. */
+/** Keeps the lines of an MTL file that a hatched surface shows: colours, their pictures, and cut-outs. */
 export function cleanMtl(text: string): string {
   return (
     withLineFeeds(text)
@@ -38,7 +38,7 @@ export function cleanMtl(text: string): string {
       // A colour may be one number, for all three, or a spectrum, which nothing reads.
       .replace(/^Kd ([-+.\de]+)[ \t]*$/gim, 'Kd $1 $1 $1')
       .replace(/^Kd (?:spectral|xyz).*$/gim, '')
-      // Options that three's loader takes for a part of the name.
+      // These are options, which three's loader takes for a part of the name.
       .replace(/^(map_.*)$/gim, (line: string) => line.replace(MAP_OPTION, ''))
   );
 }

@@ -20,7 +20,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
   return { root, missing };
 }
 
-/** The text of all libraries together, and the names of those that are not there. */
+/** The text of all material files together, and the names of those that were not dropped along. */
 async function findMaterials(
   libraries: readonly string[],
   findFile: FindFile,
@@ -32,7 +32,7 @@ async function findMaterials(
     if (found) texts.push(new TextDecoder().decode(toUtf8(found)));
     return found !== undefined;
   };
-  /** A name with spaces that is not there is one name, unless one of its words is. */
+  /** The names that are missing of a text with spaces: it is one name, unless a file with one of its words as name was dropped. */
   const missingOf = async (name: string): Promise<string[]> => {
     const words = name.split(/\s+/);
     const absent: string[] = [];

@@ -1,6 +1,6 @@
 import { MAX_DRAWN_PIXELS, MAX_DRAWN_SIDE, MAX_PIXELS, MAX_TOTAL_PIXELS } from './pictureLimits.js';
 
-/** The size that a picture has, and then the one that it is to be drawn in. */
+/** The size of a picture: at first that of the file, after {@link fitPictures} the one to draw it in. */
 export interface PictureSize {
   width: number;
   height: number;
@@ -8,7 +8,7 @@ export interface PictureSize {
   isReduced: boolean;
 }
 
-/** Says of one picture after the other whether it can be decoded beside those before it. */
+/** Adds up the pixels of pictures, and tells of each whether it can still be decoded. */
 export class PixelBudget {
   private total = 0;
 

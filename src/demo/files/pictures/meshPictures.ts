@@ -16,13 +16,13 @@ export interface MeshPicture {
   cutOut: boolean;
 }
 
-/** So many names are given in a note. */
+/** The most names that a note gives. */
 const NAMED = 2;
 
 /** The pictures of a mesh, by their index in its ranges, and what to say about those that are not there. */
 export interface MeshPictures {
   pictures: (MeshPicture | undefined)[];
-  /** The names of those that nobody dropped. */
+  /** The names of pictures that were not dropped along. */
   missing: string[];
   notes: string[];
 }
@@ -93,7 +93,7 @@ export async function readMeshPictures(
   return { pictures, missing: [...lacks.missing], notes };
 }
 
-/** Says which files a model asks for that nobody dropped, and what to do about it. */
+/** A note on files that a model refers to and that were not dropped along, and what to do about it. */
 export function missingNote(names: readonly string[]): string[] {
   if (names.length === 0) return [];
   return [
@@ -101,7 +101,7 @@ export function missingNote(names: readonly string[]): string[] {
   ];
 }
 
-/** All names, where the note has only some of them. */
+/** All names, if the note gives only some of them. */
 export function missingDetail(names: readonly string[]): string[] {
   return names.length > NAMED ? [`missing: ${names.map(shownName).join(', ')}`] : [];
 }
@@ -122,7 +122,7 @@ async function decode({ bytes, isTga, width, height, flipY }: Source): Promise<I
       resizeWidth: width,
       resizeHeight: height,
       resizeQuality: 'medium',
-      // WebGL cannot turn a bitmap while it uploads it.
+      // WebGL cannot flip a bitmap while uploading it.
       imageOrientation: flipY ? 'flipY' : 'none',
       premultiplyAlpha: 'none',
       colorSpaceConversion: 'none',
@@ -132,14 +132,14 @@ async function decode({ bytes, isTga, width, height, flipY }: Source): Promise<I
   }
 }
 
-/** Width and height in the header of a TGA file, which nothing else tells. */
+/** Width and height in the header of a TGA file, which has no signature. */
 function tgaSize(bytes: Uint8Array): [width: number, height: number] | undefined {
   if (bytes.length < 18) return undefined;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   return [view.getUint16(12, true), view.getUint16(14, true)];
 }
 
-/** TGA, which older programs write and browsers do not read. */
+/** Decodes TGA, which older programs write and browsers do not read. */
 async function decodeTga(bytes: Uint8Array): Promise<ImageData> {
   const { TGALoader } = await import('three/addons/loaders/TGALoader.js');
   const { data, width, height } = new TGALoader().parse(bytes.slice().buffer) as {

@@ -1,4 +1,4 @@
-/** The corners of triangles, of which it is not known at first how many there are. */
+/** The corners of triangles, in an array that grows: their number is not known at first. */
 export class GrowingIndices {
   private array = new Uint32Array(3 * 1024);
   /** The number of corners. */

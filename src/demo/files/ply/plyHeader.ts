@@ -1,9 +1,9 @@
 import { ModelError } from '../common/ModelError.js';
 
-/** A number in a PLY file, by its size and kind. */
+/** The type of a number in a PLY file. */
 export type PlyType = 'int8' | 'uint8' | 'int16' | 'uint16' | 'int32' | 'uint32' | 'float32' | 'float64';
 
-/** Every name of a type. */
+/** The types, by every name that they have. */
 const TYPES: Readonly<Record<string, PlyType>> = {
   char: 'int8',
   int8: 'int8',
@@ -23,7 +23,7 @@ const TYPES: Readonly<Record<string, PlyType>> = {
   float64: 'float64',
 };
 
-/** Bytes of a number in a binary file. */
+/** The bytes that a number takes in a binary file. */
 export const PLY_BYTES: Readonly<Record<PlyType, number>> = {
   int8: 1,
   uint8: 1,
@@ -38,7 +38,7 @@ export const PLY_BYTES: Readonly<Record<PlyType, number>> = {
 export interface PlyProperty {
   name: string;
   type: PlyType;
-  /** The type of the number of items, of a list. */
+  /** Of a list, the type of the number of its items. */
   countType?: PlyType;
 }
 
@@ -50,9 +50,9 @@ export interface PlyElement {
 
 export interface PlyHeader {
   format: 'ascii' | 'little' | 'big';
-  /** In the order of the file. */
+  /** The elements, in the order of the file. */
   elements: PlyElement[];
-  /** Where the data begin. */
+  /** The byte where the data begin. */
   end: number;
 }
 
@@ -70,7 +70,7 @@ const FORMATS: Readonly<Record<string, PlyHeader['format']>> = {
  */
 export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, MAX_HEADER_BYTES));
-  // Where lines end with a carriage return alone, a line feed after the last would be data.
+  // If lines end with a carriage return alone, a line feed after the last line is data.
   const lineEnd = /\r\n|\r|\n/.exec(head)?.[0] ?? '\n';
   const last = new RegExp(`(^|[\\r\\n])[ \\t]*end_header[ \\t]*(${lineEnd}|[\\r\\n]|$)`).exec(head);
   if (!last) throw new ModelError(`${name} is cut short: its PLY header has no end.`);

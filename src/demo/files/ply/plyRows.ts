@@ -1,7 +1,7 @@
 import { AsciiReader } from '../common/AsciiReader.js';
 import { PLY_BYTES, type PlyElement, type PlyHeader, type PlyType } from './plyHeader.js';
 
-/** What begins a line that is none of data. The format allows them in the header alone, but they are written between rows, too. */
+/** The words that begin a line without data. The format allows such lines in the header alone, but some programs write them between rows, too. */
 const COMMENTS = ['comment', 'obj_info', '#'];
 
 /** Reads the numbers of a PLY file, one after the other. */
@@ -9,7 +9,7 @@ export interface PlyNumbers {
   /** To be called before each row. */
   startRow(): void;
   next(type: PlyType): number;
-  /** Bytes that are left. */
+  /** The number of bytes that are left. */
   readonly bytesLeft: number;
 }
 
@@ -18,9 +18,9 @@ export function plyNumbers(bytes: Uint8Array, { format, end }: PlyHeader): PlyNu
   return format === 'ascii' ? new AsciiNumbers(bytes, end) : new BinaryNumbers(bytes, end, format === 'little');
 }
 
-/** The bytes that a row has at least. */
+/** The least number of bytes that a row takes. */
 export function leastRowBytes({ properties }: PlyElement, format: PlyHeader['format']): number {
-  // A digit and a space.
+  // A number takes a digit and a space.
   if (format === 'ascii') return 2 * properties.length;
   return properties.reduce((sum, { type, countType }) => sum + PLY_BYTES[countType ?? type], 0);
 }
@@ -62,7 +62,7 @@ class BinaryNumbers implements PlyNumbers {
     return Math.max(this.view.byteLength - this.at, 0);
   }
 
-  /** NaN at the end of the file. */
+  /** Reads the next number; NaN at the end of the file. */
   next(type: PlyType): number {
     const { view, at, isLittle } = this;
     this.at += PLY_BYTES[type];

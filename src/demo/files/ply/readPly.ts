@@ -6,7 +6,7 @@ import { GrowingIndices } from './GrowingIndices.js';
 import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './plyHeader.js';
 import { leastRowBytes, type PlyNumbers, plyNumbers } from './plyRows.js';
 
-/** The names that programs give to what is drawn, by its place in a row: position, normal, colour. */
+/** The names that programs give to the properties that are drawn, in the order position, normal, colour. */
 const COLUMNS: readonly (readonly string[])[] = [
   ['x', 'px', 'posx'],
   ['y', 'py', 'posy'],
@@ -50,7 +50,7 @@ export function readPly(bytes: Uint8Array, name: string): PlainMesh {
 
 type Points = Pick<PlainMesh, 'positions' | 'normals' | 'colors'>;
 
-/** Linear RGB of every triangle. */
+/** The linear RGB of every triangle. */
 type FaceColors = Float32Array;
 
 function checkElements({ elements }: PlyHeader, name: string): void {
@@ -148,7 +148,7 @@ function readPolygon(property: PlyProperty, numbers: PlyNumbers, indices: Growin
   }
 }
 
-/** Adds the triangles of strips. Every other one is turned round; -1 begins a new strip. */
+/** Adds the triangles of strips. The winding of every other one is reversed; -1 begins a new strip. */
 function readStrips(
   { count, properties }: PlyElement,
   numbers: PlyNumbers,
@@ -210,7 +210,7 @@ function listLength({ countType }: PlyProperty, numbers: PlyNumbers, name: strin
   throw new ModelError(`${name} is cut short or damaged: one of its lists is longer than the file.`);
 }
 
-/** sRGB as numbers of a type to linear RGB from 0 to 1. What is no number is white. */
+/** Converts sRGB values of a type to linear RGB from 0 to 1. Values that are not numbers become white. */
 function toLinear(values: ArrayLike<number>, { type }: PlyProperty): Float32Array {
   const linear = new Float32Array(values.length);
   const scale = 1 / fullValue(values, type);
@@ -222,7 +222,7 @@ function toLinear(values: ArrayLike<number>, { type }: PlyProperty): Float32Arra
   return linear;
 }
 
-/** The value of full colour. Floats go to 1, but some programs write 0 to 255. */
+/** The value of full brightness. Floats go to 1, but some programs write 0 to 255. */
 function fullValue(values: ArrayLike<number>, type: PlyProperty['type']): number {
   if (type === 'uint16' || type === 'int16') return 65535;
   if (!type.startsWith('float')) return 255;

@@ -1,16 +1,16 @@
 import { type PictureRange, type PlainMesh, triangleCount } from '../mesh/PlainMesh.js';
 
 /**
- * Below this share of the triangles, duplicates stay: they cost little, and scans have some beside their reverses, where the
- * majority says which side is out.
+ * If duplicates are less than this share of the triangles, they stay: they cost little, and scans have some beside triangles of the
+ * opposite winding, where the majority decides which side is outside.
  */
 const HARMLESS_SHARE = 0.1;
-/** Of more triangles than a few, one in so many is looked at first. */
+/** Of a large mesh, one triangle in so many is tested first. */
 const SAMPLE = 16;
 const FEW = 100_000;
 
 /**
- * Leaves out triangles that are drawn before, exactly: same corners in the same sense, with the same colours and pictures.
+ * Leaves out triangles that equal an earlier one: the same corners in the same winding, with the same colours and pictures.
  * Thousands of them in one place would keep a graphics card busy for a minute, and nobody could see it.
  *
  * @returns the mesh, with the first of each, and how many were left out
@@ -20,7 +20,7 @@ export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: 
   const corners = new Corners(mesh);
   if (total > FEW) {
     const { looked, kept } = distinct(mesh, corners, SAMPLE);
-    // If fewer were looked at than expected, many copies of one triangle may have been passed over together.
+    // If fewer were tested than expected, many copies of one triangle may have been passed over together.
     const isEven = looked > (1 - HARMLESS_SHARE / 2) * (total / SAMPLE);
     if (isEven && looked - kept.length / 3 < (HARMLESS_SHARE / 2) * looked) return { mesh, duplicates: 0 };
   }
@@ -42,7 +42,7 @@ function distinct(
   sample: number,
 ): { looked: number; kept: Uint32Array; ranges: PictureRange[] } {
   const total = triangleCount(mesh);
-  // Hashes are not spread quite evenly.
+  // The factor is for hashes that are not spread quite evenly.
   const room = sample === 1 ? total : Math.ceil((2 * total) / sample);
   const table = new Int32Array(2 ** Math.ceil(Math.log2(2 * room + 2))).fill(-1);
   const mask = table.length - 1;
@@ -79,7 +79,7 @@ class Corners {
   private readonly indices: Uint32Array | null;
   /** By vertex. */
   private readonly hashes: Uint32Array;
-  /** The bits of what vertices have, and how many numbers of it each has. */
+  /** The bits of each attribute, and its numbers per vertex. */
   private readonly values: readonly { bits: Uint32Array; size: number }[];
 
   constructor({ positions, colors, uvs, indices }: PlainMesh) {
@@ -111,7 +111,7 @@ class Corners {
     const a = this.hashes[this.vertexAt(corner)];
     const b = this.hashes[this.vertexAt(corner + 1)];
     const c = this.hashes[this.vertexAt(corner + 2)];
-    // Of two that are equal and smallest, the one that is followed by the other.
+    // If two are equal and smallest, it is the one that the other follows.
     if (a <= b && a < c) return 0;
     if (b <= c && b < a) return 1;
     return c <= a && c < b ? 2 : 0;
@@ -124,7 +124,7 @@ class Corners {
     return hash ^ (hash >>> 16);
   }
 
-  /** Whether a kept triangle equals that of a corner, turned. */
+  /** Whether a kept triangle equals the one that begins at a corner. */
   areEqual(kept: Uint32Array, at: number, corner: number, turn: number): boolean {
     for (let k = 0; k < 3; k++) if (!this.areSame(kept[at + k], this.vertexAt(corner + ((turn + k) % 3)))) return false;
     return true;

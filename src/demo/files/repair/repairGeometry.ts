@@ -2,7 +2,7 @@ import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute, Mesh,
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Vertex colours that cannot be read are white: the paper shows, and strokes are drawn as anywhere else. */
+/** Vertex colours that are not numbers become white: the paper shows, and strokes are drawn as anywhere else. */
 const WHITE = 1;
 
 /**
@@ -30,7 +30,7 @@ export function repairGeometry({ attributes, morphAttributes, morphTargetsRelati
   return repaired > 0;
 }
 
-/** Repairs the geometry of every mesh at or below an object, each once, and shapes whose weight is not a number. */
+/** Repairs the geometry of every mesh at or below an object, each once, and morph target influences that are not numbers. */
 export function repairScene(root: Object3D): void {
   const seen = new Set<BufferGeometry>();
   root.traverse((object) => {
@@ -45,12 +45,12 @@ export function repairScene(root: Object3D): void {
   });
 }
 
-/** Integers are always finite. */
+/** Whether an attribute may hold values that are not finite: integers always are. */
 function canHoldBadValues(attribute: Attribute): boolean {
   return attribute.array instanceof Float32Array || attribute.array instanceof Float64Array;
 }
 
-/** A vector of which one part is no number has no direction. */
+/** Sets vectors to zero that have a component which is not a number: they have no direction. @returns how many */
 function zeroBadVectors(attribute: Attribute): number {
   let zeroed = 0;
   for (let vertex = 0; vertex < attribute.count; vertex++) {

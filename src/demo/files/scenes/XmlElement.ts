@@ -65,7 +65,7 @@ export class XmlElement {
     return this.querySelectorAll(selector)[0] ?? null;
   }
 
-  /** For the parser. */
+  /** Adds a child. Only the parser calls it. */
   addText(text: string): void {
     this.ownText += text;
   }
@@ -81,7 +81,7 @@ export class XmlElement {
   }
 }
 
-/** A document: an element above its outermost one. */
+/** A document: an element that holds the outermost one. */
 class XmlDocument extends XmlElement {
   constructor() {
     super('#document');

@@ -1,7 +1,7 @@
 import { ModelError } from '../common/ModelError.js';
 
 const HEADER_BYTES = 6;
-/** Chunks that hold others at once: the file, its models, a material, its pictures, a mesh. */
+/** Chunks whose content is other chunks: the file, its models, a material, its pictures, a mesh. */
 const CONTAINERS = new Set([0x4d4d, 0x3d3d, 0xafff, 0xa200, 0xa204, 0xa210, 0xa230, 0x4100]);
 const OBJECT = 0x4000;
 const FACES = 0x4120;
@@ -29,7 +29,7 @@ export function check3ds(bytes: Uint8Array, name: string): void {
   }
 }
 
-/** Where the chunks within a chunk begin, if it may hold any. */
+/** The byte where the chunks within a chunk begin; undefined if it holds none. */
 function firstChild(bytes: Uint8Array, view: DataView, id: number, at: number, end: number): number | undefined {
   if (CONTAINERS.has(id)) return at;
   if (id === OBJECT) {

@@ -18,8 +18,8 @@ import { nearOrigin } from './nearOrigin.js';
 import { placements } from './placements.js';
 
 /**
- * Every mesh below `root`, in its place and in the pose it was saved in, as one mesh: one bake, one draw call. The
- * colours of materials and vertices become vertex colours; what cannot be drawn from is repaired.
+ * Merges every mesh below `root`, in its place and in the pose it was saved in, to one mesh, which takes one bake and one draw call. The
+ * colours of materials and vertices become vertex colours; values that are not numbers are repaired.
  *
  * @param pictures if given, it receives the textures of base colours, and the mesh is drawn in one range for each; otherwise textures
  *   are left out
@@ -68,11 +68,11 @@ interface Piece {
   material: Material | undefined;
   /** The index of its picture, or -1. */
   picture: number;
-  /** The place of its first corner among those of all pieces. */
+  /** The index of its first corner among those of all pieces. */
   first: number;
 }
 
-/** A mesh in one of its places. */
+/** A mesh with one of its matrices. */
 interface Part {
   mesh: Mesh;
   matrix: Matrix4;
@@ -101,7 +101,7 @@ function placedParts(root: Object3D, pictures: WantedPicture[] | undefined): Par
   return parts;
 }
 
-/** The corners that are drawn, by material. As in three.js, groups count only where there are several materials. */
+/** The corners that are drawn, by material. As in three.js, groups count only if there are several materials. */
 function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | undefined): Piece[] {
   const drawn = drawnCorners(geometry);
   const materials = Array.isArray(material) ? material : [material];
@@ -139,7 +139,7 @@ function pictureOf(
   return known === -1 ? pictures.push({ texture, cutOut }) - 1 : known;
 }
 
-/** What makes two pictures differ on the graphics card. Offsets and scales are written into texture coordinates. */
+/** A key that differs for pictures which need textures of their own. Offsets and scales are written into texture coordinates. */
 function pictureKey({ texture, cutOut }: WantedPicture): string {
   const { flipY, wrapS, wrapT } = texture;
   return [linkOf(texture)?.url, flipY, wrapS, wrapT, cutOut].join();
@@ -147,7 +147,7 @@ function pictureKey({ texture, cutOut }: WantedPicture): string {
 
 const linkOf = ({ image }: Texture): Partial<PictureLink> | null => image as Partial<PictureLink> | null;
 
-/** The texture of a material's colour, if it says where its picture lies. */
+/** The texture of a material's colour, if it links to its picture. */
 function mapOf(material: Material | undefined): Texture | undefined {
   const map = (material as { map?: Texture | null } | undefined)?.map;
   return map?.isTexture && linkOf(map)?.url ? map : undefined;
@@ -164,7 +164,10 @@ function hasUsableNormals(mesh: Mesh): boolean {
   return mesh.geometry.getAttribute('normal') !== undefined && !isDeformed(mesh);
 }
 
-/** Black would hide a picture, and is what some programs write beside one; a value that is not a number becomes 1. */
+/**
+ * The colour of a piece. Black becomes white under a picture: some programs write it there, and it would hide the picture. A value that is not
+ * a number becomes 1.
+ */
 function pieceColor({ material, picture }: Piece): [number, number, number] {
   const color = (material as { color?: Color } | undefined)?.color;
   if (!color || (picture !== -1 && color.r + color.g + color.b === 0)) return [1, 1, 1];
@@ -204,7 +207,7 @@ function writeVertices(part: Part, positions: Float32Array, normals: Float32Arra
   const isNormalUsed = normals !== null && hasUsableNormals(mesh);
   const vector = new Vector3();
   forEachVertex(part, (to, from) => {
-    // An index out of range gives what is not a number, and its triangle is removed later.
+    // An index out of range gives NaN, and its triangle is removed later.
     if (deformed && from < position.count) mesh.getVertexPosition(from, vector);
     else vector.fromBufferAttribute(position, from);
     vector.applyMatrix4(matrix).toArray(positions, 3 * to);
@@ -247,7 +250,7 @@ function drawnCorners(geometry: BufferGeometry): { start: number; count: number 
   return { start, count: count - (count % 3) };
 }
 
-/** Copies the indices. A mirroring matrix turns triangles inside out, so their winding is reversed. */
+/** Copies the indices. A mirroring matrix turns triangles inside out, so that their winding must be reversed. */
 function writeIndices(
   { mesh: { geometry }, matrix, isUnshared, firstVertex }: Part,
   { start, count, first }: Piece,
@@ -264,8 +267,7 @@ function writeIndices(
         continue;
       }
       const vertex = geometry.index ? geometry.index.getX(start + corner + k) : start + corner + k;
-      // An index out of range must not refer to a vertex of the next mesh. This one is out of range in the merged mesh
-      // too.
+      // An index out of range must not refer to a vertex of the next mesh: it becomes one that is out of range in the merged mesh too.
       indices[to++] = vertex < vertexCount ? firstVertex + vertex : 0xffffffff;
     }
   }

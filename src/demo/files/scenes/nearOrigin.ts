@@ -1,12 +1,12 @@
 import { type BufferGeometry, Matrix4, type Mesh, Vector3 } from 'three';
 
-/** Sizes outside of this, and places so many sizes away, lose what single precision can tell apart. */
+/** Models of other sizes, or so many times their size away from the origin, are too coarse in single precision. */
 const MAX_SIZE = 1e20;
 const MAX_DISTANCE = 1000;
 
 /**
- * A matrix that brings meshes near the origin in a size near 1, or undefined if they lie well already. Without it, positions
- * of tiny models become one point, and those of models far away become steps.
+ * A matrix that moves meshes to the origin and scales them to a size of 1, or undefined if they do not need it. Without it, the
+ * positions of tiny models collapse to one point, and those of models far away are rounded to steps.
  */
 export function nearOrigin(placed: readonly { mesh: Mesh; matrix: Matrix4 }[]): Matrix4 | undefined {
   const low = new Vector3().setScalar(Infinity);

@@ -3,17 +3,17 @@ import type { PictureLink } from '../pictures/WantedPicture.js';
 import { XmlParser } from './XmlElement.js';
 
 /**
- * Runs one of three's loaders where there is no page, as in a worker, and so that it loads nothing but what it is given: every
- * texture gets a {@link PictureLink}. In its place for so long are the loaders of pictures and files, which need a document and
- * would fetch what nobody dropped; URLs of blobs, which some pages forbid; the parser of XML and the size of the window, which
- * workers lack; and the console, where loaders write what the user cannot change.
+ * Runs one of three's loaders without a document, as in a worker, and without loading anything: every texture gets a {@link PictureLink}.
+ * While it runs, stand-ins replace the loaders of pictures and files, which need a document and would fetch files that were not dropped;
+ * blob URLs, which some pages forbid; the XML parser and the size of the window, which workers lack; and the console, where loaders report
+ * what the user cannot change.
  *
- * @param parse must not wait for anything
+ * @param parse must be synchronous
  */
 export function withStandIns<Result>(parse: () => Result): Result {
   const blobs = new Map<string, Blob>();
   const link = (url: string): PictureLink => ({ url, content: blobs.get(url), width: 1, height: 1 });
-  // That of a page cannot be replaced.
+  // The window of a page cannot be replaced.
   const isPage = 'window' in globalThis;
   const restore = [
     replace(ImageLoader.prototype, {

@@ -39,7 +39,7 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
         break;
       case 'solid':
       case 'endsolid':
-        // A name follows, which may be any words.
+        // The name of the solid follows, which may be any words.
         reader.skipLine();
         break;
     }
@@ -49,7 +49,7 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
   return { positions: Float32Array.from(positions), normals: unitLengths(normals), colors: null, indices: null };
 }
 
-/** Normals of length 1; those that cannot be used become zero, and are computed from the surface later. */
+/** Scales normals to length 1. Those without a direction become zero, and are computed from the surface later. */
 function unitLengths(normals: readonly number[]): Float32Array {
   const scaled = Float32Array.from(normals);
   for (let i = 0; i < scaled.length; i += 3) {
