@@ -79,7 +79,7 @@ function connectKeys({ session, dialogs, fillScreen }: PageHandlers): void {
 
 function connectDrops({ session, parts, status }: PageHandlers): void {
   dropFiles(
-    { overlay: page.drop, formats: page.dropFormats, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
+    { overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
     (files) => {
       status.solveProblem('link');
       parts.whenFetched(import('./loading/openDropped.js'), ({ openDropped }) => {

@@ -51,7 +51,6 @@ export const page = {
   saveMap: findElement('save-map'),
   openMap: findElement('open-map'),
   drop: findElement('drop'),
-  dropFormats: findElement('drop-formats'),
   fileInput: findElement('file-input') as HTMLInputElement,
   status: {
     message: findElement('status'),

@@ -1,19 +1,15 @@
 import type { ModelFile } from '../../files/readModel.js';
 
-/** The descriptions of maps, and packed models. */
-const OTHER_EXTENSIONS = ['json', 'gz'];
-
 /**
  * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged
- * over the page, and names the formats of models in `formats`; `onFailure` is called where a folder cannot be read.
+ * over the page; `onFailure` is called where a folder cannot be read.
  */
 export function dropFiles(
-  elements: { overlay: HTMLElement; formats: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
+  elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
   onFiles: (files: ModelFile[]) => void,
   onFailure: (error: unknown) => void,
 ): void {
-  const { overlay, formats, input, buttons } = elements;
-  nameFormats(formats, input);
+  const { overlay, input, buttons } = elements;
   const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   addEventListener('dragenter', (event) => {
     if (carriesFiles(event)) overlay.hidden = false;
@@ -40,16 +36,6 @@ export function dropFiles(
     if (files.length > 0) onFiles(files);
   });
   for (const button of buttons) button.addEventListener('click', () => input.click());
-}
-
-/** Names the formats of models, in words and to the picker of files. Without the table both do without. */
-async function nameFormats(words: HTMLElement, input: HTMLInputElement): Promise<void> {
-  const table = await import('../../files/formats.js').catch(() => undefined);
-  if (!table) return;
-  const { COMPANION_EXTENSIONS, formatNames, MODEL_EXTENSIONS } = table;
-  words.textContent = `: ${formatNames('or')}`;
-  const extensions = [...MODEL_EXTENSIONS, ...COMPANION_EXTENSIONS, ...OTHER_EXTENSIONS];
-  input.accept = extensions.map((extension) => `.${extension}`).join();
 }
 
 /** The files of a drop, including those in folders. */

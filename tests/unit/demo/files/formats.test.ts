@@ -1,6 +1,12 @@
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { FORMATS, formatNames, formatOf, MODEL_EXTENSIONS } from '../../../../src/demo/files/formats.js';
+import {
+  COMPANION_EXTENSIONS,
+  FORMATS,
+  formatNames,
+  formatOf,
+  MODEL_EXTENSIONS,
+} from '../../../../src/demo/files/formats.js';
 
 test.each(FORMATS.map((format) => [format.name, format] as const))(
   '%s can be recognised, and three.js has its loader',
@@ -19,4 +25,15 @@ test('no two formats share an extension, and an archive is opened only where the
 
 test('users read the names of all formats', () => {
   expect(formatNames('and')).toBe('GLB, glTF, OBJ, FBX, DAE, USDZ, 3MF, 3DS, VRML, PLY and STL');
+});
+
+test('the page names all formats, its picker takes all files that belong to a model, and the development server knows all loaders', () => {
+  const page = readFileSync('index.html', 'utf8');
+  expect(page).toContain(`Drop a model to have it drawn: ${formatNames('or')}, with its files`);
+  const accepted = /id="file-input"[^>]*accept="([^"]*)"/.exec(page)![1].split(',');
+  // Descriptions of maps and packed models can be picked, too.
+  const wanted = [...MODEL_EXTENSIONS, ...COMPANION_EXTENSIONS, 'json', 'gz'].map((extension) => `.${extension}`);
+  expect(accepted.toSorted()).toEqual(wanted.toSorted());
+  const config = readFileSync('vite.config.ts', 'utf8');
+  for (const { loader } of FORMATS) expect(config).toContain(`'loaders/${loader.module ?? loader.name}.js'`);
 });
