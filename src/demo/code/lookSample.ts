@@ -78,7 +78,7 @@ function sizeSource(settings: Settings, { key, property }: Twin): string {
 
 /** The parameters of lines that are not at their defaults, and all that are measured in pixels. */
 export function lineParameters(settings: Settings): string[] {
-  const { lineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = lineLook(settings, 1);
+  const { lineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = lineLook(settings);
   const inPixels = { lineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };
   return [
     ...Object.entries(inPixels)

@@ -10,12 +10,11 @@ import {
 } from 'three';
 import type { HatchingLineMaterial, HatchingLines, HatchingMaterial, TonalArtMap } from 'three-hatching';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
-import { lineLook } from '../settings/lineLook.js';
-import { materialSizes } from '../settings/materialLook.js';
-import type { Settings } from '../settings/settings.js';
-import { settingsApplier } from './applyToMaterial.js';
+import type { Look } from '../settings/lookOf.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
+import { parameterSetter } from './parameterSetter.js';
+import { lineSizesIn, materialSizesIn } from './picturedSizes.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
 
 /** What the bake found in a model. */
@@ -60,7 +59,7 @@ export const BLANK: readonly (readonly [number, number])[] = [
 export class HatchedModel {
   private readonly pairs: readonly MaterialPair[];
   private readonly meshes: { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
-  /** The settings that the materials show; undefined while they show something else. */
+  /** The look that the materials have, as a text; undefined while they have another. */
   private shown: string | undefined;
   private readonly lineMaterials: ReadonlySet<HatchingLineMaterial>;
 
@@ -98,38 +97,35 @@ export class HatchedModel {
     this.lineMaterials = new Set(lines.map(({ material }) => material));
   }
 
-  /** Applies the settings. */
-  apply(settings: Settings): void {
-    for (const _ of this.applying(settings));
+  /** Gives the materials a look. */
+  apply(look: Look): void {
+    for (const _ of this.applying(look));
   }
 
-  /** The same in steps, material by material: models have thousands. Does nothing to materials that show these settings already. */
-  *applying(settings: Settings): Generator<void, void, void> {
-    const shown = whatMaterialsShow(settings);
+  /** The same in steps, material by material: models have thousands. Does nothing to materials that have the look already. */
+  *applying(look: Look): Generator<void, void, void> {
+    const shown = materialKey(look);
     if (shown !== this.shown) {
       this.shown = undefined;
-      if (settings.compare !== 'none') this.makeCopies();
-      const applyDrawn = settingsApplier(settings);
-      const applyCompared = settingsApplier(
-        settings,
-        settings.compare === 'none' ? settings.technique : settings.compare,
-      );
+      if (look.compared) this.makeCopies();
+      const setDrawn = parameterSetter(look.drawn);
+      const setCompared = parameterSetter(look.compared ?? look.drawn);
       for (const { drawn, compared, surface, scale } of this.pairs) {
-        applyDrawn(drawn);
-        if (compared) applyCompared(compared);
+        setDrawn(drawn);
+        if (compared) setCompared(compared);
         for (const material of bothOf({ drawn, compared })) {
           material.strokeScale *= scale;
-          showSurface(material, surface, settings.surfaceColors === 'shown');
+          showSurface(material, surface, look.showsSurfaceColors);
         }
         yield;
       }
+      for (const material of this.lineMaterials) material.setValues(look.lines);
       this.shown = shown;
     }
-    // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
-    this.showLines(settings.lines === 'on' && settings.debugView === 'none');
+    this.showLines(look.showsLines);
   }
 
-  /** Shows or hides the lines, until the settings are applied again. */
+  /** Shows or hides the lines, until a look is applied again. */
   showLines(shown: boolean): void {
     for (const lines of this.lines) lines.visible = shown;
   }
@@ -144,11 +140,11 @@ export class HatchedModel {
    * @param pixelRatio pixels of the render target per CSS pixel
    * @param share of the full resolution, where it is drawn in a lower one
    */
-  setWidths(settings: Settings, pixelRatio: number, share = 1): void {
-    const sizes = materialSizes(settings, pixelRatio, share);
+  setWidths(look: Look, pixelRatio: number, share = 1): void {
+    const sizes = materialSizesIn(look, pixelRatio, share);
     for (const pair of this.pairs) for (const material of bothOf(pair)) Object.assign(material, sizes);
-    const look = lineLook(settings, pixelRatio);
-    for (const material of this.lineMaterials) material.setValues(look);
+    const lineSizes = lineSizesIn(look, pixelRatio);
+    for (const material of this.lineMaterials) material.setValues(lineSizes);
   }
 
   /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
@@ -170,8 +166,8 @@ export class HatchedModel {
    *
    * @param layer `shadow` is that of the ground, to which a model gives nothing
    */
-  showLayer(layer: 'colour' | 'shadow' | 'strokes' | 'outline' | undefined, settings: Settings): void {
-    this.apply(settings);
+  showLayer(layer: 'colour' | 'shadow' | 'strokes' | 'outline' | undefined, look: Look): void {
+    this.apply(look);
     this.showPaper(layer === undefined || layer === 'colour');
     for (const pair of this.pairs) {
       for (const material of bothOf(pair)) {
@@ -219,9 +215,9 @@ export class HatchedModel {
   }
 }
 
-/** Settings as a text, without those that no material depends on: two that are equal give equal materials. */
-const whatMaterialsShow = ({ model: _model, upAxis: _upAxis, ...settings }: Settings): string =>
-  JSON.stringify(settings);
+/** What materials take of a look, as a text: two looks that give the same one give equal materials. */
+const materialKey = ({ drawn, compared, lines, showsSurfaceColors }: Look): string =>
+  JSON.stringify([drawn, compared, lines, showsSurfaceColors]);
 
 /** The material that is drawn, and its copy if there is one. */
 const bothOf = ({ drawn, compared }: Pick<MaterialPair, 'drawn' | 'compared'>): HatchingMaterial[] =>

@@ -12,29 +12,28 @@ const OVERSHOOT = 3;
 const LOST_IN_LIGHT = 1;
 const GAINED_IN_SHADE = 0.8;
 
-/**
- * What the material of lines takes, from the settings.
- *
- * @param pixelRatio pixels of the picture per CSS pixel
- */
-export function lineLook(settings: Settings, pixelRatio: number) {
+/** The parameters of lines that settings stand for. */
+export type LineLook = ReturnType<typeof lineLook>;
+
+/** What the material of lines takes, from the settings. Its sizes are in pixels of the page. */
+export function lineLook(settings: Settings) {
   const shade = settings.lineShade / 100;
   const creases = settings.lineCreases / 100;
   return {
-    lineWidth: settings.lineWidth * pixelRatio,
+    lineWidth: settings.lineWidth,
     contours: settings.lineContours / 100,
     borders: settings.lineBorders / 100,
     creases,
     materialBorders: creases,
     suggestiveContours: settings.lineSuggestive / 100,
     shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
-    wobble: settings.lineHand * pixelRatio,
-    overshoot: OVERSHOOT * Math.max(0, settings.lineHand - LIGHT_HAND) * pixelRatio,
+    wobble: settings.lineHand,
+    overshoot: OVERSHOOT * Math.max(0, settings.lineHand - LIGHT_HAND),
     // Lines are drawn with what strokes are drawn with.
     tooth: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'tooth')
       ? settings.tooth / 100
       : 0,
-    toothSize: settings.toothSize * pixelRatio,
+    toothSize: settings.toothSize,
     ink: settings.ink,
   };
 }

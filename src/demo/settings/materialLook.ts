@@ -1,13 +1,11 @@
 import { MathUtils, Vector2 } from 'three';
 import {
   counts,
-  HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
   type HatchingMaterialParameters,
   type HatchingPropertyName,
   type HatchingTechnique,
   pixelPower,
-  scaledSizes,
 } from 'three-hatching';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import type { Setting } from './table/Setting.js';
@@ -77,22 +75,8 @@ function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Setti
   return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : ROTATIONS[strokeDirection];
 }
 
-/**
- * The sizes that the material takes: those that are measured in pixels of the picture go with it.
- *
- * @param pixelRatio pixels of the picture per CSS pixel
- * @param share of the resolution that the picture is shown in, where it is drawn in a lower one for a moment
- */
-export function materialSizes(settings: Settings, pixelRatio: number, share = 1): HatchingMaterialParameters {
-  const sizes = propertiesOf(SIZES, settings);
-  const screenConstancy = unitOf('screenConstancy').toProperty(settings.screenConstancy);
-  const { finestSpacing } = HATCHING_DEFAULTS;
-  return {
-    ...sizes,
-    ...scaledSizes({ ...sizes, screenConstancy }, pixelRatio),
-    ...scaledSizes({ finestSpacing }, share),
-  };
-}
+/** The sizes that the material takes, from the settings: where they are measured in pixels, in those of the page. */
+export const materialSizes = (settings: Settings): HatchingMaterialParameters => propertiesOf(SIZES, settings);
 
 /** The settings that give a material these parameters. Others stay as they are. */
 export function settingsOfMaterial(parameters: HatchingMaterialParameters): Partial<Settings> {

@@ -40,7 +40,7 @@ export class ContextLoss {
     const { painter, scenery } = this;
     painter.outdateShadows();
     // three.js goes back to black, which saved pictures would have between strokes.
-    if (scenery.settings) painter.setPaper(scenery.settings.paper);
+    if (scenery.look) painter.setPaper(scenery.look.paper);
     if (this.lastPicture) this.lastPicture.restored();
     else void this.keepLastPicture();
   }

@@ -1,9 +1,9 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type TonalArtMap } from 'three-hatching';
-import { applyToMaterial } from '../drawing/applyToMaterial.js';
 import { BLANK } from '../drawing/HatchedModel.js';
-import { materialSizes } from '../settings/materialLook.js';
-import type { Settings } from '../settings/settings.js';
+import { parameterSetter } from '../drawing/parameterSetter.js';
+import { materialSizesIn } from '../drawing/picturedSizes.js';
+import type { Look } from '../settings/lookOf.js';
 import type { Layer } from './layers.js';
 
 /**
@@ -20,7 +20,7 @@ export class Ground {
   private readonly material = new HatchingMaterial();
   private isMade = false;
   private freedVersion = 0;
-  private kind: Settings['ground'] = 'none';
+  private kind: Look['ground'] = 'none';
 
   /** @param onReady called when a frame with the ground can be drawn */
   constructor(
@@ -44,19 +44,18 @@ export class Ground {
     this.material.tonalArtMap = map;
   }
 
-  apply(settings: Settings): void {
-    this.kind = settings.ground;
-    // Debug views look at the model.
-    this.holder.visible = this.kind !== 'none' && settings.debugView === 'none';
+  apply(look: Look): void {
+    this.kind = look.ground;
+    this.holder.visible = look.showsGround;
     if (this.kind === 'none') return;
     if (!this.isMade) void this.make();
-    applyToMaterial(this.material, settings);
+    parameterSetter(look.drawn)(this.material);
     if (this.kind === 'shadow') this.material.toneModel = 'shadow';
     this.showPaper(true);
     this.freePrograms();
   }
 
-  /** Hides it, until the settings are applied again. */
+  /** Hides it, until a look is applied again. */
   hide(): void {
     this.holder.visible = false;
   }
@@ -74,8 +73,8 @@ export class Ground {
    * @param pixelRatio pixels of the render target per CSS pixel
    * @param share of the full resolution, where it is drawn in a lower one
    */
-  setWidths(settings: Settings, pixelRatio: number, share = 1): void {
-    Object.assign(this.material, materialSizes(settings, pixelRatio, share));
+  setWidths(look: Look, pixelRatio: number, share = 1): void {
+    Object.assign(this.material, materialSizesIn(look, pixelRatio, share));
   }
 
   /** Shows or hides the paper of a floor. The sheet that shows shadows has none. */
@@ -89,9 +88,9 @@ export class Ground {
   }
 
   /** Shows what the ground gives to a layer: strokes of shadows to one, the paper of a floor to another; or all of it again. */
-  showLayer(layer: Layer | undefined, settings: Settings): void {
+  showLayer(layer: Layer | undefined, look: Look): void {
     if (layer === undefined) {
-      this.apply(settings);
+      this.apply(look);
       return;
     }
     const isFloor = this.kind === 'floor';

@@ -1,14 +1,11 @@
 import { WebGLRenderer } from 'three';
-import { SETTING_KEYS, SETTINGS, type Settings } from '../settings/settings.js';
+import type { Look } from '../settings/lookOf.js';
 import type { ShadowQuality } from './light/LightRig.js';
 import { ProgramBuilder } from './ProgramBuilder.js';
 import type { Scenery } from './Scenery.js';
 import { SideBySide, sidesOf, type Tile } from './SideBySide.js';
 import { strokeShare } from './strokeShare.js';
 import { createCamera } from './view/createCamera.js';
-
-/** The settings that programs depend on are among those that are chosen from a list. */
-const CHOICES = SETTING_KEYS.filter((name) => SETTINGS[name].kind === 'choice');
 
 /** Draws the scenery into the canvas, as the camera sees it. */
 export class Painter {
@@ -79,7 +76,7 @@ export class Painter {
   /** Places the lights, and has shadows drawn anew where they or the model have moved. */
   placeLights(quality: ShadowQuality): void {
     const { scenery } = this;
-    const hasMoved = scenery.settings !== undefined && scenery.lights.place(this.camera);
+    const hasMoved = scenery.look !== undefined && scenery.lights.place(this.camera);
     if (hasMoved || scenery.shown.model?.motion) this.outdateShadows();
     this.setShadowQuality(quality, this.renderer.shadowMap.needsUpdate);
   }
@@ -94,25 +91,24 @@ export class Painter {
     return this.builder.isBuilding;
   }
 
-  /** Has the programs built that settings ask for, where they differ from those of the last time: numbers and colours build none. */
-  buildPrograms(settings: Settings): void {
+  /** Has the programs built that a look asks for, where they differ from those of the last time: numbers and colours build none. */
+  buildPrograms(look: Look): void {
     const { scenery, renderer, camera } = this;
     const { model } = scenery.shown;
     if (!model || this.isLost) return;
-    const key = CHOICES.map((name) => settings[name]).join();
-    if (key === this.builtFor) return;
-    this.builtFor = key;
+    if (look.programs === this.builtFor) return;
+    this.builtFor = look.programs;
     // Lines that are not drawn by hand have a program of their own.
     this.setWidths(this.pixelRatio);
     this.builder.build(() => {
-      for (const side of sidesOf(settings)) {
+      for (const side of sidesOf(look)) {
         model.useMaterials(side);
         renderer.compile(scenery.scene, camera);
       }
     });
   }
 
-  /** To be called when programs are needed that the settings do not tell of: those of another model, or of another context. */
+  /** To be called when programs are needed that the look does not tell of: those of another model, or of another context. */
   forgetPrograms(): void {
     this.builtFor = '';
   }

@@ -1,8 +1,8 @@
 import { Group, type Matrix4, Scene, Vector3 } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
-import type { Settings } from '../settings/settings.js';
-import { drawsWithMap, UPRIGHT } from '../settings/settingValues.js';
+import type { Look } from '../settings/lookOf.js';
+import { UPRIGHT } from '../settings/settingValues.js';
 import { Ground } from './Ground.js';
 import type { Layer } from './layers.js';
 import { LightRig } from './light/LightRig.js';
@@ -14,10 +14,10 @@ export class Scenery {
   readonly lights = new LightRig(this.scene);
   readonly ground: Ground;
   readonly shown: ShownModel;
-  /** What is drawn with; undefined before any were applied. */
-  settings: Settings | undefined;
+  /** How it is drawn; undefined before that was said. */
+  look: Look | undefined;
   private readonly upright = new Group();
-  private upAxis: Settings['upAxis'] = 'y';
+  private turn: Look['upright'] = UPRIGHT.y;
   private map: TonalArtMap | undefined;
   /** Whether the model throws a shadow on what it stands on, for which it goes aside when it is framed. */
   private showsShadow = false;
@@ -33,20 +33,20 @@ export class Scenery {
   }
 
   /**
-   * Applies settings to the lights, the model and the ground. Shadows stay as they are.
+   * Gives a look to the lights, the model and the ground. Shadows stay as they are.
    *
    * @returns whether the model was turned, or whether its shadow has come or gone: it may have to be framed anew
    */
-  apply(settings: Settings): { isTurned: boolean; hasOtherShadow: boolean } {
+  apply(look: Look): { isTurned: boolean; hasOtherShadow: boolean } {
     const { shown, lights, ground, upright } = this;
-    lights.apply(settings);
+    lights.apply(look.lights);
     const hadShadow = this.showsShadow;
-    this.showsShadow = settings.shadows === 'on' && settings.ground !== 'none';
-    const isTurned = this.upAxis !== settings.upAxis;
-    this.upAxis = settings.upAxis;
-    if (isTurned) upright.rotation.set(...UPRIGHT[settings.upAxis]);
-    shown.apply(settings);
-    ground.apply(settings);
+    this.showsShadow = look.lights.castsShadows && look.ground !== 'none';
+    const isTurned = look.upright !== this.turn;
+    this.turn = look.upright;
+    if (isTurned) upright.rotation.set(...look.upright);
+    shown.apply(look);
+    ground.apply(look);
     return { isTurned, hasOtherShadow: this.showsShadow !== hadShadow };
   }
 
@@ -76,23 +76,22 @@ export class Scenery {
 
   /** Whether there is a model, and a map if one is drawn with. */
   get isComplete(): boolean {
-    const { settings, shown, map } = this;
-    return shown.model !== undefined && (map !== undefined || (settings !== undefined && !drawsWithMap(settings)));
+    return this.shown.model !== undefined && (this.map !== undefined || this.look?.needsMap === false);
   }
 
   /**
    * Sets how wide strokes and lines are.
    *
-   * @param strokeRatio pixels of the render target per pixel of the settings
+   * @param strokeRatio pixels of the render target per pixel of the look
    * @param share of the full resolution, where it is drawn in a lower one
    */
   setWidths(strokeRatio: number, share: number): void {
-    if (!this.settings) return;
-    this.shown.model?.setWidths(this.settings, strokeRatio, share);
-    this.ground.setWidths(this.settings, strokeRatio, share);
+    if (!this.look) return;
+    this.shown.model?.setWidths(this.look, strokeRatio, share);
+    this.ground.setWidths(this.look, strokeRatio, share);
   }
 
-  /** Leaves away, until the settings are applied again, what takes programs of its own: lines and ground. */
+  /** Leaves away, until the look is applied again, what takes programs of its own: lines and ground. */
   showSketch(): void {
     this.shown.model?.showLines(false);
     this.ground.hide();
@@ -106,9 +105,9 @@ export class Scenery {
 
   /** Shows one layer alone, on a transparent ground; or all of them again. */
   showLayer(layer: Layer | undefined): void {
-    if (!this.settings) return;
-    this.shown.model?.showLayer(layer, this.settings);
-    this.ground.showLayer(layer, this.settings);
+    if (!this.look) return;
+    this.shown.model?.showLayer(layer, this.look);
+    this.ground.showLayer(layer, this.look);
   }
 
   /** Disposes of what everything has on the graphics card. To be called while the context is lost. */

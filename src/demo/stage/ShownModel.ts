@@ -2,7 +2,7 @@ import type { Group } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
 import { Slices } from '../files/common/Slices.js';
-import type { Settings } from '../settings/settings.js';
+import type { Look } from '../settings/lookOf.js';
 import { DEFAULT_VIEW } from './view/createCamera.js';
 
 /** The direction from a model to the eye when the model is framed. */
@@ -21,7 +21,7 @@ export class ShownModel {
   /** Models are kept until the new one has been drawn, so that programs used by both are not compiled again. */
   private previous: HatchedModel[] = [];
   private map: TonalArtMap | undefined;
-  private settings: Settings | undefined;
+  private look: Look | undefined;
 
   /**
    * @param holder the object that the model is put into
@@ -74,19 +74,20 @@ export class ShownModel {
   }
 
   /**
-   * Gives a model the look of the settings before it is set, in slices, so that {@link set} finds little to do. Rejects with the
+   * Gives a model the present look before it is set, in slices, so that {@link set} finds little to do. Rejects with the
    * signal's reason.
    */
   async dress(next: HatchedModel, signal: AbortSignal): Promise<void> {
     const slices = new Slices(signal);
     if (this.map) next.tonalArtMap = this.map;
-    for (const _ of this.settings ? next.applying(this.settings) : []) await slices.next();
+    for (const _ of this.look ? next.applying(this.look) : []) await slices.next();
     signal.throwIfAborted();
   }
 
-  apply(settings: Settings): void {
-    this.settings = settings;
-    this.current?.apply(settings);
+  /** Gives the model a look. */
+  apply(look: Look): void {
+    this.look = look;
+    this.current?.apply(look);
   }
 
   set tonalArtMap(map: TonalArtMap) {

@@ -1,5 +1,5 @@
 import { MathUtils, type WebGLRenderer } from 'three';
-import type { Settings } from '../settings/settings.js';
+import type { Look } from '../settings/lookOf.js';
 
 /** The two sides of a sides: the technique of the settings, and the one that it is compared with. */
 export type Side = 'drawn' | 'compared';
@@ -12,8 +12,8 @@ export interface Tile {
   height: number;
 }
 
-/** The sides that settings draw. */
-export const sidesOf = ({ compare }: Settings): Side[] => (compare === 'none' ? ['drawn'] : ['drawn', 'compared']);
+/** The sides that a look draws. */
+export const sidesOf = ({ compared }: Look): Side[] => (compared ? ['drawn', 'compared'] : ['drawn']);
 
 /** Draws one technique, or two side by side: the compared one is left of a divider. */
 export class SideBySide {

@@ -1,8 +1,7 @@
 import type { PerspectiveCamera } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../drawing/HatchedModel.js';
-import { drawnSettings } from '../settings/drawnSettings.js';
-import type { Settings } from '../settings/settings.js';
+import type { Look } from '../settings/lookOf.js';
 import { ContextLoss } from './ContextLoss.js';
 import { FrameQuality } from './FrameQuality.js';
 import { Frames } from './Frames.js';
@@ -65,9 +64,9 @@ export class Stage {
     return this.scenery.shown.model;
   }
 
-  /** Applies the settings. Cheap: at most a program is compiled, where a setting needs another one. */
-  apply(settings: Settings): void {
-    this.scenery.settings = drawnSettings(settings);
+  /** Draws in another look. Cheap: at most a program is compiled, where the look needs another one. */
+  apply(look: Look): void {
+    this.scenery.look = look;
     this.picture.outdate();
     this.show();
     this.painter.outdateShadows();
@@ -112,19 +111,19 @@ export class Stage {
     return this.contextLoss.showsLastPicture;
   }
 
-  /** Shows the scenery as the settings want it. */
+  /** Shows the scenery in its look. */
   private show(): void {
     const { scenery, painter, view } = this;
-    const { settings } = scenery;
-    if (!settings) return;
-    const { isTurned, hasOtherShadow } = scenery.apply(settings);
+    const { look } = scenery;
+    if (!look) return;
+    const { isTurned, hasOtherShadow } = scenery.apply(look);
     if (isTurned) {
       painter.outdateShadows();
       this.placeModel();
     } else if (hasOtherShadow && view.isFramed) view.frame();
-    painter.setPaper(settings.paper);
+    painter.setPaper(look.paper);
     // The few programs of a sketch are built by its frame.
-    if (!this.quality.isSketch) painter.buildPrograms(settings);
+    if (!this.quality.isSketch) painter.buildPrograms(look);
     this.frames.invalidate();
   }
 

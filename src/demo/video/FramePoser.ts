@@ -1,5 +1,5 @@
 import { MathUtils, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
-import { drawnSettings } from '../settings/drawnSettings.js';
+import { lookOf } from '../settings/lookOf.js';
 import type { Settings } from '../settings/settings.js';
 import type { Stage } from '../stage/Stage.js';
 import { fitCamera } from '../stage/view/framing.js';
@@ -25,7 +25,6 @@ export class FramePoser {
   /** Where the first frame is seen from, and what the camera looks at there. */
   private readonly first = new Vector3();
   private readonly target: Vector3;
-  private readonly settings: Settings;
 
   /**
    * A model that is framed on the page is framed in the video, in every turn; otherwise the frames show the view of the page.
@@ -35,12 +34,11 @@ export class FramePoser {
    */
   constructor(
     private readonly stage: Stage,
-    settings: Settings,
+    private readonly settings: Settings,
     aspect: number,
     turns: boolean,
   ) {
     const { camera, view, model } = stage;
-    this.settings = drawnSettings(settings);
     this.clipTime = model?.motion?.time;
     this.position.copy(camera.position);
     this.quaternion.copy(camera.quaternion);
@@ -55,7 +53,7 @@ export class FramePoser {
     const around = MathUtils.degToRad(-turn);
     camera.position.copy(this.first).applyAxisAngle(UP, around);
     camera.lookAt(this.target.clone().applyAxisAngle(UP, around));
-    lights.apply({ ...settings, lightAzimuth: settings.lightAzimuth + light });
+    lights.apply(lookOf({ ...settings, lightAzimuth: settings.lightAzimuth + light }).lights);
     lights.place(camera);
     if (model?.motion && clipTime !== undefined) model.motion.time = clipTime;
     stage.outdateShadows();
@@ -66,7 +64,7 @@ export class FramePoser {
     const { camera, model, scenery } = this.stage;
     camera.position.copy(this.position);
     camera.quaternion.copy(this.quaternion);
-    scenery.lights.apply(this.settings);
+    scenery.lights.apply(lookOf(this.settings).lights);
     if (model?.motion && this.clipTime !== undefined) model.motion.time = this.clipTime;
     this.stage.outdateShadows();
   }

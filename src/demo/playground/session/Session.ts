@@ -1,5 +1,6 @@
 import { EditHistory } from '../../settings/EditHistory.js';
 import { choosesMap } from '../../settings/effects.js';
+import { lookOf } from '../../settings/lookOf.js';
 import type { SettingKey, Settings } from '../../settings/settings.js';
 import { readLink, writeLink } from '../../settings/shareLink.js';
 import type { Stage } from '../../stage/Stage.js';
@@ -181,13 +182,13 @@ export class Session {
     this.views.list = kept;
     void this.mapLoader.showChosen();
     // Applied first: the model is framed together with its shadow, which depends on the lights.
-    stage.apply(settings);
+    stage.apply(lookOf(settings));
     if (place) stage.view.state = place;
     else stage.view.frame();
   }
 
   private apply(): void {
-    this.stage.apply(this.settings);
+    this.stage.apply(lookOf(this.settings));
     this.tell('applied');
   }
 

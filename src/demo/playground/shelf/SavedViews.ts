@@ -1,3 +1,4 @@
+import { lookOf } from '../../settings/lookOf.js';
 import { plainName } from '../../settings/plainName.js';
 import { isLitBy, lightOf, MOST_VIEWS, type SavedView } from '../../settings/savedViews.js';
 import type { Settings } from '../../settings/settings.js';
@@ -39,7 +40,7 @@ export class SavedViews implements NamedList {
     const { stage, settings } = this;
     Object.assign(settings, view.light);
     // The settings are applied first, because a model is framed together with its shadow, which depends on the lights.
-    stage.apply(settings);
+    stage.apply(lookOf(settings));
     if (view.camera) stage.view.place = view.camera;
     else stage.view.frame();
     this.onChange();

@@ -1,6 +1,6 @@
 import { type Camera, DirectionalLight, MathUtils, Matrix4, PointLight, type Scene, SpotLight, Vector3 } from 'three';
-import type { Settings } from '../../settings/settings.js';
-import { type LightPlace, placeOfLight, placeOfSecondLight } from '../../settings/settingValues.js';
+import type { Lighting } from '../../settings/lighting.js';
+import type { LightPlace } from '../../settings/settingValues.js';
 import { shadowOnGround } from './shadowOnGround.js';
 
 /** Distance of a directional light, in radii of the model: outside of what casts shadows. */
@@ -29,7 +29,7 @@ export class LightRig {
   /** The position of the second sun. */
   readonly secondPosition: Vector3;
   private readonly second = new DirectionalLight();
-  private readonly main: Record<Settings['lightKind'], CastingLight>;
+  private readonly main: Record<Lighting['kind'], CastingLight>;
   private readonly spot = new SpotLight();
   private readonly all: readonly CastingLight[];
   /** Where the settings put the lights, before they go with the viewer. */
@@ -60,22 +60,22 @@ export class LightRig {
     scene.add(...this.all);
   }
 
-  /** Applies the settings. */
-  apply(settings: Settings): void {
-    for (const light of this.all) light.castShadow = settings.shadows === 'on';
-    for (const [kind, light] of Object.entries(this.main)) {
-      light.visible = kind === settings.lightKind;
-      // At an intensity of π, a white surface that faces the light gets tone 0: bare paper.
-      light.intensity = (Math.PI * settings.lightStrength) / 100;
+  /** Gives the lights what a look says of them. */
+  apply({ kind, place, intensity, spotAngle, spotPenumbra, second, castsShadows, isWithViewer }: Lighting): void {
+    for (const light of this.all) light.castShadow = castsShadows;
+    for (const [name, light] of Object.entries(this.main)) {
+      light.visible = name === kind;
+      light.intensity = intensity;
     }
-    this.spot.angle = MathUtils.degToRad(settings.spotAngle) / 2;
-    this.spot.penumbra = settings.spotSoftness / 100;
-    const second = placeOfSecondLight(settings);
+    this.spot.angle = spotAngle;
+    this.spot.penumbra = spotPenumbra;
+    setPosition(this.settled, place);
     this.second.visible = second !== undefined;
-    this.second.intensity = (Math.PI * settings.secondStrength) / 100;
-    setPosition(this.settled, placeOfLight(settings));
-    if (second) setPosition(this.secondSettled, second);
-    this.isWithViewer = settings.lightFollows === 'viewer';
+    if (second) {
+      this.second.intensity = second.intensity;
+      setPosition(this.secondSettled, second.place);
+    }
+    this.isWithViewer = isWithViewer;
   }
 
   /**
@@ -128,7 +128,7 @@ export class LightRig {
       this.position.applyQuaternion(quaternion);
       this.secondPosition.applyQuaternion(quaternion);
     }
-    for (const kind in this.main) this.main[kind as Settings['lightKind']].position.copy(this.position);
+    for (const kind in this.main) this.main[kind as Lighting['kind']].position.copy(this.position);
     return !before.equals(this.position) || !secondBefore.equals(this.secondPosition);
   }
 }

@@ -1,8 +1,9 @@
 import * as THREE from 'three';
 import { describe, expect, test } from 'vitest';
 import { codeSample } from '../../../../src/demo/code/codeSample.js';
-import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js';
+import { parameterSetter } from '../../../../src/demo/drawing/parameterSetter.js';
 import { lineLook } from '../../../../src/demo/settings/lineLook.js';
+import { lookOf } from '../../../../src/demo/settings/lookOf.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
@@ -51,12 +52,12 @@ viewer.position.set(3, 2, 1);
 viewer.lookAt(0, 0, 0);
 
 /** The line material that the page draws with. */
-const lineMaterialOf = (settings: Settings): HatchingLineMaterial => new HatchingLineMaterial(lineLook(settings, 1));
+const lineMaterialOf = (settings: Settings): HatchingLineMaterial => new HatchingLineMaterial(lineLook(settings));
 
 function expectLines(lines: HatchingLines | undefined, settings: Settings): void {
   const expected = lineMaterialOf(settings);
   const made = lines!.material;
-  for (const [key, value] of Object.entries(lineLook(settings, 1))) {
+  for (const [key, value] of Object.entries(lineLook(settings))) {
     if (typeof value === 'number') expect(made[key as 'lineWidth'], key).toBeCloseTo(value, 3);
   }
   expect(made.shadeWeights.distanceTo(expected.shadeWeights)).toBeCloseTo(0, 3);
@@ -109,7 +110,7 @@ describe('codeSample', () => {
     const scene = await run(codeSample(settings, undefined));
 
     const expected = new HatchingMaterial();
-    applyToMaterial(expected, settings);
+    parameterSetter(lookOf(settings).drawn)(expected);
     const mesh = scene.children.find((child) => child instanceof THREE.Mesh) as THREE.Mesh;
     const { material } = mesh;
     expectLines(linesIn(mesh), settings);
@@ -139,7 +140,7 @@ describe('codeSample', () => {
 
     const drawn = new THREE.Scene();
     const rig = new LightRig(drawn);
-    rig.apply(settings);
+    rig.apply(lookOf(settings).lights);
     rig.place(viewer);
     const describeLight = (light: THREE.Object3D) => {
       const direction = light.position.clone();

@@ -12,6 +12,7 @@ import {
 import { describe, expect, test } from 'vitest';
 import { modelOfMesh } from '../../../../src/demo/drawing/modelOfMesh.js';
 import { modelOfScene } from '../../../../src/demo/drawing/modelOfScene.js';
+import { type Look, lookOf } from '../../../../src/demo/settings/lookOf.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { HatchingLines } from '../../../../src/lines/HatchingLines.js';
 
@@ -25,7 +26,7 @@ function linesIn(root: Object3D): HatchingLines[] {
   return lines;
 }
 
-const settingsWith = (some: Partial<Settings>): Settings => ({ ...defaultSettings(), ...some });
+const lookWith = (some: Partial<Settings>): Look => lookOf({ ...defaultSettings(), ...some });
 
 async function hatchedBox() {
   const { attributes, index } = new BoxGeometry();
@@ -52,10 +53,11 @@ describe('the lines of a model', () => {
   test('are as wide as the settings say, times the pixels of the picture per pixel of the page', async () => {
     const model = await hatchedBox();
     const [lines] = linesIn(model.root);
-    const settings = settingsWith({ lineWidth: 2, lineHand: 2, ink: '#203080' });
-    model.setWidths(settings, 1);
+    const look = lookWith({ lineWidth: 2, lineHand: 2, ink: '#203080' });
+    model.apply(look);
+    model.setWidths(look, 1);
     const { overshoot } = lines.material;
-    model.setWidths(settings, 3);
+    model.setWidths(look, 3);
     expect(lines.material).toMatchObject({ lineWidth: 6, wobble: 6, overshoot: 3 * overshoot });
     expect(lines.material.ink.getHexString()).toBe('203080');
     expect(overshoot).toBeGreaterThan(0);
@@ -75,7 +77,7 @@ describe('the lines of a model', () => {
     const model = await hatchedBox();
     const [lines] = linesIn(model.root);
     const visibleWith = (some: Partial<Settings>): boolean => {
-      model.apply(settingsWith(some));
+      model.apply(lookWith(some));
       return lines.visible;
     };
     expect(visibleWith({})).toBe(true);
@@ -91,7 +93,7 @@ describe('the lines of a model', () => {
     expect(lines).toHaveLength(3);
     expect(lines.map(({ mesh }) => mesh?.name)).not.toContain('card');
     expect(new Set(lines.map(({ material }) => material)).size).toBe(2);
-    model.setWidths(settingsWith({ lineWidth: 5 }), 1);
+    model.setWidths(lookWith({ lineWidth: 5 }), 1);
     for (const { material } of lines) expect(material.lineWidth).toBe(5);
     model.dispose();
     expect(linesIn(model.root)).toEqual([]);

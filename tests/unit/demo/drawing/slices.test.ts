@@ -5,6 +5,7 @@ import type { HatchedModel } from '../../../../src/demo/drawing/HatchedModel.js'
 import { type GltfParts, parseGltf } from '../../../../src/demo/files/gltf/parseGltf.js';
 import { readGltf } from '../../../../src/demo/files/gltf/readGltf.js';
 import { readModel } from '../../../../src/demo/files/readModel.js';
+import { lookOf } from '../../../../src/demo/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/demo/settings/settings.js';
 import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
@@ -75,31 +76,32 @@ test('settings are applied material by material, and only where another drawing 
   const { model, materials } = await glowingModel(5);
   expect(materials).toHaveLength(5);
   const settings = { ...defaultSettings(), ink: '#204060' };
+  const look = lookOf(settings);
   const set = vi.spyOn(Color.prototype, 'set');
   const written = (): boolean => {
     const { length } = set.mock.calls;
     set.mockClear();
     return length > 0;
   };
-  const stopped = model.applying(settings);
+  const stopped = model.applying(look);
   stopped.next();
   stopped.next();
   stopped.return();
   const inks = () => materials.map(({ ink }) => ink.getHexString());
   expect(inks().filter((ink) => ink === '204060')).toHaveLength(2);
   // What was begun is not taken for done.
-  expect([...model.applying(settings)]).toHaveLength(5);
+  expect([...model.applying(look)]).toHaveLength(5);
   expect(new Set(inks())).toEqual(new Set(['204060']));
   expect(written()).toBe(true);
-  model.apply({ ...settings, model: 'file', upAxis: 'z' });
+  model.apply(lookOf({ ...settings, model: 'file', upAxis: 'z', lightAzimuth: 12 }));
   expect(written()).toBe(false);
   const curve = materials[0].toneCurve;
-  model.showLayer('colour', settings);
+  model.showLayer('colour', look);
   expect(materials[0].toneCurve).not.toEqual(curve);
-  model.showLayer(undefined, settings);
+  model.showLayer(undefined, look);
   expect(materials[0].toneCurve).toEqual(curve);
   written();
-  model.apply({ ...settings, ink: '#000000' });
+  model.apply(lookOf({ ...settings, ink: '#000000' }));
   expect(written()).toBe(true);
   expect(new Set(inks())).toEqual(new Set(['000000']));
   model.dispose();

@@ -1,8 +1,9 @@
 import { describe, expect, test } from 'vitest';
-import { applyToMaterial } from '../../../../src/demo/drawing/applyToMaterial.js';
+import { parameterSetter } from '../../../../src/demo/drawing/parameterSetter.js';
+import { materialSizesIn } from '../../../../src/demo/drawing/picturedSizes.js';
 import { acceptSetting } from '../../../../src/demo/settings/acceptSetting.js';
 import { lineLook } from '../../../../src/demo/settings/lineLook.js';
-import { materialSizes } from '../../../../src/demo/settings/materialLook.js';
+import { lookOf } from '../../../../src/demo/settings/lookOf.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { firstView, presetLook, presetOf, wholeLook } from '../../../../src/demo/settings/presets.js';
 import {
@@ -26,7 +27,7 @@ const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defa
 test('sizes go with the pixels of the picture as far as they are measured in them', () => {
   const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, toothSize: 3 };
   const sizesAt = (screenConstancy: number, ...of: [number, number?]) =>
-    materialSizes({ ...settings, screenConstancy }, ...of);
+    materialSizesIn(lookOf({ ...settings, screenConstancy }), ...of);
   expect(sizesAt(100, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16, toothSize: 12, finestSpacing: 3 });
   expect(sizesAt(50, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8, toothSize: 12, finestSpacing: 3 });
   expect(sizesAt(0, 4)).toEqual({ strokeWidth: 8, lineSpacing: 4, toothSize: 12, finestSpacing: 3 });
@@ -43,8 +44,8 @@ describe('the presets of the page', () => {
     const settings = settingsOf(name);
     const expected = new HatchingMaterial(presets[name].material);
     const made = new HatchingMaterial();
-    applyToMaterial(made, settings);
-    Object.assign(made, materialSizes(settings, 1));
+    parameterSetter(lookOf(settings).drawn)(made);
+    Object.assign(made, materialSizesIn(lookOf(settings), 1));
     for (const property of Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[]) {
       // The size of strokes on the object follows from the size of the model; texelPixels is strokeWidth in other words.
       if (property === 'strokeScale' || property === 'texelPixels' || property === 'tonalArtMap') continue;
@@ -58,7 +59,7 @@ describe('the presets of the page', () => {
     expect(settings.mapStyle).toBe(presets[name].tonalArtMap?.style ?? defaultSettings().mapStyle);
 
     const lines = new HatchingLineMaterial(presets[name].lines);
-    const drawn = new HatchingLineMaterial(lineLook(settings, 1));
+    const drawn = new HatchingLineMaterial(lineLook(settings));
     for (const number of LINE_NUMBER_NAMES) expect(drawn[number], number).toBeCloseTo(lines[number], 6);
     expect(drawn.shadeWeights.distanceTo(lines.shadeWeights)).toBeCloseTo(0, 6);
     expect(drawn.ink.equals(lines.ink)).toBe(true);

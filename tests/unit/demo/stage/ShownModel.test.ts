@@ -1,6 +1,7 @@
 import { Group } from 'three';
 import { expect, test, vi } from 'vitest';
 import type { HatchedModel } from '../../../../src/demo/drawing/HatchedModel.js';
+import { lookOf } from '../../../../src/demo/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/demo/settings/settings.js';
 import { ShownModel } from '../../../../src/demo/stage/ShownModel.js';
 import { DEFAULT_VIEW } from '../../../../src/demo/stage/view/createCamera.js';
@@ -105,11 +106,12 @@ test('a model is dressed before it is shown, until that is cancelled', async () 
   const { shown, models } = stageOf('first', 'second');
   const [first, second] = models;
   const map = {} as never;
-  shown.apply(defaultSettings());
+  const look = lookOf(defaultSettings());
+  shown.apply(look);
   shown.tonalArtMap = map;
   const applying = vi.spyOn(first, 'applying');
   await shown.dress(asModel(first), new AbortController().signal);
-  expect(applying).toHaveBeenCalledWith(defaultSettings());
+  expect(applying).toHaveBeenCalledWith(look);
   expect(first.maps).toEqual([map]);
   expect(shown.model).toBeUndefined();
   await expect(shown.dress(asModel(second), AbortSignal.abort(new Error('enough')))).rejects.toThrow('enough');

@@ -1,7 +1,8 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import type { ModelEnd, OpenedModel } from '../../../../../src/demo/playground/loading/ModelLoader.js';
 import { Session } from '../../../../../src/demo/playground/session/Session.js';
-import { defaultSettings, type Settings } from '../../../../../src/demo/settings/settings.js';
+import type { Look } from '../../../../../src/demo/settings/lookOf.js';
+import { defaultSettings } from '../../../../../src/demo/settings/settings.js';
 
 type OnModel = (end: ModelEnd, opened?: OpenedModel) => void;
 
@@ -42,7 +43,7 @@ function createSession() {
     onMoved: () => {},
   };
   const applied: string[] = [];
-  const stage = { view, apply: (settings: Settings) => void applied.push(settings.ink), isComplete: true };
+  const stage = { view, apply: ({ drawn }: Look) => void applied.push(drawn.ink as string), isComplete: true };
   const session = new Session(stage as never, defaultSettings(), {} as never);
   const events: string[] = [];
   session.listen({

@@ -1,0 +1,25 @@
+import { type Color, type ColorRepresentation, Vector2 } from 'three';
+import {
+  HATCHING_PROPERTIES,
+  type HatchingMaterial,
+  type HatchingMaterialParameters,
+  type HatchingPropertyName,
+} from 'three-hatching';
+
+/**
+ * Sets parameters of materials, one material after the other. `setValues` would warn of what the technique does not use, which the
+ * page keeps for the next technique.
+ *
+ * @returns what sets them on a material: parameters are sorted by kind once for all materials
+ */
+export function parameterSetter(parameters: HatchingMaterialParameters): (material: HatchingMaterial) => void {
+  const entries = Object.entries(parameters) as [HatchingPropertyName, unknown][];
+  const colors = entries.filter(([name]) => HATCHING_PROPERTIES[name].kind === 'color');
+  const vectors = entries.filter(([, value]) => value instanceof Vector2);
+  const others = Object.fromEntries(entries.filter((entry) => !colors.includes(entry) && !vectors.includes(entry)));
+  return (material) => {
+    Object.assign(material, others);
+    for (const [name, value] of vectors) (material[name] as Vector2).copy(value as Vector2);
+    for (const [name, value] of colors) (material[name] as Color).set(value as ColorRepresentation);
+  };
+}

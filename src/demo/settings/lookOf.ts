@@ -1,0 +1,61 @@
+import { type HatchingMaterialParameters, needsMap } from 'three-hatching';
+import { drawnSettings } from './drawnSettings.js';
+import { type Lighting, lightingOf } from './lighting.js';
+import { type LineLook, lineLook } from './lineLook.js';
+import { materialLook, materialSizes } from './materialLook.js';
+import { SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
+import { UPRIGHT } from './settingValues.js';
+
+/** What settings say of a drawing, in the units of the library and of three.js. It is worked out once for each change. */
+export interface Look {
+  /** The parameters of the materials, without their sizes. */
+  readonly drawn: HatchingMaterialParameters;
+  /** The same for the technique that is compared with it; undefined if none is. */
+  readonly compared: HatchingMaterialParameters | undefined;
+  /** The sizes of the materials. Those that are measured in pixels are in CSS pixels. */
+  readonly sizes: HatchingMaterialParameters;
+  /** The parameters of lines, in CSS pixels. */
+  readonly lines: LineLook;
+  readonly showsLines: boolean;
+  /** Whether surfaces have the colours and pictures of the model, and not those of paper. */
+  readonly showsSurfaceColors: boolean;
+  /** What the model stands on, and whether that is to be seen: debug views look at the model. */
+  readonly ground: Settings['ground'];
+  readonly showsGround: boolean;
+  /** The colour of what nothing is drawn on. */
+  readonly paper: string;
+  /** Rotations about x, y and z, in radians, that turn the model's up axis to the top. */
+  readonly upright: readonly [number, number, number];
+  readonly lights: Lighting;
+  readonly needsMap: boolean;
+  /** A key of the programs that draw it: looks that differ in numbers and colours only have the same. */
+  readonly programs: string;
+}
+
+/** The settings that programs depend on are among those that are chosen from a list. */
+const CHOICES = SETTING_KEYS.filter((name) => SETTINGS[name].kind === 'choice');
+
+/** The look that settings ask for. */
+export function lookOf(settings: Settings): Look {
+  const shown = drawnSettings(settings);
+  const { compare, ground, paper, upAxis } = shown;
+  const isDebugView = shown.debugView !== 'none';
+  const drawn = materialLook(shown);
+  const compared = compare === 'none' ? undefined : materialLook(shown, compare);
+  return {
+    drawn,
+    compared,
+    sizes: materialSizes(shown),
+    lines: lineLook(shown),
+    // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
+    showsLines: shown.lines === 'on' && !isDebugView,
+    showsSurfaceColors: shown.surfaceColors === 'shown',
+    ground,
+    showsGround: ground !== 'none' && !isDebugView,
+    paper,
+    upright: UPRIGHT[upAxis],
+    lights: lightingOf(shown),
+    needsMap: needsMap(drawn) || (compared !== undefined && needsMap(compared)),
+    programs: CHOICES.map((name) => shown[name]).join(),
+  };
+}
