@@ -1,4 +1,4 @@
-/** So many bytes are handed to the browser at once, which may keep them on disk. */
+/** The bytes that are collected before they are handed to the browser, which may keep them on disk. */
 const PART_BYTES = 4 << 20;
 
 /** Collects a file in parts. The script itself holds a few megabytes of it at most. */

@@ -1,7 +1,7 @@
 import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../mapFiles/pngChunks.js';
 
 const INCHES_PER_METRE = 1 / 0.0254;
-/** Filter of a row: the difference to the row above. Flat paper becomes zeros. */
+/** The filter of a row stores differences to the row above. Rows of plain paper become zeros. */
 const UP = 2;
 /** Compressed bytes per chunk. */
 const CHUNK_BYTES = 1 << 18;
@@ -9,9 +9,9 @@ const CHUNK_BYTES = 1 << 18;
 export interface PngHeader {
   width: number;
   height: number;
-  /** Three: red, green, blue; four: with alpha, which they are not multiplied with. */
+  /** Three for red, green and blue; four with alpha, with which the colours are not multiplied. */
   channels: 3 | 4;
-  /** Dots per inch, by which programs know the size in print. */
+  /** Dots per inch, from which programs take the size in print. */
   dpi: number;
 }
 
@@ -25,7 +25,7 @@ export class PngWriter {
   private readonly output: Promise<void>;
   private readonly before: Uint8Array;
 
-  /** @param write is handed the file in parts, in order */
+  /** @param write called with the parts of the file, in order */
   constructor(
     { width, height, channels, dpi }: PngHeader,
     private readonly write: (part: Uint8Array<ArrayBuffer>) => void,
@@ -36,11 +36,11 @@ export class PngWriter {
     write(pngChunk('sRGB', Uint8Array.of(0)));
     write(pngChunk('pHYs', physicalSize(dpi)));
     this.output = this.writeCompressed();
-    // Whoever writes rows is told; until then it is no uncaught error.
+    // Writing rows or the end rejects with this error; until then it must not count as uncaught.
     this.output.catch(() => {});
   }
 
-  /** Takes the next rows, from the top, one after the other. They may be changed afterwards. */
+  /** Writes the next rows, from the top. The array may be reused at once. */
   async rows(pixels: Uint8Array): Promise<void> {
     const { before } = this;
     const length = before.length;
@@ -67,7 +67,7 @@ export class PngWriter {
     this.write(pngChunk('IEND'));
   }
 
-  /** Stops, and frees what it holds. The file stays cut off. */
+  /** Stops and frees the memory. The file stays incomplete. */
   async abort(): Promise<void> {
     await this.input.abort().catch(() => {});
     await this.output.catch(() => {});

@@ -3,13 +3,13 @@ import { BlobWriter } from './BlobWriter.js';
 import { PngWriter } from './PngWriter.js';
 import { type Bounds, coarsePlan, cutPlan, type PrintPlan } from './printPlan.js';
 
-/** Of a tile, in pixels; graphics cards limit it. Even: two by two pixels are drawn together, counted from the lower left. */
+/** The size of a tile in pixels, which graphics cards limit. It is even, because cards draw two by two pixels, from the lower left. */
 const TILE_SIZE = 2048;
-/** Bytes of the rows that are held at once. */
+/** Bytes of the band of rows that is held in memory. */
 const BAND_BYTES = 32 << 20;
-/** Pixels per side of the picture that tells where the drawing is. */
+/** Pixels of the longer side of the small picture in which the drawing is found. */
 const COARSE = 640;
-/** Kept free around the drawing, in pixels of that picture: what it has no room for. */
+/** The margin around the drawing, in pixels of the small picture, for strokes that are too fine for that picture. */
 const MARGIN = 2;
 
 export interface DrawOptions {
@@ -44,7 +44,7 @@ export async function drawPicture(
 }
 
 /**
- * The part of a picture that holds the drawing, found in a small one.
+ * The part of a picture that holds the drawing. It is found in a small version of the picture.
  *
  * @throws Error with a sentence for the user, if nothing is drawn
  */
@@ -74,7 +74,7 @@ export async function cutToDrawing(session: PictureSession, plan: PrintPlan, sig
   });
 }
 
-/** Draws tile by tile, and hands on bands of whole rows from the top, as RGBA whose colours are not multiplied with alpha. */
+/** Draws tile by tile, and hands over bands of whole rows from the top, as RGBA with colours that are not multiplied with alpha. */
 async function drawBands(
   session: PictureSession,
   plan: PrintPlan,
@@ -91,10 +91,10 @@ async function drawBands(
   session.begin(look);
   try {
     for (let y = 0, rows = 0; y < height; y += rows) {
-      // What is below it is even, too.
+      // The number of rows below the band is even, too.
       rows = Math.min(bandHeight - ((height - y - bandHeight) % 2), height - y);
       for (let x = 0; x < width; x += tileWidth) {
-        // The page goes on living between two tiles: Cancel is heard.
+        // Between two tiles the page handles its events, Cancel among them.
         await new Promise((resolve) => setTimeout(resolve));
         signal.throwIfAborted();
         const columns = Math.min(tileWidth, width - x);

@@ -1,6 +1,6 @@
 import { type PrintPlan, toMillimetres } from './printPlan.js';
 
-/** What drawing a picture takes, loaded when one is saved. */
+/** Everything that drawing a picture needs. It is fetched when the first picture is saved. */
 export { cutToDrawing, drawPicture } from './drawPicture.js';
 export { type PrintPlan, planPrint, sheetOnView } from './printPlan.js';
 export { ZipWriter } from './ZipWriter.js';

@@ -3,7 +3,7 @@ import { strokeShare } from '../stage/strokeShare.js';
 
 const MILLIMETRES_PER_INCH = 25.4;
 
-/** Of pictures in the size of the page: what the panel measures strokes in print by. */
+/** Dots per inch of pictures in the size of the page. The panel measures strokes in print with it. */
 const PAGE_DPI = 300;
 
 /** Sheets of paper (ISO 216), upright, in millimetres. */
@@ -15,15 +15,15 @@ export const PAPER_FORMATS = {
   a2: [420, 594],
 } as const satisfies Partial<Record<Settings['pictureSize'], readonly [number, number]>>;
 
-/** Around a sheet, this much of the view stays free on every side, in CSS pixels. */
+/** The margin of the view around a sheet, on every side, in CSS pixels. */
 const SHEET_MARGIN = 12;
 
 /** Where a picture lies on the view of the page, in pixels of the picture. */
 export interface PrintPlan {
-  /** The picture in pixels. */
+  /** The size of the picture in pixels. */
   width: number;
   height: number;
-  /** The whole view of the page, and where the picture begins in it; outside if the picture is larger. */
+  /** The size of the whole view of the page, and where the picture begins in it: at negative places if the picture is larger. */
   viewWidth: number;
   viewHeight: number;
   left: number;
@@ -33,7 +33,7 @@ export interface PrintPlan {
   dpi: number;
 }
 
-/** A size in pixels: CSS pixels, of the page's view. */
+/** A size in pixels; that of the page's view is in CSS pixels. */
 export interface Size {
   width: number;
   height: number;
@@ -41,7 +41,7 @@ export interface Size {
 
 /** The page's view. */
 export interface DrawnView extends Size {
-  /** Whether a sheet for what is in it is better wider than high. */
+  /** Whether a sheet should be wider than high to suit what the view shows. */
   isWide: boolean;
 }
 
@@ -68,7 +68,7 @@ function sheetOf(settings: Settings, view: DrawnView): readonly [number, number]
 }
 
 /**
- * Where the sheet that the settings ask for lies on the view of the page: in its middle, as large as can be.
+ * Where the sheet that the settings ask for lies on the view of the page: in its middle, as large as possible.
  *
  * @returns the shares of the view's width and height that it takes; undefined for a picture of the page itself
  */
@@ -80,7 +80,7 @@ export function sheetOnView(settings: Settings, view: DrawnView): readonly [numb
   return [(pixels * sheet[0]) / view.width, (pixels * sheet[1]) / view.height];
 }
 
-/** The picture that the settings ask for: in the size of the page or a multiple of it, or what lies on a sheet of paper. */
+/** The picture that the settings ask for: in the size of the page, in a multiple of it, or on a sheet of paper. */
 export function planPrint(settings: Settings, view: DrawnView): PrintPlan {
   const sheet = sheetOf(settings, view);
   const onView = sheetOnView(settings, view);
@@ -94,7 +94,7 @@ export function planPrint(settings: Settings, view: DrawnView): PrintPlan {
   return { ...placeAt({ width, height }, view, width / (onView[0] * view.width)), dpi };
 }
 
-/** Places the whole view of the page in the middle of a picture, as large as can be. @param picture its size in pixels */
+/** Places the whole view of the page in the middle of a picture, as large as possible. The picture's size is in pixels. */
 export function placeView({ width, height }: Size, view: Size): Omit<PrintPlan, 'dpi'> {
   return placeAt({ width, height }, view, Math.min(width / view.width, height / view.height));
 }
@@ -111,8 +111,8 @@ function placeAt({ width, height }: Size, view: Size, fit: number): Omit<PrintPl
 }
 
 /**
- * By how much strokes and lines are magnified in a picture: as much as the drawing, but never so little that they are finer than on
- * a screen of as many pixels. There they are as fine as pixels can show; finer ones become moiré.
+ * The factor on the widths of strokes and lines in a picture. They grow with the drawing, but are never finer than on a screen of as
+ * many pixels: there they are as fine as pixels can show, and finer ones would become moiré.
  *
  * @param fit pixels of the picture per CSS pixel of the page
  * @param shown the drawing in pixels of the picture
@@ -120,7 +120,7 @@ function placeAt({ width, height }: Size, view: Size, fit: number): Omit<PrintPl
 export const strokeScale = (fit: number, shown: Size, view: Size): number =>
   Math.max(fit, strokeShare(shown.width, shown.height) / strokeShare(view.width, view.height));
 
-/** The same picture in coarse, for finding out where the drawing is. @param most pixels per side */
+/** A small version of a picture, in which the drawing is looked for. @param most pixels of its longer side */
 export function coarsePlan(plan: PrintPlan, most: number): PrintPlan {
   const factor = Math.min(1, most / Math.max(plan.width, plan.height));
   const { viewWidth, viewHeight, left, top, scale, dpi } = plan;
@@ -137,8 +137,8 @@ export function coarsePlan(plan: PrintPlan, most: number): PrintPlan {
 }
 
 /**
- * What is left of a picture when it is cut to the bounds of the drawing, which are in shares of its width and height. Two by two
- * pixels that graphics cards draw together, counted from the lower left, stay together: otherwise strokes would be chosen anew.
+ * A picture that is cut to the bounds of the drawing, which are in shares of its width and height. Graphics cards draw two by two
+ * pixels together, counted from the lower left. These stay together; otherwise the strokes would change.
  */
 export function cutPlan(plan: PrintPlan, bounds: Bounds): PrintPlan {
   const left = toEven(Math.max(0, Math.floor(bounds.left * plan.width)));

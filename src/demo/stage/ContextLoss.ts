@@ -4,9 +4,9 @@ import type { LastPicture } from './LastPicture.js';
 import type { Painter } from './Painter.js';
 import type { Scenery } from './Scenery.js';
 
-/** Lets go of the drawing with its graphics context, and takes it up again; its last picture is on the page in between. */
+/** Frees what lies in a graphics context that is lost, and shows the last picture on the page until the context is restored. */
 export class ContextLoss {
-  /** Kept from the first loss of the context on: pages that have lost it once are those that lose it again. */
+  /** Pictures are kept from the first loss on: a page that has lost its context once is likely to lose it again. */
   private lastPicture: LastPicture | undefined;
 
   constructor(
@@ -21,7 +21,7 @@ export class ContextLoss {
     frames.onFrame(() => this.lastPicture?.frameDrawn());
   }
 
-  /** Whether the last picture before the loss of the context is on the page. */
+  /** Whether the page shows the last picture from before the context was lost. */
   get showsLastPicture(): boolean {
     return this.painter.isLost && this.lastPicture?.isKept === true;
   }
@@ -39,7 +39,7 @@ export class ContextLoss {
   private restore(): void {
     const { painter, scenery } = this;
     painter.outdateShadows();
-    // three.js goes back to black, which saved pictures would have between strokes.
+    // three.js resets the clear colour to black, which saved pictures would show between strokes.
     if (scenery.look) painter.setPaper(scenery.look.paper);
     if (this.lastPicture) this.lastPicture.restored();
     else void this.keepLastPicture();
@@ -47,7 +47,7 @@ export class ContextLoss {
 
   private async keepLastPicture(): Promise<void> {
     const { frames } = this;
-    // Without it the page goes on as before.
+    // Where this part cannot be fetched, the page works without a last picture.
     const part = await import('./LastPicture.js').catch(() => undefined);
     if (!part || this.lastPicture) return;
     this.lastPicture = new part.LastPicture(this.painter.canvas, () => frames.redraw());

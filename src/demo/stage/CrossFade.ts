@@ -1,7 +1,7 @@
 /** How long the earlier picture takes to fade, in milliseconds. */
 const DURATION = 350;
 
-/** Lets one picture fade into the next: a copy of the earlier one lies over the drawing and goes. */
+/** Lets one picture fade into the next: a copy of the earlier picture lies over the drawing and becomes transparent. */
 export class CrossFade {
   private readonly copy = document.createElement('canvas');
   private readonly context = this.copy.getContext('2d');
@@ -14,7 +14,7 @@ export class CrossFade {
     drawing.after(this.copy);
   }
 
-  /** Keeps the picture. To be called right after it was drawn, in the same task: the canvas does not keep it for longer. */
+  /** Copies the picture. To be called in the task in which it was drawn, because the canvas does not keep it for longer. */
   keep(): void {
     const { copy, context, drawing } = this;
     if (copy.width !== drawing.width || copy.height !== drawing.height) {
@@ -24,7 +24,7 @@ export class CrossFade {
     this.isKept = true;
   }
 
-  /** Lets the kept picture, if there is one, fade into the drawing. */
+  /** Lets the copied picture, if there is one, fade into the drawing. */
   start(): void {
     const { copy } = this;
     if (!this.isKept) return;
@@ -41,7 +41,7 @@ export class CrossFade {
     );
   }
 
-  /** Gives the memory of the picture back. */
+  /** Frees the memory of the copied picture. */
   forget(): void {
     this.isKept = false;
     this.copy.hidden = true;

@@ -9,7 +9,7 @@ const SKETCH_SHARE = 0.5;
 /** A sketch of a stand-in that takes longer stays until the model itself is there. */
 const LONG_MILLISECONDS = 500;
 
-/** Who is told of the quality of frames. */
+/** What the quality of frames needs to know of its surroundings, and whom it tells. */
 interface FrameQualityHost {
   /** Whether the model that is drawn only stands in for one that is being baked. */
   isStandIn(): boolean;

@@ -1,4 +1,4 @@
-/** Renders on demand, at most once per screen refresh. An idle page renders nothing. */
+/** Calls for frames on demand, at most once per refresh of the screen. An idle page draws no frames. */
 export class FrameScheduler {
   /** Number of frames drawn so far. */
   frames = 0;
@@ -6,7 +6,7 @@ export class FrameScheduler {
 
   constructor(private readonly draw: () => void) {}
 
-  /** Requests one frame. Further requests before it is drawn change nothing. */
+  /** Requests one frame. Further requests before it is drawn have no effect. */
   invalidate(): void {
     this.request ||= requestAnimationFrame(this.onFrame);
   }

@@ -7,7 +7,7 @@ import type { Scenery } from './Scenery.js';
 
 /** Draws frames into the viewport: on demand, and one after the other while the model moves by itself. */
 export class Frames {
-  /** While a picture is drawn in tiles nothing may move, and the canvas holds the latest tile. */
+  /** Whether no frames are drawn, because a picture is drawn in tiles: nothing may move, and the canvas holds the latest tile. */
   isHeld = false;
   private lastFrame = 0;
   private readonly scheduler: FrameScheduler;
@@ -22,7 +22,7 @@ export class Frames {
   ) {
     this.crossFade = new CrossFade(painter.renderer.domElement);
     this.scheduler = new FrameScheduler(() => {
-      // The last frame stays until then.
+      // Until the programs are built, the last frame stays on the page.
       if (!painter.isBuilding) this.draw();
     });
   }
@@ -48,12 +48,12 @@ export class Frames {
     return this.scheduler.isWaiting || painter.isBuilding || (quality.isSketch && !painter.isLost);
   }
 
-  /** Gives up the picture of a stand-in that was to fade into that of the model. */
+  /** Discards the picture of a stand-in, which would have faded into that of the model. */
   forgetStandIn(): void {
     this.crossFade.forget();
   }
 
-  /** Gives the canvas the viewport's size. Draws at once and not in the next frame, because resizing clears the canvas. */
+  /** Gives the canvas the size of the viewport. It is drawn at once and not in the next frame, because resizing clears it. */
   resize(width: number, height: number): void {
     const { painter, quality } = this;
     painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
@@ -76,9 +76,9 @@ export class Frames {
   }
 
   /**
-   * Draws the picture that is shown once more, so that it can be copied in the same task. This is no movement.
+   * Draws the picture that is shown once more, so that it can be copied in the same task. This frame is not measured.
    *
-   * @returns whether there is one
+   * @returns whether there is a picture
    */
   redraw(): boolean {
     const size = this.drawableSize;

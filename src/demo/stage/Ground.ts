@@ -7,14 +7,14 @@ import type { Look } from '../settings/lookOf.js';
 import type { Layer } from './layers.js';
 
 /**
- * The size of the ground in radii of the model: far enough for the longest shadow, and for a horizon. Its parts along each side are
- * so many that strokes of techniques that have a frame per triangle follow perspective and lamps.
+ * The size of the ground in radii of the model: large enough for the longest shadow, and for a horizon. It is divided into this many
+ * parts along each side, so that strokes follow perspective and lamps where a technique has a frame per triangle.
  */
 export const GROUND = { size: 40, parts: 40 } as const;
-/** Changes of the material, some to a look, after which programs of earlier looks are freed. */
+/** After this many changes of the material, of which a look can take several, programs of earlier looks are freed. */
 const MANY_VERSIONS = 24;
 
-/** What the model stands on: a sheet that shows its shadow and nothing else, or a floor. Drawn by the hand of the model. */
+/** What the model stands on: a sheet that shows nothing but its shadow, or a floor. It is drawn with the strokes of the model. */
 export class Ground {
   private readonly holder = new Group();
   private readonly material = new HatchingMaterial();
@@ -22,7 +22,7 @@ export class Ground {
   private freedVersion = 0;
   private kind: Look['ground'] = 'none';
 
-  /** @param onReady called when a frame with the ground can be drawn */
+  /** @param onReady called when the ground is made and can be drawn */
   constructor(
     scene: Scene,
     private readonly onReady: () => void,
@@ -31,7 +31,7 @@ export class Ground {
     scene.add(this.holder);
   }
 
-  /** How high it lies. */
+  /** The height at which the ground lies, in world units. */
   set height(y: number) {
     this.holder.position.y = y;
   }
@@ -55,12 +55,12 @@ export class Ground {
     this.freePrograms();
   }
 
-  /** Hides it, until a look is applied again. */
+  /** Hides the ground until a look is applied again. */
   hide(): void {
     this.holder.visible = false;
   }
 
-  /** three.js keeps a program of each look until the material is disposed of, and models come and go over the same ground. */
+  /** Frees the programs of earlier looks: three.js keeps them until the material is disposed of, and this one is never replaced. */
   private freePrograms(): void {
     if (this.material.version - this.freedVersion < MANY_VERSIONS) return;
     this.freedVersion = this.material.version;
@@ -71,7 +71,7 @@ export class Ground {
    * Sets how wide strokes are.
    *
    * @param pixelRatio pixels of the render target per CSS pixel
-   * @param share of the full resolution, where it is drawn in a lower one
+   * @param share of the full resolution that the frame is drawn in
    */
   setWidths(look: Look, pixelRatio: number, share = 1): void {
     Object.assign(this.material, materialSizesIn(look, pixelRatio, share));
@@ -87,7 +87,7 @@ export class Ground {
     material.depthWrite = !isClear;
   }
 
-  /** Shows what the ground gives to a layer: strokes of shadows to one, the paper of a floor to another; or all of it again. */
+  /** Shows what a layer holds of the ground: `shadow` its strokes, `colour` the paper of a floor; or shows all of the ground again. */
   showLayer(layer: Layer | undefined, look: Look): void {
     if (layer === undefined) {
       this.apply(look);
@@ -103,7 +103,7 @@ export class Ground {
     this.isMade = true;
     const plane = new PlaneGeometry(GROUND.size, GROUND.size, GROUND.parts, GROUND.parts).rotateX(-Math.PI / 2);
     const prepared = await prepareHatchingGeometry(plane).catch((error) => {
-      // Tried again with the next change.
+      // The next change tries it again.
       this.isMade = false;
       throw error;
     });

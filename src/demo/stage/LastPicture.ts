@@ -2,19 +2,19 @@
 const INTERVAL_MILLISECONDS = 1000;
 
 /**
- * Keeps a copy of the latest picture, to be shown while the graphics context is lost. The copy lies behind the drawing, in memory of
- * the processor, because what the graphics card holds goes with the context.
+ * Keeps a copy of the latest picture, which is shown while the graphics context is lost. The copy lies behind the drawing, and in main
+ * memory, because what the graphics card holds is lost with the context.
  *
- * Copying takes time: it is made where a context was lost once.
+ * Copying takes time, so pictures are copied only after a first loss.
  */
 export class LastPicture {
   private copy = document.createElement('canvas');
-  /** The pixels themselves: when the process of the graphics card ends, browsers blank canvases of every kind. */
+  /** The pixels themselves are kept too: when the GPU process ends, browsers blank canvases of every kind. */
   private pixels: ImageData | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private keptAt = -Infinity;
 
-  /** @param draw draws the picture once more; returns whether it could */
+  /** @param draw draws the picture once more, and returns whether there is one */
   constructor(
     private readonly drawing: HTMLCanvasElement,
     private readonly draw: () => boolean,
@@ -34,7 +34,7 @@ export class LastPicture {
     return this.pixels !== undefined;
   }
 
-  /** To be called after each frame. The last one of a movement is kept too, a little later. */
+  /** To be called after each frame. The last frame of a movement is copied too, a little later. */
   frameDrawn(): void {
     if (this.timer !== undefined) return;
     const wait = Math.max(0, this.keptAt + INTERVAL_MILLISECONDS - performance.now());
@@ -48,7 +48,7 @@ export class LastPicture {
   lost(): void {
     this.stop();
     if (this.pixels) {
-      // A new canvas, because a blanked one stays so.
+      // A canvas that was blanked stays blank, so a new one takes its place.
       const canvas = this.copy.cloneNode() as HTMLCanvasElement;
       this.copy.replaceWith(canvas);
       this.copy = canvas;
@@ -71,7 +71,7 @@ export class LastPicture {
 
   private keep(): void {
     const { copy, context, drawing } = this;
-    // In one task, because the canvas does not keep its content for longer.
+    // Drawn and copied in one task, because the canvas does not keep its content for longer.
     if (!this.draw()) return;
     this.keptAt = performance.now();
     if (copy.width !== drawing.width || copy.height !== drawing.height) {

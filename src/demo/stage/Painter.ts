@@ -13,10 +13,10 @@ export class Painter {
   readonly camera = createCamera();
   readonly sides: SideBySide;
   private readonly builder: ProgramBuilder;
-  /** What programs depend on, as it was when they were last built. */
+  /** The key of the programs that were built last; empty if none were. */
   private builtFor = '';
 
-  /** @param onBuilt called when programs that were waited for are ready */
+  /** @param onBuilt called when programs that were being built are ready */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly context: WebGL2RenderingContext,
@@ -25,7 +25,7 @@ export class Painter {
     onBuilt: () => void,
   ) {
     const renderer = new WebGLRenderer({ canvas, context });
-    // Costs nothing while no light casts a shadow. Drawn anew where something moves that casts one, not where the camera does.
+    // Shadows cost nothing while no light casts them. Their maps are drawn anew when a light or the model moves, not with the camera.
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.autoUpdate = false;
     this.renderer = renderer;
@@ -47,12 +47,12 @@ export class Painter {
     return this.renderer.getPixelRatio();
   }
 
-  /** Sets {@link pixelRatio}. The same gives the canvas no new memory. */
+  /** Does nothing if the ratio is the same, because setting it gives the canvas new memory. */
   set pixelRatio(ratio: number) {
     if (ratio !== this.pixelRatio) this.renderer.setPixelRatio(ratio);
   }
 
-  /** Sets the colour of what nothing is drawn on. */
+  /** Sets the colour of the background. */
   setPaper(color: string): void {
     this.renderer.setClearColor(color, 1);
   }
@@ -61,19 +61,19 @@ export class Painter {
    * Draws one tile of a picture, or a whole frame.
    *
    * @param pixelRatio pixels of the picture per CSS pixel; the widths of strokes and lines go with it
-   * @param share of the full resolution, where it is drawn in a lower one
+   * @param share of the full resolution that the frame is drawn in
    */
   drawTile(tile: Tile, pixelRatio: number, share = 1): void {
     this.setWidths(pixelRatio, share);
     this.sides.drawTile(tile);
   }
 
-  /** Has shadows drawn anew, because something has moved that casts or throws them. */
+  /** Has the shadow maps drawn anew in the next frame, because a light or the model has moved. */
   outdateShadows(): void {
     this.renderer.shadowMap.needsUpdate = true;
   }
 
-  /** Places the lights, and has shadows drawn anew where they or the model have moved. */
+  /** Places the lights, and has the shadow maps drawn anew if they or the model have moved. */
   placeLights(quality: ShadowQuality): void {
     const { scenery } = this;
     const hasMoved = scenery.look !== undefined && scenery.lights.place(this.camera);
@@ -81,12 +81,12 @@ export class Painter {
     this.setShadowQuality(quality, this.renderer.shadowMap.needsUpdate);
   }
 
-  /** As {@link LightRig.setShadowQuality}. */
+  /** Sets how finely shadows are drawn, as {@link LightRig.setShadowQuality} does. */
   setShadowQuality(quality: ShadowQuality, areDrawn: boolean): void {
     if (this.scenery.lights.setShadowQuality(quality, areDrawn)) this.outdateShadows();
   }
 
-  /** Whether programs are being built. The last frame stays until then. */
+  /** Whether programs are being built. */
   get isBuilding(): boolean {
     return this.builder.isBuilding;
   }
@@ -108,7 +108,7 @@ export class Painter {
     });
   }
 
-  /** To be called when programs are needed that the look does not tell of: those of another model, or of another context. */
+  /** To be called when the same look needs other programs: those of another model, or of a restored context. */
   forgetPrograms(): void {
     this.builtFor = '';
   }

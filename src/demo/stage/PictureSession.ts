@@ -27,18 +27,18 @@ interface Part {
   height: number;
 }
 
-/** How a picture is drawn: on which ground, and what of it. */
+/** How a picture is drawn: on which background, and whether all of it. */
 export interface PictureLook {
   ground: Settings['pictureGround'];
-  /** One layer alone, on a transparent ground. */
+  /** The one layer that is drawn, on a transparent background. */
   layer?: Layer;
 }
 
-/** Draws pictures in tiles, or frame by frame, on the canvas of the page, whose frames and animation are held meanwhile. */
+/** Draws pictures in tiles, or videos frame by frame, on the canvas of the page. The frames of the page are held meanwhile. */
 export class PictureSession {
   private isOutdated = false;
 
-  /** @param onRelease called when frames go on: the canvas has the size of a tile, and shows it */
+  /** @param onRelease called when frames go on. The canvas still has the size of a tile then, and shows it */
   constructor(
     private readonly painter: Painter,
     private readonly scenery: Scenery,
@@ -47,7 +47,7 @@ export class PictureSession {
     private readonly onRelease: () => void,
   ) {}
 
-  /** To be called when the view, the model or the settings change: no tile fits those that were drawn before. */
+  /** To be called when the view, the model or the look changes: further tiles would not fit those that were drawn before. */
   outdate(): void {
     this.isOutdated = true;
   }
@@ -64,13 +64,13 @@ export class PictureSession {
     this.painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);
   }
 
-  /** Goes on with frames: draws one at once, so that the page never shows a tile. */
+  /** Goes on with frames. One is drawn at once, so that the page never shows a tile. */
   release(): void {
     this.frames.isHeld = false;
     this.onRelease();
   }
 
-  /** Shows, while frames are held, what a picture is to show; until {@link end}. */
+  /** Shows what the picture is to hold, until {@link end}. Frames must be held. */
   begin({ ground, layer }: PictureLook): void {
     const { painter, scenery } = this;
     painter.pixelRatio = 1;
@@ -94,7 +94,7 @@ export class PictureSession {
     if (this.isOutdated) throw new Error('The drawing was changed while it was being saved; save it again.');
     const { painter } = this;
     const { canvas, camera } = painter;
-    // Even the same size would give the canvas new memory.
+    // Setting the size gives the canvas new memory, even if it is the same.
     if (canvas.width !== width || canvas.height !== height) painter.renderer.setSize(width, height, false);
     camera.setViewOffset(viewWidth, viewHeight, left + x, top + y, width, height);
     painter.drawTile({ viewWidth, x: left + x, width, height }, scale);

@@ -2,14 +2,14 @@ import type { WebGLInfo, WebGLRenderer } from 'three';
 
 const POLL_MILLISECONDS = 10;
 
-/** Has the programs of a scene built beside the page, so that the first frame that needs them does not hold it up. */
+/** Has the programs of a scene built in the background, so that the first frame that needs them does not block the page. */
 export class ProgramBuilder {
   private readonly gl: WebGL2RenderingContext;
-  /** Passed when the browser has handed the programs to the driver. */
+  /** A fence that is passed when the browser has handed the programs to the driver. */
   private fence: WebGLSync | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param onBuilt called when programs that were waited for are ready */
+  /** @param onBuilt called when the programs are ready */
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly onBuilt: () => void,
@@ -21,7 +21,7 @@ export class ProgramBuilder {
     return this.timer !== undefined;
   }
 
-  /** @param compile calls the renderer's `compile` for everything that is drawn next */
+  /** Builds programs. @param compile calls the renderer's `compile` for everything that is drawn next */
   build(compile: () => void): void {
     const newest = this.programs.at(-1);
     compile();
@@ -48,7 +48,7 @@ export class ProgramBuilder {
     if (gl.isContextLost()) return true;
     if (fence && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
     const parallel = gl.getExtension('KHR_parallel_shader_compile');
-    // Not by the promise of compileAsync: it throws where a material is disposed meanwhile.
+    // The promise of compileAsync would throw if a material is disposed of meanwhile.
     return (
       !parallel ||
       this.programs.every(({ program }) =>
@@ -64,7 +64,7 @@ export class ProgramBuilder {
         return;
       }
       this.stop();
-      // Asks for them once, which in the middle of a frame would wait for what is drawn before.
+      // three.js asks for the uniforms of a program once. In the middle of a frame that would wait for what was drawn before.
       for (const program of this.programs) program.getUniforms();
       this.onBuilt();
     }, POLL_MILLISECONDS);

@@ -14,17 +14,17 @@ export class Scenery {
   readonly lights = new LightRig(this.scene);
   readonly ground: Ground;
   readonly shown: ShownModel;
-  /** How it is drawn; undefined before that was said. */
+  /** How everything is drawn; undefined until the first look is applied. */
   look: Look | undefined;
   private readonly upright = new Group();
   private turn: Look['upright'] = UPRIGHT.y;
   private map: TonalArtMap | undefined;
-  /** Whether the model throws a shadow on what it stands on, for which it goes aside when it is framed. */
+  /** Whether the model casts a shadow on the ground. Framing leaves room for that. */
   private showsShadow = false;
 
   /**
    * @param onGround called when a frame with the ground can be drawn
-   * @param onModel as {@link ShownModel} calls it
+   * @param onModel called when another model is shown, as {@link ShownModel} says
    */
   constructor(onGround: () => void, onModel: ConstructorParameters<typeof ShownModel>[1]) {
     this.ground = new Ground(this.scene, onGround);
@@ -33,9 +33,9 @@ export class Scenery {
   }
 
   /**
-   * Gives a look to the lights, the model and the ground. Shadows stay as they are.
+   * Gives a look to the lights, the model and the ground. Shadow maps are not drawn anew.
    *
-   * @returns whether the model was turned, or whether its shadow has come or gone: it may have to be framed anew
+   * @returns whether the model was turned, and whether its shadow has appeared or disappeared: both ask for another framing
    */
   apply(look: Look): { isTurned: boolean; hasOtherShadow: boolean } {
     const { shown, lights, ground, upright } = this;
@@ -50,7 +50,7 @@ export class Scenery {
     return { isTurned, hasOtherShadow: this.showsShadow !== hadShadow };
   }
 
-  /** Puts the ground under the model. @returns xyz of points of the model, enough to tell where it ends; undefined without one */
+  /** Puts the ground under the model. @returns xyz of points of the model, enough of them to frame it; undefined without a model */
   standOnGround(): Float32Array | undefined {
     const { shown, ground, upright } = this;
     upright.updateMatrix();
@@ -59,7 +59,7 @@ export class Scenery {
     return turned(shown.model.outline, upright.matrix);
   }
 
-  /** xyz of points of the shadow that an outline casts on the ground, seen from a direction; undefined without one. */
+  /** The shadow that points (as xyz) cast on the ground, seen from a direction, as xyz; undefined if there is no shadow. */
   shadowOf(outline: ArrayLike<number>, toEye: Vector3): number[] | undefined {
     return this.showsShadow ? this.lights.shadowOf(outline, this.ground.height, toEye) : undefined;
   }
@@ -74,7 +74,7 @@ export class Scenery {
     this.ground.tonalArtMap = map;
   }
 
-  /** Whether there is a model, and a map if one is drawn with. */
+  /** Whether there is a model, and a map if the look needs one. */
   get isComplete(): boolean {
     return this.shown.model !== undefined && (this.map !== undefined || this.look?.needsMap === false);
   }
@@ -83,7 +83,7 @@ export class Scenery {
    * Sets how wide strokes and lines are.
    *
    * @param strokeRatio pixels of the render target per pixel of the look
-   * @param share of the full resolution, where it is drawn in a lower one
+   * @param share of the full resolution that the frame is drawn in
    */
   setWidths(strokeRatio: number, share: number): void {
     if (!this.look) return;
@@ -91,7 +91,7 @@ export class Scenery {
     this.ground.setWidths(this.look, strokeRatio, share);
   }
 
-  /** Leaves away, until the look is applied again, what takes programs of its own: lines and ground. */
+  /** Hides lines and ground, which need programs of their own, until the look is applied again. */
   showSketch(): void {
     this.shown.model?.showLines(false);
     this.ground.hide();
@@ -103,7 +103,7 @@ export class Scenery {
     this.ground.showPaper(isShown);
   }
 
-  /** Shows one layer alone, on a transparent ground; or all of them again. */
+  /** Shows one layer alone, on a transparent background; or all of them again. */
   showLayer(layer: Layer | undefined): void {
     if (!this.look) return;
     this.shown.model?.showLayer(layer, this.look);
@@ -117,7 +117,7 @@ export class Scenery {
   }
 }
 
-/** Points, given as xyz, after a rotation. */
+/** Rotates points, given as xyz. */
 function turned(points: Float32Array, rotation: Matrix4): Float32Array {
   const point = new Vector3();
   const result = points.slice();

@@ -11,14 +11,14 @@ type ViewDirection = readonly [number, number, number];
 /** What has changed: another model is drawn for the first time, a model has taken its stand-in's place, or an earlier one is back. */
 export type ModelChange = 'another' | 'completed' | 'back';
 
-/** The model that is shown. A stand-in may take its place, until the model that is waited for comes or the earlier one comes back. */
+/** The model that is shown. A stand-in may take its place until the next model is baked; if that fails, the earlier model comes back. */
 export class ShownModel {
   private current: HatchedModel | undefined;
   private firstView: ViewDirection = DEFAULT_VIEW;
   private isTemporary = false;
-  /** The model that a stand-in has taken the place of. It comes back if the one that is waited for does not come. */
+  /** The model that a stand-in has replaced. It comes back if the next model is not baked. */
   private replaced: { model: HatchedModel | undefined; firstView: ViewDirection } | undefined;
-  /** Models are kept until the new one has been drawn, so that programs used by both are not compiled again. */
+  /** Earlier models are kept until the new one has been drawn, so that programs which both use are not compiled again. */
   private previous: HatchedModel[] = [];
   private map: TonalArtMap | undefined;
   private look: Look | undefined;
@@ -51,7 +51,7 @@ export class ShownModel {
     this.report(change, firstView);
   }
 
-  /** Shows a model until {@link set} sets the one that is waited for, or {@link removeStandIn} brings back the one before. */
+  /** Shows a model until {@link set} sets the one that is being baked, or {@link removeStandIn} brings back the earlier one. */
   setStandIn(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
     this.disposePrevious();
     const before = this.exchange(next);
@@ -74,8 +74,8 @@ export class ShownModel {
   }
 
   /**
-   * Gives a model the present look before it is set, in slices, so that {@link set} finds little to do. Rejects with the
-   * signal's reason.
+   * Gives a model the present look before it is set, in slices, so that {@link set} has little to do. Rejects with the reason of
+   * the signal.
    */
   async dress(next: HatchedModel, signal: AbortSignal): Promise<void> {
     const slices = new Slices(signal);
@@ -107,7 +107,7 @@ export class ShownModel {
     this.current?.releaseGraphics();
   }
 
-  /** Puts a model in the place of the present one, which is returned. */
+  /** Shows a model instead of the present one, which is returned. */
   private exchange(next: HatchedModel | undefined): HatchedModel | undefined {
     const before = this.current;
     before?.root.removeFromParent();

@@ -11,7 +11,7 @@ import { Scenery } from './Scenery.js';
 import type { ModelChange, ShownModel } from './ShownModel.js';
 import { View } from './view/View.js';
 
-/** The drawing on the page: what is drawn, where it is seen from, and the frames and pictures of it. */
+/** The drawing on the page: what is drawn, where the camera is, and the frames and pictures that are drawn of it. */
 export class Stage {
   readonly scenery: Scenery;
   readonly camera: PerspectiveCamera;
@@ -55,7 +55,7 @@ export class Stage {
     this.resize();
   }
 
-  /** How another model takes the place of the one that is shown. */
+  /** The model that is shown, and how another one takes its place. */
   get shown(): ShownModel {
     return this.scenery.shown;
   }
@@ -64,7 +64,7 @@ export class Stage {
     return this.scenery.shown.model;
   }
 
-  /** Draws in another look. Cheap: at most a program is compiled, where the look needs another one. */
+  /** Draws in another look. This is cheap: at most a program is compiled, where the look needs another one. */
   apply(look: Look): void {
     this.scenery.look = look;
     this.picture.outdate();
@@ -91,12 +91,12 @@ export class Stage {
     this.frames.invalidate();
   }
 
-  /** Has shadows drawn anew, because something has moved that casts or throws them. */
+  /** Has the shadow maps drawn anew in the next frame, because a light or the model has moved. */
   outdateShadows(): void {
     this.painter.outdateShadows();
   }
 
-  /** Whether there is a model, and a map if one is drawn with. */
+  /** Whether there is a model, and a map if the look needs one. */
   get isComplete(): boolean {
     return this.scenery.isComplete;
   }
@@ -106,7 +106,7 @@ export class Stage {
     return this.painter.isLost;
   }
 
-  /** Whether the last picture before the loss of the context is on the page. */
+  /** Whether the page shows the last picture from before the context was lost. */
   get showsLastPicture(): boolean {
     return this.contextLoss.showsLastPicture;
   }
@@ -122,7 +122,7 @@ export class Stage {
       this.placeModel();
     } else if (hasOtherShadow && view.isFramed) view.frame();
     painter.setPaper(look.paper);
-    // The few programs of a sketch are built by its frame.
+    // A sketch needs few programs, and its own frame builds them.
     if (!this.quality.isSketch) painter.buildPrograms(look);
     this.frames.invalidate();
   }
@@ -131,7 +131,7 @@ export class Stage {
     const { painter, frames } = this;
     this.picture.outdate();
     painter.forgetPrograms();
-    // After a stand-in all programs are there, and its shadows are those of the model.
+    // After a stand-in, no sketch is needed: programs and shadows are those of the model already.
     this.quality.restart(change === 'another' && !painter.isLost);
     if (change !== 'completed') painter.outdateShadows();
     if (change === 'back') frames.forgetStandIn();

@@ -1,6 +1,6 @@
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
-/** Whether the browser draws WebGL 2 on the processor, in the lack of a graphics card or of its driver. */
+/** Whether the browser draws WebGL 2 on the processor, because there is no graphics card or no driver for it. */
 export function drawsInSoftware(): boolean {
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
   if (!gl) return false;

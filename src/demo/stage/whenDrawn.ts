@@ -6,11 +6,11 @@ const POLL_MILLISECONDS = 10;
  */
 export function whenDrawn(gl: WebGL2RenderingContext): Promise<void> {
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-  // Without it, the fence might wait for the commands of the next frame.
+  // Without the flush, the fence might wait for the commands of the next frame.
   gl.flush();
   return new Promise((resolve) => {
     const poll = (): void => {
-      // A fence is none any more when its context was lost, also when that has come back meanwhile.
+      // A fence is no longer valid once its context was lost, even if the context has come back since.
       if (fence && gl.isSync(fence) && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
         setTimeout(poll, POLL_MILLISECONDS);
         return;

@@ -5,24 +5,24 @@ import type { Stage } from '../stage/Stage.js';
 import { fitCamera } from '../stage/view/framing.js';
 import { turnedOutlines } from './turnedOutlines.js';
 
-/** What a frame of a video shows otherwise than the page does. */
+/** How a frame of a video differs from what the page shows. */
 export interface FramePose {
-  /** By how much the model is turned, with what stands around it, in degrees. */
+  /** The angle by which the model is turned, together with the ground and the lights, in degrees. */
   turn: number;
-  /** By how much the light is moved around the model, in degrees. */
+  /** The angle by which the light is moved around the model, in degrees. */
   light: number;
-  /** How far the model's clip is, in seconds; undefined leaves it as it is. */
+  /** The time in the model's clip, in seconds; undefined leaves it as it is. */
   clipTime: number | undefined;
 }
 
 const UP = new Vector3(0, 1, 0);
 
-/** Moves the camera, the light and the model's clip for the frames of a video. The camera goes around where the model turns. */
+/** Moves the camera, the light and the model's clip for the frames of a video. To turn the model, the camera goes around it. */
 export class FramePoser {
   private readonly clipTime: number | undefined;
   private readonly position = new Vector3();
   private readonly quaternion = new Quaternion();
-  /** Where the first frame is seen from, and what the camera looks at there. */
+  /** The position of the camera in the first frame, and the point that it looks at. */
   private readonly first = new Vector3();
   private readonly target: Vector3;
 
@@ -59,7 +59,7 @@ export class FramePoser {
     stage.outdateShadows();
   }
 
-  /** Puts back what was moved, but for the camera's aspect, which the stage sets when frames go on. */
+  /** Puts everything back that was moved. The stage itself sets the camera's aspect when frames go on. */
   restore(): void {
     const { camera, model, scenery } = this.stage;
     camera.position.copy(this.position);
@@ -76,6 +76,6 @@ function frame({ view }: Stage, camera: PerspectiveCamera, aspect: number, turns
   camera.aspect = aspect;
   camera.updateProjectionMatrix();
   if (!turns) return fitCamera(camera, outline, first, { fill, shadow });
-  // In all turns together, a shadow would reach to every side.
+  // The shadows of all turns together would reach to every side, so they are not framed.
   return fitCamera(camera, turnedOutlines(outline), first, { fill });
 }

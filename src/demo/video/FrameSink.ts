@@ -1,12 +1,12 @@
-/** Takes the frames of a video. */
+/** Records the frames of a video in a file. */
 export interface FrameSink {
-  /** Of the file. */
+  /** The extension of the file's name, with its dot. */
   readonly extension: string;
-  /** What the file is, in words. */
+  /** The kind of the file, in words for the user. */
   readonly kind: string;
-  /** Takes what the canvas shows in this task, and resolves when the next frame may come. */
+  /** Adds what the canvas shows in this task, and resolves when the next frame can be added. */
   add(canvas: HTMLCanvasElement, frame: number): Promise<void>;
   end(): Promise<Blob>;
-  /** To be called in the place of `end`, if the video is given up. */
+  /** To be called instead of `end` if the video is given up. */
   abort(): Promise<void>;
 }

@@ -10,14 +10,14 @@ import {
 import type { FrameSink } from './FrameSink.js';
 import { stampOf, type VideoPlan } from './videoPlan.js';
 
-/** The codecs in the order of how many programs show them. */
+/** The codecs, those first that most programs can play. */
 const CODECS = ['avc', 'vp9', 'vp8'] as const;
 const NAMES = { avc: 'H.264 in MP4', vp9: 'VP9 in WebM', vp8: 'VP8 in WebM' } as const;
 
-/** Thin strokes suffer first. */
+/** Low quality would harm thin strokes first. */
 const QUALITY = new Quality('very-high');
 
-/** Records frames as a film: encoded by the browser, each with its own time, however long it took to draw. */
+/** Records frames as a video that the browser encodes. Each frame has its own time, however long it took to draw. */
 export class MovieSink implements FrameSink {
   readonly extension: string;
   readonly kind: string;
@@ -39,9 +39,9 @@ export class MovieSink implements FrameSink {
   }
 
   /**
-   * Begins a film with the first codec that the browser can encode in the size of the frames.
+   * Begins a video with the first codec in which the browser can encode frames of this size.
    *
-   * @returns undefined if there is none
+   * @returns undefined if there is no such codec
    */
   static async begin(plan: VideoPlan, canvas: HTMLCanvasElement): Promise<MovieSink | undefined> {
     const { width, height, rate: frameRate } = plan;

@@ -2,7 +2,7 @@ import { ZipWriter } from '../print/ZipWriter.js';
 import type { FrameSink } from './FrameSink.js';
 import type { VideoPlan } from './videoPlan.js';
 
-/** Saves frames as numbered PNG pictures in an archive. Every program that makes videos takes them. */
+/** Saves frames as numbered PNG pictures in an archive. Every program that makes videos can read them. */
 export class PicturesSink implements FrameSink {
   readonly extension = '.zip';
   readonly kind = 'PNG pictures in a ZIP';

@@ -11,7 +11,7 @@ import { placeOnFrame, planVideo, poseOf, type VideoPlan } from './videoPlan.js'
 export interface RecordOptions {
   /** Size of the page's view, in CSS pixels. */
   view: Size;
-  /** Of the pictures, if that is what is saved. */
+  /** The name of the pictures, if frames are saved as pictures. */
   name: string;
   signal: AbortSignal;
   onProgress: (progress: number) => void;
@@ -19,7 +19,7 @@ export interface RecordOptions {
   onFrame: (canvas: HTMLCanvasElement) => void;
 }
 
-/** A recorded video, and what it is in one sentence. */
+/** A recorded video, and one sentence about it for the user. */
 export interface Recording {
   content: Blob;
   extension: string;
@@ -27,8 +27,8 @@ export interface Recording {
 }
 
 /**
- * Records the video that the settings ask for, frame by frame, however long each takes. The page's frames are held meanwhile. Where the browser
- * encodes no video, the frames are saved as pictures.
+ * Records the video that the settings ask for, frame by frame, however long each takes. The frames of the page are held meanwhile.
+ * Where the browser cannot encode video, the frames are saved as pictures.
  *
  * @throws Error with a sentence for the user
  */
@@ -48,7 +48,7 @@ export async function recordVideo(
   const { width, height } = plan;
   const place = placeOnFrame(plan, view, stage.view.isFramed);
   let drawn = 0;
-  // The graphics context may be back before anybody asks, and a frame be blank.
+  // The graphics context may be lost and restored between two checks, and leave a blank frame.
   let wasLost = false;
   const onLost = (): void => {
     wasLost = true;
@@ -62,7 +62,7 @@ export async function recordVideo(
     const movie = settings.videoForm === 'video' ? await MovieSink.begin(plan, canvas) : undefined;
     sink = movie ?? new PicturesSink(plan, name);
     while (drawn < plan.frames) {
-      // The page goes on living between two frames: Cancel is heard.
+      // Between two frames the page handles its events, Cancel among them.
       await nextTask();
       signal.throwIfAborted();
       poser.pose(poseOf(plan, drawn, videoMotion, start));
@@ -78,7 +78,7 @@ export async function recordVideo(
     return { content, extension: sink.extension, sentence: `Saved: ${describe(plan, sink.kind)}.${fallback}` };
   } catch (error) {
     await sink?.abort();
-    // An encoder may go with the graphics card, and be the first to say so.
+    // An encoder may fail because the graphics context was lost, and be the first to report it.
     const isLoss = error instanceof LostContextError || wasLost || stage.isLost;
     throw isLoss ? new LostContextError(lossAfter(drawn, plan)) : error;
   } finally {
@@ -89,7 +89,7 @@ export async function recordVideo(
   }
 }
 
-/** Waits for a task of its own. Unlike timers, such tasks are not put off in a tab that is hidden. */
+/** Resolves in the next task. Unlike timers, messages are not delayed in a hidden tab. */
 function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

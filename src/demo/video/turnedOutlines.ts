@@ -1,4 +1,4 @@
-/** In so many steps, a turning model is hardly wider between two of them than in one. */
+/** The number of turns: with so many, a model is hardly wider between two of them than in one. */
 const TURNS = 24;
 
 /** The points of a model in all its turns about the upright axis. @param positions xyz of each point */

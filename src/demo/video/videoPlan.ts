@@ -2,10 +2,10 @@ import { type PrintPlan, placeView, type Size, strokeScale } from '../print/prin
 import type { Settings } from '../settings/settings.js';
 import type { FramePose } from './FramePoser.js';
 
-/** How far a swinging light goes to either side, in degrees: it stays before the model. */
+/** How far a swinging light goes to either side, in degrees. It stays in front of the model. */
 const SWING = 60;
 
-/** The frames of a video, the size of each in pixels, and how many there are in a second. */
+/** The frames of a video: their size in pixels, their number, and how many there are in a second. */
 export interface VideoPlan extends Size {
   frames: number;
   rate: number;
@@ -13,7 +13,7 @@ export interface VideoPlan extends Size {
 
 /** The clip of a model that is playing. */
 export interface PlayingClip {
-  /** Seconds that it takes, and where it is. */
+  /** The length of the clip and the time in it, in seconds. */
   duration: number;
   time: number;
   speed: number;
@@ -26,15 +26,15 @@ export function planVideo({ videoSize, videoSeconds, videoRate }: Settings, view
   return { width: toEven(width), height: toEven(height), frames: videoSeconds * rate, rate };
 }
 
-/** Video formats halve the resolution of colours. */
+/** Sizes are even, because video formats halve the resolution of colours. */
 const toEven = (pixels: number): number => Math.max(2, 2 * Math.round(pixels / 2));
 
 /** When a frame is shown and for how long, in seconds. */
 export const stampOf = ({ rate }: VideoPlan, frame: number) => ({ time: frame / rate, duration: 1 / rate });
 
 /**
- * What a frame shows. The frame after the last one would be the first: played again and again, the video has no seam. A clip is
- * played in whole rounds for the same reason, as many as come nearest to its speed.
+ * What a frame shows. The frame after the last one would equal the first, so that the video can be looped without a jump. For the same
+ * reason a clip is played a whole number of times, the one that is nearest to its speed.
  */
 export function poseOf(
   { frames, rate }: VideoPlan,
@@ -57,7 +57,7 @@ function clipTime({ duration, time, speed }: PlayingClip, seconds: number, share
   return (time + share * rounds * duration) % duration;
 }
 
-/** Where the view lies on a frame. @param isFramed whether the camera was placed for the frames themselves */
+/** Where the view lies on a frame. @param isFramed whether the camera was placed to frame the model in the video */
 export function placeOnFrame(plan: VideoPlan, view: Size, isFramed: boolean): Omit<PrintPlan, 'dpi'> {
   if (!isFramed) return placeView(plan, view);
   const { width, height } = plan;
