@@ -1,10 +1,7 @@
 import type { Settings } from '../settings/settings.js';
-import type { FrameQuality } from './FrameQuality.js';
-import type { Frames } from './Frames.js';
 import { LostContextError } from './LostContextError.js';
 import type { Layer } from './layers.js';
-import type { Painter } from './Painter.js';
-import type { Scenery } from './Scenery.js';
+import type { Stage } from './Stage.js';
 
 /** Pixels of the longer side of a picture that is larger than a screen. */
 const LARGE = 2048;
@@ -36,21 +33,10 @@ export interface PictureLook {
 
 /** Draws pictures in tiles, or videos frame by frame, on the canvas of the page. The frames of the page are held meanwhile. */
 export class PictureSession {
-  private isOutdated = false;
+  /** The changes of the stage when its frames were held: after another change, further tiles would not fit the earlier ones. */
+  private changes = 0;
 
-  /** @param onRelease called when frames go on. The canvas still has the size of a tile then, and shows it */
-  constructor(
-    private readonly painter: Painter,
-    private readonly scenery: Scenery,
-    private readonly frames: Frames,
-    private readonly quality: FrameQuality,
-    private readonly onRelease: () => void,
-  ) {}
-
-  /** To be called when the view, the model or the look changes: further tiles would not fit those that were drawn before. */
-  outdate(): void {
-    this.isOutdated = true;
-  }
+  constructor(private readonly stage: Stage) {}
 
   /**
    * Stops frames and animation, so that a picture can be drawn in tiles, until {@link release}.
@@ -58,21 +44,22 @@ export class PictureSession {
    * @param size pixels of the longer side of the picture
    */
   hold(size: number): void {
-    this.quality.finishSketch();
-    this.frames.isHeld = true;
-    this.isOutdated = false;
-    this.painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);
+    const { quality, frames, painter } = this.stage;
+    quality.finishSketch();
+    frames.isHeld = true;
+    this.changes = this.stage.changes;
+    painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);
   }
 
   /** Goes on with frames. One is drawn at once, so that the page never shows a tile. */
   release(): void {
-    this.frames.isHeld = false;
-    this.onRelease();
+    this.stage.frames.isHeld = false;
+    this.stage.resize();
   }
 
   /** Shows what the picture is to hold, until {@link end}. Frames must be held. */
   begin({ ground, layer }: PictureLook): void {
-    const { painter, scenery } = this;
+    const { painter, scenery } = this.stage;
     painter.pixelRatio = 1;
     if (ground !== 'paper' || layer) painter.renderer.setClearAlpha(0);
     if (layer) scenery.showLayer(layer);
@@ -80,8 +67,9 @@ export class PictureSession {
   }
 
   end(): void {
-    this.scenery.showLayer(undefined);
-    this.painter.renderer.setClearAlpha(1);
+    const { painter, scenery } = this.stage;
+    scenery.showLayer(undefined);
+    painter.renderer.setClearAlpha(1);
   }
 
   /**
@@ -91,8 +79,9 @@ export class PictureSession {
    * @throws Error with a sentence for the user
    */
   drawPart({ viewWidth, viewHeight, left, top, scale }: TiledPicture, { x, y, width, height }: Part): void {
-    if (this.isOutdated) throw new Error('The drawing was changed while it was being saved; save it again.');
-    const { painter } = this;
+    if (this.stage.changes !== this.changes)
+      throw new Error('The drawing was changed while it was being saved; save it again.');
+    const { painter } = this.stage;
     const { canvas, camera } = painter;
     // Setting the size gives the canvas new memory, even if it is the same.
     if (canvas.width !== width || canvas.height !== height) painter.renderer.setSize(width, height, false);
@@ -110,13 +99,13 @@ export class PictureSession {
    * @throws Error with a sentence for the user
    */
   readTile(picture: TiledPicture, tile: Part, pixels: Uint8Array): void {
-    const { context } = this.painter;
+    const { context } = this.stage;
     this.drawPart(picture, tile);
     context.readPixels(0, 0, tile.width, tile.height, context.RGBA, context.UNSIGNED_BYTE, pixels);
     this.throwIfLost();
   }
 
   private throwIfLost(): void {
-    if (this.painter.isLost) throw new LostContextError();
+    if (this.stage.isLost) throw new LostContextError();
   }
 }

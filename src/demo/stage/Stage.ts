@@ -6,7 +6,6 @@ import { ContextLoss } from './ContextLoss.js';
 import { FrameQuality } from './FrameQuality.js';
 import { Frames } from './Frames.js';
 import { Painter } from './Painter.js';
-import { PictureSession } from './PictureSession.js';
 import { Scenery } from './Scenery.js';
 import type { ModelChange, ShownModel } from './ShownModel.js';
 import { View } from './view/View.js';
@@ -18,8 +17,9 @@ export class Stage {
   readonly view: View;
   readonly frames: Frames;
   readonly quality: FrameQuality;
-  readonly picture: PictureSession;
-  private readonly painter: Painter;
+  readonly painter: Painter;
+  /** How often the view, the model or the look has changed, or the size of the viewport. */
+  changes = 0;
   private readonly contextLoss: ContextLoss;
 
   /** Sets up the stage. A frame is drawn when one was requested, and when the viewport changes its size. */
@@ -40,12 +40,11 @@ export class Stage {
       onSketched: () => this.show(),
     });
     this.frames = new Frames(painter, scenery, this.quality, viewport);
-    this.picture = new PictureSession(painter, scenery, this.frames, this.quality, () => this.resize());
     this.view = new View(
       canvas,
       this.camera,
       () => {
-        this.picture.outdate();
+        this.changes++;
         invalidate();
       },
       (outline, toEye) => scenery.shadowOf(outline, toEye),
@@ -67,7 +66,7 @@ export class Stage {
   /** Draws in another look. This is cheap: at most a program is compiled, where the look needs another one. */
   apply(look: Look): void {
     this.scenery.look = look;
-    this.picture.outdate();
+    this.changes++;
     this.show();
     this.painter.outdateShadows();
   }
@@ -78,7 +77,7 @@ export class Stage {
 
   set tonalArtMap(map: TonalArtMap) {
     this.scenery.tonalArtMap = map;
-    this.picture.outdate();
+    this.changes++;
     this.frames.invalidate();
   }
 
@@ -129,7 +128,7 @@ export class Stage {
 
   private modelChanged(change: ModelChange, firstView: readonly [number, number, number]): void {
     const { painter, frames } = this;
-    this.picture.outdate();
+    this.changes++;
     painter.forgetPrograms();
     // After a stand-in, no sketch is needed: programs and shadows are those of the model already.
     this.quality.restart(change === 'another' && !painter.isLost);
@@ -146,10 +145,11 @@ export class Stage {
     if (outline) this.view.setOutline(outline, firstView);
   }
 
-  private resize(): void {
+  /** Gives the canvas the size of the viewport and draws a frame at once, unless frames are held. */
+  resize(): void {
     const { clientWidth: width, clientHeight: height } = this.viewport;
     if (width === 0 || height === 0) return;
-    this.picture.outdate();
+    this.changes++;
     if (this.frames.isHeld) return;
     this.view.resized(width / height);
     this.frames.resize(width, height);

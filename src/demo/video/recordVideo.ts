@@ -1,6 +1,7 @@
 import type { Size } from '../print/printPlan.js';
 import type { Settings } from '../settings/settings.js';
 import { LostContextError } from '../stage/LostContextError.js';
+import type { PictureSession } from '../stage/PictureSession.js';
 import type { Stage } from '../stage/Stage.js';
 import { FramePoser } from './FramePoser.js';
 import type { FrameSink } from './FrameSink.js';
@@ -34,6 +35,7 @@ export interface Recording {
  */
 export async function recordVideo(
   stage: Stage,
+  session: PictureSession,
   settings: Settings,
   { view, name, signal, onProgress, onFrame }: RecordOptions,
 ): Promise<Recording> {
@@ -54,8 +56,8 @@ export async function recordVideo(
     wasLost = true;
   };
   canvas.addEventListener('webglcontextlost', onLost);
-  stage.picture.hold(Math.max(width, height));
-  stage.picture.begin({ ground: 'paper' });
+  session.hold(Math.max(width, height));
+  session.begin({ ground: 'paper' });
   const poser = new FramePoser(stage, settings, width / height, videoMotion === 'turn');
   let sink: FrameSink | undefined;
   try {
@@ -66,7 +68,7 @@ export async function recordVideo(
       await nextTask();
       signal.throwIfAborted();
       poser.pose(poseOf(plan, drawn, videoMotion, start));
-      stage.picture.drawPart(place, { x: 0, y: 0, width, height });
+      session.drawPart(place, { x: 0, y: 0, width, height });
       const taken = sink.add(canvas, drawn);
       onFrame(canvas);
       await taken;
@@ -84,8 +86,8 @@ export async function recordVideo(
   } finally {
     canvas.removeEventListener('webglcontextlost', onLost);
     poser.restore();
-    stage.picture.end();
-    stage.picture.release();
+    session.end();
+    session.release();
   }
 }
 

@@ -1,3 +1,4 @@
+import { PictureSession } from '../../stage/PictureSession.js';
 import { recordVideo } from '../../video/recordVideo.js';
 import { viewSize } from '../elements/viewSize.js';
 import { download } from './download.js';
@@ -9,7 +10,7 @@ export const saveVideo: SaveDrawing = async (stage, settings, name, report, sign
   const view = viewSize();
   const curtain = raiseCurtain(stage, settings.paper);
   try {
-    const { content, extension, sentence } = await recordVideo(stage, settings, {
+    const { content, extension, sentence } = await recordVideo(stage, new PictureSession(stage), settings, {
       ...{ view, name, signal },
       onProgress: (progress) => report('recording the video', progress),
       onFrame: curtain.show,

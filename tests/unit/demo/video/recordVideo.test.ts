@@ -2,6 +2,7 @@ import { Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { LostContextError } from '../../../../src/demo/stage/LostContextError.js';
+import type { PictureSession } from '../../../../src/demo/stage/PictureSession.js';
 import type { Stage } from '../../../../src/demo/stage/Stage.js';
 import { createCamera } from '../../../../src/demo/stage/view/createCamera.js';
 import { recordVideo } from '../../../../src/demo/video/recordVideo.js';
@@ -19,13 +20,14 @@ function fakeStage(drawPart: (frame: number, canvas: EventTarget) => void = () =
     drawPart: vi.fn(() => drawPart(frames++, canvas)),
   };
   const stage = {
-    ...{ canvas, camera, picture, model: undefined, isLost: false, outdateShadows: vi.fn() },
+    ...{ canvas, camera, model: undefined, isLost: false, outdateShadows: vi.fn() },
     view: { isFramed: false, controls: { target: new Vector3() } },
     scenery: { lights: { apply: vi.fn(), place: vi.fn() } },
   };
   const record = (changes: Partial<Settings> = {}) =>
     recordVideo(
       stage as unknown as Stage,
+      picture as unknown as PictureSession,
       { ...defaultSettings(), videoForm: 'frames', videoSeconds: 1, videoRate: '12', ...changes },
       {
         ...{ view: { width: 900, height: 600 }, name: 'cube', signal: new AbortController().signal },
