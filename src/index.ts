@@ -13,20 +13,16 @@ export { HatchingLines } from './lines/HatchingLines.js';
 export { HATCHING_LINE_DEFAULTS } from './lines/lineProperties.js';
 export { millimetresToPixels } from './lines/millimetresToPixels.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
-export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
-export { HatchingMaterial } from './material/HatchingMaterial.js';
-export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
-export type { HatchingMaterialOptions } from './material/HatchingMaterialProperties.js';
 export type {
   HatchingCondition,
   HatchingFacts,
   HatchingMeasure,
   HatchingProperty,
-} from './material/HatchingProperty.js';
-export { HATCHING_FACTS } from './material/hatchingFacts.js';
+} from './material/facts/HatchingProperty.js';
+export { HATCHING_FACTS } from './material/facts/hatchingFacts.js';
 // The types of all choices.
-export type * from './material/hatchingProperties.js';
-export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/hatchingProperties.js';
+export type * from './material/facts/hatchingProperties.js';
+export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchingProperties.js';
 export {
   counts,
   type HatchingLook,
@@ -35,7 +31,11 @@ export {
   needsMap,
   pixelPower,
   scaledSizes,
-} from './material/lookFacts.js';
+} from './material/facts/lookFacts.js';
+export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
+export { HatchingMaterial } from './material/HatchingMaterial.js';
+export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
+export type { HatchingMaterialOptions } from './material/HatchingMaterialProperties.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';

@@ -17,8 +17,8 @@ import {
 } from 'three';
 import { type LineData, lineDataOf } from '../geometry/LineData.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
-import { canDeform, deforms } from '../material/bindVertices.js';
-import { deformationOf } from '../material/deformationOf.js';
+import { canDeform, deforms } from '../material/deformation/bindVertices.js';
+import { deformationOf } from '../material/deformation/deformationOf.js';
 import { writePictureOffset } from '../material/pictureOffset.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { ContourList } from './ContourList.js';

@@ -1,4 +1,4 @@
-import type { NumberRange } from '../material/HatchingProperty.js';
+import type { NumberRange } from '../material/facts/HatchingProperty.js';
 
 /** The defaults of all properties of `HatchingLineMaterial`; colours as 0xrrggbb. */
 export const HATCHING_LINE_DEFAULTS = {

@@ -1,7 +1,7 @@
-import type { Shaders } from '../material/hatchingShaders.js';
-import { lightChunks } from '../material/lightKinds.js';
-import { resolveIncludes } from '../material/resolveIncludes.js';
-import { conventionsChunk } from '../material/shaderConventions.js';
+import type { Shaders } from '../material/shaders/hatchingShaders.js';
+import { lightChunks } from '../material/shaders/lightKinds.js';
+import { resolveIncludes } from '../material/shaders/resolveIncludes.js';
+import { conventionsChunk } from '../material/shaders/shaderConventions.js';
 import { lineConventionsChunk } from './lineConventions.js';
 
 /** The shader files of lines, and the chunks that they share with `HatchingMaterial`, as text. */

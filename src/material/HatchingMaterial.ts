@@ -18,40 +18,40 @@ import {
 import { stippleMap } from '../tam/stippleMap.js';
 import { toothMap } from '../tam/toothMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
-import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './bindVertices.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
-import { defaultOf } from './defaultOf.js';
+import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './deformation/bindVertices.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
-import { writeFieldFrame } from './fieldFrame.js';
-import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
-import { fittingMap } from './fittingMap.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import type { HatchingProperty } from './HatchingProperty.js';
-import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
+import { defaultOf } from './facts/defaultOf.js';
+import type { HatchingProperty } from './facts/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
   HATCHING_TECHNIQUES,
   type HatchingPropertyName,
   type HatchingTechnique,
-} from './hatchingProperties.js';
-import { hatchingShaders } from './hatchingShaders.js';
+} from './facts/hatchingProperties.js';
+import { isUsedBy, needsAdjacency, usesThresholds } from './facts/lookFacts.js';
+import { writeFieldFrame } from './fieldFrame.js';
+import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
+import { fittingMap } from './fittingMap.js';
+import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
 import { createHatchingUniforms, writeMapUniforms, writePropertyUniforms } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
-import { isUsedBy, needsAdjacency, usesThresholds } from './lookFacts.js';
 import { writePictureOffset } from './pictureOffset.js';
 import { isRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
+import { hatchingShaders } from './shaders/hatchingShaders.js';
 import {
   CHANNEL_VARYINGS,
   channelDefine,
   TONE_CURVES,
   VERTEX_LAYOUTS,
   type VertexLayout,
-} from './shaderConventions.js';
+} from './shaders/shaderConventions.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
 

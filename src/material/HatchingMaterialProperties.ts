@@ -3,7 +3,6 @@ import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { checkNumber } from './checkNumber.js';
 import { checkTonalArtMap } from './checkTonalArtMap.js';
-import type { ToneCurve } from './fitToneCurve.js';
 import {
   type DebugView,
   HATCHING_DEFAULTS,
@@ -19,7 +18,8 @@ import {
   type StrokeLayers,
   type ToneModel,
   type ToneNormal,
-} from './hatchingProperties.js';
+} from './facts/hatchingProperties.js';
+import type { ToneCurve } from './fitToneCurve.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
 export interface HatchingMaterialOptions {

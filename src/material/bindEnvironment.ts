@@ -1,6 +1,6 @@
 import { type Camera, type IUniform, Matrix4, type Scene, type Vector4, type WebGLRenderer } from 'three';
 import { blurredEnvironment } from './blurredEnvironment.js';
-import { environmentLayout } from './environmentLayout.js';
+import { environmentLayout } from './shaders/environmentLayout.js';
 
 const rotation = /* @__PURE__ */ new Matrix4();
 

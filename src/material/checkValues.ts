@@ -1,10 +1,10 @@
 import { Color, type Texture, type Vector2 } from 'three';
 import { checkNumber } from './checkNumber.js';
 import { checkTonalArtMap } from './checkTonalArtMap.js';
+import type { HatchingProperty } from './facts/HatchingProperty.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { fitToneCurve, type ToneCurvePoint } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import type { HatchingProperty } from './HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 
 /**
  * Checks parameters before any of them is set, so that a wrong one changes nothing. Those that any material has are left to three.

@@ -1,4 +1,4 @@
-import { TONE_CURVE_SPANS } from './shaderConventions.js';
+import { TONE_CURVE_SPANS } from './shaders/shaderConventions.js';
 
 /** A point of a tone curve: the tone of the light, and the tone to print for it. Both in [0, 1], 0 is paper. */
 export type ToneCurvePoint = readonly [light: number, printed: number];

@@ -1,9 +1,9 @@
 import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
-import { isDefault } from './defaultOf.js';
+import { isDefault } from './facts/defaultOf.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import { plainValue } from './facts/plainValue.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
-import { plainValue } from './plainValue.js';
 
 /** What three.js writes of any material, and the properties of ours that are not at their defaults. */
 export type HatchingMaterialJSON = ReturnType<Material['toJSON']>;

@@ -2,9 +2,9 @@ import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vecto
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
+import type { HatchingProperty } from './facts/HatchingProperty.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import type { HatchingProperty } from './HatchingProperty.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 
 type Uniforms = Record<string, IUniform>;
 

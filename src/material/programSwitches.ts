@@ -1,6 +1,6 @@
 import type { Texture } from 'three';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
 
 /**
  * All that decides which program three.js builds, but that it reads only after `needsUpdate` is set, as one number: which textures

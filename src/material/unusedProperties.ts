@@ -1,8 +1,8 @@
-import { isDefault } from './defaultOf.js';
+import { isDefault } from './facts/defaultOf.js';
+import type { HatchingProperty } from './facts/HatchingProperty.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from './facts/hatchingProperties.js';
+import { isUsedBy } from './facts/lookFacts.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import type { HatchingProperty } from './HatchingProperty.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from './hatchingProperties.js';
-import { isUsedBy } from './lookFacts.js';
 
 const warned = new Set<string>();
 

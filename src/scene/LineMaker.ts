@@ -2,7 +2,7 @@ import type { Material } from 'three';
 import type { LineOptions } from '../geometry/prepareHatchingGeometry.js';
 import { HatchingLineMaterial, type HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
 import { HatchingLines } from '../lines/HatchingLines.js';
-import { deforms } from '../material/bindVertices.js';
+import { deforms } from '../material/deformation/bindVertices.js';
 import type { MeshLook } from './HatchedScene.js';
 import { isBatched, materialsOf } from './surfaceMeshes.js';
 

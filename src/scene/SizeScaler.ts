@@ -1,8 +1,8 @@
 import type { Material, Mesh, Object3D } from 'three';
 import { HatchingLineMaterial } from '../lines/HatchingLineMaterial.js';
 import { scaledLineSizes } from '../lines/lineProperties.js';
+import { scaledSizes } from '../material/facts/lookFacts.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
-import { scaledSizes } from '../material/lookFacts.js';
 import { materialsOf } from './surfaceMeshes.js';
 
 type Sizes = Record<string, unknown>;

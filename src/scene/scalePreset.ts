@@ -1,5 +1,5 @@
 import { scaledLineSizes } from '../lines/lineProperties.js';
-import { scaledSizes } from '../material/lookFacts.js';
+import { scaledSizes } from '../material/facts/lookFacts.js';
 import type { HatchingPreset } from './presets.js';
 
 /**

@@ -8,7 +8,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
-import { HATCHING_TECHNIQUES } from '../../src/material/hatchingProperties.js';
+import { HATCHING_TECHNIQUES } from '../../src/material/facts/hatchingProperties.js';
 import { loadModel, type ModelName } from './loadModel.js';
 import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
 import { greyness } from './measures/greyness.js';

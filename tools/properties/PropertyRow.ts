@@ -1,4 +1,4 @@
-import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/material/HatchingProperty.js';
+import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/material/facts/HatchingProperty.js';
 
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;

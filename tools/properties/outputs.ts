@@ -8,8 +8,8 @@ import { writePropertyData, writePropertyFacts, writePropertyFields } from './wr
 
 const absolute = (path: string): string => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
-const DATA = 'src/material/hatchingProperties.ts';
-const FACTS = 'src/material/hatchingFacts.ts';
+const DATA = 'src/material/facts/hatchingProperties.ts';
+const FACTS = 'src/material/facts/hatchingFacts.ts';
 const FIELDS = 'src/material/HatchingMaterialProperties.ts';
 
 /** What the table writes: the path of every file in the repository, and its text. */

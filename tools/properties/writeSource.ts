@@ -1,5 +1,5 @@
-import { constantCase } from '../../src/material/constantCase.js';
-import type { NumberRange } from '../../src/material/HatchingProperty.js';
+import { constantCase } from '../../src/material/facts/constantCase.js';
+import type { NumberRange } from '../../src/material/facts/HatchingProperty.js';
 import { describe } from './describe.js';
 import type { NumberRow, PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';
@@ -8,7 +8,7 @@ type Table = Readonly<Record<string, PropertyRow>>;
 
 const HEADER = '// Written by `npm run properties` from tools/properties/table.ts. Change that, not this.\n';
 
-/** src/material/hatchingProperties.ts: what is needed at run time, and the types of the choices. */
+/** src/material/facts/hatchingProperties.ts: what is needed at run time, and the types of the choices. */
 export function writePropertyData(table: Table, techniques: Readonly<Record<string, TechniqueRow>>): string {
   const rows = Object.entries(table);
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [choiceType(row)] : []));
@@ -39,7 +39,7 @@ ${Object.entries(techniques)
 `;
 }
 
-/** src/material/hatchingFacts.ts: what numbers measure and what properties count with, which drawing alone does not need. */
+/** src/material/facts/hatchingFacts.ts: what numbers measure and what properties count with, which drawing alone does not need. */
 export function writePropertyFacts(table: Table): string {
   const facts = Object.entries(table).flatMap(([name, row]) => {
     const measure = row.kind === 'number' || row.kind === 'vector2' ? row.measure : undefined;
@@ -66,7 +66,7 @@ import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { checkNumber } from './checkNumber.js';
 import { checkTonalArtMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './hatchingProperties.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './facts/hatchingProperties.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
 export interface HatchingMaterialOptions {

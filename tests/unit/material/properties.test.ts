@@ -1,14 +1,14 @@
 import { readFileSync } from 'node:fs';
 import { Color, DoubleSide, MaterialLoader, Texture, Vector2 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
-import type { NumberRange } from '../../../src/material/HatchingProperty.js';
+import type { NumberRange } from '../../../src/material/facts/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
-} from '../../../src/material/hatchingProperties.js';
+} from '../../../src/material/facts/hatchingProperties.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 import { outputs } from '../../../tools/properties/outputs.js';
 import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';

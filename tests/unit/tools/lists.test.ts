@@ -19,7 +19,7 @@ const LISTS: Record<string, Kept> = {
       'tools/properties/techniques.ts',
       // Each property says which of them read it.
       'tools/properties/table.ts',
-      'src/material/hatchingProperties.ts',
+      'src/material/facts/hatchingProperties.ts',
       'src/material/HatchingMaterialProperties.ts',
       // Their labels on the page. The compiler misses one that is left out.
       'src/demo/settings/table/drawingSettings.ts',

@@ -17,9 +17,9 @@ import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js'
 import type { Setting } from '../../../../src/demo/settings/table/Setting.js';
 import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
 import { LINE_NUMBER_NAMES } from '../../../../src/lines/lineProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/material/facts/hatchingProperties.js';
+import { isUsedBy } from '../../../../src/material/facts/lookFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/material/hatchingProperties.js';
-import { isUsedBy } from '../../../../src/material/lookFacts.js';
 import { presets } from '../../../../src/scene/presets.js';
 
 const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });

@@ -13,7 +13,7 @@ import {
 import { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterAll, describe, expect, test } from 'vitest';
 import type { Random } from '../../../../src/demo/settings/Random.js';
-import { HATCHING_PROPERTIES } from '../../../../src/material/hatchingProperties.js';
+import { HATCHING_PROPERTIES } from '../../../../src/material/facts/hatchingProperties.js';
 import { mutateBytes, mutateText, NASTY } from '../../../../tools/fuzz/mutate.js';
 import { consoleDuring, FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';
 

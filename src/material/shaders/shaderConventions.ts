@@ -1,10 +1,10 @@
 import { ShaderChunk } from 'three';
-import { cornerLayout } from '../bake/cornerLayout.js';
-import { STIPPLE_MAP_SIZE } from '../tam/stippleMap.js';
-import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../tam/toothMap.js';
-import { constantCase } from './constantCase.js';
-import type { HatchingProperty, HatchingTexture } from './HatchingProperty.js';
-import { HATCHING_PROPERTIES } from './hatchingProperties.js';
+import { cornerLayout } from '../../bake/cornerLayout.js';
+import { STIPPLE_MAP_SIZE } from '../../tam/stippleMap.js';
+import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../tam/toothMap.js';
+import { constantCase } from '../facts/constantCase.js';
+import type { HatchingProperty, HatchingTexture } from '../facts/HatchingProperty.js';
+import { HATCHING_PROPERTIES } from '../facts/hatchingProperties.js';
 import { lightCountDefine } from './lightKinds.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { ShaderChunk } from 'three';
 import { afterEach, describe, expect, test } from 'vitest';
-import { lightChunks, lightCountDefine } from '../../../src/material/lightKinds.js';
+import { lightChunks, lightCountDefine } from '../../../../src/material/shaders/lightKinds.js';
 
 const { lights_pars_begin } = ShaderChunk;
 

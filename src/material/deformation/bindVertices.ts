@@ -8,13 +8,13 @@ import type {
   Texture,
   WebGLRenderer,
 } from 'three';
-import { cornerLayout } from '../bake/cornerLayout.js';
-import { hatchNormal } from '../bake/hatchNormal.js';
-import { identityOf } from '../geometry/identityOf.js';
-import { pulledVerticesOf } from '../geometry/PulledVertices.js';
-import { isStale } from '../geometry/staleGeometry.js';
+import { cornerLayout } from '../../bake/cornerLayout.js';
+import { hatchNormal } from '../../bake/hatchNormal.js';
+import { identityOf } from '../../geometry/identityOf.js';
+import { pulledVerticesOf } from '../../geometry/PulledVertices.js';
+import { isStale } from '../../geometry/staleGeometry.js';
+import type { VertexLayout } from '../shaders/shaderConventions.js';
 import { compileDeformation, deformationOf } from './deformationOf.js';
-import type { VertexLayout } from './shaderConventions.js';
 
 /** Identities of geometries whose problem was reported. */
 const warnedGeometries = new WeakSet<object>();

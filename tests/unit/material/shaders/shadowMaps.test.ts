@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { ShaderChunk } from 'three';
 import { describe, expect, test } from 'vitest';
-import { resolveIncludes } from '../../../src/material/resolveIncludes.js';
-import { shadowMapsChunk } from '../../../src/material/shadowMaps.js';
+import { resolveIncludes } from '../../../../src/material/shaders/resolveIncludes.js';
+import { shadowMapsChunk } from '../../../../src/material/shaders/shadowMaps.js';
 
 const chunkOf = (version: string) => {
   const file = readFileSync(

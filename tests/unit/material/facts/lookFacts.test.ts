@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingPropertyName, Medium } from '../../../src/material/hatchingProperties.js';
+import type { HatchingPropertyName, Medium } from '../../../../src/material/facts/hatchingProperties.js';
 import {
   counts,
   type HatchingLook,
@@ -10,10 +9,11 @@ import {
   pixelPower,
   scaledSizes,
   usesThresholds,
-} from '../../../src/material/lookFacts.js';
-import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
-import { PROPERTIES } from '../../../tools/properties/table.js';
-import { TECHNIQUES } from '../../../tools/properties/techniques.js';
+} from '../../../../src/material/facts/lookFacts.js';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import type { PropertyRow } from '../../../../tools/properties/PropertyRow.js';
+import { PROPERTIES } from '../../../../tools/properties/table.js';
+import { TECHNIQUES } from '../../../../tools/properties/techniques.js';
 
 describe('what follows from a look', () => {
   test.each([

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Camera, Material, Mesh, WebGLRenderer } from 'three';
-import type { PulledVertices } from '../geometry/PulledVertices.js';
+import type { PulledVertices } from '../../geometry/PulledVertices.js';
 import { Deformation } from './Deformation.js';
 import { hashOf } from './Pose.js';
 import { PrePass } from './PrePass.js';

@@ -1,9 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { lineShaders } from '../../../src/lines/lineShaders.js';
-import { environmentLayout } from '../../../src/material/environmentLayout.js';
-import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../../src/material/hatchingProperties.js';
-import { deformationShaders, hatchingShaders } from '../../../src/material/hatchingShaders.js';
+import { lineShaders } from '../../../../src/lines/lineShaders.js';
+import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../../../src/material/facts/hatchingProperties.js';
+import { environmentLayout } from '../../../../src/material/shaders/environmentLayout.js';
+import { deformationShaders, hatchingShaders } from '../../../../src/material/shaders/hatchingShaders.js';
 
 const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
 const files = readdirSync('shaders', { recursive: true, withFileTypes: true })

@@ -10,8 +10,8 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { beforeEach, describe, expect, test } from 'vitest';
-import type { Deformation } from '../../../src/material/Deformation.js';
-import { compileDeformation, deformationOf } from '../../../src/material/deformationOf.js';
+import type { Deformation } from '../../../../src/material/deformation/Deformation.js';
+import { compileDeformation, deformationOf } from '../../../../src/material/deformation/deformationOf.js';
 
 const camera = new Camera();
 

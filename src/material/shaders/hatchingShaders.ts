@@ -1,5 +1,5 @@
+import type { HatchingTechnique } from '../facts/hatchingProperties.js';
 import { environmentLayout } from './environmentLayout.js';
-import type { HatchingTechnique } from './hatchingProperties.js';
 import { lightChunks } from './lightKinds.js';
 import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
@@ -13,7 +13,7 @@ export interface Shaders {
 
 /** Every file of shaders/ but those of lines, as text. */
 const files: Readonly<Record<string, string>> = import.meta.glob(['./**', '!./lines/**'], {
-  base: '../../shaders',
+  base: '../../../shaders',
   query: '?raw',
   import: 'default',
   eager: true,
