@@ -1,7 +1,7 @@
 import type { Mesh, Object3D } from 'three';
 import { counted } from '../common/counted.js';
 import type { FindFile } from '../common/FindFile.js';
-import { type ReadGltf, readGltf } from '../gltf/readGltf.js';
+import type { ReadGltf } from '../gltf/readGltf.js';
 
 /** Writing a larger scene as glTF would take too long, and it would not be drawn in motion anyway. */
 const MAX_VERTICES = 300_000;
@@ -17,6 +17,7 @@ export async function readMoving(root: Object3D, name: string, findFile: FindFil
   try {
     const { sceneToGltf } = await import('./sceneToGltf.js');
     const { glb, pictures, leftOut } = await sceneToGltf(root);
+    const { readGltf } = await import('../gltf/readGltf.js');
     const read = await readGltf(glb, name, true, async (uri) => {
       const inside = pictures.get(uri);
       return inside ? new Uint8Array(await inside.arrayBuffer()) : findFile(uri);
