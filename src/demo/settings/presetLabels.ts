@@ -1,4 +1,4 @@
-import { type PresetName, presets } from 'three-hatching';
+import { type PresetName, presets } from '../../scene/presets.js';
 
 /** The presets of the library, in its order. */
 export const PRESET_NAMES = Object.keys(presets) as PresetName[];
