@@ -24,7 +24,7 @@ test('the table is a tower: a room imports only rooms that stand before it', () 
 test.each([
   ['src/mesh/weldPositions.ts', '../bake/bake.js', 'mesh imports slices'],
   ['src/mesh/weldPositions.ts', 'three/addons/loaders/GLTFLoader.js', 'mesh knows no three.js'],
-  ['src/material/deformation/Pose.ts', '../scene/applyHatching.js', 'material imports'],
+  ['src/material/FrameStamp.ts', '../scene/applyHatching.js', 'material imports'],
   ['src/demo/files/readPly.ts', '../stage/View.js', 'demo/files imports no other room'],
   ['src/demo/files/readPly.ts', '../../index.js', 'demo/files imports no other room'],
   ['src/demo/files/gltf/readGltf.ts', '../ply/readPly.js', 'demo/files/gltf imports common'],
