@@ -18,7 +18,7 @@ const LISTS: Record<string, Kept> = {
     homes: [
       'tools/properties/techniques.ts',
       // Each property says which of them read it.
-      'tools/properties/table.ts',
+      'tools/properties/rows/strokes.ts',
       'src/material/facts/hatchingProperties.ts',
       'src/material/HatchingMaterialProperties.ts',
       // Their labels on the page. The compiler misses one that is left out.

@@ -1,0 +1,62 @@
+import type { PropertyRow } from '../PropertyRow.js';
+
+/** The properties of the medium and its paper. */
+export const MEDIUM = {
+  medium: {
+    kind: 'choice',
+    group: 'Medium',
+    type: 'Medium',
+    typeSentence: 'What strokes are drawn with.',
+    choices: {
+      ink: 'ink or paper, and nothing between.',
+      dry: 'pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which lies on the screen.',
+      stipple:
+        'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone. Draws without a map.',
+    },
+    default: 'ink',
+    techniques: ['anchored'],
+    sentence: 'What strokes are drawn with ([media.md](media.md)). The tone is the same with all.',
+  },
+  tooth: {
+    kind: 'number',
+    group: 'Medium',
+    default: 0.4,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    techniques: ['anchored'],
+    when: { medium: ['dry'] },
+    sentence:
+      'How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1 there is nothing but grain.',
+  },
+  toothSize: {
+    kind: 'number',
+    group: 'Medium',
+    default: 2.5,
+    measure: 'pixels',
+    range: { above: 0 },
+    techniques: ['anchored'],
+    when: { medium: ['dry'] },
+    sentence: 'Size of the bumps of that tooth.',
+  },
+  softness: {
+    kind: 'number',
+    group: 'Medium',
+    default: 0.6,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    techniques: ['anchored'],
+    when: { medium: ['dry'] },
+    sentence:
+      'How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a grey.',
+  },
+  smudge: {
+    kind: 'number',
+    group: 'Medium',
+    default: 0,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    techniques: ['anchored'],
+    when: { medium: ['dry'] },
+    sentence: 'How much of a dry medium is rubbed into plain tone below the strokes.',
+  },
+} as const satisfies Record<string, PropertyRow>;

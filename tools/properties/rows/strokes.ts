@@ -1,0 +1,269 @@
+import { ofTechniques, WITH_MAP } from '../ofTechniques.js';
+import type { PropertyRow } from '../PropertyRow.js';
+
+/** The properties of strokes: where they lie, how large they are, which way they run. */
+export const STROKES = {
+  tonalArtMap: {
+    kind: 'tonalArtMap',
+    group: 'Strokes',
+    default: null,
+    techniques: WITH_MAP,
+    when: { medium: ['ink', 'dry'] },
+    sentence:
+      'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all.',
+  },
+  technique: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'HatchingTechnique',
+    typeSentence: 'How strokes are laid on the surface.',
+    choices: ofTechniques(({ sentence }) => sentence),
+    isDefine: false,
+    default: 'adjacency',
+    sentence: 'How strokes are laid on the surface.',
+  },
+  strokeScale: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 3,
+    measure: 'tilesPerUnit',
+    range: { above: 0 },
+    when: { screenConstancy: { not: 1 } },
+    sentence: 'Size of the strokes: larger is finer.',
+  },
+  strokeRotation: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0,
+    measure: 'radians',
+    uniform: false,
+    techniques: [...WITH_MAP, 'engraved'],
+    when: { medium: ['ink', 'dry'] },
+    sentence:
+      "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
+  },
+  strokeOffset: {
+    kind: 'vector2',
+    group: 'Strokes',
+    default: [0, 0],
+    measure: 'tiles',
+    uniform: false,
+    techniques: ['triangle', 'adjacency'],
+    sentence: 'Shift of the strokes along T and B.',
+  },
+  strokeAnchor: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'StrokeAnchor',
+    typeSentence: 'What strokes are fixed to on a mesh that deforms.',
+    choices: {
+      rest: 'the surface. Stroke coordinates are those of the rest pose, and the light is carried into it.',
+      deformed: 'object space, through which the surface moves; the paper by Suarez et al. to the letter.',
+    },
+    default: 'rest',
+    sentence: 'What the strokes of a mesh that deforms are fixed to ([deformation.md](deformation.md)).',
+  },
+  crisp: {
+    kind: 'switch',
+    group: 'Strokes',
+    default: false,
+    techniques: ['triangle', 'adjacency'],
+    sentence:
+      'Blends the thresholds that ink is decided from instead of the greys of the strokes, so that strokes stay black and white. Off is the way of the paper by Suarez et al.',
+  },
+  levelRule: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'LevelRule',
+    typeSentence: 'What the level of the tonal art map is chosen by.',
+    choices: {
+      derivatives:
+        'how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer than drawn, and wider where the surface is seen at a slant.',
+      depth:
+        'the depth of the fragment alone (section 3.4). Strokes are as wide as drawn where the surface is seen face on, and foreshortened like the surface elsewhere.',
+    },
+    default: 'derivatives',
+    techniques: ['triangle', 'adjacency'],
+    sentence: 'What the level of the map is chosen by. `anchored` always goes by depth.',
+  },
+  screenConstancy: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    techniques: ['anchored', 'engraved'],
+    sentence:
+      'What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
+  },
+  texelPixels: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 1,
+    measure: 'pixels',
+    range: { above: 0 },
+    uniform: false,
+    clears: 'strokeWidth',
+    techniques: WITH_MAP,
+    when: [{ crisp: [true] }, { levelRule: ['depth'] }],
+    sentence:
+      'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels wide.',
+  },
+  // After texelPixels, so that copied in this order the one that was set remains.
+  strokeWidth: {
+    kind: 'number',
+    group: 'Strokes',
+    default: null,
+    measure: 'pixels',
+    range: { above: 0 },
+    uniform: false,
+    clears: 'texelPixels',
+    techniques: WITH_MAP,
+    when: [{ crisp: [true] }, { levelRule: ['depth'] }],
+    sentence:
+      'Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words. Setting one of the two clears the other. `null` leaves it to `texelPixels`.',
+  },
+  edgePixels: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 1,
+    measure: 'gridPixels',
+    range: { from: 0 },
+    techniques: WITH_MAP,
+    when: { crisp: [true], medium: ['ink', 'stipple'] },
+    sentence:
+      'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have `softness` instead.',
+  },
+  anchorSpacing: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0.45,
+    measure: 'tiles',
+    range: { above: 0 },
+    techniques: ['anchored'],
+    when: { medium: ['ink', 'dry'] },
+    sentence:
+      'Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes.',
+  },
+  lineField: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'LineField',
+    typeSentence: 'What the lines of `engraved` are cut by.',
+    choices: {
+      light: 'planes across the light, or spheres around a lamp: lines run around it, tangent to it.',
+      towards: 'planes that hold the direction of the light: lines run towards it.',
+      x: 'planes across the x axis of the object, or of the scene that `applyHatching` dressed: lines stay where they are while the light moves.',
+      y: 'the same across its y axis.',
+      z: 'the same across its z axis.',
+    },
+    default: 'light',
+    techniques: ['engraved'],
+    sentence: 'What the lines are cut by.',
+  },
+  lineSpacing: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 5,
+    measure: 'tileParts',
+    measureOnScreen: 'pixels',
+    range: { above: 0 },
+    techniques: ['engraved'],
+    sentence:
+      'Distance between lines, at least `finestSpacing`. As one comes nearer new ones are born between them, thin at first.',
+  },
+  finestSpacing: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 3,
+    measure: 'pixels',
+    range: { from: 2 },
+    techniques: ['engraved'],
+    sentence:
+      'Least distance between lines. Where they would lie closer every other one is left out; fewer than three pixels from one to the next flicker in motion.',
+  },
+  strokeLayers: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'StrokeLayers',
+    typeSentence: 'How many layers of strokes lie over one another. Together they keep the tone.',
+    choices: {
+      single: 'one, in one direction, whatever the tone.',
+      lights:
+        'a second, across the first, where several lights disagree about the direction; the same as `single` with one light.',
+      tone: 'a second above the tone `crossFrom`, turned by `crossAngle`, and half way from there to 1 a third, turned into the wider of the two angles between them: the other way at 60°, diagonally at 90°.',
+    },
+    default: 'single',
+    techniques: WITH_MAP,
+    sentence: "How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`.",
+  },
+  crossFrom: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0.52,
+    measure: 'tone',
+    range: { from: 0, to: 1 },
+    techniques: [...WITH_MAP, 'engraved'],
+    when: { strokeLayers: ['tone'] },
+    sentence:
+      "Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at 1 none do.",
+  },
+  crossAngle: {
+    kind: 'number',
+    group: 'Strokes',
+    default: Math.PI / 3,
+    defaultSource: 'Math.PI / 3',
+    measure: 'radians',
+    range: { above: 0, to: Math.PI / 2 },
+    uniform: false,
+    techniques: [...WITH_MAP, 'engraved'],
+    when: { strokeLayers: ['tone'] },
+    sentence:
+      "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.",
+  },
+  handmade: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 0.4,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    techniques: ['engraved'],
+    sentence:
+      'How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine.',
+  },
+  carved: {
+    kind: 'switch',
+    group: 'Strokes',
+    default: false,
+    techniques: ['engraved'],
+    sentence:
+      'Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points ([media.md](media.md)).',
+  },
+  creaseAngle: {
+    kind: 'number',
+    group: 'Strokes',
+    default: Math.PI / 2,
+    defaultSource: 'Math.PI / 2',
+    measure: 'radians',
+    range: { from: 0, to: Math.PI },
+    uniform: false,
+    techniques: ['adjacency'],
+    sentence:
+      'The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing blends. The default is the rule of the paper by Suarez et al.',
+  },
+  shadowStrokes: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'ShadowStrokes',
+    typeSentence: 'What cast shadows do to the strokes.',
+    choices: {
+      tone: 'darken them.',
+      cross:
+        'lie over them as a layer of its own, across theirs, with a clean edge. The strokes of the light run on below it.',
+      reorient:
+        'turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives, across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right angle where shadows take most of the light.',
+    },
+    default: 'tone',
+    sentence: 'What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all.',
+  },
+} as const satisfies Record<string, PropertyRow>;

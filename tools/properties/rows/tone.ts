@@ -1,0 +1,98 @@
+import { ofTechniques } from '../ofTechniques.js';
+import type { PropertyRow } from '../PropertyRow.js';
+
+/** The properties of tone: how dark strokes and lights make the surface. */
+export const TONE = {
+  toneModel: {
+    kind: 'choice',
+    group: 'Tone',
+    type: 'ToneModel',
+    typeSentence: 'How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).',
+    choices: {
+      lambert: 'N·L.',
+      halfLambert: '(N·L / 2 + 1/2)², which reaches round to the side turned away.',
+      phong: 'Lambert plus a highlight (R·V)^shininess.',
+      toon: 'Lambert in `toneSteps` hard bands, each of them one tone.',
+      shadow:
+        "the share of the light that shadows take, and nothing else: for a ground that shows the shadows on it. With `paperOpacity: 0` and `transparent`, like three's ShadowMaterial, hatched.",
+    },
+    default: 'lambert',
+    sentence: 'How light becomes tone.',
+  },
+  toneSteps: {
+    kind: 'number',
+    group: 'Tone',
+    default: 4,
+    measure: 'count',
+    range: { from: 2 },
+    when: { toneModel: ['toon'] },
+    sentence: "Number of bands of the tone model `'toon'`.",
+  },
+  shininess: {
+    kind: 'number',
+    group: 'Tone',
+    default: 30,
+    measure: 'exponent',
+    range: { from: 0 },
+    when: { toneModel: ['phong'] },
+    sentence: "Exponent of the highlight of the tone model `'phong'`.",
+  },
+  toneNormal: {
+    kind: 'choice',
+    group: 'Tone',
+    type: 'ToneNormal',
+    typeSentence: 'The normal that tone is computed from.',
+    choices: {
+      face: 'the normal of the flat triangle, as in the paper by Suarez et al.',
+      smooth: 'the interpolated vertex normal.',
+    },
+    default: 'face',
+    defaultFor: ofTechniques(({ toneNormal }) => toneNormal),
+    sentence:
+      "The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again.",
+  },
+  toneCurve: {
+    kind: 'curve',
+    group: 'Tone',
+    default: 'linear',
+    sentence:
+      "From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other points need no other program.",
+  },
+  reflectedLight: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    sentence:
+      'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it.',
+  },
+  occlusion: {
+    kind: 'number',
+    group: 'Tone',
+    default: 1,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    sentence:
+      'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
+  },
+  keepHighlight: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    measure: 'tone',
+    range: { from: 0, to: 1 },
+    uniform: false,
+    sentence: 'Tone, after the tone curve, below which the paper stays blank: a highlight with an edge.',
+  },
+  highlightSoftness: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    uniform: false,
+    when: { keepHighlight: { not: 0 } },
+    sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`.',
+  },
+} as const satisfies Record<string, PropertyRow>;
