@@ -57,6 +57,7 @@ const CHALKED: ToneCurve = [
 const BLACK = '#1c1a17';
 const WHITE = '#f7f3e8';
 
+// biome-ignore lint/complexity/noExcessiveLinesPerFunction: it is a table.
 const makePresets = () =>
   ({
     pen: {

@@ -33,6 +33,7 @@ const stippling: StrokeStyle = {
 };
 
 // The styles are made by a function, because a bundler must assume that a spread has side effects, and would never drop a constant.
+// biome-ignore lint/complexity/noExcessiveLinesPerFunction: it is a table.
 const makeStyles = () =>
   ({
     /** Pen strokes side by side. */
