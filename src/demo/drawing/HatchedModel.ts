@@ -67,8 +67,8 @@ export class HatchedModel {
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
    *   of the source, and strokes of one tile per world unit.
    * @param bounds of the root, in all poses
-   * @param outline xyz of points of the root, enough of them to tell where it ends, in all poses
-   * @param stands which of its axes points up, where its flat side tells
+   * @param outline xyz of points on the outer parts of the root, in all poses
+   * @param stands which of its axes points up; undefined if no flat side shows that
    * @param motion its clips and morph targets, if it has any
    * @param lines of its meshes; several may share a material
    * @param free called when the model is disposed
@@ -184,7 +184,7 @@ export class HatchedModel {
     for (const entry of this.meshes) entry.mesh.material = entry[kind];
   }
 
-  /** As the function {@link releaseGraphics}; also for what its meshes do not show at the moment: materials compared with, and pictures. */
+  /** As the function {@link releaseGraphics}, also for the materials and pictures that no mesh shows at the moment. */
   releaseGraphics(): void {
     releaseGraphics(this.root);
     for (const { surface, ...pair } of this.pairs) {
@@ -215,7 +215,7 @@ export class HatchedModel {
   }
 }
 
-/** What materials take of a look, as a text: two looks that give the same one give equal materials. */
+/** What materials take of a look, as a text: two looks with the same text give equal materials. */
 const materialKey = ({ drawn, compared, lines, showsSurfaceColors }: Look): string =>
   JSON.stringify([drawn, compared, lines, showsSurfaceColors]);
 

@@ -107,7 +107,7 @@ export class Motion {
     }
   }
 
-  /** Morph targets of the same name count as one, also on several meshes. One without a name gets a number. */
+  /** Morph targets of the same name are one entry, also on several meshes. A morph target without a name gets a number. */
   private addMorphTargets(mesh: Mesh): void {
     for (const [key, index] of Object.entries(mesh.morphTargetDictionary ?? {})) {
       const name = /^\d*$/.test(key) ? `Shape ${index + 1}` : key;

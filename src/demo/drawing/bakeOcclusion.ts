@@ -1,2 +1,2 @@
-/** Fetched when a drawing is to be darkened in its hollows, which is after it was first drawn. */
+/** A module of its own, which is fetched after the first drawing, when its hollows are darkened. */
 export { bakeOcclusion } from 'three-hatching';

@@ -1,4 +1,4 @@
 import { TonalArtMap } from 'three-hatching';
 
-/** Draws a map. Apart from the cache, so that a drawing without a map does not fetch what draws one. */
+/** Draws a map. In a module of its own, so that a drawing without a map does not fetch the code. */
 export const generateMap: typeof TonalArtMap.generate = (options) => TonalArtMap.generate(options);

@@ -16,7 +16,7 @@ import { meshesOf } from './meshesOf.js';
 import { freeGraphics } from './releaseGraphics.js';
 
 /**
- * The bounds of a clip are measured at so many poses and vertices at most. A skinned vertex costs about a microsecond.
+ * The most poses and vertices at which the bounds of a clip are measured. A skinned vertex takes about a microsecond.
  */
 const MAX_POSES = 8;
 const MAX_POINTS = 20_000;
@@ -25,9 +25,9 @@ const MAX_POINTS = 20_000;
  * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines and points are hidden, and
  * so are lights, because the page has its own.
  *
- * @param options of which `usual` is what to tell from which axis of it points up; undefined if its own is believed
- * @returns the model, and what the caption is to say of the meshes and clips that were left out, because of values that are not
- *   numbers, say
+ * @param options with `usual`, the up axis that files of its format usually have; undefined if the file says its own
+ * @returns the model, and the caption's notes about meshes and clips that were left out, for instance because of values that are
+ *   no numbers
  * @throws ModelError with one sentence for the user
  */
 export async function modelOfScene(
@@ -58,7 +58,7 @@ export async function modelOfScene(
 
   // One tile per world unit. The settings scale it.
   const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
-  // Who cancels from here on frees all of it with the model.
+  // From here on, cancelling disposes of the model, which frees everything.
   const ending = new Slices();
   for (const { mesh } of hatched.skipped) mesh.visible = false;
   for (const mesh of meshesOf(root)) {
@@ -129,7 +129,7 @@ function fitScene(holder: Group, motion: Motion): Float32Array {
   return outline;
 }
 
-/** Some of the triangles of a scene, as xyz of their corners, spread over all of it, and which share of all they are. */
+/** Triangles chosen evenly from all of a scene, as xyz of their corners, and the share of the scene's triangles that they are. */
 function someTriangles(root: Object3D): { points: number[]; share: number } {
   const parts = meshesOf(root).map((mesh) => {
     const { index, attributes } = mesh.geometry;

@@ -1,4 +1,4 @@
-/** So many points tell well enough where a model ends. */
+/** This many points show well enough how far a model reaches. */
 const OUTLINE_POINTS = 20_000;
 
 /** Some of the points of a mesh, evenly chosen. */

@@ -13,7 +13,7 @@ export function releaseGraphics(root: Object3D): void {
     // The texture that it keeps its bones in is made again when they are drawn.
     skeleton?.dispose();
     if ('isLight' in object) (object as DirectionalLight).shadow?.dispose();
-    // Instances keep what they are; only who has uploaded them must know.
+    // The instances keep their data; the event only tells the renderer that uploaded them.
     if ('isInstancedMesh' in object) (object as InstancedMesh).dispatchEvent({ type: 'dispose' });
   });
 }

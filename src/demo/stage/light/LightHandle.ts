@@ -12,14 +12,14 @@ const FINE_STEP = 1;
 const MARGIN = 26;
 /** Nearer to an edge than this, the hint above the lamp would be cut off. It is moved then. In pixels. */
 const HINT_MARGIN = { beside: 44, above: 64 };
-/** So much room a lamp takes that does not lie on the model, from its middle, and so far it goes for that. In pixels. */
+/** The radius around a lamp that is kept free of the model, and how far the lamp moves for that at most. In pixels. */
 const CLEAR = { radius: 27, way: 110 };
 /**
  * Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their
  * ratio.
  */
 const MIN_REACH = 32;
-/** So far past the outline or the edge of the sheet, in pixels, a drag has to go before it takes the lamp behind: hands waver. */
+/** How far past the outline or the edge of the sheet a drag must go, in pixels, before the lamp goes behind the model: hands waver. */
 const PAST_OUTLINE = 14;
 /** A sun has no distance: its handle moves over the largest sphere in these limits whose outline lies on the sheet. */
 const SUN_RADIUS = { min: 0.45, max: 1.45 };
@@ -61,9 +61,9 @@ export class LightHandle {
   private readonly projection: ViewportProjection;
   /** Where the handle is, in world coordinates: the light's direction, at its distance if it has one. */
   private readonly shown = new Vector3();
-  /** From where the light's direction is seen to where its handle is, in pixels. */
+  /** The offset of the handle from where the light's direction is seen, in pixels. */
   private readonly aside = new Vector2();
-  /** When it was found. */
+  /** The count of framings for which that offset was found. */
   private framedCount = 0;
   private behind = false;
   private beyondOutline = false;
@@ -251,7 +251,7 @@ export class LightHandle {
     return MathUtils.clamp(radius, SUN_RADIUS.min, SUN_RADIUS.max);
   }
 
-  /** Finds a way beside the model when that was framed anew. What the user has placed or looks at from elsewhere stays. */
+  /** Moves the handle beside a model that was framed anew. A handle stays where it is once the user has placed it or turned the model. */
   private goAside(isSun: boolean): void {
     const count = this.host.framedCount();
     if (!isSun) this.aside.set(0, 0);

@@ -82,8 +82,8 @@ export class LightRig {
    * Sets how finely shadows are drawn. Coarse ones have one sample in the place of nine; their maps become smaller only if they are
    * drawn anew, because for a large model that takes as long as a frame. Builds no program.
    *
-   * @param areDrawn whether the maps are drawn anew in any case
-   * @returns whether they must be
+   * @param areDrawn whether the shadow maps are drawn anew in any case
+   * @returns whether the shadow maps must be drawn anew
    */
   setShadowQuality(quality: ShadowQuality, areDrawn: boolean): boolean {
     const radius = quality === 'coarse' ? 0 : SHADOWS.softness;
@@ -101,7 +101,7 @@ export class LightRig {
   /**
    * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells.
    *
-   * @param toEye direction to the viewer, whom a light may stay with
+   * @param toEye direction to the viewer, with whom a light may move
    * @returns undefined if it casts none
    */
   shadowOf(points: ArrayLike<number>, height: number, toEye: Vector3): number[] | undefined {
@@ -116,7 +116,7 @@ export class LightRig {
   /**
    * Places the lights where the settings put them. Allocates nothing.
    *
-   * @param viewer that they stay with, if the settings say so
+   * @param viewer the camera with which the lights move, if the settings say so
    * @returns whether one has moved
    */
   place({ quaternion }: Camera): boolean {

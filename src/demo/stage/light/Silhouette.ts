@@ -1,11 +1,11 @@
 import { type Box2, Matrix4, type PerspectiveCamera, Vector2, Vector3 } from 'three';
 
-/** Directions in the picture in which points are measured, and a way around them is looked for. */
+/** The directions in the picture in which the reach of the points is measured. */
 const DIRECTIONS = Array.from({ length: 16 }, (_, i) =>
   new Vector2(1, 0).rotateAround(new Vector2(), (i * Math.PI) / 8),
 );
 
-/** A millionth of a pixel is nothing. */
+/** Lengths below this count as zero, in pixels. */
 const NEAR = 1e-6;
 
 /** Where points are seen in a picture: how far they reach in each of several directions, in pixels from its upper left. */
@@ -34,11 +34,11 @@ export class Silhouette {
   }
 
   /**
-   * A short way for a disc to where no point is seen behind it.
+   * The shortest way found for a disc to a place where none of the points is behind it.
    *
    * @param within where the middle of the disc may lie
    * @param most how long the way may be, in pixels
-   * @returns of length 0 if the disc is there already, or if there is no such way
+   * @returns an offset of length 0 if the disc covers no point already, or if there is no such place
    */
   wayAround(disc: Vector2, radius: number, within: Box2, most: number): Vector2 {
     let shortest: Vector2 | undefined;

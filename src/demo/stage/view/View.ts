@@ -5,13 +5,13 @@ import { DEFAULT_VIEW } from './createCamera.js';
 import { type Framing, fitCamera, proportionOf } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 
-/** From what it turns around, in radii of the model: near enough to look into a room. */
+/** The nearest and farthest distance from the point that the camera orbits, in radii of the model: near enough to look into a room. */
 const MIN_DISTANCE = 0.15;
 /** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
 const FILL = 0.76;
-/** The same of a sheet of paper, which has nothing but the drawing. */
+/** The same share for a sheet of paper, which holds nothing but the drawing. */
 const ON_SHEET = { fill: 0.86, room: { model: 0.88, shadow: 0.93 } };
-/** Before there is a model. */
+/** What is framed before there is a model. */
 const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
 
 /** The view as Undo goes back to it. */
@@ -50,7 +50,7 @@ export class View {
     this.controls.zoomToCursor = true;
     this.controls.maxDistance = 30;
     this.controls.addEventListener('change', this.moved);
-    // The last step may have been too small for them to tell of.
+    // The controls send no event for a very small last step.
     this.controls.addEventListener('end', () => {
       if (this.round()) this.moved();
     });
@@ -93,7 +93,7 @@ export class View {
     return this.hasFramed ? this.frames : 0;
   }
 
-  /** xyz of points of the model, enough to tell where it ends. */
+  /** xyz of points on the outer parts of the model. */
   get modelOutline(): ArrayLike<number> {
     return this.outline;
   }
@@ -136,7 +136,7 @@ export class View {
   /**
    * Sets the outline of a new model, or of one that was turned.
    *
-   * @param outline xyz of points of it, enough to tell where it ends
+   * @param outline xyz of points on its outer parts
    * @param first direction to the eye when the model is framed; undefined keeps the current one
    */
   setOutline(outline: ArrayLike<number>, first?: readonly [number, number, number]): void {
@@ -212,7 +212,7 @@ export class View {
 
 const before = { position: new Vector3(), target: new Vector3() };
 
-/** Smaller than this, in radii of the model, is nothing but the rounding of what it was computed from. */
+/** Distances below this, in radii of the model, are rounding errors. */
 const NOTHING = 2 ** -24;
 
 const toSingle = (value: number): number => (Math.abs(value) < NOTHING ? 0 : Math.fround(value));

@@ -6,7 +6,7 @@ const POINTS_FILL = 0.94;
 const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.96 };
 /** A model is drawn smaller by at most this factor to leave room for its shadow. A long shadow is cut. */
 const MOST_ROOM = 1.25;
-/** The middle of a model goes aside by at most this share of the way to the edge. */
+/** The middle of a model moves aside by at most this share of the way to the edge. */
 const MOST_ASIDE = 0.4;
 
 /** The shares of the picture that a model may fill to leave room for its shadow, and the shadow itself. */
@@ -129,7 +129,7 @@ function spansOf(positions: ArrayLike<number>, { toEye, right, up, slopes }: Fru
   return spans;
 }
 
-/** From how near the one span is in the picture at its high side and the other at its low side. */
+/** The smallest distance at which the first span is in the picture at its high side and the second at its low side. */
 function nearest({ high, slope }: Span, other: Span): number {
   return (high + other.low) / (slope + other.slope);
 }
