@@ -25,7 +25,7 @@ export interface SavedView {
 }
 
 /** So many views are kept with a drawing: one for each digit. */
-export const MOST_VIEWS = 9;
+export const MAX_VIEWS = 9;
 
 /** A camera further away than this, in radii of the model, is none of ours. */
 const FARTHEST = 100;

@@ -2,7 +2,7 @@ import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
-import { MOST_VIEWS, readView, type SavedView, writeView } from './savedViews.js';
+import { MAX_VIEWS, readView, type SavedView, writeView } from './savedViews.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 
 /** What a link brings back. */
@@ -48,16 +48,16 @@ export function writeLink(
 }
 
 /** Every number of single precision is told by so many digits. */
-const MOST_DIGITS = 9;
+const MAX_DIGITS = 9;
 
 /** The shortest decimal that is read back as the same number of single precision. */
 function shortest(value: number): number {
   const single = Math.fround(value);
-  for (let digits = 1; digits < MOST_DIGITS; digits++) {
+  for (let digits = 1; digits < MAX_DIGITS; digits++) {
     const short = Number(single.toPrecision(digits));
     if (Math.fround(short) === single) return short;
   }
-  return Number(single.toPrecision(MOST_DIGITS));
+  return Number(single.toPrecision(MAX_DIGITS));
 }
 
 /** Reads what {@link writeLink} wrote. Unknown names and invalid values are ignored. Nothing at all is the first view; `preset` is what the others differ from. */
@@ -79,7 +79,7 @@ export function readLink(hash: string): LinkedDrawing {
     address: addressOf(parameters.get('model') ?? ''),
     views: parameters
       .getAll('view')
-      .slice(0, MOST_VIEWS)
+      .slice(0, MAX_VIEWS)
       .map(readView)
       .filter((view) => view !== undefined),
   };

@@ -1,6 +1,6 @@
 import { lookOf } from '../../settings/lookOf.js';
 import { plainName } from '../../settings/plainName.js';
-import { isLitBy, lightOf, MOST_VIEWS, type SavedView } from '../../settings/savedViews.js';
+import { isLitBy, lightOf, MAX_VIEWS, type SavedView } from '../../settings/savedViews.js';
 import type { Settings } from '../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
@@ -22,7 +22,7 @@ export class SavedViews implements NamedList {
   }
 
   get isFull(): boolean {
-    return this.list.length >= MOST_VIEWS;
+    return this.list.length >= MAX_VIEWS;
   }
 
   get freeName(): string {

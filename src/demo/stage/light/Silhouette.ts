@@ -1,6 +1,6 @@
 import { type Box2, Matrix4, type PerspectiveCamera, Vector2, Vector3 } from 'three';
 
-/** The directions in the picture in which the reach of the points is measured. */
+/** The directions in the picture in which the reach of the points is measured, and in which a way around them is looked for. */
 const DIRECTIONS = Array.from({ length: 16 }, (_, i) =>
   new Vector2(1, 0).rotateAround(new Vector2(), (i * Math.PI) / 8),
 );

@@ -5,7 +5,7 @@ import { DEFAULT_VIEW } from './createCamera.js';
 import { type Framing, fitCamera, proportionOf } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 
-/** The nearest and farthest distance from the point that the camera orbits, in radii of the model: near enough to look into a room. */
+/** The smallest distance from the point that the camera orbits, in radii of the model: near enough to look into a room. */
 const MIN_DISTANCE = 0.15;
 /** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
 const FILL = 0.76;

@@ -5,9 +5,9 @@ const POINTS_FILL = 0.94;
 /** How far a model and its shadow may go towards the edges, unless asked otherwise. */
 const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.96 };
 /** A model is drawn smaller by at most this factor to leave room for its shadow. A long shadow is cut. */
-const MOST_ROOM = 1.25;
+const MAX_ROOM = 1.25;
 /** The middle of a model moves aside by at most this share of the way to the edge. */
-const MOST_ASIDE = 0.4;
+const MAX_ASIDE = 0.4;
 
 /** The shares of the picture that a model may fill to leave room for its shadow, and the shadow itself. */
 export interface ShadowRoom {
@@ -53,9 +53,9 @@ export function fitCamera(
       nearest(cast[axis], aside[axis]),
       nearest(aside[axis], cast[axis]),
     ]);
-    distance = Math.min(Math.max(distance, ...forBoth), MOST_ROOM * distance);
+    distance = Math.min(Math.max(distance, ...forBoth), MAX_ROOM * distance);
     middle = middle.map((place, axis) => {
-      const most = MOST_ASIDE * axes.slopes[axis] * distance;
+      const most = MAX_ASIDE * axes.slopes[axis] * distance;
       const balanced = MathUtils.clamp(within(cast[axis], distance, place), place - most, place + most);
       return within(aside[axis], distance, balanced);
     });

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { plainName } from '../../../../src/demo/settings/plainName.js';
-import { lightOf, MOST_VIEWS, readView, type SavedView, writeView } from '../../../../src/demo/settings/savedViews.js';
+import { lightOf, MAX_VIEWS, readView, type SavedView, writeView } from '../../../../src/demo/settings/savedViews.js';
 import { defaultSettings } from '../../../../src/demo/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
 
@@ -41,7 +41,7 @@ test('what is no view is left out, however it came into a link', () => {
 
 test('no more views are read than there are keys for', () => {
   const link = writeLink(settings, undefined, undefined, Array(40).fill(near));
-  expect(readLink(link).views).toHaveLength(MOST_VIEWS);
+  expect(readLink(link).views).toHaveLength(MAX_VIEWS);
 });
 
 test('a name is one line that turns no text round, and not long', () => {
