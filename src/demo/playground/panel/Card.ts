@@ -39,13 +39,15 @@ export class Card {
       return new MotionPanel(page.motion, page.canvas, () => stage.frames.invalidate());
     });
     // The panel is fetched later, because it would delay the first drawing. The shelf lies above it and comes first, so that nothing moves.
-    void Promise.all([import('./SettingsPanel.js'), createActions(), this.shelf.fetch()]).then(
-      ([{ SettingsPanel }, actions]) => {
-        const onChange = session.settingChanged.bind(session);
-        this.panel = new SettingsPanel(page.panel, settings, actions, onChange, () => drawnView(stage), onFold);
-      },
-      (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
-    );
+    void Promise.all([import('./SettingsPanel.js'), createActions(), this.shelf.fetch()])
+      .then(
+        ([{ SettingsPanel }, actions]) => {
+          const onChange = session.settingChanged.bind(session);
+          this.panel = new SettingsPanel(page.panel, settings, actions, onChange, () => drawnView(stage), onFold);
+        },
+        (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
+      )
+      .finally(() => page.panel.removeAttribute('aria-busy'));
     const refreshShelf = (): void => this.shelf.present?.refresh();
     session.listen({
       applied: () => {
