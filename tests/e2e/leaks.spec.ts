@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { countObjects, liveObjects } from '../../tools/browser/liveObjects.js';
+import { countObjects, type LiveObjects, liveObjects } from '../../tools/browser/liveObjects.js';
 import { drop, enterLink, openPlayground, ready, savePicture } from '../../tools/browser/playground.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
@@ -13,11 +13,15 @@ declare global {
 
 test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotion: 'reduce' } });
 
-const ROUNDS = 1;
+/**
+ * Rounds in which everything must have been given back once. What leaks grows in each of them; what is only kept for later, such as a
+ * texture of a kept map that is first drawn with when a frame comes between two links, grows in the first ones.
+ */
+const ROUNDS = 3;
 /** Small pictures and maps, so that rounds are short. */
 const SMALL = 'mapSize=64&mapTones=4';
 /** What may be more or less by chance: an idle worker ends by itself, downloads keep their address for a while. */
-const SLACK: Record<string, number> = { Worker: 1, URL: ROUNDS, listeners: 4, nodes: 20, kilobytes: 8 };
+const SLACK: Record<string, number> = { Worker: 1, URL: 1, listeners: 4, nodes: 20, kilobytes: 8 };
 
 const idle = (page: Page) => page.waitForFunction(() => window.__playground!.isIdle);
 
@@ -60,15 +64,29 @@ test('what is made for models, maps, techniques, comparisons and shadows is give
   await oneRound(page);
   // A sketch comes first, and the rest of a drawing after it.
   await ready(page);
-  const before = await liveObjects(page);
+  let before = await liveObjects(page);
   expect(before.Texture).toBeGreaterThan(3);
   expect(before.kilobytes).toBeGreaterThan(50);
-  for (let i = 0; i < ROUNDS; i++) await oneRound(page);
-  await expect
-    .poll(async () =>
-      Object.entries(await liveObjects(page))
-        .filter(([kind, count]) => count > before[kind] + (SLACK[kind] ?? 0))
-        .map(([kind, count]) => `${kind}: ${before[kind]}, then ${count}`),
-    )
-    .toEqual([]);
+  let grown: string[] = [];
+  for (let round = 0; round < ROUNDS; round++) {
+    await oneRound(page);
+    await ready(page);
+    grown = await growthSince(page, before);
+    if (grown.length === 0) return;
+    before = await liveObjects(page);
+  }
+  expect(grown).toEqual([]);
 });
+
+/** What there is more of than before, once what is freed late has been freed. */
+async function growthSince(page: Page, before: LiveObjects): Promise<string[]> {
+  let grown: string[] = [];
+  for (let look = 0; look < 10; look++) {
+    grown = Object.entries(await liveObjects(page))
+      .filter(([kind, count]) => count > before[kind] + (SLACK[kind] ?? 0))
+      .map(([kind, count]) => `${kind}: ${before[kind]}, then ${count}`);
+    if (grown.length === 0) break;
+    await idle(page);
+  }
+  return grown;
+}

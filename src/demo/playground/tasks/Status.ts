@@ -62,10 +62,11 @@ export class Status {
     if (wasWorking && !this.isSaying) this.rest();
   }
 
-  /** Shows an error, until the next message. */
+  /** Shows an error until the next message, or until the user starts a task. */
   fail(sentence: string): void {
     this.finish();
     this.write(sentence, true);
+    this.isSaying = true;
   }
 
   /** Shows a message for a few seconds. */
