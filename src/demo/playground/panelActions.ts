@@ -28,6 +28,7 @@ export function panelActions(
     { label: 'Save with the model, as ZIP', group: 'Picture', run: () => takeAway.run('saveDrawing') },
     ...('share' in navigator ? [share] : []),
     { label: 'Copy a link to this drawing', group: 'Picture', run: () => takeAway.run('copyLink') },
+    { label: 'Copy the facts for a report', group: 'Picture', run: () => takeAway.run('copyFacts') },
     { label: 'Code and embedding', group: 'Picture', run: () => takeAway.openCode() },
     { label: 'Record a video', group: 'Video', run: () => takeAway.run('saveVideo') },
   ];

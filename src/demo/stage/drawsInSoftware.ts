@@ -1,11 +1,12 @@
+import { rendererName } from './rendererName.js';
+
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 /** Whether the browser draws WebGL 2 on the processor, because there is no graphics card or no driver for it. */
 export function drawsInSoftware(): boolean {
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
   if (!gl) return false;
-  const names = gl.getExtension('WEBGL_debug_renderer_info');
-  const name = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  const name = rendererName(gl);
   // Browsers allow a page few contexts.
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   return SOFTWARE.test(name);

@@ -132,6 +132,18 @@ export class ExportActions {
     this.status.say(this.session.isModelInLink ? where : `${where} It cannot carry your own model.`);
   };
 
+  /** Copies what a report of a bug should say about the page, the machine and the drawing, but no name of a file. */
+  readonly copyFacts = async (): Promise<void> => {
+    const { session, status } = this;
+    const { factsOf } = await import('./factsOf.js');
+    const facts = factsOf(session);
+    if (await copyText(facts)) status.say('The facts are on the clipboard, without the name of a file.');
+    else {
+      download(new Blob([facts], { type: 'text/plain' }), 'three-hatching-facts.txt');
+      status.say('The browser does not let this page use the clipboard. The facts are saved as a file.');
+    }
+  };
+
   private get link(): string {
     return new URL(`#${this.session.link}`, location.href).href;
   }

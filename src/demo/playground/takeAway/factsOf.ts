@@ -1,0 +1,20 @@
+import { VERSIONS } from '../../code/versions.js';
+import { writeLink } from '../../settings/shareLink.js';
+import { rendererName } from '../../stage/rendererName.js';
+import type { Session } from '../session/Session.js';
+import { describeFacts } from './describeFacts.js';
+
+/** What a report of a bug should say about the page, the machine and the drawing of a session. */
+export function factsOf({ stage, settings, modelLoader }: Session): string {
+  const { canvas, context, view, model } = stage;
+  return describeFacts({
+    versions: VERSIONS,
+    browser: navigator.userAgent,
+    graphics: rendererName(context),
+    sheet: { width: canvas.clientWidth, height: canvas.clientHeight, pixelRatio: devicePixelRatio },
+    model: modelLoader.ownFiles?.map(({ name }) => name) ?? settings.model,
+    statistics: model?.statistics,
+    // Neither the address of a model nor the names of views.
+    settings: writeLink(settings, view.ownPlace),
+  });
+}
