@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type UserConfig } from 'vite';
 import { builtPlayground } from './tools/browser/builtPlayground.js';
+import { bundledWorker } from './tools/building/bundledWorker.js';
 import { firstPartCheck } from './tools/building/firstPart.js';
 import { formSources } from './tools/building/formSources.js';
 import { laterParts } from './tools/building/laterParts.js';
@@ -21,7 +22,8 @@ export default defineConfig(
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
     plugins: [
-      ...[shortShaders, formSources, firstPartCheck, laterParts, pages(), noticeFile, noticeCheck()],
+      ...[shortShaders, bundledWorker(() => [noticeCheck()]), formSources, firstPartCheck, laterParts, pages()],
+      ...[noticeFile, noticeCheck()],
       mode === 'test' && builtPlayground,
     ],
     resolve: {

@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { bundledWorker } from '../tools/building/bundledWorker.js';
 import { libraryEntries } from '../tools/building/libraryEntries.js';
 import { shortShaders } from '../tools/building/shortShaders.js';
 import { noticeCheck, noticeFile } from '../tools/notice/noticePlugin.js';
@@ -12,7 +13,7 @@ export default defineConfig({
   root: file('.'),
   base: './',
   publicDir: false,
-  plugins: [shortShaders, noticeFile, noticeCheck()],
+  plugins: [shortShaders, bundledWorker(() => [noticeCheck()]), noticeFile, noticeCheck()],
   resolve: { alias: libraryEntries('./src/', 'ts') },
   worker: { format: 'es', plugins: () => [noticeCheck()] },
   build: {

@@ -70,6 +70,9 @@ test.beforeAll(() => {
 /** The smallest bundles of a page with its own build, in bytes after gzip: the code that it loads at once. */
 const MOST_BYTES = { HatchingMaterial: 36_500, 'HatchingMaterial, prepareHatchingGeometry, TonalArtMap': 51_700 };
 
+/** The size of the worker's text. A minifier that writes it twice makes it double. */
+const MOST_BYTES_OF_WORKER = 24_000;
+
 /** The sizes of the React components and of the web component, each with the code that it loads at once. */
 const MOST_BYTES_OF_REACT = 5_000;
 const MOST_BYTES_OF_ELEMENT = 7_500;
@@ -139,6 +142,16 @@ test.describe('the tarball', () => {
       expect(atOnce.map(({ code }) => code).join('')).not.toContain('// N_t, which');
     });
   }
+
+  test('is small: the worker, which comes later', async () => {
+    const chunks = await bundle("export { prepareHatchingGeometry } from 'three-hatching';");
+    const later = chunks.filter((chunk) => !loadedAtOnce(chunks).includes(chunk));
+    const worker = later.filter(({ name }) => name === 'inlineWorker');
+    expect(worker.length).toBe(1);
+    const bytes = sizeOf(worker);
+    test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });
+    expect(bytes).toBeLessThanOrEqual(MOST_BYTES_OF_WORKER);
+  });
 
   test('is small: the components of React, without what they import', async () => {
     const others = /^(three|react|@react-three|three-hatching)($|\/(?!react$))/;

@@ -1,4 +1,5 @@
 import { defineConfig, type Plugin, type UserConfig } from 'vite';
+import { bundledWorker } from './bundledWorker.js';
 import { shortShaders } from './shortShaders.js';
 
 /** Further entries, by the mode that builds them. */
@@ -7,18 +8,6 @@ const ENTRIES: Record<string, Record<string, string>> = {
   command: { command: 'src/command/main.ts' },
   react: { react: 'src/react/index.ts' },
   element: { element: 'src/element/element.ts' },
-};
-
-/** Vite makes the Blob of an inlined worker when the module is loaded, so no bundler may leave it out. */
-const pureWorkerBlob: Plugin = {
-  name: 'pure-worker-blob',
-  enforce: 'post',
-  transform(code, id) {
-    if (!id.includes('?worker&inline')) return null;
-    const made = /^(const blob = )(.*);$/m;
-    if (!made.test(code)) this.error('The code of an inlined worker has changed: mend pureWorkerBlob.');
-    return { code: code.replace(made, '$1/* @__PURE__ */ (() => $2)();'), map: null };
-  },
 };
 
 /** Fails a build that bundles code of others, so that users of the library have nobody else to credit. */
@@ -42,13 +31,11 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // The default base would turn the worker's address into an absolute one, broken for every consumer.
     base: './',
-    plugins: [shortShaders, pureWorkerBlob, nothingOfOthers],
+    plugins: [shortShaders, bundledWorker(() => [nothingOfOthers]), nothingOfOthers],
     publicDir: false,
-    // The worker is inlined as text, which no minifier of a consumer would shorten.
-    worker: { format: 'es', plugins: () => [nothingOfOthers], rolldownOptions: { output: { minify: true } } },
     build: {
       target: 'es2022',
-      // The output is readable and needs no source map; and the map of an inlined worker would have no address.
+      // The output is readable and needs no source map.
       minify: false,
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
