@@ -91,9 +91,9 @@ export interface HatchingMaterialOptions {
   /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
-   * Distance between lines, at least `finestSpacing`. As one comes nearer new ones are born between them, thin at
-   * first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
-   * `'engraved'`.
+   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
+   * new ones are born between them, thin at first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of
+   * a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
    */
   lineSpacing: number;
   /**
@@ -466,9 +466,9 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Distance between lines, at least `finestSpacing`. As one comes nearer new ones are born between them, thin at
-   * first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of a tile at 0 in (0, ∞). Default `5`. Only
-   * `'engraved'`.
+   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
+   * new ones are born between them, thin at first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of
+   * a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
    */
   get lineSpacing(): number {
     return this.numbers.lineSpacing;

