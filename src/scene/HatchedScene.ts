@@ -4,10 +4,13 @@ import type { HatchingLines } from '../lines/HatchingLines.js';
 import { FIELD_FRAME } from '../material/fieldFrame.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
-/** A mesh that was left unchanged, and the reason. */
+/** A mesh that was left unchanged. */
 export interface SkippedMesh {
   mesh: Mesh;
-  error: Error;
+  /** Why it was left unchanged: a sentence that names the mesh. */
+  reason: string;
+  /** What went wrong. Only a mesh that was to be hatched, and could not be, has an error. */
+  error?: Error | undefined;
 }
 
 /** The geometry and material of a mesh, and the frame of its lines. */
@@ -30,7 +33,7 @@ export class HatchedScene {
    *
    * @param materials all new materials; you may change them
    * @param lines the lines of all meshes, if requested; you may change their materials
-   * @param skipped meshes that could not be hatched
+   * @param skipped meshes that were left alone
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called when the meshes are restored
    */

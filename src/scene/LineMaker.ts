@@ -1,4 +1,5 @@
-import type { Material } from 'three';
+import type { Material, Mesh } from 'three';
+import { describeObject } from '../geometry/describeObject.js';
 import type { LineOptions } from '../geometry/prepareHatchingGeometry.js';
 import { HatchingLineMaterial, type HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
 import { HatchingLines } from '../lines/HatchingLines.js';
@@ -8,6 +9,17 @@ import { isBatched, materialsOf } from './surfaceMeshes.js';
 
 /** Whether a map cuts out parts of a surface. Its lines would follow the outline of the geometry, and not of the picture on it. */
 const isCutOut = ({ alphaTest, alphaHash }: Material): boolean => alphaTest > 0 || alphaHash;
+
+let hasWarned = false;
+
+/** Says once that batches have no lines. */
+function warnOfBatch(mesh: Mesh): void {
+  if (hasWarned) return;
+  hasWarned = true;
+  console.warn(
+    `applyHatching: the ${describeObject(mesh)} is hatched without lines, since a BatchedMesh has none. Use an InstancedMesh or single meshes where lines are needed.`,
+  );
+}
 
 /** Makes the lines of a scene. Meshes that deform share a material of their own, since they need another shader program. */
 export class LineMaker {
@@ -26,7 +38,11 @@ export class LineMaker {
 
   /** Makes the lines of a mesh whose geometry was baked, unless it is a cut-out. They are not yet added to the scene. */
   addLines({ mesh, geometry, material }: MeshLook): void {
-    if (isBatched(mesh) || materialsOf({ material }).every(isCutOut)) return;
+    if (isBatched(mesh)) {
+      warnOfBatch(mesh);
+      return;
+    }
+    if (materialsOf({ material }).every(isCutOut)) return;
     const lines = new HatchingLines(mesh, this.materialFor(deforms(geometry, mesh)));
     lines.layers.mask = mesh.layers.mask;
     this.made.push(lines);

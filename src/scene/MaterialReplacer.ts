@@ -3,13 +3,10 @@ import { deforms } from '../material/deformation/bindVertices.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
-import { isSurface } from './surfaceMeshes.js';
+import { isReplaced } from './leftAlone.js';
 
 /** Scales that agree in this many digits count as equal, because they differ only by rounding. */
 const SCALE_DIGITS = 6;
-
-/** Whether a material is a `HatchingMaterial`. */
-export const isHatching = (material: Material): material is HatchingMaterial => 'isHatchingMaterial' in material;
 
 /**
  * Makes the hatching materials of a scene: one for each source material and scale of the meshes that use it. Meshes that deform
@@ -36,7 +33,7 @@ export class MaterialReplacer {
    */
   replacementFor(mesh: Mesh, old: Material | Material[], scale: number): Material | Material[] {
     const replace = (source: Material | null | undefined): Material =>
-      source && isSurface(source) && !isHatching(source) ? this.hatchingMaterialFor(source, mesh, scale) : source!;
+      source && isReplaced(source, mesh) ? this.hatchingMaterialFor(source, mesh, scale) : source!;
     return Array.isArray(old) ? old.map(replace) : replace(old);
   }
 

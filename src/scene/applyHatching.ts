@@ -1,6 +1,7 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
+import { describeObject } from '../geometry/describeObject.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import type { HatchingLines } from '../lines/HatchingLines.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
@@ -13,13 +14,15 @@ import type { TaskOptions } from '../worker/TaskOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
+import { type ChosenMeshes, chooseMeshes, sentencesOf } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
+import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import { LineMaker } from './LineMaker.js';
-import { isHatching, MaterialReplacer } from './MaterialReplacer.js';
+import { MaterialReplacer } from './MaterialReplacer.js';
 import type { PresetName } from './presets.js';
-import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
+import { isBatched, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { withPreset } from './withPreset.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
@@ -79,8 +82,11 @@ const MAP_SHARE = 0.2;
  * - A material that meshes share becomes one shared material. If the meshes differ in scale, there is one material per scale,
  *   because `strokeScale` refers to object space. Meshes that deform get a material of their own.
  * - Meshes that already have a `HatchingMaterial` are left alone.
- * - A mesh whose geometry cannot be baked is left alone and listed in `skipped`. So is a mesh whose geometry or material was
- *   replaced during the call.
+ * - `skipped` lists the meshes that were left alone, each with the reason: those whose material is a `ShaderMaterial`, has an
+ *   `onBeforeCompile` of its own or shows a render target, as helpers such as grids, mirrors, text and contact shadows do; those
+ *   with `userData.hatching` set to false, or below an object that has it (true hatches the mesh whatever its material is); those
+ *   that are hatched already, so that after meshes were added another call hatches them; and, with an `error`, those whose
+ *   geometry cannot be baked or whose geometry or material was replaced during the call.
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
  *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines.
  * - By default the layout is `'indexed'` for geometries that only `anchored` or `engraved` draws. No map is generated for
@@ -91,9 +97,11 @@ const MAP_SHARE = 0.2;
  *
  * The promise is rejected
  *
- * - with an Error if a part of `root` is hatched already, or an object is its own descendant;
+ * - with an Error that says what was there, if every mesh is left alone on purpose, for instance because all are hatched already;
+ * - with an Error if an object is its own descendant;
  * - with a RangeError for an unknown preset or an option out of its range, and with a TypeError for an unknown option;
- * - with the error of the first mesh if no mesh can be hatched, or with that of the map or of a parameter;
+ * - with a TypeError that names the first meshes, if none of those that were to be hatched could be; its `cause` is the first error;
+ * - with the error of the map or of a parameter;
  * - with the signal's reason when aborted.
  */
 export async function applyHatching(
@@ -110,8 +118,8 @@ export async function applyHatching(
   }
   assertTree('applyHatching', root);
   const { replaces, signal } = options;
-  const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
-  let releaseMeshes = claimMeshes(meshes.filter((mesh) => !replaces?.holds(mesh)));
+  const choice = chooseMeshes(surfaceMeshes(root).filter(options.filter ?? (() => true)), replaces);
+  let releaseMeshes = claimMeshes(choice.chosen.filter((mesh) => !replaces?.holds(mesh)));
   const onAbort = (): void => releaseMeshes();
   // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as
   // React's StrictMode does.
@@ -120,10 +128,10 @@ export async function applyHatching(
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const { looks, materials, lines, skipped } = await makeLooks(root, meshes, options, disposables);
+    const { looks, materials, lines, skipped } = await makeLooks(root, choice, options, disposables);
     replaces?.dispose();
     releaseMeshes();
-    releaseMeshes = claimMeshes(meshes);
+    releaseMeshes = claimMeshes(looks.map(({ mesh }) => mesh));
     const scene = new HatchedScene(looks, materials, lines, skipped, disposables, releaseMeshes);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
@@ -141,7 +149,7 @@ export async function applyHatching(
 /** Makes the new looks of meshes. The scene does not change. Everything that must be freed is added to `disposables`. */
 async function makeLooks(
   root: Object3D,
-  meshes: readonly Mesh[],
+  { chosen, skipped: leftAlone, claimed }: ChosenMeshes,
   options: ApplyHatchingOptions,
   disposables: Disposable[],
 ): Promise<MadeLooks> {
@@ -149,7 +157,7 @@ async function makeLooks(
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
   const replacer = new MaterialReplacer(options.material ?? {});
   disposables.push(replacer);
-  const { seen, unreadable } = asBefore(() => looksToReplace(meshes));
+  const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
   const planned = await runSliced(planMeshes(seen, replacer), { signal, around: asBefore });
 
   const withoutMap = replacer.materials.filter((material) => material.tonalArtMap === null && needsMap(material));
@@ -167,27 +175,33 @@ async function makeLooks(
   );
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
   skipped.push(...unreadable);
-  if (skipped.length > 0 && looks.length === 0) throw skipped[0].error;
+  if (looks.length === 0) assertNoFailure(skipped);
 
   const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
   const map = await makeMap(wanted, isMapMade, { ...options, onProgress: onMapProgress }, disposables);
   for (const material of withoutMap) material.tonalArtMap = map;
   signal?.throwIfAborted();
-  const finishing = finish(root, looks, replacer, { strokeScale, lineMaker });
+  const finishing = finish(root, { looks, claimed }, replacer, { strokeScale, lineMaker });
   if (lineMaker) disposables.push(lineMaker);
   const allLines = await runSliced(finishing, { signal });
 
   const changed = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
   const kept = looks.filter(({ mesh }) => !changed.has(mesh));
-  for (const { mesh } of looks) if (changed.has(mesh)) skipped.push({ mesh, error: changedMeanwhile(mesh) });
-  if (kept.length === 0 && looks.length > 0) throw skipped.at(-1)!.error;
+  for (const { mesh } of looks) if (changed.has(mesh)) skipped.push(changedMeanwhile(mesh));
+  if (kept.length === 0) assertNoFailure(skipped);
   const used = new Set<Material>(kept.flatMap(({ material }) => material));
   return {
     looks: kept,
     materials: replacer.materials.filter((material) => used.has(material)),
     lines: allLines.filter(({ mesh }) => !changed.has(mesh!)),
-    skipped,
+    skipped: [...leftAlone, ...skipped],
   };
+}
+
+/** @throws TypeError that names the first meshes that could not be hatched */
+function assertNoFailure(skipped: readonly SkippedMesh[]): void {
+  if (skipped.length === 0) return;
+  throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
 }
 
 /** The options that `prepareHatchingGeometry` has too. */
@@ -229,7 +243,7 @@ function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable:
       assertGeometry(mesh.geometry, 'applyHatching');
       seen.push({ mesh, geometry: mesh.geometry, oldMaterial: mesh.material });
     } catch (error) {
-      unreadable.push({ mesh, error: error as Error });
+      unreadable.push(failure(mesh, error as Error));
     }
   }
   return { seen, unreadable };
@@ -305,8 +319,8 @@ function collectLooks(
   for (const plan of planned) {
     const { mesh, material } = plan;
     const geometry = isBatched(mesh) ? batchGeometry(plan) : baked.get(plan.geometry)!;
-    if (geometry instanceof Error) skipped.push({ mesh, error: geometry });
-    else if (hasChanged(plan)) skipped.push({ mesh, error: changedMeanwhile(mesh) });
+    if (geometry instanceof Error) skipped.push(failure(mesh, geometry));
+    else if (hasChanged(plan)) skipped.push(changedMeanwhile(mesh));
     else looks.push({ mesh, geometry, material, fieldFrame: undefined });
   }
   return { looks, skipped };
@@ -315,9 +329,12 @@ function collectLooks(
 const hasChanged = ({ mesh, geometry, oldMaterial }: OldLook): boolean =>
   mesh.geometry !== geometry || mesh.material !== oldMaterial;
 
-const changedMeanwhile = ({ name, uuid }: Mesh): Error =>
-  new Error(
-    `applyHatching: the mesh "${name || uuid}" was given another geometry or material while it was being baked. Restore, and apply again.`,
+const changedMeanwhile = (mesh: Mesh): SkippedMesh =>
+  failure(
+    mesh,
+    new Error(
+      'applyHatching: it was given another geometry or material while it was being baked. Call applyHatching again.',
+    ),
   );
 
 /** The geometry of a BatchedMesh, or the reason why it cannot be hatched. */
@@ -325,7 +342,7 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
   const { mesh, geometry } = plan;
   if (needsNoAdjacency(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
   return new TypeError(
-    `applyHatching: the BatchedMesh "${mesh.name || mesh.uuid}" has no triangle adjacency. Use the technique 'anchored' for it, or fill it with the results of prepareHatchingGeometry().`,
+    `applyHatching: the ${describeObject(mesh)} has no triangle adjacency. Use the technique 'anchored' for it, or fill it with the results of prepareHatchingGeometry().`,
   );
 }
 
@@ -337,11 +354,13 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
  */
 function* finish(
   root: Object3D,
-  looks: readonly MeshLook[],
+  { looks, claimed }: { looks: readonly MeshLook[]; claimed: readonly Mesh[] },
   replacer: MaterialReplacer,
   { strokeScale, lineMaker }: { strokeScale: number | undefined; lineMaker: LineMaker | null },
 ): Generator<number, readonly HatchingLines[], void> {
-  const { center, radius } = yield* sphereAround(looks);
+  // The strokes of meshes that were added have the size of those that are hatched already.
+  const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
+  const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
   replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / radius);
   const fieldFrameOf = fieldFrames(root, center);
   for (const look of looks) {
@@ -353,9 +372,10 @@ function* finish(
 }
 
 /** A sphere around all meshes, in world space. If there are none, it is the unit sphere about the origin. */
-function* sphereAround(looks: readonly MeshLook[]): Generator<number, Sphere, void> {
+function* sphereAround(looks: readonly (MeshLook | Mesh)[]): Generator<number, Sphere, void> {
   const whole = new Sphere();
-  for (const { mesh, geometry } of looks) {
+  for (const look of looks) {
+    const { mesh, geometry } = 'isMesh' in look ? { mesh: look, geometry: look.geometry } : look;
     if (isBatched(mesh) && mesh.boundingSphere === null) mesh.computeBoundingSphere();
     const sphere = isBatched(mesh) ? mesh.boundingSphere! : geometry.boundingSphere!;
     for (const matrix of worldMatrices(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));

@@ -1,4 +1,5 @@
 import type { Object3D } from 'three';
+import { describeObject } from '../geometry/describeObject.js';
 
 /**
  * Checks that all children at or below `root` are objects, and that no object is its own descendant, which would make three.js
@@ -25,7 +26,7 @@ export function assertTree(caller: string, root: Object3D): void {
     const child = object.children[last.next++];
     if (!child?.isObject3D) {
       throw new TypeError(
-        `${caller}: child ${last.next - 1} of the ${nameOf(object)} is not a THREE.Object3D. Remove it from the children.`,
+        `${caller}: child ${last.next - 1} of the ${describeObject(object)} is not a THREE.Object3D. Remove it from the children.`,
       );
     }
     if (onPath.has(child)) failCycle(caller, child);
@@ -34,10 +35,8 @@ export function assertTree(caller: string, root: Object3D): void {
   }
 }
 
-const nameOf = ({ name, type, uuid }: Object3D): string => `${type} "${name || uuid}"`;
-
 function failCycle(caller: string, object: Object3D): never {
   throw new Error(
-    `${caller}: the ${nameOf(object)} is its own descendant, so the scene has a cycle. Remove it from the children of its descendants.`,
+    `${caller}: the ${describeObject(object)} is its own descendant, so the scene has a cycle. Remove it from the children of its descendants.`,
   );
 }

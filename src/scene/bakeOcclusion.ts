@@ -7,6 +7,7 @@ import { checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { assertTree } from './assertTree.js';
+import { failure } from './failure.js';
 import type { SkippedMesh } from './HatchedScene.js';
 import { hasRoom, OcclusionBake } from './OcclusionBake.js';
 import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
@@ -150,7 +151,7 @@ function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; 
       readers.push(readerOf(mesh, receives, occludes));
       if (receives) receivers.push(mesh);
     } catch (error) {
-      skipped.push({ mesh, error: error as Error });
+      skipped.push(failure(mesh, error as Error));
     }
   }
   return { readers, receivers, skipped };

@@ -1,4 +1,6 @@
 import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 } from 'three';
+import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from '../material/facts/hatchingProperties.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 
@@ -61,11 +63,35 @@ export function hatchingMaterialFrom(source: Material, parameters: HatchingMater
   if (emissive) material.emissive.copy(emissive);
   if (normalScale) material.normalScale.copy(normalScale);
   for (const name of plainProperties) {
-    if (surface[name] !== undefined) Object.assign(material, { [name]: surface[name] });
+    if (surface[name] !== undefined) Object.assign(material, { [name]: acceptable(name, surface) });
   }
   material.fog = fog ?? true;
   material.wireframe = wireframe ?? false;
   material.wireframeLinewidth = wireframeLinewidth ?? 1;
   material.setValues(parameters);
   return material;
+}
+
+const warned = new Set<string>();
+
+/**
+ * The value of a property as a hatching material can take it. three.js draws with numbers out of range too, such as an
+ * `emissiveIntensity` of −1: the nearest in range takes their place, and the default that of no number at all. One warning says so.
+ */
+function acceptable(name: (typeof plainProperties)[number], source: SurfaceMaterial): unknown {
+  const value = source[name];
+  const property: HatchingProperty | null = name === 'normalMapType' ? null : HATCHING_PROPERTIES[name];
+  if (property?.kind === 'switch') return Boolean(value);
+  if (property?.kind !== 'number') return value;
+  const { from = -Infinity, to = Infinity } = property.range ?? {};
+  const taken = Number.isFinite(value)
+    ? Math.min(Math.max(value as number, from), to)
+    : HATCHING_DEFAULTS[name as keyof typeof HATCHING_DEFAULTS];
+  if (taken !== value && !warned.has(name)) {
+    warned.add(name);
+    console.warn(
+      `applyHatching: ${name} is ${value} on the ${source.type}${source.name ? ` "${source.name}"` : ''}, and is hatched as ${taken}.`,
+    );
+  }
+  return taken;
 }

@@ -1,4 +1,5 @@
 import type { BatchedMesh, Material, Mesh, Object3D } from 'three';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
 /**
  * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, and so are lines
@@ -21,6 +22,9 @@ export const materialsOf = ({ material }: Pick<Mesh, 'material'>): Material[] =>
 /** Whether a material draws a surface, so that hatching can replace it. */
 export const isSurface = (material: Material): boolean =>
   !('isShadowMaterial' in material || 'isLineMaterial' in material);
+
+/** Whether a material is a `HatchingMaterial`. */
+export const isHatching = (material: Material): material is HatchingMaterial => 'isHatchingMaterial' in material;
 
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 

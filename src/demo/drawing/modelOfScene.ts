@@ -60,7 +60,8 @@ export async function modelOfScene(
   const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
   // From here on, cancelling disposes of the model, which frees everything.
   const ending = new Slices();
-  for (const { mesh } of hatched.skipped) mesh.visible = false;
+  const damaged = hatched.skipped.filter(({ error }) => error);
+  for (const { mesh } of damaged) mesh.visible = false;
   for (const mesh of meshesOf(root)) {
     // Its bounding sphere is that of the rest pose.
     if ('isSkinnedMesh' in mesh || mesh.morphTargetInfluences) mesh.frustumCulled = false;
@@ -84,7 +85,7 @@ export async function modelOfScene(
     },
   );
   const notes = thinNote(surfaceArea(points, null) / share);
-  return { model, notes: [...notes, ...leftOut(hatched.skipped.length, animations.length - usable.length)] };
+  return { model, notes: [...notes, ...leftOut(damaged.length, animations.length - usable.length)] };
 }
 
 function leftOut(parts: number, clips: number): string[] {

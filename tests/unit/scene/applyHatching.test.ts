@@ -554,7 +554,7 @@ describe('when something is wrong', () => {
     const root = new Group().add(mesh);
     const first = applyHatching(mesh, { tonalArtMap });
     await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(
-      'applyHatching: the mesh "crate" is hatched already, or is being hatched.',
+      'applyHatching: nothing is left to hatch. The Mesh "crate" at Group/crate is hatched already, or is being hatched.',
     );
     const during = (await first).materials[0];
     await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(/hatched already/);
@@ -604,7 +604,7 @@ describe('when something is wrong', () => {
     hatched(sound);
     expect([torn.geometry, torn.material, bare.material]).toEqual([geometry, material, material]);
     expect(skipped.map(({ mesh }) => mesh)).toEqual([torn, bare]);
-    expect(skipped.map(({ error }) => error.message)).toEqual([
+    expect(skipped.map(({ error }) => error?.message)).toEqual([
       expect.stringContaining('must be finite'),
       expect.stringContaining('has no attribute "position"'),
     ]);
@@ -621,7 +621,7 @@ describe('when something is wrong', () => {
     const { skipped } = await promise;
     expect(changed.material).toBe(replacement);
     expect(skipped.map(({ mesh }) => mesh)).toEqual([changed]);
-    expect(skipped[0].error.message).toContain('while it was being baked');
+    expect(skipped[0].error?.message).toContain('while it was being baked');
     hatched(kept);
   });
 
