@@ -9,6 +9,7 @@ uniform vec3 diffuse;
 uniform vec3 emissive;
 uniform float emissiveIntensity;
 uniform float opacity;
+uniform float inked; // 0 where strokes wait for their map, or have none
 
 varying vec3 vViewPosition;
 #include "occlusion"
@@ -76,7 +77,7 @@ void main() {
     parameters = turnedInShadow(parameters);
   #endif // TURNS_IN_SHADOW
 
-  vec4 printed = printedColor(paper * diffuseColor.rgb, hatchInShadow(parameters, tone, material));
+  vec4 printed = printedColor(paper * diffuseColor.rgb, inked * hatchInShadow(parameters, tone, material));
   diffuseColor.a *= printed.a;
   #include <alphatest_fragment>
   #include <alphahash_fragment>

@@ -33,9 +33,16 @@ export interface HatchImageRequest {
 /**
  * Fills in defaults and checks ranges.
  *
+ * @param caller the function that is named in the error
  * @throws RangeError that names the option and its range
  */
-export function resolveHatchImageOptions(options: HatchImageOptions = {}): HatchImageRequest {
+export function resolveHatchImageOptions(
+  options: HatchImageOptions = {},
+  caller = 'TonalArtMap.generate',
+): HatchImageRequest {
+  const fail = (option: keyof HatchImageOptions, value: unknown, allowed: string): never => {
+    throw new RangeError(`${caller}: ${option} is ${String(value)}, but must be ${allowed}.`);
+  };
   const { style: name = 'hatching', seed = 1, size = 256, tones = 8 } = options;
   if (!Object.hasOwn(strokeStyles, name)) {
     fail('style', name, `one of ${Object.keys(strokeStyles).join(', ')}`);
@@ -55,8 +62,4 @@ export function resolveHatchImageOptions(options: HatchImageOptions = {}): Hatch
     fail('strokeWidth', width, `a number from ${narrowest} to ${widest} texels for style ${name}`);
   }
   return { style: { ...style, width }, seed, size, tones, levels };
-}
-
-function fail(option: keyof HatchImageOptions, value: unknown, allowed: string): never {
-  throw new RangeError(`TonalArtMap.generate: ${option} is ${String(value)}, but must be ${allowed}.`);
 }

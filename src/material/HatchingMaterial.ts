@@ -32,14 +32,19 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from './facts/hatchingProperties.js';
-import { isUsedBy, needsAdjacency, usesThresholds } from './facts/lookFacts.js';
+import { isUsedBy, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
-import { createHatchingUniforms, writeMapUniforms, writePropertyUniforms } from './hatchingUniforms.js';
+import {
+  createHatchingUniforms,
+  writeComputedUniforms,
+  writeMapUniforms,
+  writePropertyUniforms,
+} from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
 import { isRigid, type ProgramParameters } from './programParameters.js';
@@ -94,6 +99,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private readonly written = new FrameStamp();
   /** The program switches of the last frame. */
   private drawnSwitches: number | undefined;
+  /** Whether the strokes of the program come from a map. */
+  private drawsWithMap = true;
   /** Where the mesh that was drawn last has its adjacency. */
   private vertexLayout: VertexLayout = 'corner';
   /** Whether a WebGLRenderer has drawn or compiled this material. */
@@ -352,27 +359,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     u.texelPixels.value =
       this.strokeWidth === null ? this.texelPixels : this.strokeWidth / (this.tonalArtMap?.strokeWidth ?? 1);
     u.dotPixels.value = u.texelPixels.value * (this.tonalArtMap?.strokeWidth ?? 1);
-    u.creaseCosine.value = Math.cos(this.creaseAngle);
     if (this.medium === 'dry') u.toothMap.value = toothMap();
     if (this.medium === 'stipple') u.stippleMap.value = stippleMap();
     writeMapUniforms(map, isOfThresholds, u);
-
-    // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
-    const { strokeScale: scale, strokeOffset: offset } = this;
-    const cos = Math.cos(this.strokeRotation);
-    const sin = Math.sin(this.strokeRotation);
-    u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
-    u.strokeDirection.value.set(cos, sin);
-    const highlightReach = Math.max(this.keepHighlight * this.highlightSoftness, 1e-6);
-    u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * this.keepHighlight) / highlightReach);
-    // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
-    const { crossAngle } = this;
-    u.layerTurns.value.set(
-      Math.cos(crossAngle),
-      Math.sin(crossAngle),
-      -Math.sin(crossAngle / 2),
-      Math.cos(crossAngle / 2),
-    );
+    u.inked.value = Number(map !== null || !this.drawsWithMap);
+    writeComputedUniforms(this, u);
   }
 
   /**
@@ -413,6 +404,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     write('SIZED_ON_SCREEN', hasProgramForObject && this.screenConstancy > 0 ? '' : undefined);
     write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
     write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(needsAdjacency(this) ? this.vertexLayout : 'corner'));
+    this.drawsWithMap = needsMap(this);
     if (hasChanged) this.needsUpdate = true;
   }
 }

@@ -24,9 +24,9 @@ import type { ToneCurve } from './fitToneCurve.js';
 /** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
 export interface HatchingMaterialOptions {
   /**
-   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
-   * surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all. Default `null`.
-   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one, and
+   * until it is ready, the surface is blank paper. Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
+   * `medium` `'ink'` or `'dry'`.
    */
   tonalArtMap: TonalArtMap | null;
   /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
@@ -304,9 +304,9 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   };
 
   /**
-   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the
-   * surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all. Default `null`.
-   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one, and
+   * until it is ready, the surface is blank paper. Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
+   * `medium` `'ink'` or `'dry'`.
    */
   get tonalArtMap(): TonalArtMap | null {
     return this.hatchImages;

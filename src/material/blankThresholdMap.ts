@@ -2,7 +2,7 @@ import { DataTexture, RGFormat } from 'three';
 
 let blank: DataTexture | undefined;
 
-/** One texel that is ink only at the darkest tone, for materials without a tonal art map. Shared and never disposed of. */
+/** One texel for materials without a tonal art map, which print nothing of it. Shared and never disposed of. */
 export function blankThresholdMap(): DataTexture {
   if (blank === undefined) {
     blank = new DataTexture(new Uint8Array([255, 255]), 1, 1, RGFormat);

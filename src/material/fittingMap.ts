@@ -5,7 +5,7 @@ import type { TonalArtMap } from '../tam/TonalArtMap.js';
 const refused = new WeakSet<object>();
 
 /**
- * The map if the device can hold its textures, otherwise null: a texture that is too large would draw everything black. Reports
+ * The map if it is drawn and the device can hold its textures, otherwise null: a texture that is too large would draw everything black. Reports
  * it once per map.
  *
  * @param usesThresholds whether the threshold texture is used too, which is about twice as wide as the map
@@ -16,7 +16,7 @@ export function fittingMap(
   usesThresholds: boolean,
   maxTextureSize: number,
 ): TonalArtMap | null {
-  if (map === null) return null;
+  if (!map?.isReady) return null;
   const width = usesThresholds ? map.thresholdTexture.image.width : map.size;
   if (width <= maxTextureSize) return map;
   const identity = identityOf(map);

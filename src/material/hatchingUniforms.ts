@@ -15,6 +15,7 @@ export function createHatchingUniforms(): Uniforms {
     UniformsLib.fog,
     {
       alphaTest: { value: 0 },
+      inked: { value: 1 },
       creaseCosine: { value: 0 },
       highlightRamp: { value: new Vector2() },
       layerTurns: { value: new Vector4() },
@@ -116,4 +117,25 @@ export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolea
     const { width, height } = map.thresholdTexture.image;
     u.thresholdMapTexel.value.set(1 / width, 1 / height);
   }
+}
+
+/** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
+export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
+  u.creaseCosine.value = Math.cos(material.creaseAngle);
+  // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
+  const { strokeScale: scale, strokeOffset: offset } = material;
+  const cos = Math.cos(material.strokeRotation);
+  const sin = Math.sin(material.strokeRotation);
+  u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
+  u.strokeDirection.value.set(cos, sin);
+  const highlightReach = Math.max(material.keepHighlight * material.highlightSoftness, 1e-6);
+  u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.keepHighlight) / highlightReach);
+  // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
+  const { crossAngle } = material;
+  u.layerTurns.value.set(
+    Math.cos(crossAngle),
+    Math.sin(crossAngle),
+    -Math.sin(crossAngle / 2),
+    Math.cos(crossAngle / 2),
+  );
 }

@@ -8,14 +8,12 @@ import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { HATCH_IMAGE_OPTIONS } from './checkHatchImageOptions.js';
+import { drawHatchImages } from './drawHatchImages.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
 import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.js';
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
-
-/** The share of the progress for drawing the images; the rest is for the thresholds. */
-const IMAGES_SHARE = 0.7;
 
 /** The share of the progress of `load` for reading the files. */
 const READING_SHARE = 0.5;
@@ -23,20 +21,38 @@ const READING_SHARE = 0.5;
 /** The options that determine a generated map. */
 export type MapDrawing = HatchImageOptions;
 
-/** Options of `TonalArtMap.generate`: those that determine the map, and those of the task. */
+/** Options of `TonalArtMap.draw` and `generate`: those that determine the map, and those of the task. */
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
 
 /** The names of the properties that `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeWidth: true } satisfies Record<keyof HatchImages, true>;
 
+/** What is known of a map before it is drawn. */
+interface MapShape {
+  size: number;
+  tones: number;
+  levels: number;
+  strokeWidth: number;
+}
+
+/** What a map is made of. */
+interface MapContent {
+  packed: PackedLevel[];
+  /** Undefined until they are derived from the images. */
+  thresholds: ThresholdLevel[] | undefined;
+  /** Whether the thresholds were drawn, and so cannot be derived from the images again. */
+  hasDrawnThresholds: boolean;
+}
+
 /**
  * A tonal art map: hatch images for several tones at several resolutions. When tone or distance changes, strokes keep their place
  * and their width (Praun et al. 2001; Suarez et al., section 3.1).
  *
- * Image k of n stands for tone k/(n−1), where 0 is paper and 1 the darkest tone. Strokes run along u. A map is immutable, and may
- * be shared by any number of materials and renderers.
+ * Image k of n stands for tone k/(n−1), where 0 is paper and 1 the darkest tone. Strokes run along u. A map never changes once it is
+ * ready, and may be shared by any number of materials and renderers.
  */
 export class TonalArtMap {
+  readonly isTonalArtMap = true;
   /** Texels per side of level 0. */
   readonly size: number;
   /** Number of tones. */
@@ -46,61 +62,79 @@ export class TonalArtMap {
   /** Width of the strokes in texels, the same on every level. */
   readonly strokeWidth: number;
   /**
-   * The hatch images, as an RGBA array texture with drawn mip levels. It holds no colours: layer l, channel c holds tone
-   * min(3l + c, tones − 1), 1 = paper, 0 = ink, so that one fetch reads both neighbours of any tone.
+   * The hatch images, as an RGBA array texture with drawn mip levels; without an image until the map is ready. It holds no colours:
+   * layer l, channel c holds tone min(3l + c, tones − 1), 1 = paper, 0 = ink, so that one fetch reads both neighbours of any tone.
    */
   readonly texture: TonalArtMapTexture;
 
-  private readonly packed: PackedLevel[];
+  private content: MapContent | undefined;
+  private drawn: Promise<TonalArtMap> | undefined;
+  private hasListener = false;
   private cachedReport: HatchImageReport | undefined;
-  private thresholdLevels: ThresholdLevel[] | undefined;
   private pairs: ThresholdPair[] | undefined;
   private cachedThresholdTexture: ThresholdTexture | undefined;
   private cachedMoments: ThresholdMoments | undefined;
 
-  /** @param hasDrawnThresholds whether the thresholds were drawn, and so cannot be derived from the images again */
-  private constructor(
-    { size, images, strokeWidth = DEFAULT_STROKE_WIDTH }: HatchImages,
-    thresholdLevels: ThresholdLevel[] | undefined,
-    private readonly hasDrawnThresholds: boolean,
-  ) {
+  private constructor({ size, tones, levels, strokeWidth }: MapShape) {
     this.size = size;
-    this.tones = images.length;
-    this.levels = images[0].length;
+    this.tones = tones;
+    this.levels = levels;
     this.strokeWidth = strokeWidth;
-    this.packed = packHatchImages(size, images);
-    this.thresholdLevels = thresholdLevels;
-    this.texture = new TonalArtMapTexture(this.packed, this.tones);
+    this.texture = new TonalArtMapTexture(size, levels, tones);
   }
 
   /**
-   * Generates a map, in a worker if possible. The same options give the same bytes.
+   * Begins to draw a map, in a worker if possible, and returns it at once, as three's own loaders do: give it to materials, which are
+   * blank paper until it is drawn, and hatch from the next frame on. The same options give the same bytes.
+   *
+   * Size, tones, levels and the width of strokes are known at once. What is read from the images (`image`, `report`, `save`, …) throws
+   * an Error until `ready` is resolved.
+   *
+   * ```ts
+   * const tonalArtMap = TonalArtMap.draw({ style: 'contours' });
+   * mesh.material = new HatchingMaterial({ tonalArtMap });
+   * tonalArtMap.ready.then(render); // for a page that does not draw all the time
+   * ```
+   *
+   * @throws RangeError or TypeError if an option is out of its range or unknown
+   */
+  static draw(options: TonalArtMapOptions = {}): TonalArtMap {
+    return TonalArtMap.begin('TonalArtMap.draw', options);
+  }
+
+  /**
+   * Draws a map as `draw` does, and returns it when it is ready.
    *
    * @throws RangeError or TypeError (as a rejection) if an option is out of its range or unknown; the signal's reason when aborted
    */
   static async generate(options: TonalArtMapOptions = {}): Promise<TonalArtMap> {
-    checkOptions('TonalArtMap.generate', options, HATCH_IMAGE_OPTIONS);
+    return TonalArtMap.begin('TonalArtMap.generate', options).ready;
+  }
+
+  private static begin(caller: string, options: TonalArtMapOptions): TonalArtMap {
+    checkOptions(caller, options, HATCH_IMAGE_OPTIONS);
     const { style, seed, size, tones, levels, strokeWidth, ...taskOptions } = options;
-    const request: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
-    resolveHatchImageOptions(request);
-    const { onProgress } = taskOptions;
-    const makeRequest = (): HatchImageOptions => request;
-    const images = await runTask(
-      'generateHatchImages',
-      request,
-      { ...taskOptions, onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE * progress)) },
-      makeRequest,
+    const drawing: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
+    const { style: strokes, ...shape } = resolveHatchImageOptions(drawing, caller);
+    const map = new TonalArtMap({ ...shape, strokeWidth: strokes.width });
+    map.drawn = drawHatchImages(drawing, taskOptions).then(({ images, thresholds }) =>
+      map.fill(images, thresholds, true),
     );
-    const thresholds = await runTask(
-      'generateThresholds',
-      request,
-      {
-        ...taskOptions,
-        onProgress: onProgress && ((progress) => onProgress(IMAGES_SHARE + (1 - IMAGES_SHARE) * progress)),
-      },
-      makeRequest,
-    );
-    return new TonalArtMap(images, thresholds, true);
+    map.drawn.catch((error: unknown) => {
+      if (!map.hasListener && !taskOptions.signal?.aborted)
+        console.error(`${caller}: the map could not be drawn (${messageOf(error)}); surfaces stay blank paper.`);
+    });
+    return map;
+  }
+
+  private static of(
+    images: HatchImages,
+    thresholds: ThresholdLevel[] | undefined,
+    hasDrawnThresholds: boolean,
+  ): TonalArtMap {
+    const { size, images: tones, strokeWidth = DEFAULT_STROKE_WIDTH } = images;
+    const map = new TonalArtMap({ size, tones: tones.length, levels: tones[0].length, strokeWidth });
+    return map.fill(images, thresholds, hasDrawnThresholds);
   }
 
   /**
@@ -115,7 +149,7 @@ export class TonalArtMap {
   static fromHatchImages(hatchImages: HatchImages): TonalArtMap {
     checkNames('TonalArtMap.fromHatchImages', 'hatch images', hatchImages, HATCH_IMAGES);
     assertHatchImages(hatchImages);
-    return new TonalArtMap(hatchImages, undefined, false);
+    return TonalArtMap.of(hatchImages, undefined, false);
   }
 
   /**
@@ -139,7 +173,7 @@ export class TonalArtMap {
     if (thresholds) {
       const levels = thresholds.map((field, level) => encodeThresholds(read.size >> level, field));
       onProgress?.(1);
-      return new TonalArtMap(read, levels, true);
+      return TonalArtMap.of(read, levels, true);
     }
     const { thresholds: levels, ...images } = await runTask(
       'completeHatchImages',
@@ -147,7 +181,22 @@ export class TonalArtMap {
       { ...options, onProgress: onProgress && ((done) => onProgress(READING_SHARE + (1 - READING_SHARE) * done)) },
       async () => ({ ...(await readSource(source, signal, () => {})), lacksLevels }),
     );
-    return new TonalArtMap({ ...images, strokeWidth: read.strokeWidth }, levels, false);
+    return TonalArtMap.of({ ...images, strokeWidth: read.strokeWidth }, levels, false);
+  }
+
+  /** Whether the map is drawn. */
+  get isReady(): boolean {
+    return this.content !== undefined;
+  }
+
+  /**
+   * Resolves with the map itself when it is drawn. Rejects if it cannot be drawn, or with the signal's reason when that is aborted;
+   * who never asks for this promise is told of it in the console.
+   */
+  get ready(): Promise<TonalArtMap> {
+    this.hasListener = true;
+    this.drawn ??= Promise.resolve(this);
+    return this.drawn;
   }
 
   /** Reports how well the images keep the constraints of a tonal art map. It is measured on first use. */
@@ -187,7 +236,7 @@ export class TonalArtMap {
       );
     }
     this.assertLevel('image', level);
-    return unpackHatchImage(this.packed[level], tone);
+    return unpackHatchImage(this.contentFor('image').packed[level], tone);
   }
 
   /**
@@ -207,7 +256,8 @@ export class TonalArtMap {
    * map from them, including the thresholds.
    */
   async save(): Promise<File[]> {
-    const thresholds = this.hasDrawnThresholds ? this.thresholdMap().map((level) => level.thresholds) : undefined;
+    const { hasDrawnThresholds } = this.contentFor('save');
+    const thresholds = hasDrawnThresholds ? this.thresholdMap().map((level) => level.thresholds) : undefined;
     const { writeMapFiles } = await import('../mapFiles/writeMapFiles.js');
     const files = await writeMapFiles(this.allImages(), thresholds);
     return files.map(({ name, bytes }) => {
@@ -216,18 +266,34 @@ export class TonalArtMap {
     });
   }
 
-  /** Frees the GPU memory of the textures. If a material still uses the map, they are uploaded again. */
+  /**
+   * Frees the GPU memory of the textures. If a material still uses the map, they are uploaded again. A map that is still being drawn
+   * has none, and becomes ready all the same; its signal is what stops it.
+   */
   dispose(): void {
     this.texture.dispose();
     this.cachedThresholdTexture?.dispose();
   }
 
+  private fill(images: HatchImages, thresholds: ThresholdLevel[] | undefined, hasDrawnThresholds: boolean): this {
+    const packed = packHatchImages(this.size, images.images);
+    this.texture.fill(packed);
+    this.content = { packed, thresholds, hasDrawnThresholds };
+    return this;
+  }
+
+  private contentFor(member: string): MapContent {
+    if (this.content) return this.content;
+    throw new Error(`TonalArtMap.${member}: the map is not drawn yet; await its ready first.`);
+  }
+
   private thresholdMap(): ThresholdLevel[] {
-    if (this.thresholdLevels) return this.thresholdLevels;
+    const content = this.contentFor('thresholds');
+    if (content.thresholds) return content.thresholds;
     const task = deriveThresholds(this.allImages());
     let step = task.next();
     while (!step.done) step = task.next();
-    this.thresholdLevels = step.value;
+    content.thresholds = step.value;
     return step.value;
   }
 
@@ -250,3 +316,5 @@ export class TonalArtMap {
     );
   }
 }
+
+const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

@@ -19,10 +19,13 @@ import { type PackedLevel, packedLayerCount } from './packHatchImages.js';
  * black.
  */
 export class TonalArtMapTexture extends CompressedArrayTexture {
-  constructor(levels: readonly PackedLevel[], tones: number) {
-    const size = levels[0].size;
+  /**
+   * @param size texels per side of level 0
+   * @param levels how many there are
+   */
+  constructor(size: number, levels: number, tones: number) {
     super(
-      levels.map(({ data, size: side }) => ({ data, width: side, height: side })),
+      [],
       size,
       size,
       packedLayerCount(tones),
@@ -35,8 +38,13 @@ export class TonalArtMapTexture extends CompressedArrayTexture {
     this.wrapS = RepeatWrapping;
     this.wrapT = RepeatWrapping;
     this.magFilter = LinearFilter;
-    this.minFilter = levels.length > 1 ? LinearMipmapLinearFilter : LinearFilter;
+    this.minFilter = levels > 1 ? LinearMipmapLinearFilter : LinearFilter;
     this.anisotropy = 1;
+  }
+
+  /** Gives the texture its images, which the renderer uploads with the next frame that draws with them. */
+  fill(levels: readonly PackedLevel[]): void {
+    this.mipmaps = levels.map(({ data, size }) => ({ data, width: size, height: size }));
     this.needsUpdate = true;
   }
 }

@@ -19,5 +19,5 @@ export const HATCH_IMAGE_OPTIONS = {
  */
 export function checkHatchImageOptions(caller: string, options: HatchImageOptions): void {
   checkNames(caller, 'options', options, HATCH_IMAGE_OPTIONS);
-  resolveHatchImageOptions(options);
+  resolveHatchImageOptions(options, caller);
 }

@@ -208,6 +208,47 @@ test('without a map the surface stays paper', async ({ page }) => {
   expect(centre(pixels)[2]).toBe(0);
 });
 
+test('a surface is blank paper until its map is drawn, and hatched in the next frame, by the same program', async ({
+  page,
+}) => {
+  const outcomes = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, TonalArtMap } = window.toolkit;
+    const inkIn = (pixels: number[]): number => pixels.filter((_, i) => i % 4 === 1 && pixels[i]! < 128).length;
+    const outcomes: Record<string, number[]> = {};
+    for (const look of [
+      { technique: 'anchored' },
+      { technique: 'anchored', medium: 'dry' },
+      { technique: 'adjacency' },
+      { technique: 'triangle', crisp: true },
+    ] as const) {
+      const renderer = makeRenderer();
+      const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 32, 24), look);
+      // The side turned away from this light is as dark as can be.
+      const scene = sceneOf(mesh, sun(Math.PI, [1, 0, 0]));
+      const tonalArtMap = TonalArtMap.draw({ size: 64 });
+      mesh.material.tonalArtMap = tonalArtMap;
+      const before = inkIn(pixelsOf(scene, renderer));
+      const { textures } = renderer.info.memory;
+      const { version } = mesh.material;
+      await tonalArtMap.ready;
+      const after = inkIn(pixelsOf(scene, renderer));
+      pixelsOf(scene, renderer);
+      outcomes[JSON.stringify(look)] = [
+        before,
+        after,
+        mesh.material.version - version,
+        renderer.info.memory.textures - textures,
+      ];
+    }
+    return outcomes;
+  });
+  for (const [look, [before, after, programs, textures]] of Object.entries(outcomes)) {
+    expect(before, look).toBe(0);
+    expect(after, look).toBeGreaterThan(600);
+    expect([programs, textures], look).toEqual([0, 1]);
+  }
+});
+
 test('degenerate, tiny, huge and far meshes give no NaN and no error', async ({ page }) => {
   const counts = await page.evaluate(async () => {
     const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;

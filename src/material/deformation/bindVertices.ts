@@ -81,13 +81,13 @@ export function vertexLayoutOf(geometry: BufferGeometry, object: Object3D): Vert
 /** What is missing from a geometry without adjacency, and what to do. */
 function describeLack({ attributes, userData }: BufferGeometry): string {
   if (attributes[hatchNormal.name] === undefined) {
-    return 'has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry) instead.';
+    return "has no triangle adjacency and cannot be hatched; draw the result of await prepareHatchingGeometry(geometry, { adjacency: true }) instead, or use the technique 'anchored'.";
   }
   const history =
     userData.hatching?.layout === 'indexed'
-      ? "was prepared with the layout 'indexed', which has no triangle adjacency."
+      ? 'was prepared without triangle adjacency.'
       : "has lost its triangle adjacency: that of the layout 'pull' is not kept when geometries are merged, exported or serialised.";
-  return `${history} Prepare it with the layout 'corner' or 'pull', or use the technique 'anchored'.`;
+  return `${history} Prepare it with { adjacency: true }, or use the technique 'anchored'.`;
 }
 
 /** Warns, once per geometry, if it has been changed since the bake. */

@@ -7,7 +7,7 @@ import {
   RGFormat,
   UnsignedByteType,
 } from 'three';
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 
@@ -149,6 +149,69 @@ describe('TonalArtMap.generate', () => {
       'TonalArtMap.fromHatchImages: unknown option "levels". The known ones are size, images, strokeWidth.',
     );
     await expect(TonalArtMap.generate({ size: 100 })).rejects.toThrow('TonalArtMap.generate: size is 100');
+  });
+});
+
+describe('TonalArtMap.draw', () => {
+  afterEach(() => vi.restoreAllMocks());
+
+  it('returns the map at once, with its sizes, and fills its texture when it is drawn', async () => {
+    const map = TonalArtMap.draw({ size: 64, tones: 4, style: 'ruled' });
+    expect([map.size, map.tones, map.levels, map.strokeWidth]).toEqual([64, 4, 3, strokeStyles.ruled.width]);
+    const { texture } = map;
+    expect([map.isReady, texture.version]).toEqual([false, 0]);
+    expect(await map.ready).toBe(map);
+    expect([map.isReady, texture.version, map.texture === texture]).toEqual([true, 1, true]);
+    const generated = await TonalArtMap.generate({ size: 64, tones: 4, style: 'ruled' });
+    expect(map.image(2, 1)).toEqual(generated.image(2, 1));
+    expect(map.thresholds(0)).toEqual(generated.thresholds(0));
+  });
+
+  it('says of what is read too early that the map is not drawn yet', async () => {
+    const map = TonalArtMap.draw({ size: 64 });
+    expect(() => map.image(0, 0)).toThrow('TonalArtMap.image: the map is not drawn yet; await its ready first.');
+    expect(() => map.thresholds(0)).toThrow('is not drawn yet');
+    expect(() => map.thresholdTexture).toThrow('is not drawn yet');
+    await expect(map.save()).rejects.toThrow('is not drawn yet');
+    await map.ready;
+  });
+
+  it('refuses an option at once, and names itself', () => {
+    expect(() => TonalArtMap.draw({ size: 100 })).toThrow('TonalArtMap.draw: size is 100');
+    expect(() => TonalArtMap.draw({ style: 'hachures' as never })).toThrow('TonalArtMap.draw: style is hachures');
+    expect(() => TonalArtMap.draw({ syze: 64 } as never)).toThrow('TonalArtMap.draw: unknown option "syze".');
+  });
+
+  it('becomes ready after it was disposed of, and can be drawn with', async () => {
+    const map = TonalArtMap.draw({ size: 64 });
+    map.dispose();
+    await map.ready;
+    expect(map.report.consistent).toBe(true);
+  });
+
+  it('tells of a failure once in the console where nobody asks for its promise, and rejects where somebody does', async () => {
+    const error = vi.spyOn(console, 'error').mockImplementation(() => {});
+    const fails = (): never => {
+      throw new Error('no pen');
+    };
+    TonalArtMap.draw({ size: 64, onProgress: fails });
+    await vi.waitFor(() =>
+      expect(error.mock.calls).toEqual([
+        ['TonalArtMap.draw: the map could not be drawn (no pen); surfaces stay blank paper.'],
+      ]),
+    );
+    await expect(TonalArtMap.draw({ size: 64, onProgress: fails }).ready).rejects.toThrow('no pen');
+    expect(error).toHaveBeenCalledTimes(1);
+  });
+
+  it('stops without a word when its signal is aborted', async () => {
+    const error = vi.spyOn(console, 'error').mockImplementation(() => {});
+    const controller = new AbortController();
+    const map = TonalArtMap.draw({ size: 64, signal: controller.signal });
+    controller.abort();
+    await TonalArtMap.generate({ size: 64 });
+    expect([map.isReady, error.mock.calls]).toEqual([false, []]);
+    await expect(map.ready).rejects.toThrow('abort');
   });
 });
 

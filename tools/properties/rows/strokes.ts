@@ -10,7 +10,7 @@ export const STROKES = {
     techniques: WITH_MAP,
     when: { medium: ['ink', 'dry'] },
     sentence:
-      'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one the surface stays blank; `anchored` and `crisp` strokes are ink then where no light arrives at all.',
+      'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one, and until it is ready, the surface is blank paper.',
   },
   technique: {
     kind: 'choice',

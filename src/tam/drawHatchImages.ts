@@ -1,0 +1,23 @@
+import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
+import type { HatchImages } from '../hatchImages/HatchImages.js';
+import type { HatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { runTask } from '../worker/runTask.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
+
+/** The share of the progress for drawing the images; the rest is for the thresholds. */
+const IMAGES_SHARE = 0.7;
+
+/** Draws the images and thresholds of a map, in a worker if possible. */
+export async function drawHatchImages(
+  drawing: HatchImageOptions,
+  { onProgress, ...options }: TaskOptions,
+): Promise<{ images: HatchImages; thresholds: ThresholdLevel[] }> {
+  const again = (): HatchImageOptions => drawing;
+  const partOf = (from: number, share: number): TaskOptions => ({
+    ...options,
+    onProgress: onProgress && ((progress) => onProgress(from + share * progress)),
+  });
+  const images = await runTask('generateHatchImages', drawing, partOf(0, IMAGES_SHARE), again);
+  const thresholds = await runTask('generateThresholds', drawing, partOf(IMAGES_SHARE, 1 - IMAGES_SHARE), again);
+  return { images, thresholds };
+}
