@@ -23,7 +23,12 @@ import { extractWords, type KeptAttribute, keptAttributes } from './vertexAttrib
 /** Options of `prepareHatchingGeometry`. */
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
   /**
-   * The vertex layout: how the adjacency is stored.
+   * Bakes the neighbours of every triangle too, which the techniques `triangle` and `adjacency` draw with; such a geometry can be drawn
+   * by every technique. Default: false, for `anchored` and `engraved`, which draw the source's own vertices.
+   */
+  adjacency?: boolean | undefined;
+  /**
+   * The vertex layout, for who wants to decide it: how the adjacency is stored. Default: `'auto'` with `adjacency`, `'indexed'` without.
    *
    * - `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per triangle. It works with every
    *   technique.
@@ -32,7 +37,7 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    *   `'corner'`.
    * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. It works only with `anchored` and `engraved`, which
    *   need no adjacency.
-   * - `'auto'` (default): `'pull'` for a geometry with a skin, with morph targets of position or normal, or with more than
+   * - `'auto'`: `'pull'` for a geometry with a skin, with morph targets of position or normal, or with more than
    *   200,000 triangles, where the upload of all corners would block the page for some hundred milliseconds; otherwise
    *   `'corner'`.
    */
@@ -80,6 +85,7 @@ export interface LineOptions {
 const LINE_OPTIONS = { creaseAngle: true, creaseLength: true } satisfies Record<keyof LineOptions, true>;
 
 const PREPARE_OPTIONS = {
+  adjacency: true,
   layout: true,
   creaseAngle: true,
   smoothingRadius: true,
@@ -229,7 +235,7 @@ function lineRequest(lines: PrepareHatchingGeometryOptions['lines'], range: Corn
 function chooseLayout(
   { attributes, morphAttributes }: BufferGeometry,
   triangleCount: number,
-  { layout = 'auto' }: PrepareHatchingGeometryOptions,
+  { adjacency = false, layout = adjacency ? 'auto' : 'indexed' }: PrepareHatchingGeometryOptions,
 ): HatchingStatistics['layout'] {
   if (layout !== 'auto') return layout;
   const deforms = attributes.skinIndex || morphAttributes.position || morphAttributes.normal;
@@ -237,9 +243,19 @@ function chooseLayout(
 }
 
 function checkValues(
-  { layout = 'auto', smoothingRadius = 0, weldTolerance = 0, lines }: PrepareHatchingGeometryOptions,
+  { adjacency = false, layout = 'auto', smoothingRadius = 0, weldTolerance = 0, lines }: PrepareHatchingGeometryOptions,
   creaseAngle: number,
 ): void {
+  if (typeof adjacency !== 'boolean') {
+    throw new TypeError(
+      `prepareHatchingGeometry: adjacency is ${String(adjacency)}. Pass true or false, or leave the option out.`,
+    );
+  }
+  if (adjacency && layout === 'indexed') {
+    throw new RangeError(
+      "prepareHatchingGeometry: the layout 'indexed' has no adjacency. Leave out one of the two options.",
+    );
+  }
   if (!['auto', 'corner', 'pull', 'indexed'].includes(layout)) {
     throw new RangeError(
       `prepareHatchingGeometry: unknown layout '${layout}'. Use 'auto', 'corner', 'pull' or 'indexed'.`,

@@ -31,6 +31,7 @@ const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
   lines: true,
   tonalArtMap: true,
   strokeScale: true,
+  adjacency: true,
   layout: true,
   creaseAngle: true,
   smoothingRadius: true,

@@ -89,7 +89,7 @@ const MAP_SHARE = 0.2;
  *   geometry cannot be baked or whose geometry or material was replaced during the call.
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
  *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines.
- * - By default the layout is `'indexed'` for geometries that only `anchored` or `engraved` draws. No map is generated for
+ * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it. No map is generated for
  *   materials that need none.
  * - `lines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
@@ -165,7 +165,7 @@ async function makeLooks(
   const mapShare = isMapMade ? MAP_SHARE : 0;
   const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;
   const baked = await bakeGeometries(
-    layoutsFor(planned, options.layout),
+    layoutsFor(planned, options),
     {
       ...prepareOptions(options),
       lines: lineMaker?.creases ?? false,
@@ -298,13 +298,13 @@ const needsNoAdjacency = (plan: PlannedMesh): boolean =>
 /** All geometries to bake, each with a layout that works for all materials that draw it. */
 function layoutsFor(
   planned: readonly PlannedMesh[],
-  layout: ApplyHatchingOptions['layout'],
+  { layout, adjacency = false }: ApplyHatchingOptions,
 ): Map<BufferGeometry, ApplyHatchingOptions['layout']> {
   const layouts = new Map<BufferGeometry, ApplyHatchingOptions['layout']>();
   for (const plan of planned) {
     if (isBatched(plan.mesh)) continue;
-    const known = layouts.get(plan.geometry) ?? 'indexed';
-    layouts.set(plan.geometry, layout ?? (known === 'indexed' && needsNoAdjacency(plan) ? 'indexed' : 'auto'));
+    const isIndexed = layouts.get(plan.geometry) !== 'auto' && !adjacency && needsNoAdjacency(plan);
+    layouts.set(plan.geometry, layout ?? (isIndexed ? 'indexed' : 'auto'));
   }
   return layouts;
 }
@@ -342,7 +342,7 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
   const { mesh, geometry } = plan;
   if (needsNoAdjacency(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
   return new TypeError(
-    `applyHatching: the ${describeObject(mesh)} has no triangle adjacency. Use the technique 'anchored' for it, or fill it with the results of prepareHatchingGeometry().`,
+    `applyHatching: the ${describeObject(mesh)} has no triangle adjacency. Use the technique 'anchored' for it, or fill it with results of prepareHatchingGeometry(geometry, { adjacency: true }).`,
   );
 }
 

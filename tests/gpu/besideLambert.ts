@@ -385,7 +385,7 @@ function dressedIn(technique: HatchingTechnique, isPaper: boolean): Stage['dress
     });
     if (color !== undefined) material.color.set(color as THREE.ColorRepresentation);
     if (emissive !== undefined) material.emissive.set(emissive as THREE.ColorRepresentation);
-    return new THREE.Mesh(await prepareHatchingGeometry(geometry), material as THREE.Material);
+    return new THREE.Mesh(await prepareHatchingGeometry(geometry, { adjacency: true }), material as THREE.Material);
   };
 }
 

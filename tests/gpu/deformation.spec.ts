@@ -63,7 +63,7 @@ test('the pre-pass writes what three.js computes on the processor: skin, morph t
     for (const kind of ['skin', 'relative targets', 'absolute targets', 'skin and targets'] as const) {
       const source = tubeGeometry();
       if (kind !== 'skin') addMorphTargets(source, kind !== 'absolute targets');
-      const geometry = await prepareHatchingGeometry(source);
+      const geometry = await prepareHatchingGeometry(source, { adjacency: true });
       const isSkinned = kind.startsWith('skin');
       const mesh = isSkinned ? onBones(geometry, material) : new THREE.Mesh(geometry, material);
       if (isSkinned) (mesh as ReturnType<typeof onBones>).skeleton.bones[1].rotation.set(0.3, 0.2, 1.1);
@@ -153,7 +153,7 @@ for (const technique of techniques) {
     const [rest, deformed] = await page.evaluate(async (technique) => {
       const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap } = window.toolkit;
       const { tubeGeometry, onBones, drift } = window.deforming;
-      const geometry = await prepareHatchingGeometry(tubeGeometry());
+      const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
       return (['rest', 'deformed'] as const).map((strokeAnchor) => {
         const material = new HatchingMaterial({ tonalArtMap: greyMap(), technique, strokeAnchor });
         const mesh = onBones(geometry, material);
@@ -178,7 +178,7 @@ for (const technique of techniques) {
         window.toolkit;
       const { tubeGeometry, onBones } = window.deforming;
       const renderer = makeRenderer();
-      const geometry = await prepareHatchingGeometry(tubeGeometry());
+      const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
       const material = new HatchingMaterial({
         tonalArtMap: stripedMap(),
         technique,
@@ -224,7 +224,7 @@ for (const technique of ['triangle', 'adjacency'] as const) {
       for (const [source, matrix] of cases) {
         const position = source.attributes.position as InstanceType<typeof THREE.BufferAttribute>;
         source.morphAttributes.position = [position.clone().applyMatrix4(matrix)];
-        const geometry = await prepareHatchingGeometry(source);
+        const geometry = await prepareHatchingGeometry(source, { adjacency: true });
         const [object, morphed] = [0, 1].map((influence) => {
           const mesh = new THREE.Mesh(geometry, material);
           mesh.morphTargetInfluences![0] = influence;
@@ -248,7 +248,7 @@ test('meshes that share a geometry and a material each have a pose of their own'
       window.toolkit;
     const { tubeGeometry, onBones } = window.deforming;
     const renderer = makeRenderer();
-    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
     const make = () => new HatchingMaterial({ tonalArtMap: stripedMap(), side: THREE.DoubleSide });
     const shared = make();
     const tubes = (material: () => InstanceType<typeof HatchingMaterial>) =>
@@ -284,7 +284,7 @@ test('the pre-pass runs once for a pose, whatever is drawn how often, and leaves
     const half = source.index!.count / 2;
     source.addGroup(0, half, 0);
     source.addGroup(half, half, 1);
-    const geometry = await prepareHatchingGeometry(source);
+    const geometry = await prepareHatchingGeometry(source, { adjacency: true });
     const materials = [0, 1].map(() => new HatchingMaterial({ tonalArtMap: greyMap() }));
     const mesh = onBones(geometry, materials as never);
     mesh.castShadow = true;
@@ -388,11 +388,14 @@ test('the shadow of what deforms moves with it', async ({ page }) => {
       window.toolkit;
     const { tubeGeometry, onBones } = window.deforming;
     const material = new HatchingMaterial({ tonalArtMap: greyMap(), side: THREE.DoubleSide });
-    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), material);
+    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry(), { adjacency: true }), material);
     mesh.castShadow = true;
     mesh.scale.setScalar(0.4);
     mesh.position.set(1.2, 0, 1.2);
-    const floor = new THREE.Mesh(await prepareHatchingGeometry(new THREE.PlaneGeometry(3, 3)), material);
+    const floor = new THREE.Mesh(
+      await prepareHatchingGeometry(new THREE.PlaneGeometry(3, 3), { adjacency: true }),
+      material,
+    );
     floor.receiveShadow = true;
     const light = sun(Math.PI, [3, 0, 3]);
     light.castShadow = true;
@@ -424,7 +427,7 @@ test('a device without float targets moves what deforms, hatched as at rest, and
     Reflect.set(prototype, 'getExtension', function (this: WebGL2RenderingContext, name: string) {
       return name === 'EXT_color_buffer_float' ? null : getExtension.call(this, name);
     });
-    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
     geometry.name = 'tube';
     const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
     try {
@@ -458,7 +461,7 @@ test('a layout that cannot deform, and instances that each morph, are named in t
     corner.name = 'corner';
     const source = addMorphTargets(new THREE.CylinderGeometry(0.3, 0.3, 1), true);
     source.name = 'instances';
-    const instanced = new THREE.InstancedMesh(await prepareHatchingGeometry(source), material, 2);
+    const instanced = new THREE.InstancedMesh(await prepareHatchingGeometry(source, { adjacency: true }), material, 2);
     for (const i of [0, 1]) {
       instanced.setMatrixAt(i, new THREE.Matrix4().makeTranslation(i, 0, 0));
       instanced.setMorphAt(i, { morphTargetInfluences: [i, 0] } as unknown as InstanceType<typeof THREE.Mesh>);
@@ -478,7 +481,7 @@ test('instances share the pose of their mesh', async ({ page }) => {
     const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf } = window.toolkit;
     const { addMorphTargets } = window.deforming;
     const source = addMorphTargets(new THREE.CylinderGeometry(0.3, 0.3, 1, 12, 6), true);
-    const geometry = await prepareHatchingGeometry(source);
+    const geometry = await prepareHatchingGeometry(source, { adjacency: true });
     const material = new HatchingMaterial({ tonalArtMap: greyMap() });
     const matrices = [-0.6, 0.6].map((x) => new THREE.Matrix4().makeRotationZ(x).setPosition(x, 0, 0));
     const meshes = matrices.map((matrix) => {
@@ -506,7 +509,7 @@ for (const what of ['geometry', 'material'] as const) {
       const { tubeGeometry, onBones } = window.deforming;
       const renderer = makeRenderer();
       const tonalArtMap = greyMap();
-      const geometry = await prepareHatchingGeometry(tubeGeometry());
+      const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
       const scene = sceneOf(sun());
       const { memory } = renderer.info;
       // The map stays, whatever meshes are added and removed.
@@ -534,7 +537,7 @@ test('a geometry behind a proxy, as by ref of Vue, draws the same with the same 
     const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
     const { tubeGeometry, onBones, reactive } = window.deforming;
     const renderer = makeRenderer();
-    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
     const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
     mesh.skeleton.bones[1].rotation.z = 1;
     const scene = sceneOf(mesh, sun());
@@ -565,7 +568,7 @@ test('a material behind a proxy draws the same, with the same textures: meshes t
     );
     sky.mapping = THREE.EquirectangularReflectionMapping;
     sky.needsUpdate = true;
-    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
     const map = greyMap();
     const pictures: number[][][] = [];
     const textures: number[][] = [];
@@ -604,7 +607,7 @@ test('two renderers deform the same mesh, and a lost context comes back', async 
       window.toolkit;
     const { tubeGeometry, onBones } = window.deforming;
     const material = new HatchingMaterial({ tonalArtMap: stripedMap(), side: THREE.DoubleSide });
-    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), material);
+    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry(), { adjacency: true }), material);
     mesh.skeleton.bones[1].rotation.z = 1;
     const scene = sceneOf(mesh, sun());
     const renderer = makeRenderer();
@@ -694,7 +697,7 @@ test('a mesh that is let go takes its pre-pass with it', async ({ page }) => {
     const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
     const { tubeGeometry, onBones } = window.deforming;
     const renderer = makeRenderer();
-    const geometry = await prepareHatchingGeometry(tubeGeometry());
+    const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
     const material = new HatchingMaterial({ tonalArtMap: greyMap() });
     const draw = () => {
       const mesh = onBones(geometry, material);
@@ -731,7 +734,7 @@ test('rays and bounds follow the pose', async ({ page }) => {
   const [straight, bent] = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const { tubeGeometry, onBones } = window.deforming;
-    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry()), new HatchingMaterial());
+    const mesh = onBones(await prepareHatchingGeometry(tubeGeometry(), { adjacency: true }), new HatchingMaterial());
     const ray = new THREE.Raycaster(new THREE.Vector3(0, 0.8, 5), new THREE.Vector3(0, 0, -1));
     return [0, Math.PI / 2].map((angle) => {
       mesh.skeleton.bones[1].rotation.z = angle;

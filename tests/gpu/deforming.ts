@@ -82,7 +82,7 @@ async function hatchedModel(content: string, clip: number, parameters: HatchingM
     if (object instanceof THREE.Mesh) meshes.push(object);
   });
   for (const mesh of meshes) {
-    mesh.geometry = await prepareHatchingGeometry(mesh.geometry);
+    mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { adjacency: true });
     mesh.material = new HatchingMaterial({ tonalArtMap: greyMap(), ...parameters });
     mesh.frustumCulled = false;
   }

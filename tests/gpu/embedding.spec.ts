@@ -290,7 +290,7 @@ test('groups draw with their own materials', async ({ page }) => {
     source.addGroup(6, 6, 0);
     const tonalArtMap = greyMap();
     const materials = [0xff0000, 0x0000ff].map((color) => new HatchingMaterial({ tonalArtMap, color }));
-    const mesh = new THREE.Mesh(await prepareHatchingGeometry(source), materials);
+    const mesh = new THREE.Mesh(await prepareHatchingGeometry(source, { adjacency: true }), materials);
     return pixelsOf(sceneOf(mesh, sun(Math.PI, [0, 0, 1])));
   });
   expect(at(pixels, 30, 48)).toEqual([0, 0, 255]);

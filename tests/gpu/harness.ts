@@ -66,6 +66,8 @@ function analyticThresholdMap(): TonalArtMap {
     levels,
     thresholdTexture: new ThresholdTexture(pairThresholdLevels(drawn)),
     thresholdMoments,
+    isTonalArtMap: true,
+    isReady: true,
     // No technique that reads thresholds reads this.
     texture: new DataArrayTexture(),
   } as unknown as TonalArtMap;
@@ -115,7 +117,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
   const { technique } = spec.material;
   const isPerFragment = technique === 'anchored' || technique === 'engraved';
-  const geometry = isPerFragment ? source : await prepareHatchingGeometry(source);
+  const geometry = isPerFragment ? source : await prepareHatchingGeometry(source, { adjacency: true });
 
   const takesThresholds = technique === 'anchored' || spec.material.crisp;
   const { ink, paper, color, strokeOffset, strokeRotation, ...material } = spec.material;

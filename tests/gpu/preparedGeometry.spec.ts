@@ -93,7 +93,7 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
     return {
       expected: pixelsOf(sceneOf(await hatchedMesh(source), sun()), renderer),
       // What the message proposes.
-      preparedAgain: draw(await prepareHatchingGeometry(pulled)),
+      preparedAgain: draw(await prepareHatchingGeometry(pulled, { adjacency: true })),
       corner: draw(mergeGeometries(await halves('corner'))),
     };
   });
@@ -101,11 +101,9 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
   expect(difference(merged.expected, merged.preparedAgain)).toBe(0);
   expect(difference(merged.expected, merged.corner)).toBe(0);
   const problems = pageProblems.splice(0);
-  const remedy = "Prepare it with the layout 'corner' or 'pull', or use the technique 'anchored'.";
+  const remedy = "Prepare it with { adjacency: true }, or use the technique 'anchored'.";
   expect(problems).toEqual([
-    expect.stringContaining(
-      `geometry "indexed" was prepared with the layout 'indexed', which has no triangle adjacency. ${remedy}`,
-    ),
+    expect.stringContaining(`geometry "indexed" was prepared without triangle adjacency. ${remedy}`),
     expect.stringContaining('geometry "pulled" has lost its triangle adjacency'),
   ]);
   expect(problems[1]).toContain(remedy);

@@ -143,7 +143,7 @@ test('a map too large for the device leaves the paper blank and says so, once; o
   const inks = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, pixelsOf, makeRenderer } =
       window.toolkit;
-    const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(4, 4));
+    const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(4, 4), { adjacency: true });
     const inks: Record<string, number> = {};
     // 64 texels per side, and 66 for the thresholds.
     for (const [technique, limit] of [

@@ -377,7 +377,7 @@ for (const technique of techniques) {
       const weights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0));
       source.setAttribute('skinIndex', new THREE.BufferAttribute(new Uint16Array(4 * count), 4));
       source.setAttribute('skinWeight', new THREE.BufferAttribute(weights, 4));
-      const skin = new THREE.SkinnedMesh(await prepareHatchingGeometry(source), material);
+      const skin = new THREE.SkinnedMesh(await prepareHatchingGeometry(source, { adjacency: true }), material);
       const bone = new THREE.Bone();
       skin.add(bone);
       skin.bind(new THREE.Skeleton([bone]));
@@ -400,7 +400,7 @@ test('a smooth body of few triangles casts no shadow onto its own lit side', asy
   const shares = await page.evaluate(
     async ([techniques, shadowStrokes]) => {
       const { THREE, lightOf, casting, ground, sceneOf, draw, compared, prepareHatchingGeometry } = window.shading;
-      const geometry = await prepareHatchingGeometry(new THREE.SphereGeometry(0.8, 16, 12));
+      const geometry = await prepareHatchingGeometry(new THREE.SphereGeometry(0.8, 16, 12), { adjacency: true });
       const light = casting(await lightOf('directional', 3));
       light.position.set(1.5, 1, 0.8);
       light.shadow.bias = 0;

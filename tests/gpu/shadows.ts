@@ -140,7 +140,7 @@ async function ground(
   parameters: HatchingMaterialParameters = {},
   isGrey = false,
 ): Promise<THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>> {
-  const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2.4, 2.4, 5, 5));
+  const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2.4, 2.4, 5, 5), { adjacency: true });
   const tonalArtMap = isGrey ? window.toolkit.greyMap() : await strokeMap();
   const material = new HatchingMaterial({
     technique,

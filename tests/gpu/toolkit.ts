@@ -67,7 +67,7 @@ async function hatchedMesh(
   parameters: HatchingMaterialParameters = {},
 ): Promise<THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>> {
   return new THREE.Mesh(
-    await prepareHatchingGeometry(geometry),
+    await prepareHatchingGeometry(geometry, { adjacency: true }),
     new HatchingMaterial({ tonalArtMap: greyMap(), ...parameters }),
   );
 }

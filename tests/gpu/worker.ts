@@ -179,8 +179,8 @@ const workerTests = {
   async turns() {
     pretendCores(1);
     const order: string[] = [];
-    const torus = prepareHatchingGeometry(largeTorus()).then(() => order.push('torus'));
-    const box = prepareHatchingGeometry(new BoxGeometry()).then(() => order.push('box'));
+    const torus = prepareHatchingGeometry(largeTorus(), { adjacency: true }).then(() => order.push('torus'));
+    const box = prepareHatchingGeometry(new BoxGeometry(), { adjacency: true }).then(() => order.push('box'));
     await Promise.all([torus, box]);
     return { order, workersMade };
   },
@@ -198,14 +198,14 @@ const workerTests = {
       () => 'resolved',
       (reason: Error) => reason.name,
     );
-    const next = await prepareHatchingGeometry(new BoxGeometry());
+    const next = await prepareHatchingGeometry(new BoxGeometry(), { adjacency: true });
     return { error, progress, triangles: next.userData.hatching.triangles, workersMade };
   },
 
   async badInput() {
     const geometry = new BoxGeometry();
     geometry.attributes.position.setX(3, Number.NaN);
-    return prepareHatchingGeometry(geometry).then(
+    return prepareHatchingGeometry(geometry, { adjacency: true }).then(
       () => 'resolved',
       (reason: Error) => `${reason instanceof RangeError} ${reason.message}`,
     );

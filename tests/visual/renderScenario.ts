@@ -44,6 +44,7 @@ window.renderScenario = async (scenario, deviation = {}) => {
       ? await TonalArtMap.generate(scenario.tonalArtMap)
       : TonalArtMap.fromHatchImages(widenStrokes(scenario.tonalArtMap, deviation.strokeWidth));
   const geometry = await prepareHatchingGeometry(await loadScenarioModel(scenario.model), {
+    adjacency: true,
     lines: scenario.lines !== undefined,
   });
   tonalArtMap.texture.anisotropy = scenario.anisotropy ?? 1;

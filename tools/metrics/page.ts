@@ -102,7 +102,7 @@ let drawnLength: number | undefined;
 window.measureModel = async (name, plan, text) => {
   tonalArtMap ??= await TonalArtMap.generate();
   drawnLength ??= await measureDrawnLength(tonalArtMap);
-  const geometry = await prepareHatchingGeometry(await loadModel(name, text));
+  const geometry = await prepareHatchingGeometry(await loadModel(name, text), { adjacency: true });
   const metrics: ModelMetrics = { triangles: geometry.userData.hatching.triangles, techniques: {} };
   const edges = plan.edges ? pairedEdges(geometry.getAttribute('position').array, CREASE) : new Uint32Array();
   let wantedSpacing: number | undefined;
@@ -175,7 +175,7 @@ function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
 
 /** On a wall that a single frame covers, where strokes are those of the map. */
 async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
-  const wall = await prepareHatchingGeometry(new PlaneGeometry(3, 3));
+  const wall = await prepareHatchingGeometry(new PlaneGeometry(3, 3), { adjacency: true });
   const material = new HatchingMaterial({
     tonalArtMap,
     technique: 'triangle',

@@ -2,7 +2,14 @@ import { drawnSettings } from '../settings/drawnSettings.js';
 import { presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
 import { lightSample } from './lightSample.js';
-import { drawnWithMap, lineParameters, mapSource, materialParameters, shiftsStrokes } from './lookSample.js';
+import {
+  drawnWithMap,
+  lineParameters,
+  mapSource,
+  materialParameters,
+  prepareArgument,
+  shiftsStrokes,
+} from './lookSample.js';
 import { inQuotes } from './modelSource.js';
 import { presetSample } from './presetSample.js';
 
@@ -49,14 +56,14 @@ ${parameters.map((line) => `  ${line}`).join('\n')}
 });
 ${
   lines
-    ? `const mesh = new Mesh(await prepareHatchingGeometry(geometry, { lines: true }), material);
+    ? `const mesh = new Mesh(await prepareHatchingGeometry(geometry${prepareArgument(settings, true)}), material);
 mesh.add(
   new HatchingLines(mesh, {
 ${lines.map((line) => `    ${line},`).join('\n')}
   }),
 );
 scene.add(mesh);`
-    : 'scene.add(new Mesh(await prepareHatchingGeometry(geometry), material));'
+    : `scene.add(new Mesh(await prepareHatchingGeometry(geometry${prepareArgument(settings)}), material));`
 }`,
       ];
   const map = drawnWithMap(settings) ? `const tonalArtMap = ${mapSource(settings)};\n` : '';

@@ -8,7 +8,14 @@ import { FULL_SHEET, LEAST_STROKE_SHARE } from '../stage/strokeShare.js';
 import { LENS } from '../stage/view/createCamera.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
-import { drawnWithMap, lineParameters, mapSource, materialParameters, shiftsStrokes } from './lookSample.js';
+import {
+  drawnWithMap,
+  lineParameters,
+  mapSource,
+  materialParameters,
+  prepareArgument,
+  shiftsStrokes,
+} from './lookSample.js';
 import { modelSource } from './modelSource.js';
 import { round } from './round.js';
 
@@ -220,7 +227,7 @@ const groundMaterial = new HatchingMaterial({
   strokeScale,
   color: '${settings.color}',${kind}
 });
-const ground = new Mesh(await prepareHatchingGeometry(plane), groundMaterial);
+const ground = new Mesh(await prepareHatchingGeometry(plane${prepareArgument(settings)}), groundMaterial);
 ground.position.y = ${round(groundHeight)};
 ground.receiveShadow = true;
 scene.add(ground);`,

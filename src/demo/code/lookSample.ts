@@ -1,4 +1,11 @@
-import { counts, HATCHING_LINE_DEFAULTS, type HatchingPropertyName, needsMap, pixelPower } from 'three-hatching';
+import {
+  counts,
+  HATCHING_LINE_DEFAULTS,
+  type HatchingPropertyName,
+  needsAdjacency,
+  needsMap,
+  pixelPower,
+} from 'three-hatching';
 import { countsFor } from '../settings/effects.js';
 import { lineLook } from '../settings/lineLook.js';
 import { isSize, materialLook, TWINS, type Twin } from '../settings/materialLook.js';
@@ -56,6 +63,15 @@ const OF_THE_MODEL: readonly HatchingPropertyName[] = ['strokeScale', 'color'];
 /** Whether the parameters name a vector. */
 export const shiftsStrokes = (settings: Settings): boolean =>
   countsFor(materialLook(settings), 'offsetU') && (settings.offsetU !== 0 || settings.offsetV !== 0);
+
+/** The options of `prepareHatchingGeometry` for the look, as a second argument with its comma; none if it needs none. */
+export function prepareArgument(settings: Settings, lines = false): string {
+  const options = [
+    ...(needsAdjacency(materialLook(settings)) ? ['adjacency: true'] : []),
+    ...(lines ? ['lines: true'] : []),
+  ];
+  return options.length > 0 ? `, { ${options.join(', ')} }` : '';
+}
 
 /** Whether the technique of the page, compared with none, is drawn with a map. */
 export const drawnWithMap = (settings: Settings): boolean => needsMap(materialLook(settings));

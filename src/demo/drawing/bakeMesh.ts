@@ -11,7 +11,7 @@ export interface BakedMesh {
 }
 
 /**
- * Bakes a mesh for hatching, in the library's worker. Missing normals are computed there, with creases kept.
+ * Bakes a mesh for hatching by any technique, in the library's worker. Missing normals are computed there, with creases kept.
  *
  * @param options.lines whether contours, borders and creases are to be drawn too
  */
@@ -28,7 +28,7 @@ export async function bakeMesh(
   mesh.ranges?.forEach(({ start, count }, i) => {
     source.addGroup(start, count, i);
   });
-  const geometry = await prepareHatchingGeometry(source, options);
+  const geometry = await prepareHatchingGeometry(source, { ...options, adjacency: true });
   const statistics = geometry.userData.hatching as HatchingStatistics;
   return {
     geometry,

@@ -71,7 +71,7 @@ async function chair(): Promise<FigureModel> {
   const { x, y, z } = bounds.getCenter(new Vector3()).negate();
   const parts: FigureModel['parts'] = {};
   for (const [name, source] of Object.entries(sources))
-    parts[name] = await prepareHatchingGeometry(source.translate(x, y, z));
+    parts[name] = await prepareHatchingGeometry(source.translate(x, y, z), { adjacency: true });
   return {
     parts,
     side: DoubleSide,

@@ -102,7 +102,7 @@ export class Ground {
   private async make(): Promise<void> {
     this.isMade = true;
     const plane = new PlaneGeometry(GROUND.size, GROUND.size, GROUND.parts, GROUND.parts).rotateX(-Math.PI / 2);
-    const prepared = await prepareHatchingGeometry(plane).catch((error) => {
+    const prepared = await prepareHatchingGeometry(plane, { adjacency: true }).catch((error) => {
       // The next change tries it again.
       this.isMade = false;
       throw error;

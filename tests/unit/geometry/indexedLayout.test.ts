@@ -90,7 +90,7 @@ describe('the prepared geometry', () => {
     ['a triangle soup', new BoxGeometry(1, 2, 3).toNonIndexed(), 0],
   ])('of %s adds no vertices, and every corner has what it has in the corner layout', async (_, geometry, added) => {
     const indexed = await prepareIndexed(geometry);
-    const corner = await prepareHatchingGeometry(geometry);
+    const corner = await prepareHatchingGeometry(geometry, { adjacency: true });
     expect(indexed.attributes.position.count - geometry.attributes.position.count).toBe(added);
     for (const name of ['position', 'normal', 'uv', 'hatchNormal']) {
       expect(cornersOf(indexed, name), name).toEqual(cornersOf(corner, name));
@@ -101,11 +101,14 @@ describe('the prepared geometry', () => {
 
   test('can be prepared again, in either layout', async () => {
     const geometry = new BoxGeometry(1, 1, 1, 3, 3, 3);
-    const [corner, indexed] = [await prepareHatchingGeometry(geometry), await prepareIndexed(geometry)];
+    const [corner, indexed] = [
+      await prepareHatchingGeometry(geometry, { adjacency: true }),
+      await prepareIndexed(geometry),
+    ];
     const again = await prepareIndexed(corner);
     expect(cornersOf(again, 'hatchNormal')).toEqual(cornersOf(indexed, 'hatchNormal'));
     for (const { name } of cornerLayout) expect(again.hasAttribute(name)).toBe(false);
-    const back = await prepareHatchingGeometry(indexed);
+    const back = await prepareHatchingGeometry(indexed, { adjacency: true });
     expect(Object.keys(back.attributes).sort()).toEqual(Object.keys(corner.attributes).sort());
     expect(cornersOf(back, 'oppositeAlpha')).toEqual(cornersOf(corner, 'oppositeAlpha'));
     expect((await prepareIndexed(indexed)).userData).toEqual(indexed.userData);
@@ -245,7 +248,7 @@ test('only the draw range is drawn; groups are cut to it', async () => {
   };
   for (const create of [() => new BoxGeometry(), () => new BoxGeometry().toNonIndexed()]) {
     const prepared = await prepareIndexed(ranged(create()));
-    const corner = await prepareHatchingGeometry(ranged(create()));
+    const corner = await prepareHatchingGeometry(ranged(create()), { adjacency: true });
     expect(cornersOf(prepared, 'position')).toEqual(cornersOf(corner, 'position'));
     expect(prepared.drawRange).toEqual({ start: 0, count: Infinity });
     expect(prepared.groups).toEqual(corner.groups);

@@ -76,7 +76,7 @@ describe('the prepared geometry', () => {
     geometry.name = 'quad';
     geometry.userData = { mine: { a: 1 } };
     const before = snapshot(geometry);
-    const prepared = await prepareHatchingGeometry(geometry);
+    const prepared = await prepareHatchingGeometry(geometry, { adjacency: true });
     expect(snapshot(geometry)).toEqual(before);
 
     expect(prepared).not.toBe(geometry);
@@ -114,8 +114,8 @@ describe('the prepared geometry', () => {
   });
 
   test('can be prepared again with the same result', async () => {
-    const once = await prepareHatchingGeometry(new BoxGeometry());
-    const twice = await prepareHatchingGeometry(once);
+    const once = await prepareHatchingGeometry(new BoxGeometry(), { adjacency: true });
+    const twice = await prepareHatchingGeometry(once, { adjacency: true });
     expect(layoutOf(twice)).toEqual(layoutOf(once));
     expect(Object.keys(twice.attributes).sort()).toEqual(Object.keys(once.attributes).sort());
     expect(twice.userData).toEqual(once.userData);
@@ -123,8 +123,8 @@ describe('the prepared geometry', () => {
 
   test('depends on nothing that the caller does meanwhile', async () => {
     const geometry = quad();
-    const expected = layoutOf(await prepareHatchingGeometry(quad()));
-    const promise = prepareHatchingGeometry(geometry);
+    const expected = layoutOf(await prepareHatchingGeometry(quad(), { adjacency: true }));
+    const promise = prepareHatchingGeometry(geometry, { adjacency: true });
     (geometry.attributes.position.array as Float32Array).fill(7);
     geometry.addGroup(0, 3, 1);
     geometry.name = 'changed';
@@ -136,7 +136,7 @@ describe('the prepared geometry', () => {
 });
 
 describe('input', () => {
-  const expected = async () => layoutOf(await prepareHatchingGeometry(quad()));
+  const expected = async () => layoutOf(await prepareHatchingGeometry(quad(), { adjacency: true }));
   const withIndex = (index: TypedArray) => {
     const geometry = quad();
     geometry.setIndex(new BufferAttribute(index, 1));
@@ -197,7 +197,7 @@ describe('input', () => {
   ])('%s', async (_, create) => {
     const geometry = create();
     const before = snapshot(geometry);
-    expect(layoutOf(await prepareHatchingGeometry(geometry))).toEqual(await expected());
+    expect(layoutOf(await prepareHatchingGeometry(geometry, { adjacency: true }))).toEqual(await expected());
     expect(snapshot(geometry)).toEqual(before);
   });
 
@@ -205,7 +205,7 @@ describe('input', () => {
     const values = new Int16Array([-32768, -32767, 1, 12345, 0, 32767, 1, 2, -3]);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(values, 3, true));
-    const prepared = await prepareHatchingGeometry(geometry);
+    const prepared = await prepareHatchingGeometry(geometry, { adjacency: true });
     expect([...arrayOf(prepared, 'position')]).toEqual(
       [...values].map((value) => Math.fround(Math.max(value / 32767, -1))),
     );
@@ -234,7 +234,7 @@ describe('attributes', () => {
     id.gpuType = IntType;
     id.name = 'identity';
     geometry.setAttribute('id', id);
-    const prepared = await prepareHatchingGeometry(geometry);
+    const prepared = await prepareHatchingGeometry(geometry, { adjacency: true });
 
     for (const [name, source] of Object.entries(geometry.attributes)) {
       if (name === 'position') continue;
@@ -259,7 +259,7 @@ describe('attributes', () => {
       4,
     );
     geometry.setAttribute('color', new InterleavedBufferAttribute(buffer, 3, 1, true));
-    const color = (await prepareHatchingGeometry(geometry)).getAttribute('color');
+    const color = (await prepareHatchingGeometry(geometry, { adjacency: true })).getAttribute('color');
     expect(color.normalized).toBe(true);
     expect(color.array).toEqual(new Uint8Array([2, 3, 4, 12, 13, 14, 22, 23, 24, 22, 23, 24, 12, 13, 14, 32, 33, 34]));
   });
@@ -272,7 +272,7 @@ describe('attributes', () => {
     const down = new Float32BufferAttribute([0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0], 3);
     geometry.morphAttributes.position = [up, down];
     geometry.morphAttributes.color = [new BufferAttribute(new Uint8Array([1, 2, 3, 4]), 1)];
-    const prepared = await prepareHatchingGeometry(geometry);
+    const prepared = await prepareHatchingGeometry(geometry, { adjacency: true });
     expect(prepared.morphTargetsRelative).toBe(true);
     expect(prepared.morphAttributes.position!.map(({ name, count }) => [name, count])).toEqual([
       ['up', 6],
@@ -293,7 +293,7 @@ describe('attributes', () => {
     const buffer = new InstancedInterleavedBuffer(new Float32Array([1, 2, 3, 4, 5, 6]), 3, 1);
     geometry.setAttribute('turn', new InterleavedBufferAttribute(buffer, 1, 0));
     geometry.setAttribute('tint', new InterleavedBufferAttribute(buffer, 2, 1));
-    const prepared = (await prepareHatchingGeometry(geometry)) as InstancedBufferGeometry;
+    const prepared = (await prepareHatchingGeometry(geometry, { adjacency: true })) as InstancedBufferGeometry;
     expect(prepared.isInstancedBufferGeometry).toBe(true);
     expect(prepared.instanceCount).toBe(2);
     const offset = prepared.getAttribute('offset') as InstancedBufferAttribute;
@@ -318,7 +318,7 @@ describe('draw range and groups', () => {
 
   test('groups are counted in corners and keep their material', async () => {
     const box = new BoxGeometry();
-    const prepared = await prepareHatchingGeometry(box);
+    const prepared = await prepareHatchingGeometry(box, { adjacency: true });
     expect(prepared.groups).toEqual(box.groups);
     // Adjacency runs across groups: no side of a box has a border.
     expect(prepared.userData.hatching.borderEdges).toBe(0);
@@ -331,7 +331,7 @@ describe('draw range and groups', () => {
     geometry.addGroup(6, 6, 1);
     geometry.addGroup(12, 12, 0);
     geometry.addGroup(18, 6, 5);
-    const prepared = await prepareHatchingGeometry(geometry);
+    const prepared = await prepareHatchingGeometry(geometry, { adjacency: true });
     expect([...arrayOf(prepared, 'position')]).toEqual([...arrayOf(geometry, 'position').subarray(9, 45)]);
     expect(prepared.groups).toEqual([
       { start: 0, count: 3, materialIndex: 2 },
@@ -346,14 +346,16 @@ describe('draw range and groups', () => {
   test('an index is cut too', async () => {
     const geometry = quad();
     geometry.setDrawRange(3, 3);
-    const prepared = await prepareHatchingGeometry(geometry);
+    const prepared = await prepareHatchingGeometry(geometry, { adjacency: true });
     expect([...arrayOf(prepared, 'position')]).toEqual(quadCorners.slice(9));
   });
 
   test('a group of infinite count ends with the geometry', async () => {
     const geometry = row();
     geometry.addGroup(6, Infinity, 1);
-    expect((await prepareHatchingGeometry(geometry)).groups).toEqual([{ start: 6, count: 18, materialIndex: 1 }]);
+    expect((await prepareHatchingGeometry(geometry, { adjacency: true })).groups).toEqual([
+      { start: 6, count: 18, materialIndex: 1 },
+    ]);
   });
 });
 
@@ -547,7 +549,7 @@ describe('bad input is rejected', () => {
     ],
   ])('%s', async (_, geometry, message, remedy) => {
     const before = geometry?.isBufferGeometry ? snapshot(geometry) : null;
-    const error: Error = await prepareHatchingGeometry(geometry).then(
+    const error: Error = await prepareHatchingGeometry(geometry, { adjacency: true }).then(
       () => expect.fail('resolved'),
       (reason) => reason,
     );
@@ -565,7 +567,9 @@ describe('bad input is rejected', () => {
     [{ smoothingRadius: -1 }, /smoothingRadius is -1\. Pass a length/],
     [{ smoothingRadius: Infinity }, /smoothingRadius is Infinity/],
     [{ smoothingRadius: Number.NaN }, /smoothingRadius is NaN/],
-    [{ layot: 'pull' }, /^prepareHatchingGeometry: unknown option "layot"\. The known ones are layout, creaseAngle, /],
+    [{ layot: 'pull' }, /^prepareHatchingGeometry: unknown option "layot"\. The known ones are adjacency, layout, /],
+    [{ adjacency: 'yes' }, /^prepareHatchingGeometry: adjacency is yes\./],
+    [{ adjacency: true, layout: 'indexed' }, /^prepareHatchingGeometry: the layout 'indexed' has no adjacency\./],
     [null, /^prepareHatchingGeometry: the options are null\. Pass an object/],
     ['pull', /^prepareHatchingGeometry: the options are pull\. Pass an object/],
     [{ signal: {} }, /^prepareHatchingGeometry: signal is an object \(Object\), but must be an AbortSignal/],
@@ -592,7 +596,7 @@ describe('options', () => {
   ])('the layout auto, with %s', async (_, change, layout) => {
     const geometry = quad();
     change(geometry);
-    const prepared = await prepareHatchingGeometry(geometry);
+    const prepared = await prepareHatchingGeometry(geometry, { adjacency: true });
     expect(prepared.userData.hatching.layout).toBe(layout);
     expect(prepared.hasAttribute('cornerNext')).toBe(layout === 'corner');
   });
@@ -611,7 +615,7 @@ describe('options', () => {
   test('creaseAngle cuts neighbours and splits added normals', async () => {
     const box = new BoxGeometry().deleteAttribute('normal');
     const opposite = async (creaseAngle?: number) => {
-      const prepared = await prepareHatchingGeometry(box, { creaseAngle });
+      const prepared = await prepareHatchingGeometry(box, { adjacency: true, creaseAngle });
       const { array } = prepared.getAttribute('normal');
       return {
         alpha: layoutOf(prepared)[2],
@@ -624,6 +628,17 @@ describe('options', () => {
     expect(await opposite()).toEqual(none);
     expect(none.alpha).not.toEqual(all.alpha);
     expect([all.axisAligned, none.axisAligned]).toEqual([false, true]);
+  });
+
+  test.each([
+    [{}, 'indexed'],
+    [{ adjacency: false }, 'indexed'],
+    [{ adjacency: true }, 'corner'],
+    [{ layout: 'auto' }, 'corner'],
+    [{ adjacency: true, layout: 'pull' }, 'pull'],
+    [{ layout: 'pull' }, 'pull'],
+  ] as const)('%j gives the layout %s', async (options, layout) => {
+    expect((await prepareHatchingGeometry(new BoxGeometry(), options)).userData.hatching.layout).toBe(layout);
   });
 
   test('a crease angle of 0 parts coplanar triangles too, without a NaN', async () => {

@@ -537,7 +537,7 @@ describe('when something is wrong', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, onGeometry, preset, replaces, layout, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, onGeometry, preset, replaces, adjacency, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],

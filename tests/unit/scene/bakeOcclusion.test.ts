@@ -113,7 +113,7 @@ describe('what is baked', () => {
         4,
       ),
     );
-    const mesh = new SkinnedMesh(await prepareHatchingGeometry(geometry), new HatchingMaterial());
+    const mesh = new SkinnedMesh(await prepareHatchingGeometry(geometry, { adjacency: true }), new HatchingMaterial());
     const bone = new Bone();
     mesh.add(bone);
     mesh.bind(new Skeleton([bone]));

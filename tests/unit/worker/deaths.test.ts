@@ -55,7 +55,7 @@ test.each<[string, (geometry: BufferGeometry) => void]>([
   ['freed', ({ attributes }) => void Object.assign(attributes.uv, { array: null })],
 ])('a geometry that was %s since is not prepared with the changes: the death is told', async (_, change) => {
   const geometry = box();
-  const preparing = prepareHatchingGeometry(geometry, { createWorker: mortal('bakeCorners', 1) });
+  const preparing = prepareHatchingGeometry(geometry, { adjacency: true, createWorker: mortal('bakeCorners', 1) });
   change(geometry);
   const error = await preparing.catch((reason) => reason);
   expect(error.message).toMatch(
@@ -71,7 +71,7 @@ test.each([
 ] as const)('occlusion is as ever, though %s kills a worker, after %i that it has survived', async (task, spared) => {
   const scenes = await Promise.all(
     [0, 1].map(async () => {
-      const mesh = new Mesh(await prepareHatchingGeometry(box()), new HatchingMaterial());
+      const mesh = new Mesh(await prepareHatchingGeometry(box(), { adjacency: true }), new HatchingMaterial());
       const roof = new Mesh(box());
       roof.position.y = 1.05;
       return { mesh, scene: new Group().add(mesh, roof) };
