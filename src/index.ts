@@ -40,6 +40,7 @@ export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
+export { leftAlone } from './scene/leftAlone.js';
 export { MovingResolution, type MovingResolutionOptions } from './scene/MovingResolution.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';

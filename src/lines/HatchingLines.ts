@@ -156,7 +156,8 @@ export class HatchingLines extends Object3D {
   override readonly onBeforeRender = (renderer: WebGLRenderer, _scene: Scene, camera: Camera): void => {
     const { geometry, mesh } = this;
     geometry.setDrawRange(0, NOTHING);
-    if (!mesh) return;
+    // Helpers that light a scene step by step give every object another material for a moment.
+    if (!mesh || !(this.material instanceof HatchingLineMaterial)) return;
     if ('isWebGPURenderer' in renderer) {
       tellOfRenderer('HatchingLines');
       return;

@@ -4,6 +4,7 @@ import type { Group } from 'three';
 import { type HatchedProps, splitProps } from './HatchedProps.js';
 import { Hatcher } from './Hatcher.js';
 import { hintAtToneMapping } from './toneMappingHint.js';
+import { warnIfEmpty } from './warnIfEmpty.js';
 
 /**
  * Hatches its children, or a loaded scene, with `applyHatching`, and keeps them hatched while children are added, removed and changed.
@@ -29,6 +30,7 @@ export function Hatched({
   onError,
   ...others
 }: HatchedProps): ReactElement {
+  warnIfEmpty(object, children);
   const { options, group } = splitProps(others);
   const content = useRef<Group>(null);
   const hatcher = useRef<Hatcher | null>(null);

@@ -15,8 +15,11 @@ type GroupProps = Omit<ThreeElements['group'], keyof ApplyHatchingOptions | 'obj
  */
 export interface HatchedProps extends HatchedOptions, GroupProps {
   children?: ReactNode;
-  /** A loaded scene, such as `gltf.scene`, besides the children or instead of them. It is not disposed of. */
-  object?: Object3D | undefined;
+  /**
+   * A loaded scene, such as `gltf.scene`, besides the children or instead of them. It is not disposed of. Pass `null` while it is being
+   * loaded: `undefined` without children is taken for a mistake, and warned of.
+   */
+  object?: Object3D | null | undefined;
   /** Whether the children are shown with their own materials until they are hatched. Default: false, they are not shown. */
   showUnhatched?: boolean | undefined;
   /** Called whenever the scene was hatched or restyled. `hatched.skipped` lists the meshes that were left alone, and why. */

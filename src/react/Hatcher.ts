@@ -56,8 +56,9 @@ export class Hatcher {
     this.bringUpToDate();
   }
 
-  /** Looks whether the scene has changed since it was hatched. It must be called before each frame. */
+  /** Follows changes of materials, and looks whether the scene has changed since it was hatched. It must be called before each frame. */
   follow(): void {
+    this.hatched?.follow();
     if (!this.wanted || !this.snapshot.differs(this.root)) return;
     // A change during the work is hatched right after it.
     if (this.isBusy) this.coverUnhatched(this.wanted);
@@ -132,11 +133,12 @@ export class Hatcher {
     const { signal } = this.abort;
     const { filter = () => true } = options;
     this.snapshot.take(this.root);
+    const isEmpty = meshesOf(this.root).length === 0;
     const hatched = await applyHatching(this.root, {
       ...options,
       tonalArtMap: map.source,
-      // React may add a mesh before its geometry.
-      filter: (mesh) => hasPositions(mesh) && filter(mesh),
+      // React may add a mesh before its geometry, and a helper before anything that is hatched.
+      filter: (mesh) => !isEmpty && hasPositions(mesh) && filter(mesh),
       replaces: this.hatched,
       signal,
     });
@@ -144,7 +146,8 @@ export class Hatcher {
     signal.throwIfAborted();
     this.hatched = hatched;
     const hasChanged =
-      !this.snapshot.hasMeshesOf(this.root) || hatched.skipped.some(({ mesh }) => this.snapshot.looksOtherwise(mesh));
+      !this.snapshot.hasMeshesOf(this.root) ||
+      hatched.skipped.some(({ mesh, error }) => error && this.snapshot.looksOtherwise(mesh));
     // If the snapshot stays as it is, the caller sees the change, and hatches the scene again.
     if (!hasChanged) this.snapshot.take(this.root);
     this.veil.lift(hatched);

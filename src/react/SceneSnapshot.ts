@@ -1,6 +1,7 @@
 import type { Material, Mesh, Object3D } from 'three';
+import { leftAlone } from 'three-hatching';
 
-/** Remembers the meshes of a scene in order, with their geometries and materials, to notice when the scene changes. */
+/** Remembers the meshes of a scene that are to be hatched, in order, with their geometries and materials, to notice when the scene changes. */
 export class SceneSnapshot {
   private readonly meshes: Mesh[] = [];
   private readonly geometries: Mesh['geometry'][] = [];
@@ -37,7 +38,7 @@ export class SceneSnapshot {
   /** Compares the meshes at or below an object with those from `place` on. Returns the place after them, or NaN if they differ. */
   private compare(object: Object3D, place: number): number {
     let next = place;
-    if (isMesh(object)) {
+    if (isHatched(object)) {
       const isKnown =
         object === this.meshes[place] &&
         object.geometry === this.geometries[place] &&
@@ -50,9 +51,9 @@ export class SceneSnapshot {
   }
 }
 
-/** All meshes at or below an object. */
+/** All meshes at or below an object that are to be hatched. Helpers, which are left alone, may change as they like. */
 export function meshesOf(root: Object3D): Mesh[] {
-  return root.getObjectsByProperty('isMesh', true) as Mesh[];
+  return (root.getObjectsByProperty('isMesh', true) as Mesh[]).filter(isHatched);
 }
 
-const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
+const isHatched = (object: Object3D): object is Mesh => 'isMesh' in object && leftAlone(object as Mesh) === undefined;

@@ -3,6 +3,7 @@ import { identityOf } from '../geometry/identityOf.js';
 import type { HatchingLines } from '../lines/HatchingLines.js';
 import { FIELD_FRAME } from '../material/fieldFrame.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { MaterialFollower } from './MaterialFollower.js';
 
 /** A mesh that was left unchanged. */
 export interface SkippedMesh {
@@ -34,6 +35,7 @@ export class HatchedScene {
    * @param materials all new materials; you may change them
    * @param lines the lines of all meshes, if requested; you may change their materials
    * @param skipped meshes that were left alone
+   * @param followers take over what changes in the materials that were replaced
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called when the meshes are restored
    */
@@ -42,6 +44,7 @@ export class HatchedScene {
     readonly materials: readonly HatchingMaterial[],
     readonly lines: readonly HatchingLines[],
     readonly skipped: readonly SkippedMesh[],
+    private readonly followers: readonly MaterialFollower[],
     private readonly disposables: { dispose(): void }[],
     private readonly releaseMeshes: () => void,
   ) {
@@ -67,6 +70,21 @@ export class HatchedScene {
   dispose(): void {
     this.restore();
     for (const disposable of this.disposables.splice(0)) disposable.dispose();
+  }
+
+  /**
+   * Takes over what has changed in the materials that were replaced: colour, opacity, maps, emission, visibility, sides, wireframe,
+   * fog and clipping. A parameter that you gave, or a value that you have set on the new material, stays. A mesh that was given its
+   * former material or geometry back, as helpers that swap materials for a moment do, gets its new look again.
+   *
+   * Call it before a frame if your code changes the former materials; `<Hatched>` does so. It costs a comparison per property.
+   */
+  follow(): void {
+    for (const follower of this.followers) follower.follow();
+    for (const { before, after } of this.changes) {
+      const { mesh, geometry, material } = after;
+      if (mesh.geometry !== geometry || mesh.material !== material) exchangeLook(before, after);
+    }
   }
 
   /** Whether this object has hatched `mesh`. @internal */

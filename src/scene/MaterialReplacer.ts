@@ -4,6 +4,7 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
 import { isReplaced } from './leftAlone.js';
+import { MaterialFollower } from './MaterialFollower.js';
 
 /** Scales that agree in this many digits count as equal, because they differ only by rounding. */
 const SCALE_DIGITS = 6;
@@ -14,6 +15,8 @@ const SCALE_DIGITS = 6;
  */
 export class MaterialReplacer {
   readonly materials: HatchingMaterial[] = [];
+  /** They take over what changes in the materials that were replaced. */
+  readonly followers: MaterialFollower[] = [];
   /** The keys consist of the source, the scale, and whether the mesh deforms. */
   private readonly replacements = new Map<string, HatchingMaterial>();
   /** The scales of those materials whose parameters set no `strokeScale`. */
@@ -54,6 +57,7 @@ export class MaterialReplacer {
       material = hatchingMaterialFrom(source, parameters);
       this.replacements.set(key, material);
       this.materials.push(material);
+      this.followers.push(new MaterialFollower(source, material, Object.keys(parameters)));
       if (parameters.strokeScale === undefined) this.scales.set(material, scale);
     }
     return material;

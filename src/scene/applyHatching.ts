@@ -20,6 +20,7 @@ import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import { LineMaker } from './LineMaker.js';
+import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import type { PresetName } from './presets.js';
 import { isBatched, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
@@ -61,6 +62,7 @@ interface MadeLooks {
   materials: HatchingMaterial[];
   lines: HatchingLines[];
   skipped: SkippedMesh[];
+  followers: MaterialFollower[];
 }
 
 /** The default stroke scale: tiles of the map per radius of the scene. */
@@ -128,11 +130,11 @@ export async function applyHatching(
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const { looks, materials, lines, skipped } = await makeLooks(root, choice, options, disposables);
+    const { looks, materials, lines, skipped, followers } = await makeLooks(root, choice, options, disposables);
     replaces?.dispose();
     releaseMeshes();
     releaseMeshes = claimMeshes(looks.map(({ mesh }) => mesh));
-    const scene = new HatchedScene(looks, materials, lines, skipped, disposables, releaseMeshes);
+    const scene = new HatchedScene(looks, materials, lines, skipped, followers, disposables, releaseMeshes);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
     }
@@ -195,6 +197,7 @@ async function makeLooks(
     materials: replacer.materials.filter((material) => used.has(material)),
     lines: allLines.filter(({ mesh }) => !changed.has(mesh!)),
     skipped: [...leftAlone, ...skipped],
+    followers: replacer.followers,
   };
 }
 

@@ -1,11 +1,15 @@
 import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 } from 'three';
 import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from '../material/facts/hatchingProperties.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+} from '../material/facts/hatchingProperties.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 
 /** The properties that the surface materials of three.js have beyond `Material`. Other materials may have them too. */
-interface SurfaceMaterial extends Material {
+export interface SurfaceMaterial extends Material {
   color?: Color;
   map?: Texture | null;
   alphaMap?: Texture | null;
@@ -27,7 +31,8 @@ interface SurfaceMaterial extends Material {
   wireframeLinewidth?: number;
 }
 
-const plainProperties = [
+/** The properties of surfaces that a hatching material has under the same name, and whose values it shares. */
+export const surfaceProperties = [
   'map',
   'alphaMap',
   'normalMap',
@@ -62,7 +67,7 @@ export function hatchingMaterialFrom(source: Material, parameters: HatchingMater
   if (color) material.color.copy(color);
   if (emissive) material.emissive.copy(emissive);
   if (normalScale) material.normalScale.copy(normalScale);
-  for (const name of plainProperties) {
+  for (const name of surfaceProperties) {
     if (surface[name] !== undefined) Object.assign(material, { [name]: acceptable(name, surface) });
   }
   material.fog = fog ?? true;
@@ -78,15 +83,17 @@ const warned = new Set<string>();
  * The value of a property as a hatching material can take it. three.js draws with numbers out of range too, such as an
  * `emissiveIntensity` of −1: the nearest in range takes their place, and the default that of no number at all. One warning says so.
  */
-function acceptable(name: (typeof plainProperties)[number], source: SurfaceMaterial): unknown {
+export function acceptable(name: keyof SurfaceMaterial, source: SurfaceMaterial): unknown {
   const value = source[name];
-  const property: HatchingProperty | null = name === 'normalMapType' ? null : HATCHING_PROPERTIES[name];
+  const property = Object.hasOwn(HATCHING_PROPERTIES, name)
+    ? (HATCHING_PROPERTIES[name as HatchingPropertyName] as HatchingProperty)
+    : null;
   if (property?.kind === 'switch') return Boolean(value);
   if (property?.kind !== 'number') return value;
   const { from = -Infinity, to = Infinity } = property.range ?? {};
   const taken = Number.isFinite(value)
     ? Math.min(Math.max(value as number, from), to)
-    : HATCHING_DEFAULTS[name as keyof typeof HATCHING_DEFAULTS];
+    : HATCHING_DEFAULTS[name as HatchingPropertyName];
   if (taken !== value && !warned.has(name)) {
     warned.add(name);
     console.warn(

@@ -10,8 +10,10 @@ import {
   PerspectiveCamera,
   Raycaster,
   Scene,
+  ShaderMaterial,
   SphereGeometry,
   Vector3,
+  type WebGLRenderer,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { OBJExporter } from 'three/addons/exporters/OBJExporter.js';
@@ -123,6 +125,15 @@ describe('the material', () => {
     second.dispose();
     expect(disposed).toEqual(['own']);
   });
+});
+
+test('with a material of others, as helpers give to every object for a moment, nothing is drawn', () => {
+  const lines = linesOf(createMesh()) as HatchingLines;
+  const own = lines.material;
+  Object.assign(lines, { material: new ShaderMaterial() });
+  lines.onBeforeRender({} as WebGLRenderer, new Scene(), new PerspectiveCamera());
+  expect(lines.geometry.drawRange).toEqual({ start: 0, count: -1 });
+  lines.material = own;
 });
 
 describe('in a scene', () => {

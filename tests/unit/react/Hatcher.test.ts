@@ -1,4 +1,16 @@
-import { BoxGeometry, type BufferGeometry, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import {
+  BackSide,
+  BoxGeometry,
+  type BufferGeometry,
+  DoubleSide,
+  Group,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+  ShaderMaterial,
+  SphereGeometry,
+  Texture,
+} from 'three';
 import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets, TonalArtMap } from 'three-hatching';
 import { expect, test, vi } from 'vitest';
 import { Hatcher } from '../../../src/react/Hatcher.js';
@@ -229,4 +241,63 @@ test('other functions alone change nothing, and the newest are called', async ()
   hatcher.follow();
   await next();
   expect(new Set(called)).toEqual(new Set(['second']));
+});
+
+test('changes within a material, by state or in place, are followed, and nothing is hatched again', async () => {
+  const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical', material: { side: DoubleSide } });
+  const own = mesh.material as MeshBasicMaterial;
+  await next();
+  const [geometry, material] = [mesh.geometry, materialOf(mesh)];
+  own.color.set('hotpink');
+  const map = new Texture();
+  Object.assign(own, { opacity: 0.5, transparent: true, map, wireframe: true, visible: false, side: BackSide });
+  hatcher.follow();
+  expect(material.color.getHexString()).toBe('ff69b4');
+  expect(material).toMatchObject({ opacity: 0.5, transparent: true, map, wireframe: true, visible: false });
+  // What was given to <Hatched> stays, and so does what was set on the new material.
+  expect(material.side).toBe(DoubleSide);
+  material.color.set('navy');
+  own.color.set('orange');
+  own.map = null;
+  hatcher.follow();
+  expect([material.color.getHexString(), material.map]).toEqual(['000080', null]);
+  expect([mesh.geometry, mesh.material, hatched.length]).toEqual([geometry, material, 1]);
+});
+
+test('a helper may swap materials of its own and of others: it is left alone, and nothing is hatched again', async () => {
+  const { mesh, root, hatcher, hatched, errors, next } = atWork({ preset: 'technical' });
+  const own = mesh.material;
+  const helper = new Mesh<BufferGeometry, Material>(new BoxGeometry(), new ShaderMaterial());
+  root.add(helper);
+  hatcher.follow();
+  expect(helper.layers.mask).toBe(1);
+  await next();
+  await new Promise((go) => setTimeout(go));
+  const [look, count] = [mesh.material, hatched.length];
+  for (let frame = 0; frame < 3; frame++) {
+    // As an accumulated shadow does: it restores what it found when it was mounted.
+    mesh.material = own;
+    helper.material = new ShaderMaterial();
+    hatcher.follow();
+    expect([mesh.material, mesh.layers.mask, helper.layers.mask]).toEqual([look, 1, 1]);
+  }
+  root.add(new Mesh(new BoxGeometry(), new ShaderMaterial()));
+  hatcher.follow();
+  await new Promise((go) => setTimeout(go));
+  expect([hatched.length, errors]).toEqual([count, []]);
+});
+
+test('helpers alone are waited with, until there is something to hatch', async () => {
+  const { mesh, root, hatcher, errors, hatched, next } = atWork({ preset: 'technical' });
+  await next();
+  mesh.userData.hatching = false;
+  hatcher.follow();
+  await next();
+  expect([errors, hatched.at(-1)!.materials]).toEqual([[], []]);
+  const added = new Mesh<BufferGeometry>(new BoxGeometry(), new MeshBasicMaterial());
+  root.add(added);
+  hatcher.follow();
+  await next();
+  materialOf(added);
+  expect(mesh.material).toBeInstanceOf(MeshBasicMaterial);
 });
