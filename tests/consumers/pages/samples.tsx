@@ -1,0 +1,136 @@
+import { Canvas } from '@react-three/fiber';
+import type { ComponentType, ReactNode } from 'react';
+import { createRoot, type Root } from 'react-dom/client';
+import {
+  DataTexture,
+  DirectionalLight,
+  Group,
+  Mesh,
+  MeshLambertMaterial,
+  type Object3D,
+  PerspectiveCamera,
+  PlaneGeometry,
+  Scene,
+  SphereGeometry,
+  TorusKnotGeometry,
+  WebGLRenderer,
+} from 'three';
+import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import 'three-hatching/element';
+
+declare global {
+  interface Window {
+    runSample: typeof runSample;
+  }
+}
+
+/** What a sample may export: nothing, a component, or elements for the inside of a canvas. */
+type SampleModule = Record<string, ComponentType | ReactNode>;
+
+const SIZE = { width: 240, height: 180 };
+const modules = import.meta.glob<SampleModule>(['./samples/*.ts', './samples/*.tsx']);
+
+const renderer = new WebGLRenderer({ antialias: true });
+renderer.setSize(SIZE.width, SIZE.height);
+const map = await TonalArtMap.generate({ size: 64, tones: 4 });
+const files = await Promise.all(
+  ['light.png', 'middle.png', 'dark.png'].map(async (name) => new File([await (await fetch(name)).blob()], name)),
+);
+const plane = await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2));
+
+/** What samples speak of and do not make: a scene with a mesh, and whatever else they name, made when they first name it. */
+function surround(): { scene: Scene; camera: PerspectiveCamera } {
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(30, SIZE.width / SIZE.height, 0.1, 50);
+  camera.position.set(0, 0.4, 5);
+  camera.lookAt(0, 0, 0);
+  const light = new DirectionalLight('white', Math.PI);
+  light.position.set(-3, 4, 3);
+  const mesh = new Mesh(new TorusKnotGeometry(0.6, 0.22, 96, 16), new MeshLambertMaterial());
+  scene.add(light, mesh);
+  renderer.setClearColor('white');
+  renderer.shadowMap.enabled = false;
+
+  const placed = <Placed extends Object3D>(object: Placed): Placed => {
+    scene.add(object);
+    return object;
+  };
+  const ball = (x: number): Group => {
+    const one = new Mesh(new SphereGeometry(0.4, 32, 16), new MeshLambertMaterial({ color: 'tomato', name: 'Glass' }));
+    one.position.x = x;
+    return new Group().add(one);
+  };
+  const made: Record<string, () => unknown> = {
+    ...{ scene: () => scene, camera: () => camera, renderer: () => renderer, light: () => light, mesh: () => mesh },
+    ...{ map: () => map, tonalArtMap: () => map, files: () => files },
+    geometry: () => mesh.geometry,
+    material: () => new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' }),
+    ground: () => {
+      const ground = new Mesh(plane, new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' }));
+      ground.position.y = -0.9;
+      return placed(ground);
+    },
+    gltf: () => ({ scene: placed(ball(-1)) }),
+    first: () => placed(ball(-1)),
+    second: () => placed(ball(1)),
+    gradientMap: () => new DataTexture(new Uint8Array([64, 128, 255, 255]), 1, 1),
+  };
+  for (const [name, make] of Object.entries(made)) {
+    let value: unknown;
+    Object.defineProperty(globalThis, name, {
+      configurable: true,
+      get: () => {
+        value ??= make();
+        return value;
+      },
+    });
+  }
+  return { scene, camera };
+}
+
+let root: Root | undefined;
+
+/**
+ * Runs a sample and leaves what it draws as the last element of the page.
+ *
+ * @param options.html the elements of a sample that is no module
+ * @param options.hasCanvas whether its component is a whole canvas
+ */
+async function runSample(name: string, { html, hasCanvas }: { html?: string; hasCanvas: boolean }): Promise<void> {
+  root?.unmount();
+  root = undefined;
+  document.body.replaceChildren();
+  const { scene, camera } = surround();
+  if (html !== undefined) document.body.innerHTML = html;
+  else {
+    const sample = await (modules[`./samples/${name}.ts`] ?? modules[`./samples/${name}.tsx`])();
+    const [shown] = Object.values(sample);
+    if (shown !== undefined) show(shown, hasCanvas);
+  }
+  if (document.body.childElementCount > 0) return;
+  document.body.append(renderer.domElement);
+  renderer.render(scene, camera);
+  // Lists of contours are made meanwhile.
+  await new Promise((resolve) => setTimeout(resolve));
+  renderer.render(scene, camera);
+}
+
+/** Shows a component, in a canvas if it makes none. */
+function show(shown: ComponentType | ReactNode, hasCanvas: boolean): void {
+  const holder = document.createElement('div');
+  document.body.append(holder);
+  const Shown = typeof shown === 'function' ? (shown as ComponentType) : () => shown as ReactNode;
+  root = createRoot(holder);
+  root.render(
+    hasCanvas ? (
+      <Shown />
+    ) : (
+      <Canvas flat>
+        <directionalLight position={[-3, 4, 3]} intensity={Math.PI} />
+        <Shown />
+      </Canvas>
+    ),
+  );
+}
+
+window.runSample = runSample;
