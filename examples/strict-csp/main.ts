@@ -11,8 +11,11 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { applyHatching, presets, scalePreset } from 'three-hatching';
 // The policy of this page forbids workers from blob: URLs, so the worker is a file from the same server.
-// This is the import for Vite; README.md says more.
+// This is the import for Vite; docs/csp.md says more.
 import BakeWorker from 'three-hatching/bake.worker?worker';
+
+/** One function for all calls: the library knows its workers by it. */
+const createWorker = () => new BakeWorker();
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -31,7 +34,7 @@ for (const [x, turn] of [
 }
 await applyHatching(rings, {
   ...scalePreset(presets.engraving, devicePixelRatio),
-  createWorker: () => new BakeWorker(),
+  createWorker,
 });
 
 const light = new DirectionalLight(0xffffff, Math.PI);

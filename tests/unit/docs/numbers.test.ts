@@ -145,7 +145,7 @@ describe('counts are those of the code', () => {
   test('examples, styles and presets', () => {
     expect(page('README.md')).toContain(`\`examples\` has ${WORDS[EXAMPLES.length]} small pages`);
     const styles = Object.keys(strokeStyles);
-    expect(page('README.md')).toContain(
+    expect(page('docs/maps.md')).toContain(
       `one of ${WORDS[styles.length]} styles: ${styles.map((name) => `\`'${name}'\``).join(', ')}`,
     );
     const names = Object.keys(presets);
@@ -171,12 +171,12 @@ describe('counts are those of the code', () => {
 
   test('bytes of layouts', () => {
     const corner = 3 * (4 * 3 + 4 * CORNER_STRIDE + 2 * hatchNormal.itemSize);
-    expect(numbersIn('README.md', /adjacency vertices \| (\d+) \|/)).toEqual([corner]);
-    expect(numbersIn('README.md', /pre-pass writes \| (\d+), and (\d+) bytes per vertex/)).toEqual([
+    expect(numbersIn('docs/geometry.md', /adjacency vertices \| (\d+) \|/)).toEqual([corner]);
+    expect(numbersIn('docs/geometry.md', /pre-pass writes \| (\d+), and (\d+) bytes per vertex/)).toEqual([
       4 * TRIANGLE_WORDS,
       4 * VERTEX_WORDS,
     ]);
-    expect(numbersIn('README.md', /none, but (\d+) bytes per vertex/)).toEqual([2 * hatchNormal.itemSize]);
+    expect(numbersIn('docs/geometry.md', /none, but (\d+) bytes per vertex/)).toEqual([2 * hatchNormal.itemSize]);
     expect(numbersIn('docs/choosing.md', /bytes per triangle \| (\d+), or (\d+) with/)).toEqual([
       corner,
       4 * TRIANGLE_WORDS,
@@ -184,7 +184,7 @@ describe('counts are those of the code', () => {
   });
 
   test('limits', () => {
-    expect(numbersIn('README.md', /morph targets or more than ([\d,]+) triangles/)).toEqual([MANY_TRIANGLES]);
+    expect(numbersIn('docs/geometry.md', /morph targets or more than ([\d,]+) triangles/)).toEqual([MANY_TRIANGLES]);
     expect(numbersIn('docs/lines.md', /at most (\d+) million primitives/)).toEqual([MAX_SEARCHED / 1e6]);
   });
 
@@ -192,6 +192,6 @@ describe('counts are those of the code', () => {
     const { peerDependencies, devEngines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'));
     const [three] = /\d+\.\d+/.exec(peerDependencies.three)!;
     expect(page('README.md')).toContain(`It needs three.js ${three} or newer`);
-    expect(page('README.md')).toContain(`Node ${devEngines.runtime.version.replace('>=', '')} or newer`);
+    expect(page('CONTRIBUTING.md')).toContain(`Node ${devEngines.runtime.version.replace('>=', '')} or newer`);
   });
 });

@@ -46,10 +46,12 @@ export default defineConfig({
       { text: 'Playground', link: '/playground/index.html', target: '_self' },
     ],
     sidebar: [
-      group('Start', 'first-picture', 'examples', 'lights-and-tone', 'choosing', 'presets', 'react', 'element'),
+      group('Start', 'first-picture', 'examples', 'lights-and-tone', 'choosing', 'presets', 'scene', 'react', 'element'),
       group(
         'Guides',
+        'recipes',
         'material',
+        'geometry',
         'maps',
         'lines',
         'shadows',
@@ -57,6 +59,7 @@ export default defineConfig({
         'media',
         'deformation',
         'gltf',
+        'csp',
         'performance',
       ),
       group('Help', 'troubleshooting', 'migrating', 'support', 'versions', 'changelog', 'security', 'licences'),
