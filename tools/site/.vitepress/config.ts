@@ -46,7 +46,17 @@ export default defineConfig({
       { text: 'Playground', link: '/playground/index.html', target: '_self' },
     ],
     sidebar: [
-      group('Start', 'first-picture', 'examples', 'lights-and-tone', 'choosing', 'presets', 'scene', 'react', 'element'),
+      group(
+        'Start',
+        'first-picture',
+        'examples',
+        'lights-and-tone',
+        'choosing',
+        'presets',
+        'scene',
+        'react',
+        'element',
+      ),
       group(
         'Guides',
         'recipes',
