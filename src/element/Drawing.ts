@@ -17,7 +17,6 @@ import {
   type HatchingPreset,
   type MapDrawing,
   needsMap,
-  scalePreset,
   TonalArtMap,
 } from 'three-hatching';
 import { disposeModel, loadModel } from './loadModel.js';
@@ -55,7 +54,6 @@ export class Drawing {
     private readonly model: Object3D,
     private readonly preset: HatchingPreset,
     private readonly hatched: HatchedScene,
-    private pixelRatio: number,
   ) {
     const { shadow } = this.light;
     const { reach, near, far, mapSize, normalBias } = SHADOW;
@@ -72,15 +70,9 @@ export class Drawing {
   /**
    * Loads a model and hatches it.
    *
-   * @param pixelRatio pixels of the canvas per CSS pixel
    * @throws Error whose message is a sentence for the reader of the page; the signal's reason when aborted
    */
-  static async load(
-    source: ModelSource,
-    preset: HatchingPreset,
-    pixelRatio: number,
-    signal: AbortSignal,
-  ): Promise<Drawing> {
+  static async load(source: ModelSource, preset: HatchingPreset, signal: AbortSignal): Promise<Drawing> {
     const model = await loadModel(source);
     const strokes = mapOf(preset);
     let borrowed = false;
@@ -91,8 +83,8 @@ export class Drawing {
       });
       borrowed = strokes !== null;
       const tonalArtMap = strokes && (await maps.borrow(strokes, () => TonalArtMap.generate(strokes)));
-      const hatched = await applyHatching(model, { ...scalePreset(preset, pixelRatio), tonalArtMap, signal });
-      return new Drawing(model, preset, hatched, pixelRatio);
+      const hatched = await applyHatching(model, { ...preset, tonalArtMap, signal });
+      return new Drawing(model, preset, hatched);
     } catch (error) {
       if (borrowed) maps.giveBack(strokes!);
       disposeModel(model);
@@ -102,19 +94,6 @@ export class Drawing {
 
   get paper(): ColorRepresentation {
     return this.preset.material.paper ?? 'white';
-  }
-
-  /**
-   * Scales the strokes, so that they have the same width on every screen.
-   *
-   * @param pixelRatio pixels of the canvas per CSS pixel
-   */
-  setPixelRatio(pixelRatio: number): void {
-    if (pixelRatio === this.pixelRatio) return;
-    this.pixelRatio = pixelRatio;
-    const { material, lines } = scalePreset(this.preset, pixelRatio);
-    for (const hatching of this.hatched.materials) hatching.setValues(material);
-    for (const { material: lineMaterial } of this.hatched.lines) lineMaterial.setValues(lines);
   }
 
   /**

@@ -159,7 +159,6 @@ export class HatchedModelElement extends Base {
           renderer: this.painter.renderer,
         },
         preset,
-        pixelRatio(),
         loading.signal,
       );
       if (loading.signal.aborted) {
@@ -240,15 +239,14 @@ export class HatchedModelElement extends Base {
     this.frame = 0;
     const { drawing, painter, canvas } = this;
     if (!drawing || !painter) return;
-    const ratio = pixelRatio();
+    const ratio = Math.min(devicePixelRatio, MAX_PIXEL_RATIO);
     const [width, height] = [this.clientWidth, this.clientHeight].map((size) => Math.round(size * ratio));
     if (width === 0 || height === 0) return;
     // Setting a size clears the canvas, even if it is the same.
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     const { light, eye, zoom } = this.arrangement;
-    drawing.setPixelRatio(ratio);
     drawing.arrange(light, eye, zoom, width / height);
-    if (!painter.paint(drawing.scene, drawing.camera, drawing.paper, canvas)) return;
+    if (!painter.paint(drawing, canvas, ratio)) return;
     canvas.dataset.drawn = '';
     this.image.hidden = true;
   };
@@ -297,8 +295,6 @@ const resolve = (address: string): string => new URL(address, document.baseURI).
 
 /** The URL of a folder, with a slash at its end. */
 const folderOf = (path: string): string | undefined => (path ? resolve(path.replace(/\/*$/, '/')) : undefined);
-
-const pixelRatio = (): number => Math.min(devicePixelRatio, MAX_PIXEL_RATIO);
 
 /**
  * The initial arrangement.

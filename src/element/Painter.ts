@@ -1,4 +1,5 @@
-import { type Camera, type ColorRepresentation, type Scene, WebGLRenderer } from 'three';
+import { WebGLRenderer } from 'three';
+import type { Drawing } from './Drawing.js';
 
 /**
  * Draws all elements of a page in one WebGL context, because browsers allow only about sixteen, and copies each frame to the canvas of
@@ -45,21 +46,26 @@ export class Painter {
   }
 
   /**
-   * Draws a scene on a canvas, in the size of the canvas.
+   * Draws on a canvas, in the size of the canvas.
    *
+   * @param pixelRatio pixels of the canvas per CSS pixel
    * @returns whether it was drawn; false while the context is lost
    */
-  paint(scene: Scene, camera: Camera, paper: ColorRepresentation, canvas: HTMLCanvasElement): boolean {
+  paint({ scene, camera, paper }: Drawing, canvas: HTMLCanvasElement, pixelRatio: number): boolean {
     const { buffer, renderer } = this;
     const { width, height } = canvas;
     const sheet = canvas.getContext('2d', { alpha: false });
     if (!sheet || this.context.isContextLost()) return false;
-    // The buffer only grows. Smaller frames are drawn in its lower left corner.
+    // Setting a ratio gives the buffer new memory.
+    if (pixelRatio !== renderer.getPixelRatio()) renderer.setPixelRatio(pixelRatio);
+    const inCssPixels = (pixels: number): number => pixels / pixelRatio;
+    // The buffer only grows. Smaller frames are drawn in its lower left corner. A pixel more makes up for rounding.
     if (buffer.width < width || buffer.height < height) {
-      renderer.setSize(Math.max(buffer.width, width), Math.max(buffer.height, height), false);
+      const [most, highest] = [Math.max(buffer.width, width + 1), Math.max(buffer.height, height + 1)];
+      renderer.setSize(inCssPixels(most), inCssPixels(highest), false);
     }
-    renderer.setViewport(0, 0, width, height);
-    renderer.setScissor(0, 0, width, height);
+    renderer.setViewport(0, 0, inCssPixels(width), inCssPixels(height));
+    renderer.setScissor(0, 0, inCssPixels(width), inCssPixels(height));
     renderer.setClearColor(paper);
     renderer.render(scene, camera);
     // The frame must be copied in the same task, because the drawing buffer is not preserved.

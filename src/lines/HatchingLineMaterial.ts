@@ -10,7 +10,13 @@ import {
 import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
 import { toothMap } from '../tam/toothMap.js';
-import { HATCHING_LINE_DEFAULTS, LINE_NUMBER_NAMES, LINE_NUMBERS, type LineNumberName } from './lineProperties.js';
+import {
+  HATCHING_LINE_DEFAULTS,
+  LINE_NUMBER_NAMES,
+  LINE_NUMBERS,
+  LINE_SIZES,
+  type LineNumberName,
+} from './lineProperties.js';
 import { lineShaders } from './lineShaders.js';
 import { createLineUniforms } from './lineUniforms.js';
 
@@ -34,7 +40,7 @@ export class HatchingLineMaterial extends ShaderMaterial {
   /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
   override readonly type: string = 'HatchingLineMaterial';
 
-  /** Width of a line of weight 1, in pixels of the drawing buffer, above 0. See `millimetresToPixels`. Default 1.8. */
+  /** Width of a line of weight 1, in CSS pixels, above 0. In print, see `millimetresToPixels`. Default 1.8. */
   declare lineWidth: number;
   /** Weight of contours, along which the surface turns away from the eye; 0 draws none. Default 1. */
   declare contours: number;
@@ -55,13 +61,13 @@ export class HatchingLineMaterial extends ShaderMaterial {
    * bluntly. Default 0.8.
    */
   declare taper: number;
-  /** How far lines deviate as if drawn by hand, in pixels, 0 or more. The deviation is fixed to the object. Default 0. */
+  /** How far lines deviate as if drawn by hand, in CSS pixels, 0 or more. The deviation is fixed to the object. Default 0. */
   declare wobble: number;
-  /** How far lines are drawn beyond the corners of creases and borders, in pixels, 0 or more. Default 0. */
+  /** How far lines are drawn beyond the corners of creases and borders, in CSS pixels, 0 or more. Default 0. */
   declare overshoot: number;
   /** How strongly the tooth of the paper breaks lines up, from 0 (ink, the default) to 1. See docs/media.md. */
   declare tooth: number;
-  /** Size of the bumps of the paper, in pixels, above 0. Default 2.5. */
+  /** Size of the bumps of the paper, in CSS pixels, above 0. Default 2.5. */
   declare toothSize: number;
   /** Colour of the lines. Default black. */
   ink: Color = new Color(HATCHING_LINE_DEFAULTS.ink);
@@ -110,9 +116,15 @@ export class HatchingLineMaterial extends ShaderMaterial {
     return this;
   }
 
-  /** Writes the properties to the uniforms. It is called before each draw and allocates nothing. @internal */
-  writeUniforms(isDeformed: boolean, hasMaterials: boolean): void {
+  /**
+   * Writes the properties to the uniforms. It is called before each draw and allocates nothing.
+   *
+   * @param pixelRatio pixels of what is drawn to, which shaders measure sizes in, per CSS pixel
+   * @internal
+   */
+  writeUniforms(isDeformed: boolean, hasMaterials: boolean, pixelRatio = 1): void {
     for (const name of LINE_NUMBER_NAMES) this.uniforms[name].value = this[name];
+    for (const name of LINE_SIZES) this.uniforms[name].value *= pixelRatio;
     // If all groups have the same material, there are no borders between materials.
     if (!hasMaterials) this.uniforms.materialBorders.value = 0;
     this.uniforms.ink.value = this.ink;

@@ -183,7 +183,7 @@ export class HatchingLines extends Object3D {
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? data.primitives;
     geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
-    this.material.writeUniforms(isDeformed, Array.isArray(mesh.material));
+    this.material.writeUniforms(isDeformed, Array.isArray(mesh.material), renderer.getPixelRatio());
   };
 
   override readonly onAfterRender = (): void => {

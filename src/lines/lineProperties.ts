@@ -34,10 +34,10 @@ export const LINE_NUMBERS = {
 
 export type LineNumberName = keyof typeof LINE_NUMBERS;
 
-/** The properties that are measured in pixels of the drawing buffer. */
+/** The properties that are measured in CSS pixels. */
 export const LINE_SIZES = ['lineWidth', 'wobble', 'overshoot', 'toothSize'] as const satisfies LineNumberName[];
 
-/** The sizes in `look`, multiplied by `factor`: for a picture with `factor` times as many pixels per side. */
+/** The sizes in `look`, multiplied by `factor`: for a picture `factor` times as wide, at the same pixel ratio. */
 export function scaledLineSizes<Look extends { readonly [Name in LineNumberName]?: unknown }>(
   look: Look,
   factor: number,

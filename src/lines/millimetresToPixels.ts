@@ -1,7 +1,7 @@
 const MILLIMETRES_PER_INCH = 25.4;
 
 /**
- * Converts a width on paper to pixels of the picture, for `lineWidth` and `strokeWidth`.
+ * Converts a width on paper to pixels of the picture, for `lineWidth` and `strokeWidth` at a pixel ratio of 1.
  *
  * @param millimetres the width on paper, above 0
  * @param dpi the resolution of the print in pixels per inch, such as 300 or 600

@@ -44,6 +44,7 @@ import {
   writeComputedUniforms,
   writeMapUniforms,
   writePropertyUniforms,
+  writeSizeUniforms,
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
@@ -257,7 +258,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       const switches = programSwitches(this);
       if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
       this.drawnSwitches = switches;
-      this.writeUniforms(renderer.capabilities.maxTextureSize);
+      this.writeUniforms(renderer.getPixelRatio(), renderer.capabilities.maxTextureSize);
     }
     // Each camera of an ArrayCamera has its own part of the target.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
@@ -349,16 +350,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /** Properties are plain values; only here are they written into uniforms. Allocates nothing. */
-  private writeUniforms(maxTextureSize = Infinity): void {
+  private writeUniforms(pixelRatio = 1, maxTextureSize = Infinity): void {
     const u = this.uniforms;
     const isOfThresholds = usesThresholds(this);
     const map = fittingMap(this.tonalArtMap, isOfThresholds, maxTextureSize);
     writePropertyUniforms(this, u);
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
-    u.texelPixels.value =
-      this.strokeWidth === null ? this.texelPixels : this.strokeWidth / (this.tonalArtMap?.strokeWidth ?? 1);
-    u.dotPixels.value = u.texelPixels.value * (this.tonalArtMap?.strokeWidth ?? 1);
+    writeSizeUniforms(this, pixelRatio, u);
     if (this.medium === 'dry') u.toothMap.value = toothMap();
     if (this.medium === 'stipple') u.stippleMap.value = stippleMap();
     writeMapUniforms(map, isOfThresholds, u);

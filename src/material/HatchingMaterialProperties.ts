@@ -67,20 +67,20 @@ export interface HatchingMaterialOptions {
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
    * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
-   * `crisp` `true`, or `levelRule` `'depth'`.
+   * wide. CSS pixels in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or
+   * `levelRule` `'depth'`.
    */
   texelPixels: number;
   /**
    * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
-   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
-   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
+   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. CSS pixels in (0, ∞). Default `null`.
+   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
    */
   strokeWidth: number | null;
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
-   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp`
-   * `true` and `medium` `'ink'` or `'stipple'`.
+   * `softness` instead. Pixels of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`,
+   * `'anchored'`, with `crisp` `true` and `medium` `'ink'` or `'stipple'`.
    */
   edgePixels: number;
   /**
@@ -92,13 +92,14 @@ export interface HatchingMaterialOptions {
   lineField: LineField;
   /**
    * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
-   * new ones are born between them, thin at first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of
-   * a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
+   * new ones are born between them, thin at first. CSS pixels at a `screenConstancy` of 1, 256ths of a tile at 0 in (0,
+   * ∞). Default `5`. Only `'engraved'`.
    */
   lineSpacing: number;
   /**
-   * Least distance between lines. Where they would lie closer every other one is left out; fewer than three pixels from
-   * one to the next flicker in motion. Pixels of the drawing buffer in [2, ∞). Default `3`. Only `'engraved'`.
+   * Least distance between lines, which is never less than two pixels of the drawing buffer. Where they would lie
+   * closer every other one is left out; fewer than three pixels from one to the next flicker in motion. CSS pixels in
+   * [2, ∞). Default `3`. Only `'engraved'`.
    */
   finestSpacing: number;
   /**
@@ -150,10 +151,7 @@ export interface HatchingMaterialOptions {
    * there is nothing but grain. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
    */
   tooth: number;
-  /**
-   * Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`, with
-   * `medium` `'dry'`.
-   */
+  /** Size of the bumps of that tooth. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
   toothSize: number;
   /**
    * How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a
@@ -404,8 +402,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
    * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. Pixels of the drawing buffer in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
-   * `crisp` `true`, or `levelRule` `'depth'`.
+   * wide. CSS pixels in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or
+   * `levelRule` `'depth'`.
    */
   get texelPixels(): number {
     return this.numbers.texelPixels;
@@ -418,8 +416,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
-   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. Pixels of the drawing buffer in (0, ∞).
-   * Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
+   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. CSS pixels in (0, ∞). Default `null`.
+   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
    */
   get strokeWidth(): number | null {
     return this.numbers.strokeWidth;
@@ -433,8 +431,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
-   * `softness` instead. Pixels in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp`
-   * `true` and `medium` `'ink'` or `'stipple'`.
+   * `softness` instead. Pixels of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`,
+   * `'anchored'`, with `crisp` `true` and `medium` `'ink'` or `'stipple'`.
    */
   get edgePixels(): number {
     return this.numbers.edgePixels;
@@ -467,8 +465,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
-   * new ones are born between them, thin at first. Pixels of the drawing buffer at a `screenConstancy` of 1, 256ths of
-   * a tile at 0 in (0, ∞). Default `5`. Only `'engraved'`.
+   * new ones are born between them, thin at first. CSS pixels at a `screenConstancy` of 1, 256ths of a tile at 0 in (0,
+   * ∞). Default `5`. Only `'engraved'`.
    */
   get lineSpacing(): number {
     return this.numbers.lineSpacing;
@@ -479,8 +477,9 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Least distance between lines. Where they would lie closer every other one is left out; fewer than three pixels from
-   * one to the next flicker in motion. Pixels of the drawing buffer in [2, ∞). Default `3`. Only `'engraved'`.
+   * Least distance between lines, which is never less than two pixels of the drawing buffer. Where they would lie
+   * closer every other one is left out; fewer than three pixels from one to the next flicker in motion. CSS pixels in
+   * [2, ∞). Default `3`. Only `'engraved'`.
    */
   get finestSpacing(): number {
     return this.numbers.finestSpacing;
@@ -602,10 +601,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     this.numbers.tooth = checkNumber('tooth', value, HATCHING_PROPERTIES.tooth.range);
   }
 
-  /**
-   * Size of the bumps of that tooth. Pixels of the drawing buffer in (0, ∞). Default `2.5`. Only `'anchored'`, with
-   * `medium` `'dry'`.
-   */
+  /** Size of the bumps of that tooth. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
   get toothSize(): number {
     return this.numbers.toothSize;
   }

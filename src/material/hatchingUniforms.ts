@@ -91,6 +91,25 @@ function writeTransform(texture: Texture | null, uniform: IUniform<Matrix3>): vo
   uniform.value.copy(texture.matrix);
 }
 
+/** Lines that lie closer, in pixels of what is drawn to, could not be told apart. */
+const LEAST_SPACING = 2;
+
+/**
+ * Writes the sizes, which shaders measure in pixels of what is drawn to. Allocates nothing.
+ *
+ * @param pixelRatio these pixels to a CSS pixel
+ */
+export function writeSizeUniforms(material: HatchingMaterialProperties, pixelRatio: number, u: Uniforms): void {
+  const { strokeWidth, texelPixels, tonalArtMap } = material;
+  const texels = tonalArtMap?.strokeWidth ?? 1;
+  u.texelPixels.value = pixelRatio * (strokeWidth === null ? texelPixels : strokeWidth / texels);
+  u.dotPixels.value = u.texelPixels.value * texels;
+  u.toothSize.value = pixelRatio * material.toothSize;
+  // Lines are spaced on the screen as far as `screenConstancy` says.
+  u.lineSpacing.value = pixelRatio ** material.screenConstancy * material.lineSpacing;
+  u.finestSpacing.value = Math.max(pixelRatio * material.finestSpacing, LEAST_SPACING);
+}
+
 /**
  * Writes what the shaders know of a tonal art map; null stands for blank paper. Allocates nothing.
  *

@@ -1,6 +1,5 @@
 import { type Camera, Matrix4, type Object3D, type WebGLRenderer } from 'three';
 import { FrameTimer } from './FrameTimer.js';
-import { SizeScaler } from './SizeScaler.js';
 
 /** Options of `MovingResolution`. */
 export interface MovingResolutionOptions {
@@ -18,7 +17,8 @@ export interface MovingResolutionOptions {
 
 /**
  * Keeps movement smooth on slow machines. While the camera, a light or a model moves and frames take long, they are drawn in a
- * lower resolution; when the movement is over, in full resolution again. Strokes and lines keep their widths.
+ * lower resolution, by the renderer's pixel ratio; when the movement is over, in full resolution again. Strokes and lines keep their
+ * widths, which are in CSS pixels.
  *
  * ```ts
  * const resolution = new MovingResolution(renderer, { onRest: requestRender });
@@ -36,7 +36,6 @@ export class MovingResolution {
   private readonly pause: number;
   private readonly onRest: (() => void) | undefined;
   private readonly timer: FrameTimer;
-  private readonly sizes = new SizeScaler();
   private readonly lastView = new Matrix4();
   private readonly lastProjection = new Matrix4();
   private restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -88,14 +87,14 @@ export class MovingResolution {
       return;
     }
     this.frame(() => {
-      this.useScale(scene);
+      this.useScale();
       renderer.render(scene, camera);
     }, isMoving);
   }
 
   /**
-   * Draws and measures a frame that `renderer.render` alone cannot draw, but a composer for example. `draw` must set the
-   * resolution by {@link scale} itself, and multiply the widths of strokes in pixels by it.
+   * Draws and measures a frame that `renderer.render` alone cannot draw, but a composer for example. `draw` must multiply the pixel
+   * ratio of renderer and composer by {@link scale} itself.
    *
    * @param isMoving whether something moves in this frame
    */
@@ -130,7 +129,7 @@ export class MovingResolution {
     this.useFull();
   }
 
-  private useScale(scene: Object3D): void {
+  private useScale(): void {
     const { renderer, ratios } = this;
     // A pixel ratio that someone else has set becomes the new full one.
     if (!this.isLow || (ratios && ratios.low !== renderer.getPixelRatio())) this.useFull();
@@ -138,7 +137,6 @@ export class MovingResolution {
     const full = renderer.getPixelRatio();
     this.ratios = { full, low: full * this.share };
     renderer.setPixelRatio(this.ratios.low);
-    this.sizes.scale(scene, this.share);
   }
 
   private useFull(): void {
@@ -146,7 +144,6 @@ export class MovingResolution {
     if (!ratios) return;
     if (ratios.low === renderer.getPixelRatio()) renderer.setPixelRatio(ratios.full);
     this.ratios = undefined;
-    this.sizes.restore();
   }
 
   private hasMoved(camera: Camera): boolean {

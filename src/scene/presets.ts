@@ -246,8 +246,7 @@ function frozen<Value>(value: Value): Value {
  * await applyHatching(gltf.scene, { ...presets.pen, material: { ...presets.pen.material, ink: 'navy' } });
  * ```
  *
- * They are made for lights whose intensities sum to π. Widths and distances are in pixels of a drawing buffer with one pixel per
- * CSS pixel; `scalePreset` adapts them to other resolutions.
+ * They are made for lights whose intensities sum to π. Widths and distances are in CSS pixels; `scalePreset` adapts them to a print.
  */
 export const presets: Readonly<Record<PresetName, HatchingPreset>> = /* @__PURE__ */ frozen(
   /* @__PURE__ */ makePresets(),

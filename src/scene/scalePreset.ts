@@ -3,10 +3,11 @@ import { scaledSizes } from '../material/facts/lookFacts.js';
 import type { HatchingPreset } from './presets.js';
 
 /**
- * Returns a copy of a preset with all widths and distances in pixels multiplied by a factor. Sizes on the object stay the same.
- * The presets are made for one pixel of the drawing buffer per CSS pixel, which is 96 pixels per inch.
+ * Returns a copy of a preset with all widths and distances in CSS pixels multiplied by a factor. Sizes on the object stay the same.
+ * Screens need none: materials take the renderer's pixel ratio into account themselves.
  *
- * @param factor `renderer.getPixelRatio()` for a screen, dpi / 96 for a print. The edges of strokes stay one pixel soft.
+ * @param factor dpi / 96 for a print that is drawn at a pixel ratio of 1, since a CSS pixel is 1/96 inch. The edges of strokes stay one
+ *   pixel soft.
  * @throws RangeError if the factor is not a positive number
  */
 export function scalePreset(preset: HatchingPreset, factor: number): HatchingPreset {

@@ -3,14 +3,12 @@ import { test } from './toolkitPage.js';
 
 /** A lower resolution while something moves on a slow machine. What counts as slow is set, so that no clock decides. */
 
-test('movement is drawn in a lower resolution with strokes as wide, and rest in the full one', async ({ page }) => {
+test('movement is drawn at a lower pixel ratio, and rest at the full one', async ({ page }) => {
   const seen = await page.evaluate(async () => {
-    const { THREE, MovingResolution, hatchedMesh, stripedMap, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
+    const { THREE, MovingResolution, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
     renderer.setPixelRatio(2);
-    const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 24, 12), { tonalArtMap: stripedMap(), strokeWidth: 3 });
-    const { material } = mesh;
-    const scene = sceneOf(mesh, sun());
+    const scene = sceneOf(await hatchedMesh(new THREE.SphereGeometry(1, 24, 12)), sun());
     const camera = makeCamera();
     let rested = () => {};
     let measured = () => {};
@@ -20,13 +18,7 @@ test('movement is drawn in a lower resolution with strokes as wide, and rest in 
       onRest: () => rested(),
       onMeasured: () => measured(),
     });
-    const state = () => [
-      renderer.domElement.width,
-      material.strokeWidth,
-      material.toothSize,
-      resolution.scale,
-      material.finestSpacing,
-    ];
+    const state = () => [renderer.domElement.width, renderer.getPixelRatio(), resolution.scale];
     const frame = async (isMoving?: boolean) => {
       const known = new Promise<void>((resolve) => {
         measured = resolve;
@@ -35,8 +27,7 @@ test('movement is drawn in a lower resolution with strokes as wide, and rest in 
       await known;
       return state();
     };
-    const toothSize = material.toothSize;
-    const seen: Record<string, unknown> = { toothSize };
+    const seen: Record<string, unknown> = {};
     seen.first = await frame();
     seen.still = await frame();
     const move = () => {
@@ -49,11 +40,9 @@ test('movement is drawn in a lower resolution with strokes as wide, and rest in 
       rested = resolve;
     });
     seen.moving = await move();
-    material.toothSize = 7;
     await rest;
     seen.restBeforeFrame = resolution.scale;
     seen.rest = await frame(false);
-    material.toothSize = toothSize;
     await frame(true);
     seen.light = await frame(true);
     renderer.setPixelRatio(1.5);
@@ -62,20 +51,17 @@ test('movement is drawn in a lower resolution with strokes as wide, and rest in 
     seen.disposed = state();
     return seen;
   });
-  const { toothSize } = seen as { toothSize: number };
   expect(seen).toEqual({
-    toothSize,
-    first: [192, 3, toothSize, 1, 3],
-    still: [192, 3, toothSize, 1, 3],
-    moving: [96, 1.5, toothSize / 2, 0.5, 2],
+    first: [192, 2, 1],
+    still: [192, 2, 1],
+    moving: [96, 1, 0.5],
     restBeforeFrame: 1,
-    // A size that was set in the meantime stays.
-    rest: [192, 3, 7, 1, 3],
+    rest: [192, 2, 1],
     // A light may move too, which the caller must say.
-    light: [96, 1.5, toothSize / 2, 0.5, 2],
+    light: [96, 1, 0.5],
     // A pixel ratio that was set in the meantime is the full one.
-    ratioSet: [72, 1.5, toothSize / 2, 0.5, 2],
-    disposed: [144, 3, toothSize, 1, 3],
+    ratioSet: [72, 0.75, 0.5],
+    disposed: [144, 1.5, 1],
   });
 });
 

@@ -2,9 +2,9 @@ import type { HatchingMeasure } from '../../src/material/facts/HatchingProperty.
 
 /** What numbers measure, in words for JSDoc and documentation. */
 const WORDS: Readonly<Record<HatchingMeasure, string>> = {
-  pixels: 'pixels of the drawing buffer',
+  pixels: 'CSS pixels',
   // Those of the grid itself: as many in a picture of any size.
-  gridPixels: 'pixels',
+  gridPixels: 'pixels of the drawing buffer',
   radians: 'radians',
   tiles: 'tiles',
   tileParts: '256ths of a tile',

@@ -137,13 +137,13 @@ export class HatchedModel {
   /**
    * Sets how wide strokes and lines are.
    *
-   * @param pixelRatio pixels of the render target per CSS pixel
-   * @param share of the full resolution, where it is drawn in a lower one
+   * @param share of their width that they have on a small sheet
+   * @param scale of a picture whose size is not that of the page
    */
-  setWidths(look: Look, pixelRatio: number, share = 1): void {
-    const sizes = materialSizesIn(look, pixelRatio, share);
+  setWidths(look: Look, share: number, scale = 1): void {
+    const sizes = materialSizesIn(look, share, scale);
     for (const pair of this.pairs) for (const material of bothOf(pair)) Object.assign(material, sizes);
-    const lineSizes = lineSizesIn(look, pixelRatio);
+    const lineSizes = lineSizesIn(look, share * scale);
     for (const material of this.lineMaterials) material.setValues(lineSizes);
   }
 

@@ -4,29 +4,30 @@ import type { Look } from '../settings/lookOf.js';
 const { finestSpacing } = HATCHING_DEFAULTS;
 
 /**
- * The sizes of materials in a picture: those that are measured in pixels go with it.
+ * The sizes of materials on a sheet.
  *
- * @param pixelRatio pixels of the picture per CSS pixel
- * @param share of the resolution that the picture is shown in, where it is drawn in a lower one for a moment
+ * @param share of their width that strokes have on a small sheet
+ * @param scale of a picture whose size is not that of the page
  */
 export function materialSizesIn(
   { sizes, drawn: { screenConstancy } }: Look,
-  pixelRatio: number,
-  share = 1,
+  share: number,
+  scale = 1,
 ): HatchingMaterialParameters {
   return {
     ...sizes,
-    ...scaledSizes({ ...sizes, screenConstancy }, pixelRatio),
-    ...scaledSizes({ finestSpacing }, share),
+    ...scaledSizes({ ...sizes, screenConstancy }, share * scale),
+    // Where lines become too close to be told apart, the sheet does not matter.
+    ...scaledSizes({ finestSpacing }, scale),
   };
 }
 
-/** The sizes of lines in a picture, all of which are measured in its pixels. @param pixelRatio as above */
-export function lineSizesIn({ lines }: Look, pixelRatio: number) {
+/** The sizes of lines. @param factor on all of them */
+export function lineSizesIn({ lines }: Look, factor: number) {
   return {
-    lineWidth: lines.lineWidth * pixelRatio,
-    wobble: lines.wobble * pixelRatio,
-    overshoot: lines.overshoot * pixelRatio,
-    toothSize: lines.toothSize * pixelRatio,
+    lineWidth: lines.lineWidth * factor,
+    wobble: lines.wobble * factor,
+    overshoot: lines.overshoot * factor,
+    toothSize: lines.toothSize * factor,
   };
 }

@@ -83,7 +83,7 @@ export class Frames {
   redraw(): boolean {
     const size = this.drawableSize;
     if (!size) return false;
-    this.painter.drawTile({ viewWidth: size.width, x: 0, ...size }, this.painter.pixelRatio);
+    this.painter.drawTile({ viewWidth: size.width, x: 0, ...size });
     return true;
   }
 
@@ -99,7 +99,7 @@ export class Frames {
     painter.placeLights(quality.isCoarse ? 'coarse' : 'usual');
     if (quality.isSketch) scenery.showSketch();
     painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
-    painter.drawTile({ viewWidth: width, x: 0, width, height }, painter.pixelRatio, quality.share);
+    painter.drawTile({ viewWidth: width, x: 0, width, height });
   }
 
   /** Advances the model's animation by the time since the last frame. */

@@ -70,11 +70,11 @@ export class Ground {
   /**
    * Sets how wide strokes are.
    *
-   * @param pixelRatio pixels of the render target per CSS pixel
-   * @param share of the full resolution that the frame is drawn in
+   * @param share of their width that they have on a small sheet
+   * @param scale of a picture whose size is not that of the page
    */
-  setWidths(look: Look, pixelRatio: number, share = 1): void {
-    Object.assign(this.material, materialSizesIn(look, pixelRatio, share));
+  setWidths(look: Look, share: number, scale = 1): void {
+    Object.assign(this.material, materialSizesIn(look, share, scale));
   }
 
   /** Shows or hides the paper of a floor. The sheet that shows shadows has none. */

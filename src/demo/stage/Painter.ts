@@ -60,11 +60,10 @@ export class Painter {
   /**
    * Draws one tile of a picture, or a whole frame.
    *
-   * @param pixelRatio pixels of the picture per CSS pixel; the widths of strokes and lines go with it
-   * @param share of the full resolution that the frame is drawn in
+   * @param scale of a picture whose size is not that of the page; the widths of strokes and lines go with it
    */
-  drawTile(tile: Tile, pixelRatio: number, share = 1): void {
-    this.setWidths(pixelRatio, share);
+  drawTile(tile: Tile, scale = 1): void {
+    this.setWidths(scale);
     this.sides.drawTile(tile);
   }
 
@@ -99,7 +98,7 @@ export class Painter {
     if (look.programs === this.builtFor) return;
     this.builtFor = look.programs;
     // Lines that are not drawn by hand have a program of their own.
-    this.setWidths(this.pixelRatio);
+    this.setWidths();
     this.builder.build(() => {
       for (const side of sidesOf(look)) {
         model.useMaterials(side);
@@ -117,8 +116,8 @@ export class Painter {
     this.builder.stop();
   }
 
-  private setWidths(pixelRatio: number, share = 1): void {
+  private setWidths(scale = 1): void {
     const { clientWidth, clientHeight } = this.viewport;
-    this.scenery.setWidths(pixelRatio * strokeShare(clientWidth, clientHeight), share);
+    this.scenery.setWidths(strokeShare(clientWidth, clientHeight), scale);
   }
 }

@@ -60,6 +60,7 @@ export class PictureSession {
   /** Shows what the picture is to hold, until {@link end}. Frames must be held. */
   begin({ ground, layer }: PictureLook): void {
     const { painter, scenery } = this.stage;
+    // Tiles are measured in pixels.
     painter.pixelRatio = 1;
     if (ground !== 'paper' || layer) painter.renderer.setClearAlpha(0);
     if (layer) scenery.showLayer(layer);

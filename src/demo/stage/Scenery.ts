@@ -82,13 +82,13 @@ export class Scenery {
   /**
    * Sets how wide strokes and lines are.
    *
-   * @param strokeRatio pixels of the render target per pixel of the look
-   * @param share of the full resolution that the frame is drawn in
+   * @param share of their width that they have on a small sheet
+   * @param scale of a picture whose size is not that of the page
    */
-  setWidths(strokeRatio: number, share: number): void {
+  setWidths(share: number, scale: number): void {
     if (!this.look) return;
-    this.shown.model?.setWidths(this.look, strokeRatio, share);
-    this.ground.setWidths(this.look, strokeRatio, share);
+    this.shown.model?.setWidths(this.look, share, scale);
+    this.ground.setWidths(this.look, share, scale);
   }
 
   /** Hides lines and ground, which need programs of their own, until the look is applied again. */

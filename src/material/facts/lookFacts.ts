@@ -67,8 +67,8 @@ export function measureOf(look: HatchingLook, name: HatchingPropertyName): Hatch
 }
 
 /**
- * How a property goes with the number of pixels of a picture: 1 if it is measured in pixels, 0 if it is not, and for one that
- * is as far as `screenConstancy` says, that. In a picture of twice as many pixels to a side it is 2 to this power as large.
+ * How a property goes with the size of a picture: 1 if it is measured in CSS pixels, 0 if it is not, and for one that is as far as
+ * `screenConstancy` says, that. In a picture twice as wide it is 2 to this power as large.
  */
 export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
   const { measure, measureOnScreen } = factsOf(name);
@@ -77,9 +77,10 @@ export function pixelPower(look: HatchingLook, name: HatchingPropertyName): numb
 }
 
 /**
- * The sizes that are numbers in a look, and measured in pixels, for a picture of more or fewer pixels that shows the same.
+ * The sizes that are numbers in a look, and measured in CSS pixels, for a larger or smaller picture that shows the same. Another pixel
+ * ratio of the renderer needs none of this.
  *
- * @param factor pixels to a side of that picture, divided by those of the one that the sizes are for
+ * @param factor the width of that picture, divided by that of the one that the sizes are for, both at the same pixel ratio
  */
 export function scaledSizes<Look extends HatchingLook>(look: Look, factor: number): Partial<Look> {
   const sizes: Partial<Record<HatchingPropertyName, number>> = {};

@@ -215,6 +215,17 @@ test('its shaders have no include of ours left, and one place for each name they
   expect(vertexShader).toContain('#define POINT_BITS 28');
 });
 
+test.each([2, 0.5])('sizes are in CSS pixels, %d pixels of the renderer each, and nothing else is', (pixelRatio) => {
+  const look = { lineWidth: 2, wobble: 1, overshoot: 3, toothSize: 4, taper: 5, contours: 6 };
+  const material = new HatchingLineMaterial(look);
+  material.writeUniforms(false, false, pixelRatio);
+  for (const [name, value] of Object.entries(look)) {
+    const factor = name === 'taper' || name === 'contours' ? 1 : pixelRatio;
+    expect([name, material.uniforms[name].value]).toEqual([name, factor * value]);
+    expect(material[name as keyof typeof look]).toBe(value);
+  }
+});
+
 test('groups count on meshes with several materials alone', () => {
   const material = new HatchingLineMaterial({ materialBorders: 0.5 });
   material.writeUniforms(false, false);

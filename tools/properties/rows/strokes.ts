@@ -180,7 +180,7 @@ export const STROKES = {
     range: { from: 2 },
     techniques: ['engraved'],
     sentence:
-      'Least distance between lines. Where they would lie closer every other one is left out; fewer than three pixels from one to the next flicker in motion.',
+      'Least distance between lines, which is never less than two pixels of the drawing buffer. Where they would lie closer every other one is left out; fewer than three pixels from one to the next flicker in motion.',
   },
   strokeLayers: {
     kind: 'choice',

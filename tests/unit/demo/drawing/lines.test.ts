@@ -50,7 +50,7 @@ function someScene(): Group {
 }
 
 describe('the lines of a model', () => {
-  test('are as wide as the settings say, times the pixels of the picture per pixel of the page', async () => {
+  test('are as wide as the settings say, times the scale of the picture', async () => {
     const model = await hatchedBox();
     const [lines] = linesIn(model.root);
     const look = lookWith({ lineWidth: 2, lineHand: 2, ink: '#203080' });
