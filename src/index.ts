@@ -4,14 +4,10 @@
  * @module three-hatching
  */
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
-export type { LineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
+export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
 export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
 export type { HatchImages } from './hatchImages/HatchImages.js';
-export { HatchingLineMaterial, type HatchingLineParameters } from './lines/HatchingLineMaterial.js';
-export { HatchingLines } from './lines/HatchingLines.js';
-export { HATCHING_LINE_DEFAULTS } from './lines/lineProperties.js';
-export { millimetresToPixels } from './lines/millimetresToPixels.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
 export type {
   HatchingCondition,
@@ -36,12 +32,16 @@ export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
 export type { HatchingMaterialOptions } from './material/HatchingMaterialProperties.js';
+export { HatchingOutlineMaterial, type HatchingOutlineParameters } from './outlines/HatchingOutlineMaterial.js';
+export { HatchingOutlines } from './outlines/HatchingOutlines.js';
+export { millimetresToPixels } from './outlines/millimetresToPixels.js';
+export { HATCHING_OUTLINE_DEFAULTS } from './outlines/outlineProperties.js';
+export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/AdaptiveResolution.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export { leftAlone } from './scene/leftAlone.js';
-export { MovingResolution, type MovingResolutionOptions } from './scene/MovingResolution.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';

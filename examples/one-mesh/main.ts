@@ -1,8 +1,8 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, Scene, TorusKnotGeometry, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import {
-  HatchingLines,
   HatchingMaterial,
+  HatchingOutlines,
   prepareHatchingGeometry,
   presets,
   scalePreset,
@@ -20,12 +20,12 @@ const pen = scalePreset(presets.pen, devicePixelRatio);
 
 // Both are made in a worker.
 const [geometry, tonalArtMap] = await Promise.all([
-  prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3), { lines: true }),
+  prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3), { outlines: true }),
   TonalArtMap.generate(pen.tonalArtMap!),
 ]);
 
 const mesh = new Mesh(geometry, new HatchingMaterial({ ...pen.material, tonalArtMap }));
-mesh.add(new HatchingLines(mesh, pen.lines));
+mesh.add(new HatchingOutlines(mesh, pen.outlines));
 mesh.castShadow = mesh.receiveShadow = true;
 
 const light = new DirectionalLight(0xffffff, Math.PI);

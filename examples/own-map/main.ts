@@ -1,6 +1,6 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, Scene, SphereGeometry, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, presets, TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, TonalArtMap } from 'three-hatching';
 
 const SIZE = 512;
 
@@ -31,12 +31,12 @@ const tonalArtMap = await TonalArtMap.load(await Promise.all([30, 90, 200, 400, 
 
 const ratio = devicePixelRatio;
 const mesh = new Mesh(
-  await prepareHatchingGeometry(new SphereGeometry(1, 96, 48), { lines: true }),
+  await prepareHatchingGeometry(new SphereGeometry(1, 96, 48), { outlines: true }),
   new HatchingMaterial({
     tonalArtMap,
     technique: 'anchored',
-    screenConstancy: 1,
-    texelPixels: 0.7 * ratio,
+    sizedOnScreen: 1,
+    strokeWidth: 1.4 * ratio,
     anchorSpacing: 0.6,
     toneCurve: presets.pen.material.toneCurve,
     reflectedLight: 0.35,
@@ -44,7 +44,7 @@ const mesh = new Mesh(
     paper: '#f7f3e8',
   }),
 );
-mesh.add(new HatchingLines(mesh, { lineWidth: 1.8 * ratio, ink: '#1d3550' }));
+mesh.add(new HatchingOutlines(mesh, { outlineWidth: 1.8 * ratio, ink: '#1d3550' }));
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });

@@ -1,8 +1,8 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, PlaneGeometry, Scene, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import {
-  HatchingLines,
   HatchingMaterial,
+  HatchingOutlines,
   type HatchingPreset,
   prepareHatchingGeometry,
   presets,
@@ -23,7 +23,7 @@ const sanguine: HatchingPreset = {
     ink: '#94351b',
     paper: '#f3e6cf',
   },
-  lines: { lineWidth: 2, wobble: 1, ink: '#94351b' },
+  outlines: { outlineWidth: 2, wobble: 1, ink: '#94351b' },
   tonalArtMap: { style: 'hatching', seed: 4 },
 };
 
@@ -51,12 +51,12 @@ for (let i = 0; i < position.count; i++) {
 }
 cloth.computeVertexNormals();
 
-const { material, lines, tonalArtMap } = scalePreset(sanguine, devicePixelRatio);
+const { material, outlines, tonalArtMap } = scalePreset(sanguine, devicePixelRatio);
 const mesh = new Mesh(
-  await prepareHatchingGeometry(cloth, { lines: true }),
+  await prepareHatchingGeometry(cloth, { outlines: true }),
   new HatchingMaterial({ ...material, tonalArtMap: await TonalArtMap.generate(tonalArtMap!) }),
 );
-mesh.add(new HatchingLines(mesh, lines));
+mesh.add(new HatchingOutlines(mesh, outlines));
 mesh.castShadow = mesh.receiveShadow = true;
 
 const light = new DirectionalLight(0xffffff, Math.PI);

@@ -15,16 +15,16 @@ import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { RenderPass } from 'three/addons/postprocessing/RenderPass.js';
 import { ShaderPass } from 'three/addons/postprocessing/ShaderPass.js';
 import { RGBShiftShader } from 'three/addons/shaders/RGBShiftShader.js';
-import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, presets, scalePreset } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, scalePreset } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas });
 renderer.setPixelRatio(devicePixelRatio);
 
-const { material, lines } = scalePreset(presets.engraving, devicePixelRatio);
-const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 3, 5), { lines: true });
+const { material, outlines } = scalePreset(presets.engraving, devicePixelRatio);
+const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 3, 5), { outlines: true });
 const mesh = new Mesh(geometry, new HatchingMaterial(material));
-mesh.add(new HatchingLines(mesh, lines));
+mesh.add(new HatchingOutlines(mesh, outlines));
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 4, 3);

@@ -11,8 +11,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import {
-  HatchingLines,
   HatchingMaterial,
+  HatchingOutlines,
   prepareHatchingGeometry,
   presets,
   scalePreset,
@@ -23,11 +23,11 @@ const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: false, stencil: false, depth: false });
 renderer.setPixelRatio(devicePixelRatio);
 
-const { material, lines, tonalArtMap } = scalePreset(presets.chalk, devicePixelRatio);
-const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.26, 320, 40, 1, 2), { lines: true });
+const { material, outlines, tonalArtMap } = scalePreset(presets.chalk, devicePixelRatio);
+const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.26, 320, 40, 1, 2), { outlines: true });
 const map = await TonalArtMap.generate(tonalArtMap!);
 const mesh = new Mesh(geometry, new HatchingMaterial({ ...material, tonalArtMap: map }));
-mesh.add(new HatchingLines(mesh, lines));
+mesh.add(new HatchingOutlines(mesh, outlines));
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 4, 3);

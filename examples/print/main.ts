@@ -10,8 +10,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import {
-  HatchingLines,
   HatchingMaterial,
+  HatchingOutlines,
   type HatchingPreset,
   prepareHatchingGeometry,
   presets,
@@ -28,9 +28,9 @@ const radii = [0.001, 0.34, 0.36, 0.28, 0.44, 0.62, 0.66, 0.54, 0.34, 0.22, 0.21
 const profile = new SplineCurve(radii.map((radius, i) => new Vector2(radius, 0.17 * Math.max(0, i - 1) - 0.9)));
 const vase = new LatheGeometry(profile.getPoints(120), 96);
 const material = new HatchingMaterial();
-const mesh = new Mesh(await prepareHatchingGeometry(vase, { lines: true }), material);
-const lines = new HatchingLines(mesh);
-mesh.add(lines);
+const mesh = new Mesh(await prepareHatchingGeometry(vase, { outlines: true }), material);
+const outlines = new HatchingOutlines(mesh);
+mesh.add(outlines);
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 3, 4);
@@ -41,7 +41,7 @@ camera.position.set(0, 1, 4.6);
 /** Scales all widths, so that they are the same in centimetres on every device. */
 function setSizes(preset: HatchingPreset) {
   material.setValues(preset.material);
-  lines.material.setValues(preset.lines);
+  outlines.material.setValues(preset.outlines);
 }
 
 const canvas = document.querySelector('canvas')!;

@@ -2,8 +2,8 @@ import { DirectionalLight, Mesh, PerspectiveCamera, PlaneGeometry, Scene, WebGLR
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { ImprovedNoise } from 'three/addons/math/ImprovedNoise.js';
 import {
-  HatchingLines,
   HatchingMaterial,
+  HatchingOutlines,
   prepareHatchingGeometry,
   presets,
   scalePreset,
@@ -15,7 +15,7 @@ const renderer = new WebGLRenderer({ canvas, antialias: true });
 renderer.setClearColor('#f7f3e8');
 renderer.setPixelRatio(devicePixelRatio);
 
-/** The tone curve, from light to ink: lines are thin even in full light. */
+/** The tone curve, from light to ink: outlines are thin even in full light. */
 const TONES: ToneCurve = [
   [0, 0.1],
   [0.4, 0.16],
@@ -37,13 +37,13 @@ const { position } = ground.attributes;
 for (let i = 0; i < position.count; i++) position.setY(i, heightAt(position.getX(i), position.getZ(i)));
 ground.computeVertexNormals();
 
-// With 'y', lines follow the height, as contour lines on a map do. They need no tonal art map.
-const { material, lines } = scalePreset(presets.engraving, devicePixelRatio);
+// With 'y', outlines follow the height, as contour outlines on a map do. They need no tonal art map.
+const { material, outlines } = scalePreset(presets.engraving, devicePixelRatio);
 const mesh = new Mesh(
-  await prepareHatchingGeometry(ground, { lines: true }),
+  await prepareHatchingGeometry(ground, { outlines: true }),
   new HatchingMaterial({ ...material, lineField: 'y', toneCurve: TONES, crossFrom: 0.75 }),
 );
-mesh.add(new HatchingLines(mesh, { ...lines, creases: 0, borders: 0 }));
+mesh.add(new HatchingOutlines(mesh, { ...outlines, creases: 0, borders: 0 }));
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-4, 2.6, 0.5);

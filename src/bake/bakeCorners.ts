@@ -3,7 +3,7 @@ import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './b
 import type { VertexWords } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
 import { type PackedCorners, packCorners } from './packCorners.js';
-import { lineBuffers } from './packLines.js';
+import { outlineBuffers } from './packOutlines.js';
 
 /** The input of the bakes that give each corner a vertex of its own. Plain data: it is posted to the worker. */
 export interface BakeRequest extends SurfaceRequest {
@@ -32,5 +32,5 @@ export const bakeCornersResultBuffers = (result: BakeCornersResult): ArrayBuffer
   result.positions.buffer,
   result.corners.buffer,
   ...cornerAttributeBuffers(result),
-  ...lineBuffers(result.lines),
+  ...outlineBuffers(result.outlines),
 ];

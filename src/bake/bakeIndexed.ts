@@ -1,8 +1,8 @@
 import { asPhase } from '../slices/asPhase.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
 import { packHatchNormals } from './packHatchNormals.js';
-import { lineBuffers } from './packLines.js';
 import { packNormals } from './packNormals.js';
+import { outlineBuffers } from './packOutlines.js';
 import { splitVertices } from './splitVertices.js';
 
 /** What `bakeIndexed` returns. Plain data: the worker posts it back. */
@@ -45,11 +45,11 @@ export const bakeIndexedResultBuffers = ({
   addedVertices,
   hatchNormals,
   normals,
-  lines,
+  outlines,
 }: BakeIndexedResult): ArrayBuffer[] => [
   indices.buffer,
   addedVertices.buffer,
   hatchNormals.buffer,
   ...(normals ? [normals.buffer] : []),
-  ...lineBuffers(lines),
+  ...outlineBuffers(outlines),
 ];

@@ -5,7 +5,7 @@ import type { BakeRequest } from './bakeCorners.js';
 import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
 import { expandPerCorner } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
-import { lineBuffers } from './packLines.js';
+import { outlineBuffers } from './packOutlines.js';
 import { type PackedPull, packPull } from './packPull.js';
 import { splitVertices } from './splitVertices.js';
 
@@ -42,5 +42,5 @@ export const bakePullResultBuffers = (result: BakePullResult): ArrayBuffer[] => 
   result.triangleVertices.buffer,
   result.vertexPositions.buffer,
   ...cornerAttributeBuffers(result),
-  ...lineBuffers(result.lines),
+  ...outlineBuffers(result.outlines),
 ];

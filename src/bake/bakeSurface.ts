@@ -17,8 +17,8 @@ import { fanDirections } from '../normals/fanDirections.js';
 import { findPatches, type Patches } from '../normals/findPatches.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
-import { bakeLines, type LineRequest, type LineSurface, lineSmoothingRadii } from './bakeLines.js';
-import { type PackedLines, packLines } from './packLines.js';
+import { bakeOutlines, type OutlineRequest, type OutlineSurface, outlineSmoothingRadii } from './bakeOutlines.js';
+import { type PackedOutlines, packOutlines } from './packOutlines.js';
 
 /** The input of the bake for every layout. Plain data: it is posted to the worker. */
 export interface SurfaceRequest {
@@ -33,8 +33,8 @@ export interface SurfaceRequest {
   smoothingRadius?: number | undefined;
   /** Whether to compute smooth normals, for a mesh that has no normals. */
   wantsNormals: boolean;
-  /** The lines to bake, if any. */
-  lines?: LineRequest | null | undefined;
+  /** The outlines to bake, if any. */
+  outlines?: OutlineRequest | null | undefined;
 }
 
 /** The result of the part of the bake that all layouts share. */
@@ -45,8 +45,8 @@ export interface Surface {
   hatchNormals: FanNormals;
   /** The smooth normals, if requested. Small patches aside, each of their fans is a union of fans of the hatch normals. */
   smoothNormals: FanNormals | null;
-  /** The surface that lines are drawn from, if requested. */
-  lines: LineSurface | null;
+  /** The surface that outlines are drawn from, if requested. */
+  outlines: OutlineSurface | null;
 }
 
 /**
@@ -70,15 +70,15 @@ export function nearnessOf({ radius }: Bounds, share = DEFAULT_WELD_TOLERANCE): 
   return { tolerance: used * radius, rounding: Math.min(used, SINGLE_ROUNDING) * radius };
 }
 
-/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones and the lines. */
+/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones and the outlines. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
   const { mesh } = request;
-  const share = request.lines ? 0.75 : 1;
+  const share = request.outlines ? 0.75 : 1;
   yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03 * share);
   const bounds = yield* asPhase(measureBounds(mesh), 0.03 * share, 0.06 * share);
   const nearness = nearnessOf(bounds, request.weldTolerance);
   const adjacency = yield* asPhase(buildTriangleAdjacency(mesh, nearness), 0.06 * share, 0.3 * share);
-  const joinedTwins = request.lines ? adjacency.twins.slice() : null;
+  const joinedTwins = request.outlines ? adjacency.twins.slice() : null;
   yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3 * share, 0.33 * share);
   const twins = yield* asPhase(consistentTwins(adjacency), 0.33 * share, 0.34 * share);
   const smoothNormals = request.wantsNormals
@@ -86,29 +86,29 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
     : null;
   const surface = yield* asPhase(separateFans(mesh, adjacency, twins), 0.4 * share, 0.5 * share);
   // The contours of a coarse mesh run along its edges, so it needs no smoothed normals for them.
-  const hasSmoothLines =
+  const hasSmoothOutlines =
     joinedTwins !== null &&
     !(yield* asPhase(isCoarse(mesh, surface.twins, adjacency.areaNormals, bounds.radius), 0.5 * share, 0.52 * share));
   const radius = request.smoothingRadius ?? DEFAULT_SMOOTHING_SHARE * bounds.radius;
-  const lineRadii = hasSmoothLines ? lineSmoothingRadii(bounds.radius) : [];
+  const lineRadii = hasSmoothOutlines ? outlineSmoothingRadii(bounds.radius) : [];
   const smoothed = yield* asPhase(smoothFanNormals(surface, [radius, ...lineRadii]), 0.52 * share, 0.93 * share);
   const patches = yield* asPhase(findPatches(surface), 0.93 * share, 0.95 * share);
   const hatchNormals = yield* asPhase(directHatchNormals(surface, patches, radius, smoothed[0]), 0.95 * share, share);
-  const lines =
+  const outlines =
     joinedTwins &&
     (yield* asPhase(
-      bakeLines(
+      bakeOutlines(
         surface,
         patches,
         joinedTwins,
-        hasSmoothLines ? smoothed.slice(1) : null,
+        hasSmoothOutlines ? smoothed.slice(1) : null,
         bounds.radius,
-        request.lines!,
+        request.outlines!,
       ),
       share,
       1,
     ));
-  return { adjacency, bounds, hatchNormals, smoothNormals, lines };
+  return { adjacency, bounds, hatchNormals, smoothNormals, outlines };
 }
 
 function* bakeSmoothNormals(twins: Int32Array, areaNormals: Float64Array): Generator<number, FanNormals, void> {
@@ -151,20 +151,20 @@ function* directHatchNormals(
 /** What a bake reports about the mesh, whatever the layout. */
 export interface BakeReport extends EdgeCounts {
   bounds: Bounds;
-  /** The packed lines, if requested. */
-  lines: PackedLines | null;
+  /** The packed outlines, if requested. */
+  outlines: PackedOutlines | null;
 }
 
 /**
- * Packs the lines and collects what the bake reports about the mesh.
+ * Packs the outlines and collects what the bake reports about the mesh.
  *
  * @param indices the vertex of each corner in the layout that is baked
  */
 export function* reportOf(
-  { adjacency, bounds, lines }: Surface,
+  { adjacency, bounds, outlines }: Surface,
   indices: Uint32Array,
 ): Generator<number, BakeReport, void> {
-  const packed = lines && (yield* packLines(lines, indices));
+  const packed = outlines && (yield* packOutlines(outlines, indices));
   yield 1;
   const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles } = adjacency;
   return {
@@ -173,6 +173,6 @@ export function* reportOf(
     nonManifoldEdges,
     inconsistentEdges,
     degenerateTriangles,
-    lines: packed,
+    outlines: packed,
   };
 }

@@ -1,7 +1,7 @@
-import { POINT_WORDS } from './lineLayout.js';
 import { readOctahedral } from './octahedral.js';
+import { POINT_WORDS } from './outlineLayout.js';
 
-/** Unpacks the positions and unit normals of the first `count` points that `packLines` has written. */
+/** Unpacks the positions and unit normals of the first `count` points that `packOutlines` has written. */
 export function unpackPoints(
   words: Uint32Array<ArrayBuffer>,
   count: number,

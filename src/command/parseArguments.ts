@@ -20,7 +20,7 @@ const OPTIONS = {
   tones: { type: 'string' },
   levels: { type: 'string' },
   seed: { type: 'string' },
-  'stroke-width': { type: 'string' },
+  'stroke-texels': { type: 'string' },
   force: { type: 'boolean' },
   list: { type: 'boolean' },
   help: { type: 'boolean', short: 'h' },
@@ -37,7 +37,7 @@ export const HELP = `three-hatching tam: draws a tonal art map into a folder of 
   --tones <count>         number of tones including blank paper, 4 to 16 (default 8)
   --levels <count>        number of levels, each half as large as the previous (default: down to 16 texels)
   --seed <number>         a whole number; each places the strokes differently (default 1)
-  --stroke-width <texels> width of the strokes (default: that of the style)
+  --stroke-texels <count> width of the strokes in texels (default: that of the style)
   --force                 replaces an existing map
   --list                  prints the names of the styles
   --help                  prints this text
@@ -67,13 +67,13 @@ export function parseArguments(args: readonly string[]): Request {
     tones: wholeNumber('tones', values.tones),
     levels: wholeNumber('levels', values.levels),
     seed: wholeNumber('seed', values.seed),
-    strokeWidth: values['stroke-width'] === undefined ? undefined : Number(values['stroke-width']),
+    strokeTexels: values['stroke-texels'] === undefined ? undefined : Number(values['stroke-texels']),
   };
   try {
     resolveHatchImageOptions(map);
   } catch (error) {
     throw new UsageError(
-      (error as Error).message.replace(/^TonalArtMap\.generate: /, '--').replace('--strokeWidth', '--stroke-width'),
+      (error as Error).message.replace(/^TonalArtMap\.generate: /, '--').replace('--strokeTexels', '--stroke-texels'),
     );
   }
   return { action: 'draw', map, out: values.out, force: values.force ?? false };

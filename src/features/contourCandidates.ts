@@ -8,7 +8,7 @@ export interface ContourSearch {
   positions: Float32Array<ArrayBuffer>;
   /** x, y, z of each point's unit normal. */
   normals: Float32Array<ArrayBuffer>;
-  /** Four words per primitive (`lineLayout.ts` of the bake): numbers of points, with flags in the bits above `pointMask`. */
+  /** Four words per primitive (`outlineLayout.ts` of the bake): numbers of points, with flags in the bits above `pointMask`. */
   primitives: Uint32Array<ArrayBuffer>;
   pointMask: number;
   /** The number of bits in the mask. */

@@ -30,7 +30,7 @@ export interface CreaseLimits {
    * Edges are creases if the normals of their triangles differ by at least this angle, in radians. With null, the edges that the
    * bake cuts as sharp are creases.
    */
-  creaseAngle: number | null;
+  featureAngle: number | null;
   /**
    * Connected creases are drawn if they are at least this long in total, in object units. Straight lines of at least this length
    * are drawn a little beyond their ends.
@@ -66,7 +66,7 @@ export function* findFeatureEdges(
   const { mesh, canonicalCorners, joinedTwins } = surface;
   const corners: number[] = [];
   const kinds: number[] = [];
-  const creaseCosine = limits.creaseAngle === null ? null : Math.cos(limits.creaseAngle) + COSINE_TOLERANCE;
+  const creaseCosine = limits.featureAngle === null ? null : Math.cos(limits.featureAngle) + COSINE_TOLERANCE;
   yield* asPhase(
     forEachChunk(mesh.indices.length, (start, end) => collectRange(surface, creaseCosine, corners, kinds, start, end)),
     0,

@@ -28,7 +28,7 @@ export function cornerRange(geometry: BufferGeometry, label: string): CornerRang
   const count = Math.max(0, end - start);
   if (count % 3 !== 0) {
     throw new RangeError(
-      `${label}: the ${unit} count is ${count}, which is not a multiple of three. Remove the incomplete last triangle, or convert strips, fans and lines to triangles first.`,
+      `${label}: the ${unit} count is ${count}, which is not a multiple of three. Remove the incomplete last triangle, or convert strips, fans and outlines to triangles first.`,
     );
   }
   const groups: CornerGroup[] = [];

@@ -1,6 +1,6 @@
 import type { BufferGeometry } from 'three';
 import type { BakeRequest } from '../bake/bakeCorners.js';
-import type { LineRequest } from '../bake/bakeLines.js';
+import type { OutlineRequest } from '../bake/bakeOutlines.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
@@ -12,7 +12,7 @@ import { type CornerRange, cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import { applyIndexed } from './indexedGeometry.js';
-import { lineDataOf } from './LineData.js';
+import { outlineDataOf } from './OutlineData.js';
 import { startGeometry } from './preparedGeometry.js';
 import { applyPull } from './pulledGeometry.js';
 import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
@@ -61,20 +61,20 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    */
   weldTolerance?: number | undefined;
   /**
-   * Bakes the data that `HatchingLines` draws contours, borders and creases from: on the GPU 16 bytes per triangle, 32 per vertex
+   * Bakes the data that `HatchingOutlines` draws contours, borders and creases from: on the GPU 16 bytes per triangle, 32 per vertex
    * and 16 per feature edge, and 24 bytes per vertex on the heap. Pass `true`, or options that decide which edges are creases.
-   * Default: no lines.
+   * Default: no outlines.
    */
-  lines?: boolean | LineOptions | undefined;
+  outlines?: boolean | OutlineOptions | undefined;
 }
 
 /** Decides which edges are drawn as creases. */
-export interface LineOptions {
+export interface OutlineOptions {
   /**
    * Edges are creases if the normals of their triangles differ by this angle or more, in radians from 0 to π. Default: edges
    * with an angle of more than 50° after the normals were filtered against noise.
    */
-  creaseAngle?: number | undefined;
+  featureAngle?: number | undefined;
   /**
    * Connected creases are drawn if they are at least this long in total, in object units; 0 draws all. Default: 0.2 times the
    * radius of the bounding sphere, because scans have many short creases.
@@ -82,7 +82,7 @@ export interface LineOptions {
   creaseLength?: number | undefined;
 }
 
-const LINE_OPTIONS = { creaseAngle: true, creaseLength: true } satisfies Record<keyof LineOptions, true>;
+const OUTLINE_OPTIONS = { featureAngle: true, creaseLength: true } satisfies Record<keyof OutlineOptions, true>;
 
 const PREPARE_OPTIONS = {
   adjacency: true,
@@ -90,7 +90,7 @@ const PREPARE_OPTIONS = {
   creaseAngle: true,
   smoothingRadius: true,
   weldTolerance: true,
-  lines: true,
+  outlines: true,
 } satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions>, true>;
 
 /**
@@ -164,7 +164,7 @@ export async function prepareHatchingGeometry(
     smoothingRadius: options.smoothingRadius,
     weldTolerance: options.weldTolerance,
     wantsNormals: repairs.computedNormals > 0,
-    lines: lineRequest(options.lines, range),
+    outlines: lineRequest(options.outlines, range),
   };
   const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
   const isUnchanged = rememberSource(geometry);
@@ -220,16 +220,16 @@ function extractSource(geometry: BufferGeometry, range: CornerRange, kept: reado
   return { mesh, copied, computedNormals: countUnusableNormals(geometry, mesh.indices), zeroedValues };
 }
 
-/** Makes the lines search for contours in a worker of the same `createWorker`. */
+/** Makes the outlines search for contours in a worker of the same `createWorker`. */
 function withWorker(prepared: BufferGeometry, { createWorker }: TaskOptions): BufferGeometry {
-  const lines = lineDataOf(prepared);
-  if (lines) lines.createWorker = createWorker;
+  const outlines = outlineDataOf(prepared);
+  if (outlines) outlines.createWorker = createWorker;
   return prepared;
 }
 
-function lineRequest(lines: PrepareHatchingGeometryOptions['lines'], range: CornerRange): LineRequest | null {
-  if (!lines) return null;
-  return { ...(lines === true ? {} : lines), triangleGroups: triangleGroups(range) };
+function lineRequest(outlines: PrepareHatchingGeometryOptions['outlines'], range: CornerRange): OutlineRequest | null {
+  if (!outlines) return null;
+  return { ...(outlines === true ? {} : outlines), triangleGroups: triangleGroups(range) };
 }
 
 function chooseLayout(
@@ -243,7 +243,13 @@ function chooseLayout(
 }
 
 function checkValues(
-  { adjacency = false, layout = 'auto', smoothingRadius = 0, weldTolerance = 0, lines }: PrepareHatchingGeometryOptions,
+  {
+    adjacency = false,
+    layout = 'auto',
+    smoothingRadius = 0,
+    weldTolerance = 0,
+    outlines,
+  }: PrepareHatchingGeometryOptions,
   creaseAngle: number,
 ): void {
   if (typeof adjacency !== 'boolean') {
@@ -262,7 +268,7 @@ function checkValues(
     );
   }
   checkAngle('creaseAngle', creaseAngle);
-  if (lines !== undefined && typeof lines !== 'boolean') checkLines(lines);
+  if (outlines !== undefined && typeof outlines !== 'boolean') checkLines(outlines);
   if (!(smoothingRadius >= 0 && smoothingRadius < Infinity)) {
     throw new RangeError(
       `prepareHatchingGeometry: smoothingRadius is ${smoothingRadius}. Pass a length in object units, 0 or more, or leave the option out.`,
@@ -275,13 +281,13 @@ function checkValues(
   }
 }
 
-function checkLines(lines: LineOptions): void {
-  checkNames('prepareHatchingGeometry', 'lines', lines, LINE_OPTIONS);
-  if (lines.creaseAngle !== undefined) checkAngle('lines.creaseAngle', lines.creaseAngle);
-  const { creaseLength = 0 } = lines;
+function checkLines(outlines: OutlineOptions): void {
+  checkNames('prepareHatchingGeometry', 'outlines', outlines, OUTLINE_OPTIONS);
+  if (outlines.featureAngle !== undefined) checkAngle('outlines.featureAngle', outlines.featureAngle);
+  const { creaseLength = 0 } = outlines;
   if (creaseLength >= 0 && creaseLength < Infinity) return;
   throw new RangeError(
-    `prepareHatchingGeometry: lines.creaseLength is ${creaseLength}. Pass a length in object units, 0 or more, or leave the option out.`,
+    `prepareHatchingGeometry: outlines.creaseLength is ${creaseLength}. Pass a length in object units, 0 or more, or leave the option out.`,
   );
 }
 

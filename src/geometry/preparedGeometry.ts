@@ -2,7 +2,7 @@ import { Box3, BufferAttribute, BufferGeometry, InstancedBufferGeometry, Sphere,
 import type { BakeReport } from '../bake/bakeSurface.js';
 import type { CornerRange } from './cornerRange.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
-import { LineData, setLineData } from './LineData.js';
+import { OutlineData, setOutlineData } from './OutlineData.js';
 import { type Repairs, replaceUnusableNormals } from './repairValues.js';
 import { rememberPositions } from './staleGeometry.js';
 import { isInstanced } from './vertexAttributes.js';
@@ -34,7 +34,7 @@ export function setNormals(geometry: BufferGeometry, normals: Float32Array<Array
   else geometry.setAttribute('normal', new BufferAttribute(normals, 3));
 }
 
-/** Sets the bounds, the lines and `userData.hatching`, once all attributes are set. */
+/** Sets the bounds, the outlines and `userData.hatching`, once all attributes are set. */
 export function finishGeometry(
   geometry: BufferGeometry,
   layout: HatchingStatistics['layout'],
@@ -42,7 +42,7 @@ export function finishGeometry(
   textureBytes = 0,
 ): void {
   applyBounds(geometry, report);
-  const lines = report.lines && new LineData(report.lines);
+  const outlines = report.outlines && new OutlineData(report.outlines);
   const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles, computedNormals, zeroedValues } =
     report;
   const statistics: HatchingStatistics = {
@@ -54,10 +54,10 @@ export function finishGeometry(
     computedNormals,
     zeroedValues,
     layout,
-    bytes: bytesOf(geometry) + textureBytes + (lines?.bytes ?? 0),
+    bytes: bytesOf(geometry) + textureBytes + (outlines?.bytes ?? 0),
   };
   geometry.userData.hatching = statistics;
-  if (lines) setLineData(geometry, lines);
+  if (outlines) setOutlineData(geometry, outlines);
   rememberPositions(geometry);
 }
 

@@ -7,9 +7,9 @@ export interface HatchImages {
    * k/(n−1); image 0 is the lightest.
    */
   images: Uint8Array[][];
-  /** Width of the strokes in texels, the same on every level. Default: `DEFAULT_STROKE_WIDTH`. */
-  strokeWidth?: number | undefined;
+  /** Width of the strokes in texels, the same on every level. Default: `DEFAULT_STROKE_TEXELS`. */
+  strokeTexels?: number | undefined;
 }
 
 /** The width of strokes in texels, for images that come without it. */
-export const DEFAULT_STROKE_WIDTH = 2;
+export const DEFAULT_STROKE_TEXELS = 2;

@@ -1,5 +1,5 @@
 import { findLostInk } from './findLostInk.js';
-import { DEFAULT_STROKE_WIDTH, type HatchImages } from './HatchImages.js';
+import { DEFAULT_STROKE_TEXELS, type HatchImages } from './HatchImages.js';
 import { excessOf, MAX_SIDE } from './mapLimits.js';
 
 /** Tells how well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
@@ -31,15 +31,15 @@ export function assertHatchImages(hatchImages: HatchImages): void {
   if (typeof hatchImages !== 'object' || hatchImages === null) {
     fail(TypeError, `expected { size, images }, but got ${String(hatchImages)}.`);
   }
-  const { size, images, strokeWidth = DEFAULT_STROKE_WIDTH } = hatchImages;
+  const { size, images, strokeTexels = DEFAULT_STROKE_TEXELS } = hatchImages;
   if (!Number.isInteger(size) || size < 1 || size > MAX_SIDE || (size & (size - 1)) !== 0) {
     fail(
       RangeError,
       `size is ${String(size)}, but must be a power of two from 1 to ${MAX_SIDE} (texels per side of level 0).`,
     );
   }
-  if (!(strokeWidth > 0 && strokeWidth < Infinity)) {
-    fail(RangeError, `strokeWidth is ${String(strokeWidth)}, but must be a width in texels above 0.`);
+  if (!(strokeTexels > 0 && strokeTexels < Infinity)) {
+    fail(RangeError, `strokeTexels is ${String(strokeTexels)}, but must be a width in texels above 0.`);
   }
   if (!Array.isArray(images) || images.length < 2) {
     fail(TypeError, 'images must be an array with at least two tones, the lightest first: images[tone][level].');

@@ -26,7 +26,7 @@ export function* generateHatchImages(options: HatchImageOptions = {}): Generator
   }
   // Strokes nest because finer levels repeat them. Grain breaks strokes up, so that nesting must be enforced.
   if (request.style.grain) enforceLevelNesting({ size: request.size, images });
-  return { size: request.size, images, strokeWidth: request.style.width };
+  return { size: request.size, images, strokeTexels: request.style.width };
 }
 
 /** Draws all levels of one tone: the images of the tone before plus its new strokes. */

@@ -18,7 +18,7 @@ export interface HatchImageOptions {
    * Width of a stroke or diameter of a dot in texels, the same on every level. Default and range depend on the style: for pen
    * strokes 1.9 in the range 1.2 to 2.6, for dots 2.4 in the range 1.65 to 2.5.
    */
-  strokeWidth?: number | undefined;
+  strokeTexels?: number | undefined;
 }
 
 /** The options with all defaults filled in. */
@@ -56,10 +56,10 @@ export function resolveHatchImageOptions(
     fail('levels', levels, `a whole number from 1 to ${allLevels} at size ${size}, or left out`);
   }
   const style: StrokeStyle = strokeStyles[name];
-  const width = options.strokeWidth ?? style.width;
+  const width = options.strokeTexels ?? style.width;
   const [narrowest, widest] = style.widthRange;
   if (!(width >= narrowest && width <= widest)) {
-    fail('strokeWidth', width, `a number from ${narrowest} to ${widest} texels for style ${name}`);
+    fail('strokeTexels', width, `a number from ${narrowest} to ${widest} texels for style ${name}`);
   }
   return { style: { ...style, width }, seed, size, tones, levels };
 }

@@ -5,7 +5,7 @@ export interface MapDescription {
   /** Texels per side of level 0. */
   size: number;
   /** Width of the strokes in texels. Default: 2. */
-  strokeWidth?: number;
+  strokeTexels?: number;
   /**
    * The image files, lightest tone first. For each tone there is either one name, and the other levels are made from that image, or
    * a list of its levels, finest first. All tones have the same form.

@@ -1,5 +1,5 @@
 import { meanInk } from '../hatchImages/checkHatchImages.js';
-import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
+import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../hatchImages/HatchImages.js';
 import { excessOf, excessOfTones, MAX_SIDE } from '../hatchImages/mapLimits.js';
 import { fail, withFileName } from './fileFaults.js';
 import { MAP_FORMAT, MAP_VERSION, type MapDescription, THRESHOLD_STEP } from './mapFiles.js';
@@ -24,7 +24,7 @@ export interface ReadMap extends HatchImages {
  */
 export async function readMap(name: string, read: ReadFile, onProgress: (done: number) => void): Promise<ReadMap> {
   const description = parseDescription(name, new TextDecoder().decode(await withFileName(name, read(name))));
-  const { size, strokeWidth } = description;
+  const { size, strokeTexels } = description;
   const lacksLevels = typeof description.images[0] === 'string';
   const names = description.images.map((row) => (typeof row === 'string' ? [row] : row));
   const pictures = new PictureReader([...names.flat(), ...(description.thresholds ?? [])], read, onProgress);
@@ -48,7 +48,7 @@ export async function readMap(name: string, read: ReadFile, onProgress: (done: n
   if (lacksLevels) assertLightToDark(names.flat(), images);
   return {
     size,
-    strokeWidth,
+    strokeTexels,
     images: lacksLevels ? withBlankTone(images) : images,
     lacksLevels,
     thresholds: description.thresholds && thresholds,
@@ -123,12 +123,12 @@ function parseDescription(name: string, text: string): MapDescription {
       `is of version ${String(found.version)}, but this three-hatching reads version ${MAP_VERSION}; update three-hatching or save the map again`,
     );
   }
-  const { size, images, thresholds, strokeWidth = DEFAULT_STROKE_WIDTH } = found;
+  const { size, images, thresholds, strokeTexels = DEFAULT_STROKE_TEXELS } = found;
   if (!Number.isInteger(size) || size! < 1 || size! > MAX_SIDE || (size! & (size! - 1)) !== 0) {
     fail(name, `has "size" ${String(size)}, but it must be a power of two up to ${MAX_SIDE}`);
   }
-  if (!(typeof strokeWidth === 'number' && strokeWidth > 0)) {
-    fail(name, `has "strokeWidth" ${String(strokeWidth)}, but it must be a width in texels above 0`);
+  if (!(typeof strokeTexels === 'number' && strokeTexels > 0)) {
+    fail(name, `has "strokeTexels" ${String(strokeTexels)}, but it must be a width in texels above 0`);
   }
   const isName = (value: unknown): boolean => typeof value === 'string' && value !== '';
   const isRow = (row: unknown): boolean => Array.isArray(row) && row.length > 0 && row.every(isName);

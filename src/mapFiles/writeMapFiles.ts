@@ -9,7 +9,7 @@ import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile, T
  * @param thresholds the thresholds of every level, if they were drawn and not derived from the images
  */
 export async function writeMapFiles(
-  { size, images, strokeWidth }: HatchImages,
+  { size, images, strokeTexels }: HatchImages,
   thresholds?: readonly Float32Array[],
 ): Promise<MapFile[]> {
   const files: Promise<MapFile>[] = [];
@@ -22,7 +22,7 @@ export async function writeMapFiles(
     format: MAP_FORMAT,
     version: MAP_VERSION,
     size,
-    ...(strokeWidth !== undefined && { strokeWidth }),
+    ...(strokeTexels !== undefined && { strokeTexels }),
     images: images.map((row, tone) =>
       row.map((image, level) => write(`tone-${tone}-level-${level}.png`, level, 1, image)),
     ),

@@ -141,20 +141,6 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * The older name of `strokeLayers: 'lights'`: true where that is chosen. Setting it to false changes `strokeLayers` only if that is `'lights'`.
-   *
-   * @deprecated Set `strokeLayers`.
-   */
-  get secondLayer(): boolean {
-    return this.strokeLayers === 'lights';
-  }
-
-  set secondLayer(value: boolean) {
-    if (value) this.strokeLayers = 'lights';
-    else if (this.secondLayer) this.strokeLayers = 'single';
-  }
-
-  /**
    * Sets properties by name, as three's own. Warns of one that does not count for the technique.
    *
    * @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range, before anything is set
@@ -267,7 +253,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
     this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
     if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) {
-      if (writeFieldFrame(this.uniforms, this.strokeScale, geometry, object)) this.uniformsNeedUpdate = true;
+      if (writeFieldFrame(this.uniforms, this.tilesPerUnit, geometry, object)) this.uniformsNeedUpdate = true;
     }
     warnIfStale(geometry);
     this.announced.length = 0;
@@ -400,7 +386,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     write('USE_UV0', usesFirstChannel ? '' : undefined);
     // Strokes that are sized on the object alone need one lattice, and no code for a second.
     const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];
-    write('SIZED_ON_SCREEN', hasProgramForObject && this.screenConstancy > 0 ? '' : undefined);
+    write('SIZED_ON_SCREEN', hasProgramForObject && this.sizedOnScreen > 0 ? '' : undefined);
     write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
     write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(needsAdjacency(this) ? this.vertexLayout : 'corner'));
     this.drawsWithMap = needsMap(this);

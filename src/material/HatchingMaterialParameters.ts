@@ -6,8 +6,6 @@ export type HatchingMaterialParameters = MaterialParameters &
   Partial<HatchingMaterialOptions> & {
     /** Defines of your own, beside the material's. */
     defines?: Record<string, unknown> | undefined;
-    /** @deprecated `true` is the older name of `strokeLayers: 'lights'`. */
-    secondLayer?: boolean | undefined;
     fog?: boolean | undefined;
     wireframe?: boolean | undefined;
     clipping?: boolean | undefined;

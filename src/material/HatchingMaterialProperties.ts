@@ -33,9 +33,9 @@ export interface HatchingMaterialOptions {
   technique: HatchingTechnique;
   /**
    * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
-   * Only with `screenConstancy` other than `1`.
+   * Only with `sizedOnScreen` other than `1`.
    */
-  strokeScale: number;
+  tilesPerUnit: number;
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
@@ -59,22 +59,16 @@ export interface HatchingMaterialOptions {
    */
   levelRule: LevelRule;
   /**
-   * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
+   * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
    * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
    * which is cheaper. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
    */
-  screenConstancy: number;
+  sizedOnScreen: number;
   /**
-   * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
-   * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. CSS pixels in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or
-   * `levelRule` `'depth'`.
-   */
-  texelPixels: number;
-  /**
-   * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
-   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. CSS pixels in (0, ∞). Default `null`.
-   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
+   * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
+   * choose them by derivatives. `null`: as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels
+   * in (0, ∞). Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule`
+   * `'depth'`.
    */
   strokeWidth: number | null;
   /**
@@ -92,7 +86,7 @@ export interface HatchingMaterialOptions {
   lineField: LineField;
   /**
    * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
-   * new ones are born between them, thin at first. CSS pixels at a `screenConstancy` of 1, 256ths of a tile at 0 in (0,
+   * new ones are born between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in (0,
    * ∞). Default `5`. Only `'engraved'`.
    */
   lineSpacing: number;
@@ -103,8 +97,8 @@ export interface HatchingMaterialOptions {
    */
   finestSpacing: number;
   /**
-   * How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`. Default `'single'`. Only
-   * `'triangle'`, `'adjacency'`, `'anchored'`. Another value builds another program.
+   * How many layers of strokes there are. Default `'single'`. Only `'triangle'`, `'adjacency'`, `'anchored'`. Another
+   * value builds another program.
    */
   strokeLayers: StrokeLayers;
   /**
@@ -135,7 +129,7 @@ export interface HatchingMaterialOptions {
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
    * `'adjacency'`.
    */
-  creaseAngle: number;
+  blendAngle: number;
   /**
    * What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all. Default
    * `'tone'`. Another value builds another program.
@@ -198,10 +192,10 @@ export interface HatchingMaterialOptions {
    * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
    * `0`.
    */
-  keepHighlight: number;
+  highlightTone: number;
   /**
-   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. Share in [0, 1].
-   * Default `0`. Only with `keepHighlight` other than `0`.
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightTone`. Share in [0, 1].
+   * Default `0`. Only with `highlightTone` other than `0`.
    */
   highlightSoftness: number;
   /**
@@ -271,10 +265,9 @@ export interface HatchingMaterialOptions {
 export abstract class HatchingMaterialProperties extends ShaderMaterial {
   private hatchImages: TonalArtMap | null = null;
   private readonly numbers = {
-    strokeScale: HATCHING_DEFAULTS.strokeScale as number,
+    tilesPerUnit: HATCHING_DEFAULTS.tilesPerUnit as number,
     strokeRotation: HATCHING_DEFAULTS.strokeRotation as number,
-    screenConstancy: HATCHING_DEFAULTS.screenConstancy as number,
-    texelPixels: HATCHING_DEFAULTS.texelPixels as number,
+    sizedOnScreen: HATCHING_DEFAULTS.sizedOnScreen as number,
     strokeWidth: HATCHING_DEFAULTS.strokeWidth as number | null,
     edgePixels: HATCHING_DEFAULTS.edgePixels as number,
     anchorSpacing: HATCHING_DEFAULTS.anchorSpacing as number,
@@ -283,7 +276,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     crossFrom: HATCHING_DEFAULTS.crossFrom as number,
     crossAngle: HATCHING_DEFAULTS.crossAngle as number,
     handmade: HATCHING_DEFAULTS.handmade as number,
-    creaseAngle: HATCHING_DEFAULTS.creaseAngle as number,
+    blendAngle: HATCHING_DEFAULTS.blendAngle as number,
     tooth: HATCHING_DEFAULTS.tooth as number,
     toothSize: HATCHING_DEFAULTS.toothSize as number,
     softness: HATCHING_DEFAULTS.softness as number,
@@ -292,7 +285,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     shininess: HATCHING_DEFAULTS.shininess as number,
     reflectedLight: HATCHING_DEFAULTS.reflectedLight as number,
     occlusion: HATCHING_DEFAULTS.occlusion as number,
-    keepHighlight: HATCHING_DEFAULTS.keepHighlight as number,
+    highlightTone: HATCHING_DEFAULTS.highlightTone as number,
     highlightSoftness: HATCHING_DEFAULTS.highlightSoftness as number,
     bumpScale: HATCHING_DEFAULTS.bumpScale as number,
     aoMapIntensity: HATCHING_DEFAULTS.aoMapIntensity as number,
@@ -325,14 +318,14 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
-   * Only with `screenConstancy` other than `1`.
+   * Only with `sizedOnScreen` other than `1`.
    */
-  get strokeScale(): number {
-    return this.numbers.strokeScale;
+  get tilesPerUnit(): number {
+    return this.numbers.tilesPerUnit;
   }
 
-  set strokeScale(value: number) {
-    this.numbers.strokeScale = checkNumber('strokeScale', value, HATCHING_PROPERTIES.strokeScale.range);
+  set tilesPerUnit(value: number) {
+    this.numbers.tilesPerUnit = checkNumber('tilesPerUnit', value, HATCHING_PROPERTIES.tilesPerUnit.range);
   }
 
   /**
@@ -387,37 +380,23 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In
+   * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
    * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
    * which is cheaper. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
    */
-  get screenConstancy(): number {
-    return this.numbers.screenConstancy;
+  get sizedOnScreen(): number {
+    return this.numbers.sizedOnScreen;
   }
 
-  set screenConstancy(value: number) {
-    this.numbers.screenConstancy = checkNumber('screenConstancy', value, HATCHING_PROPERTIES.screenConstancy.range);
-  }
-
-  /**
-   * Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels
-   * of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels
-   * wide. CSS pixels in (0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or
-   * `levelRule` `'depth'`.
-   */
-  get texelPixels(): number {
-    return this.numbers.texelPixels;
-  }
-
-  set texelPixels(value: number) {
-    this.numbers.texelPixels = checkNumber('texelPixels', value, HATCHING_PROPERTIES.texelPixels.range);
-    this.numbers.strokeWidth = HATCHING_DEFAULTS.strokeWidth;
+  set sizedOnScreen(value: number) {
+    this.numbers.sizedOnScreen = checkNumber('sizedOnScreen', value, HATCHING_PROPERTIES.sizedOnScreen.range);
   }
 
   /**
-   * Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words.
-   * Setting one of the two clears the other. `null` leaves it to `texelPixels`. CSS pixels in (0, ∞). Default `null`.
-   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
+   * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
+   * choose them by derivatives. `null`: as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels
+   * in (0, ∞). Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule`
+   * `'depth'`.
    */
   get strokeWidth(): number | null {
     return this.numbers.strokeWidth;
@@ -426,7 +405,6 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   set strokeWidth(value: number | null) {
     this.numbers.strokeWidth =
       value === null ? null : checkNumber('strokeWidth', value, HATCHING_PROPERTIES.strokeWidth.range);
-    if (value !== null) this.numbers.texelPixels = HATCHING_DEFAULTS.texelPixels;
   }
 
   /**
@@ -465,7 +443,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
-   * new ones are born between them, thin at first. CSS pixels at a `screenConstancy` of 1, 256ths of a tile at 0 in (0,
+   * new ones are born between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in (0,
    * ∞). Default `5`. Only `'engraved'`.
    */
   get lineSpacing(): number {
@@ -490,8 +468,8 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`. Default `'single'`. Only
-   * `'triangle'`, `'adjacency'`, `'anchored'`. Another value builds another program.
+   * How many layers of strokes there are. Default `'single'`. Only `'triangle'`, `'adjacency'`, `'anchored'`. Another
+   * value builds another program.
    */
   get strokeLayers(): StrokeLayers {
     return this.choice('strokeLayers') as StrokeLayers;
@@ -557,12 +535,12 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
    * `'adjacency'`.
    */
-  get creaseAngle(): number {
-    return this.numbers.creaseAngle;
+  get blendAngle(): number {
+    return this.numbers.blendAngle;
   }
 
-  set creaseAngle(value: number) {
-    this.numbers.creaseAngle = checkNumber('creaseAngle', value, HATCHING_PROPERTIES.creaseAngle.range);
+  set blendAngle(value: number) {
+    this.numbers.blendAngle = checkNumber('blendAngle', value, HATCHING_PROPERTIES.blendAngle.range);
   }
 
   /**
@@ -712,17 +690,17 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
    * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
    * `0`.
    */
-  get keepHighlight(): number {
-    return this.numbers.keepHighlight;
+  get highlightTone(): number {
+    return this.numbers.highlightTone;
   }
 
-  set keepHighlight(value: number) {
-    this.numbers.keepHighlight = checkNumber('keepHighlight', value, HATCHING_PROPERTIES.keepHighlight.range);
+  set highlightTone(value: number) {
+    this.numbers.highlightTone = checkNumber('highlightTone', value, HATCHING_PROPERTIES.highlightTone.range);
   }
 
   /**
-   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`. Share in [0, 1].
-   * Default `0`. Only with `keepHighlight` other than `0`.
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightTone`. Share in [0, 1].
+   * Default `0`. Only with `highlightTone` other than `0`.
    */
   get highlightSoftness(): number {
     return this.numbers.highlightSoftness;

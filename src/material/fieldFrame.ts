@@ -11,12 +11,12 @@ const origin = /* @__PURE__ */ new Vector3();
  * Writes the origin and the frame of the lines of `engraved` on a mesh: the frame that `applyHatching` gave to the whole scene, or
  * else that of the object, with the centre of its bounding sphere as origin. Allocates nothing.
  *
- * @param strokeScale tiles per unit of object space
+ * @param tilesPerUnit tiles per unit of object space
  * @returns whether anything changed, in which case three must upload the uniforms again: by default it does so once for all meshes
  */
 export function writeFieldFrame(
   uniforms: Record<string, IUniform>,
-  strokeScale: number,
+  tilesPerUnit: number,
   geometry: BufferGeometry,
   { userData }: Object3D,
 ): boolean {
@@ -30,7 +30,7 @@ export function writeFieldFrame(
     if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
     origin.copy(geometry.boundingSphere!.center);
   }
-  linear.multiplyScalar(strokeScale);
+  linear.multiplyScalar(tilesPerUnit);
   const { fieldOrigin, objectToField, objectToFieldNormal } = uniforms as {
     fieldOrigin: IUniform<Vector3>;
     objectToField: IUniform<Matrix3>;

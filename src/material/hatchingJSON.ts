@@ -65,7 +65,7 @@ function plainProperties(): Map<string, unknown> {
   const properties = {
     ...others,
     ...{ alphaTest: 0, blendColor: 0, fog: true, normalMapType: 0 },
-    ...{ secondLayer: false, wireframe: false, wireframeLinewidth: 1 },
+    ...{ wireframe: false, wireframeLinewidth: 1 },
   };
   return new Map(
     Object.entries(properties).filter(

@@ -16,7 +16,7 @@ export function createHatchingUniforms(): Uniforms {
     {
       alphaTest: { value: 0 },
       inked: { value: 1 },
-      creaseCosine: { value: 0 },
+      blendCosine: { value: 0 },
       highlightRamp: { value: new Vector2() },
       layerTurns: { value: new Vector4() },
       opacity: { value: 1 },
@@ -100,13 +100,12 @@ const LEAST_SPACING = 2;
  * @param pixelRatio these pixels to a CSS pixel
  */
 export function writeSizeUniforms(material: HatchingMaterialProperties, pixelRatio: number, u: Uniforms): void {
-  const { strokeWidth, texelPixels, tonalArtMap } = material;
-  const texels = tonalArtMap?.strokeWidth ?? 1;
-  u.texelPixels.value = pixelRatio * (strokeWidth === null ? texelPixels : strokeWidth / texels);
-  u.dotPixels.value = u.texelPixels.value * texels;
+  const strokeTexels = material.tonalArtMap?.strokeTexels ?? 1;
+  u.dotPixels.value = pixelRatio * (material.strokeWidth ?? strokeTexels);
+  u.texelPixels.value = u.dotPixels.value / strokeTexels;
   u.toothSize.value = pixelRatio * material.toothSize;
-  // Lines are spaced on the screen as far as `screenConstancy` says.
-  u.lineSpacing.value = pixelRatio ** material.screenConstancy * material.lineSpacing;
+  // Lines are spaced on the screen as far as `sizedOnScreen` says.
+  u.lineSpacing.value = pixelRatio ** material.sizedOnScreen * material.lineSpacing;
   u.finestSpacing.value = Math.max(pixelRatio * material.finestSpacing, LEAST_SPACING);
 }
 
@@ -140,15 +139,15 @@ export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolea
 
 /** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
 export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
-  u.creaseCosine.value = Math.cos(material.creaseAngle);
+  u.blendCosine.value = Math.cos(material.blendAngle);
   // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
-  const { strokeScale: scale, strokeOffset: offset } = material;
+  const { tilesPerUnit: scale, strokeOffset: offset } = material;
   const cos = Math.cos(material.strokeRotation);
   const sin = Math.sin(material.strokeRotation);
   u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
   u.strokeDirection.value.set(cos, sin);
-  const highlightReach = Math.max(material.keepHighlight * material.highlightSoftness, 1e-6);
-  u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.keepHighlight) / highlightReach);
+  const highlightReach = Math.max(material.highlightTone * material.highlightSoftness, 1e-6);
+  u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
   // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
   const { crossAngle } = material;
   u.layerTurns.value.set(

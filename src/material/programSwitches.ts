@@ -13,7 +13,7 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
     if (HATCHING_PROPERTIES[name as HatchingPropertyName].kind !== 'texture') continue;
     switches = switches * 16 + textureSwitches(material[name as HatchingPropertyName] as Texture | null);
   }
-  switches = switches * 2 + Number(material.screenConstancy > 0);
+  switches = switches * 2 + Number(material.sizedOnScreen > 0);
   switches = switches * 4 + material.side;
   switches = switches * 8 + material.blending;
   switches = switches * 2 + Number(material.transparent);

@@ -9,7 +9,7 @@ type GroupProps = Omit<ThreeElements['group'], keyof ApplyHatchingOptions | 'obj
 /**
  * The props of `<Hatched>`: the options of `applyHatching`, those below, and all props of a group.
  *
- * Options may change at any time. Parameters of `material` and `lines`, and the map, take effect in the next frame. If the geometry
+ * Options may change at any time. Parameters of `material` and `outlines`, and the map, take effect in the next frame. If the geometry
  * must be prepared again, the last look is drawn until it is ready. Passing another function does not by itself change anything: the
  * latest function is called when it is needed.
  */
@@ -31,9 +31,9 @@ export interface HatchedProps extends HatchedOptions, GroupProps {
 const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
   preset: true,
   material: true,
-  lines: true,
+  outlines: true,
   tonalArtMap: true,
-  strokeScale: true,
+  tilesPerWorldUnit: true,
   adjacency: true,
   layout: true,
   creaseAngle: true,

@@ -156,7 +156,7 @@ export class Hatcher {
   private coverUnhatched({ filter = () => true }: ApplyHatchingOptions): void {
     for (const mesh of meshesOf(this.root)) {
       if (!this.snapshot.looksOtherwise(mesh) || !filter(mesh)) continue;
-      if (this.hatched) this.veil.coverLines(mesh);
+      if (this.hatched) this.veil.coverOutlines(mesh);
       if (!this.showsUnhatched && !('isHatchingMaterial' in mesh.material)) this.veil.cover(mesh);
     }
   }

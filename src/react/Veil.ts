@@ -1,5 +1,5 @@
 import type { Mesh, Object3D } from 'three';
-import type { HatchedScene, HatchingLines } from 'three-hatching';
+import type { HatchedScene, HatchingOutlines } from 'three-hatching';
 
 /** Hides meshes for a while by taking them out of all layers. Properties that React sets, such as `visible`, stay as they are. */
 export class Veil {
@@ -11,17 +11,17 @@ export class Veil {
     object.layers.mask = 0;
   }
 
-  /** Hides the lines of a mesh whose geometry has changed. */
-  coverLines({ children }: Mesh): void {
-    for (const child of children) if ((child as Partial<HatchingLines>).isHatchingLines) this.cover(child);
+  /** Hides the outlines of a mesh whose geometry has changed. */
+  coverOutlines({ children }: Mesh): void {
+    for (const child of children) if ((child as Partial<HatchingOutlines>).isHatchingOutlines) this.cover(child);
   }
 
-  /** Shows all meshes again, and puts their new lines into the same layers. */
+  /** Shows all meshes again, and puts their new outlines into the same layers. */
   lift(hatched: HatchedScene | undefined): void {
     for (const [mesh, mask] of this.masks) mesh.layers.mask = mask;
-    for (const lines of hatched?.lines ?? []) {
-      const mask = lines.mesh && this.masks.get(lines.mesh);
-      if (typeof mask === 'number') lines.layers.mask = mask;
+    for (const outlines of hatched?.outlines ?? []) {
+      const mask = outlines.mesh && this.masks.get(outlines.mesh);
+      if (typeof mask === 'number') outlines.layers.mask = mask;
     }
     this.masks.clear();
   }

@@ -1,15 +1,15 @@
 import { extend, type ThreeElement } from '@react-three/fiber';
-import { HatchingLineMaterial, HatchingLines, HatchingMaterial } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlineMaterial, HatchingOutlines } from 'three-hatching';
 
 declare module '@react-three/fiber' {
   interface ThreeElements {
     /** A `HatchingMaterial`. Every property is a prop. */
     hatchingMaterial: ThreeElement<typeof HatchingMaterial>;
-    /** The `HatchingLines` of the parent mesh. With `<HatchingLines>` the properties of the lines are props. */
-    hatchingLines: ThreeElement<typeof HatchingLines>;
-    /** A `HatchingLineMaterial`, which several lines may share. */
-    hatchingLineMaterial: ThreeElement<typeof HatchingLineMaterial>;
+    /** The `HatchingOutlines` of the parent mesh. With `<HatchingOutlines>` the properties of the outlines are props. */
+    hatchingOutlines: ThreeElement<typeof HatchingOutlines>;
+    /** A `HatchingOutlineMaterial`, which several outlines may share. */
+    hatchingOutlineMaterial: ThreeElement<typeof HatchingOutlineMaterial>;
   }
 }
 
-extend({ HatchingMaterial, HatchingLines, HatchingLineMaterial });
+extend({ HatchingMaterial, HatchingOutlines, HatchingOutlineMaterial });

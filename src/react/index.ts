@@ -5,7 +5,7 @@
  */
 export { Hatched } from './Hatched.js';
 export type { HatchedProps } from './HatchedProps.js';
-export { HatchingLines, type HatchingLinesProps } from './HatchingLines.js';
+export { HatchingOutlines, type HatchingOutlinesProps } from './HatchingOutlines.js';
 export type { SharedMapOptions, SharedMapSource } from './sharedMaps.js';
 export { type HatchingGeometryOptions, useHatchingGeometry } from './useHatchingGeometry.js';
 export { useTonalArtMap } from './useTonalArtMap.js';

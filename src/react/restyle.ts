@@ -2,7 +2,7 @@ import { MeshStandardMaterial } from 'three';
 import {
   type ApplyHatchingOptions,
   HATCHING_DEFAULTS,
-  HATCHING_LINE_DEFAULTS,
+  HATCHING_OUTLINE_DEFAULTS,
   type HatchedScene,
   type HatchingMaterialParameters,
   needsAdjacency,
@@ -11,18 +11,18 @@ import { namesOf, sameValue } from './sameValue.js';
 
 type Values = Readonly<Record<string, unknown>>;
 
-/** The options of lines that take effect only when the geometry is prepared: those that decide which edges are creases. */
-const BAKED_LINE_OPTIONS: readonly string[] = ['creaseAngle', 'creaseLength'];
+/** The options of outlines that take effect only when the geometry is prepared: those that decide which edges are creases. */
+const BAKED_OUTLINE_OPTIONS: readonly string[] = ['featureAngle', 'creaseLength'];
 
 /**
- * Sets new values of the materials and lines of a hatched scene, if nothing else has changed in the options. The map is left to the
+ * Sets new values of the materials and outlines of a hatched scene, if nothing else has changed in the options. The map is left to the
  * caller.
  *
  * @returns whether that was enough. If not, the scene has not changed.
  */
 export function restyle(hatched: HatchedScene, from: ApplyHatchingOptions, to: ApplyHatchingOptions): boolean {
-  const { material: fromMaterial = {}, lines: fromLines = false, tonalArtMap: _fromMap, ...fromRest } = from;
-  const { material: toMaterial = {}, lines: toLines = false, tonalArtMap: _toMap, ...toRest } = to;
+  const { material: fromMaterial = {}, outlines: fromLines = false, tonalArtMap: _fromMap, ...fromRest } = from;
+  const { material: toMaterial = {}, outlines: toLines = false, tonalArtMap: _toMap, ...toRest } = to;
   if (!sameValue(fromRest, toRest) || typeof fromMaterial !== typeof toMaterial) return false;
   if (typeof fromLines === 'boolean' || typeof toLines === 'boolean') {
     if (fromLines !== toLines) return false;
@@ -31,21 +31,22 @@ export function restyle(hatched: HatchedScene, from: ApplyHatchingOptions, to: A
   const ofLines = lineChanges(fromLines, toLines);
   if (!ofMaterial || !ofLines) return false;
   for (const material of hatched.materials) material.setValues({ ...ofMaterial });
-  for (const material of new Set(hatched.lines.map((lines) => lines.material))) material.setValues({ ...ofLines });
+  for (const material of new Set(hatched.outlines.map((outlines) => outlines.material)))
+    material.setValues({ ...ofLines });
   return true;
 }
 
 function materialChanges(from: object, to: object): HatchingMaterialParameters | null {
   const changes = changed(from as Values, to as Values, HATCHING_DEFAULTS);
-  if (!changes || 'strokeScale' in changes) return null;
+  if (!changes || 'tilesPerUnit' in changes) return null;
   if (!('technique' in changes)) return changes;
   // Techniques with adjacency need a geometry that was prepared for them.
   return [from, to].some(needsAdjacency) ? null : changes;
 }
 
 function lineChanges(from: boolean | object, to: boolean | object): Values | null {
-  const changes = changed(Object(from) as Values, Object(to) as Values, HATCHING_LINE_DEFAULTS);
-  return changes && Object.keys(changes).some((name) => BAKED_LINE_OPTIONS.includes(name)) ? null : changes;
+  const changes = changed(Object(from) as Values, Object(to) as Values, HATCHING_OUTLINE_DEFAULTS);
+  return changes && Object.keys(changes).some((name) => BAKED_OUTLINE_OPTIONS.includes(name)) ? null : changes;
 }
 
 /**

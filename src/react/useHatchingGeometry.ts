@@ -24,7 +24,7 @@ interface Prepared {
  *
  * ```tsx
  * const source = useMemo(() => new TorusKnotGeometry(), []);
- * const geometry = useHatchingGeometry(source, { lines: true });
+ * const geometry = useHatchingGeometry(source, { outlines: true });
  * return geometry && <mesh geometry={geometry}><hatchingMaterial tonalArtMap={map} /></mesh>;
  * ```
  *

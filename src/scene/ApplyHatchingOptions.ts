@@ -1,16 +1,16 @@
 import type { Material, Mesh } from 'three';
-import type { LineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
-import type { HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
+import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
+import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
 import type { MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
 import type { HatchedScene } from './HatchedScene.js';
 import type { HatchingPreset, PresetName } from './presets.js';
 
 /** Options of `applyHatching`. Those of `prepareHatchingGeometry` are among them, and apply to every mesh. */
-export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'lines'> {
+export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'outlines'> {
   /**
-   * The preset to start from, by its name or as an object: material, lines and map. The other options override it; the
-   * parameters in `material` and `lines` do so one by one. Default: no preset.
+   * The preset to start from, by its name or as an object: material, outlines and map. The other options override it; the
+   * parameters in `material` and `outlines` do so one by one. Default: no preset.
    */
   preset?: PresetName | HatchingPreset | undefined;
   /**
@@ -32,16 +32,16 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   material?: HatchingMaterialParameters | ((source: Material, mesh: Mesh) => HatchingMaterialParameters) | undefined;
   /**
    * The size of the strokes, in tiles of the map per world unit: it is the same on small and large objects. In contrast, a
-   * `strokeScale` among the parameters of the materials is per unit of object space. Default: 3 divided by the radius of the
+   * `tilesPerUnit` among the parameters of the materials is per unit of object space. Default: 3 divided by the radius of the
    * whole scene.
    */
-  strokeScale?: number | undefined;
+  tilesPerWorldUnit?: number | undefined;
   /**
-   * Draws contours, borders and creases: every mesh gets a child of the class `HatchingLines`. Pass `true`, or an object that
-   * says which edges are creases (`LineOptions`) and how the lines look (the properties of `HatchingLineMaterial`). Default: no
-   * lines.
+   * Draws contours, borders and creases: every mesh gets a child of the class `HatchingOutlines`. Pass `true`, or an object that
+   * says which edges are creases (`OutlineOptions`) and how the outlines look (the properties of `HatchingOutlineMaterial`). Default: no
+   * outlines.
    */
-  lines?: boolean | (LineOptions & HatchingLineParameters) | undefined;
+  outlines?: boolean | (OutlineOptions & HatchingOutlineParameters) | undefined;
   /** Returns whether to hatch a mesh. Default: all meshes are hatched. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
   /** Called whenever a geometry is finished, with the number of finished geometries and of all. Several are baked at a time. */

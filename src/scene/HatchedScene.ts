@@ -1,8 +1,8 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
 import { identityOf } from '../geometry/identityOf.js';
-import type { HatchingLines } from '../lines/HatchingLines.js';
 import { FIELD_FRAME } from '../material/fieldFrame.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 
 /** A mesh that was left unchanged. */
@@ -14,7 +14,7 @@ export interface SkippedMesh {
   error?: Error | undefined;
 }
 
-/** The geometry and material of a mesh, and the frame of its lines. */
+/** The geometry and material of a mesh, and the frame of its outlines. */
 export interface MeshLook {
   mesh: Mesh;
   geometry: BufferGeometry;
@@ -33,7 +33,7 @@ export class HatchedScene {
    * Gives the meshes their new looks, all at once.
    *
    * @param materials all new materials; you may change them
-   * @param lines the lines of all meshes, if requested; you may change their materials
+   * @param outlines the outlines of all meshes, if requested; you may change their materials
    * @param skipped meshes that were left alone
    * @param followers take over what changes in the materials that were replaced
    * @param disposables everything that `dispose()` frees
@@ -42,7 +42,7 @@ export class HatchedScene {
   constructor(
     looks: readonly MeshLook[],
     readonly materials: readonly HatchingMaterial[],
-    readonly lines: readonly HatchingLines[],
+    readonly outlines: readonly HatchingOutlines[],
     readonly skipped: readonly SkippedMesh[],
     private readonly followers: readonly MaterialFollower[],
     private readonly disposables: { dispose(): void }[],
@@ -51,22 +51,22 @@ export class HatchedScene {
     this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
     this.held = new Set(looks.map(({ mesh }) => identityOf(mesh)));
     for (const { before, after } of this.changes) exchangeLook(before, after);
-    for (const child of lines) child.mesh?.add(child);
+    for (const child of outlines) child.mesh?.add(child);
   }
 
   /**
-   * Gives every mesh back its former geometry and material, and removes its lines. A geometry or material that you have set since
+   * Gives every mesh back its former geometry and material, and removes its outlines. A geometry or material that you have set since
    * stays. A second call does nothing. The new geometries and materials stay usable until `dispose()`.
    */
   restore(): void {
-    for (const child of this.lines) child.removeFromParent();
+    for (const child of this.outlines) child.removeFromParent();
     for (const { before, after } of this.changes) exchangeLook(after, before);
     this.changes = [];
     this.held = new Set();
     this.releaseMeshes();
   }
 
-  /** Restores the meshes, and frees all new geometries, materials and lines, and the map unless it is yours. */
+  /** Restores the meshes, and frees all new geometries, materials and outlines, and the map unless it is yours. */
   dispose(): void {
     this.restore();
     for (const disposable of this.disposables.splice(0)) disposable.dispose();

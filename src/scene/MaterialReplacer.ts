@@ -19,7 +19,7 @@ export class MaterialReplacer {
   readonly followers: MaterialFollower[] = [];
   /** The keys consist of the source, the scale, and whether the mesh deforms. */
   private readonly replacements = new Map<string, HatchingMaterial>();
-  /** The scales of those materials whose parameters set no `strokeScale`. */
+  /** The scales of those materials whose parameters set no `tilesPerUnit`. */
   private readonly scales = new Map<HatchingMaterial, number>();
 
   constructor(
@@ -40,9 +40,9 @@ export class MaterialReplacer {
     return Array.isArray(old) ? old.map(replace) : replace(old);
   }
 
-  /** Gives the strokes the same size in world space, for all materials whose parameters set no `strokeScale`. */
-  setStrokeScale(tilesPerWorldUnit: number): void {
-    for (const [material, scale] of this.scales) material.strokeScale = tilesPerWorldUnit * scale;
+  /** Gives the strokes the same size in world space, for all materials whose parameters set no `tilesPerUnit`. */
+  setTilesPerUnit(tilesPerWorldUnit: number): void {
+    for (const [material, scale] of this.scales) material.tilesPerUnit = tilesPerWorldUnit * scale;
   }
 
   dispose(): void {
@@ -58,7 +58,7 @@ export class MaterialReplacer {
       this.replacements.set(key, material);
       this.materials.push(material);
       this.followers.push(new MaterialFollower(source, material, Object.keys(parameters)));
-      if (parameters.strokeScale === undefined) this.scales.set(material, scale);
+      if (parameters.tilesPerUnit === undefined) this.scales.set(material, scale);
     }
     return material;
   }

@@ -3,10 +3,10 @@ import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
 import { describeObject } from '../geometry/describeObject.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
-import type { HatchingLines } from '../lines/HatchingLines.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import { needsAdjacency, needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { runSliced } from '../slices/runSliced.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
@@ -19,9 +19,9 @@ import { claimMeshes } from './claimMeshes.js';
 import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
-import { LineMaker } from './LineMaker.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
+import { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { isBatched, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { withPreset } from './withPreset.js';
@@ -31,7 +31,7 @@ import { worldMatrices, worldScale } from './worldMatrices.js';
 const OWN_OPTIONS = {
   tonalArtMap: true,
   material: true,
-  strokeScale: true,
+  tilesPerWorldUnit: true,
   filter: true,
   onGeometry: true,
   preset: true,
@@ -60,7 +60,7 @@ interface PlannedMesh extends OldLook {
 interface MadeLooks {
   looks: MeshLook[];
   materials: HatchingMaterial[];
-  lines: HatchingLines[];
+  outlines: HatchingOutlines[];
   skipped: SkippedMesh[];
   followers: MaterialFollower[];
 }
@@ -82,7 +82,7 @@ const MAP_SHARE = 0.2;
  * Call `await renderer.compileAsync(scene, camera)` afterwards to compile every program before the first frame.
  *
  * - A material that meshes share becomes one shared material. If the meshes differ in scale, there is one material per scale,
- *   because `strokeScale` refers to object space. Meshes that deform get a material of their own.
+ *   because `tilesPerUnit` refers to object space. Meshes that deform get a material of their own.
  * - Meshes that already have a `HatchingMaterial` are left alone.
  * - `skipped` lists the meshes that were left alone, each with the reason: those whose material is a `ShaderMaterial`, has an
  *   `onBeforeCompile` of its own or shows a render target, as helpers such as grids, mirrors, text and contact shadows do; those
@@ -90,10 +90,10 @@ const MAP_SHARE = 0.2;
  *   that are hatched already, so that after meshes were added another call hatches them; and, with an `error`, those whose
  *   geometry cannot be baked or whose geometry or material was replaced during the call.
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
- *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines.
+ *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate outlines.
  * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it. No map is generated for
  *   materials that need none.
- * - `lines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
+ * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
  *   it was filled with prepared geometries.
  *
@@ -130,11 +130,11 @@ export async function applyHatching(
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const { looks, materials, lines, skipped, followers } = await makeLooks(root, choice, options, disposables);
+    const { looks, materials, outlines, skipped, followers } = await makeLooks(root, choice, options, disposables);
     replaces?.dispose();
     releaseMeshes();
     releaseMeshes = claimMeshes(looks.map(({ mesh }) => mesh));
-    const scene = new HatchedScene(looks, materials, lines, skipped, followers, disposables, releaseMeshes);
+    const scene = new HatchedScene(looks, materials, outlines, skipped, followers, disposables, releaseMeshes);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
     }
@@ -155,7 +155,7 @@ async function makeLooks(
   options: ApplyHatchingOptions,
   disposables: Disposable[],
 ): Promise<MadeLooks> {
-  const { replaces, signal, lines, strokeScale, onGeometry, onProgress, tonalArtMap: wanted = {} } = options;
+  const { replaces, signal, outlines, tilesPerWorldUnit, onGeometry, onProgress, tonalArtMap: wanted = {} } = options;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
   const replacer = new MaterialReplacer(options.material ?? {});
   disposables.push(replacer);
@@ -165,12 +165,12 @@ async function makeLooks(
   const withoutMap = replacer.materials.filter((material) => material.tonalArtMap === null && needsMap(material));
   const isMapMade = withoutMap.length > 0 && isToBeMade(wanted);
   const mapShare = isMapMade ? MAP_SHARE : 0;
-  const lineMaker = lines ? new LineMaker(lines === true ? {} : lines) : null;
+  const outlineMaker = outlines ? new OutlineMaker(outlines === true ? {} : outlines) : null;
   const baked = await bakeGeometries(
     layoutsFor(planned, options),
     {
       ...prepareOptions(options),
-      lines: lineMaker?.creases ?? false,
+      outlines: outlineMaker?.creases ?? false,
       onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)),
     },
     { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
@@ -183,9 +183,9 @@ async function makeLooks(
   const map = await makeMap(wanted, isMapMade, { ...options, onProgress: onMapProgress }, disposables);
   for (const material of withoutMap) material.tonalArtMap = map;
   signal?.throwIfAborted();
-  const finishing = finish(root, { looks, claimed }, replacer, { strokeScale, lineMaker });
-  if (lineMaker) disposables.push(lineMaker);
-  const allLines = await runSliced(finishing, { signal });
+  const finishing = finish(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
+  if (outlineMaker) disposables.push(outlineMaker);
+  const allOutlines = await runSliced(finishing, { signal });
 
   const changed = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
   const kept = looks.filter(({ mesh }) => !changed.has(mesh));
@@ -195,7 +195,7 @@ async function makeLooks(
   return {
     looks: kept,
     materials: replacer.materials.filter((material) => used.has(material)),
-    lines: allLines.filter(({ mesh }) => !changed.has(mesh!)),
+    outlines: allOutlines.filter(({ mesh }) => !changed.has(mesh!)),
     skipped: [...leftAlone, ...skipped],
     followers: replacer.followers,
   };
@@ -213,11 +213,11 @@ function prepareOptions({
   replaces: _replaces,
   tonalArtMap: _map,
   material: _material,
-  strokeScale: _strokeScale,
+  tilesPerWorldUnit: _tilesPerWorldUnit,
   filter: _filter,
   onGeometry: _onGeometry,
   ...options
-}: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'lines'> {
+}: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'outlines'> {
   return options;
 }
 
@@ -265,7 +265,15 @@ function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Gen
 
 /** Checks the options that only `applyHatching` has. Those of the geometry are checked by `prepareHatchingGeometry`. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {
-  const { filter, lines = false, onGeometry, material = {}, replaces, strokeScale = 1, tonalArtMap = null } = options;
+  const {
+    filter,
+    outlines = false,
+    onGeometry,
+    material = {},
+    replaces,
+    tilesPerWorldUnit = 1,
+    tonalArtMap = null,
+  } = options;
   if (replaces !== undefined && !(replaces instanceof HatchedScene)) {
     throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
   }
@@ -275,15 +283,17 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
   if (onGeometry !== undefined && typeof onGeometry !== 'function') {
     throw new TypeError('applyHatching: onGeometry must be a function of two numbers, or left out.');
   }
-  if (typeof lines !== 'boolean' && (typeof lines !== 'object' || lines === null)) {
-    throw new TypeError('applyHatching: lines must be true, false or an object with options of creases and lines.');
+  if (typeof outlines !== 'boolean' && (typeof outlines !== 'object' || outlines === null)) {
+    throw new TypeError(
+      'applyHatching: outlines must be true, false or an object with options of creases and outlines.',
+    );
   }
   if (material === null || !['object', 'function'].includes(typeof material)) {
     throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
   }
-  if (!(strokeScale > 0 && strokeScale < Infinity)) {
+  if (!(tilesPerWorldUnit > 0 && tilesPerWorldUnit < Infinity)) {
     throw new RangeError(
-      `applyHatching: strokeScale is ${strokeScale}, but must be a positive number of tiles per world unit, or left out.`,
+      `applyHatching: tilesPerWorldUnit is ${tilesPerWorldUnit}, but must be a positive number of tiles per world unit, or left out.`,
     );
   }
   if (!isToBeMade(tonalArtMap)) checkTonalArtMap(tonalArtMap);
@@ -350,28 +360,28 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
 }
 
 /**
- * Sets the size of the strokes, and gives every look its coordinate frame and its lines. It yields after each look, since a scene
+ * Sets the size of the strokes, and gives every look its coordinate frame and its outlines. It yields after each look, since a scene
  * may have thousands of meshes.
  *
- * @returns the lines, which are not yet added to the scene
+ * @returns the outlines, which are not yet added to the scene
  */
 function* finish(
   root: Object3D,
   { looks, claimed }: { looks: readonly MeshLook[]; claimed: readonly Mesh[] },
   replacer: MaterialReplacer,
-  { strokeScale, lineMaker }: { strokeScale: number | undefined; lineMaker: LineMaker | null },
-): Generator<number, readonly HatchingLines[], void> {
+  { tilesPerWorldUnit, outlineMaker }: { tilesPerWorldUnit: number | undefined; outlineMaker: OutlineMaker | null },
+): Generator<number, readonly HatchingOutlines[], void> {
   // The strokes of meshes that were added have the size of those that are hatched already.
   const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
   const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
-  replacer.setStrokeScale(strokeScale ?? TILES_PER_RADIUS / radius);
+  replacer.setTilesPerUnit(tilesPerWorldUnit ?? TILES_PER_RADIUS / radius);
   const fieldFrameOf = fieldFrames(root, center);
   for (const look of looks) {
     look.fieldFrame = fieldFrameOf(look.mesh);
-    lineMaker?.addLines(look);
+    outlineMaker?.addOutlines(look);
     yield 0;
   }
-  return lineMaker?.lines ?? [];
+  return outlineMaker?.outlines ?? [];
 }
 
 /** A sphere around all meshes, in world space. If there are none, it is the unit sphere about the origin. */

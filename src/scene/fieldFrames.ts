@@ -5,7 +5,7 @@ import { worldMatrices, worldScale } from './worldMatrices.js';
 /**
  * Returns a function that computes the matrix from the object space of a mesh to a coordinate frame that all meshes share: the
  * frame of `root`, with its origin in a common centre. Engraved lines in this frame continue from mesh to mesh. Its unit is that
- * of the mesh's object space, because `strokeScale` refers to that. Instanced and batched meshes, and meshes with a singular
+ * of the mesh's object space, because `tilesPerUnit` refers to that. Instanced and batched meshes, and meshes with a singular
  * matrix, have no such frame.
  *
  * @param centre the centre of all meshes, in world space

@@ -1,15 +1,15 @@
-import type { LineOptions } from '../geometry/prepareHatchingGeometry.js';
-import type { HatchingLineParameters } from '../lines/HatchingLineMaterial.js';
+import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
 import type { ToneCurve } from '../material/fitToneCurve.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
+import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
 import type { MapDrawing } from '../tam/TonalArtMap.js';
 
-/** A complete look: the material, lines and tonal art map, in the form of the options of `applyHatching`. */
+/** A complete look: the material, outlines and tonal art map, in the form of the options of `applyHatching`. */
 export interface HatchingPreset {
   /** The parameters of the material, including ink and paper. */
   readonly material: Readonly<HatchingMaterialParameters>;
-  /** The options and parameters of the lines. */
-  readonly lines: Readonly<LineOptions & HatchingLineParameters>;
+  /** The options and parameters of the outlines. */
+  readonly outlines: Readonly<OutlineOptions & HatchingOutlineParameters>;
   /** The options of `TonalArtMap.generate`; `null` if the preset needs no map. */
   readonly tonalArtMap: Readonly<MapDrawing> | null;
 }
@@ -63,7 +63,7 @@ const makePresets = () =>
     pen: {
       material: {
         technique: 'anchored',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         anchorSpacing: 0.4,
         strokeWidth: 1.5,
         strokeRotation: Math.PI / 2,
@@ -75,13 +75,13 @@ const makePresets = () =>
         ink: BLACK,
         paper: WHITE,
       },
-      lines: { lineWidth: 1.8, wobble: 1, ink: BLACK },
+      outlines: { outlineWidth: 1.8, wobble: 1, ink: BLACK },
       tonalArtMap: { style: 'hatching' },
     },
     crossHatching: {
       material: {
         technique: 'anchored',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         anchorSpacing: 0.4,
         strokeWidth: 1.2,
         strokeRotation: Math.PI / 4,
@@ -93,13 +93,13 @@ const makePresets = () =>
         ink: BLACK,
         paper: WHITE,
       },
-      lines: { lineWidth: 1.4, wobble: 1, ink: BLACK },
+      outlines: { outlineWidth: 1.4, wobble: 1, ink: BLACK },
       tonalArtMap: { style: 'contours' },
     },
     engraving: {
       material: {
         technique: 'engraved',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         lineField: 'light',
         lineSpacing: 4.5,
         crossFrom: 0.52,
@@ -110,13 +110,13 @@ const makePresets = () =>
         ink: BLACK,
         paper: WHITE,
       },
-      lines: { lineWidth: 1.5, ink: BLACK },
+      outlines: { outlineWidth: 1.5, ink: BLACK },
       tonalArtMap: null,
     },
     technical: {
       material: {
         technique: 'engraved',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         lineField: 'y',
         lineSpacing: 5,
         crossFrom: 1,
@@ -126,14 +126,14 @@ const makePresets = () =>
         ink: BLACK,
         paper: WHITE,
       },
-      lines: { lineWidth: 1.6, creases: 1, materialBorders: 1, shadeWeights: [1, 1], ink: BLACK },
+      outlines: { outlineWidth: 1.6, creases: 1, materialBorders: 1, shadeWeights: [1, 1], ink: BLACK },
       tonalArtMap: null,
     },
     woodcut: {
       material: {
         technique: 'engraved',
         carved: true,
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         lineField: 'towards',
         lineSpacing: 7,
         crossFrom: 1,
@@ -143,13 +143,13 @@ const makePresets = () =>
         ink: '#120e0a',
         paper: '#ece0c4',
       },
-      lines: { lineWidth: 3.2, ink: '#120e0a' },
+      outlines: { outlineWidth: 3.2, ink: '#120e0a' },
       tonalArtMap: null,
     },
     stipple: {
       material: {
         technique: 'anchored',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         anchorSpacing: 0.4,
         strokeWidth: 2.6,
         strokeRotation: Math.PI / 2,
@@ -160,13 +160,13 @@ const makePresets = () =>
         ink: BLACK,
         paper: WHITE,
       },
-      lines: { lineWidth: 1, ink: BLACK },
+      outlines: { outlineWidth: 1, ink: BLACK },
       tonalArtMap: null,
     },
     pencil: {
       material: {
         technique: 'anchored',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         anchorSpacing: 0.5,
         strokeWidth: 2,
         strokeRotation: 0.75 * Math.PI,
@@ -183,13 +183,13 @@ const makePresets = () =>
         ink: '#34343a',
         paper: '#fbfaf6',
       },
-      lines: { lineWidth: 1.3, wobble: 1, tooth: 0.4, toothSize: 1.6, ink: '#34343a' },
+      outlines: { outlineWidth: 1.3, wobble: 1, tooth: 0.4, toothSize: 1.6, ink: '#34343a' },
       tonalArtMap: { style: 'hatching' },
     },
     charcoal: {
       material: {
         technique: 'anchored',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         anchorSpacing: 0.5,
         strokeWidth: 6,
         strokeRotation: Math.PI / 4,
@@ -204,13 +204,13 @@ const makePresets = () =>
         ink: '#1d1a19',
         paper: '#e6dccb',
       },
-      lines: { lineWidth: 4, wobble: 1, tooth: 0.6, toothSize: 2, ink: '#1d1a19' },
+      outlines: { outlineWidth: 4, wobble: 1, tooth: 0.6, toothSize: 2, ink: '#1d1a19' },
       tonalArtMap: { style: 'hatching' },
     },
     chalk: {
       material: {
         technique: 'anchored',
-        screenConstancy: 1,
+        sizedOnScreen: 1,
         anchorSpacing: 0.5,
         strokeWidth: 7,
         strokeRotation: 0,
@@ -225,7 +225,7 @@ const makePresets = () =>
         ink: '#f4f1e6',
         paper: '#2f3a38',
       },
-      lines: { lineWidth: 2.6, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
+      outlines: { outlineWidth: 2.6, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
       tonalArtMap: { style: 'hatching' },
     },
   }) as const satisfies Record<string, HatchingPreset>;
@@ -239,7 +239,7 @@ function frozen<Value>(value: Value): Value {
 }
 
 /**
- * The presets: looks to start from, each with material, lines and map.
+ * The presets: looks to start from, each with material, outlines and map.
  *
  * ```ts
  * await applyHatching(gltf.scene, presets.engraving);

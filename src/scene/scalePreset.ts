@@ -1,5 +1,5 @@
-import { scaledLineSizes } from '../lines/lineProperties.js';
 import { scaledSizes } from '../material/facts/lookFacts.js';
+import { scaledOutlineSizes } from '../outlines/outlineProperties.js';
 import type { HatchingPreset } from './presets.js';
 
 /**
@@ -14,10 +14,10 @@ export function scalePreset(preset: HatchingPreset, factor: number): HatchingPre
   if (!(factor > 0 && factor < Infinity)) {
     throw new RangeError(`scalePreset: the factor is ${factor}, but must be a positive number, such as 2.`);
   }
-  const { material, lines } = preset;
+  const { material, outlines } = preset;
   return {
     ...preset,
     material: { ...material, ...scaledSizes(material, factor) },
-    lines: { ...lines, ...scaledLineSizes(lines, factor) },
+    outlines: { ...outlines, ...scaledOutlineSizes(outlines, factor) },
   };
 }

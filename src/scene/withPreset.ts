@@ -3,8 +3,8 @@ import { type HatchingPreset, type PresetName, presets } from './presets.js';
 
 /**
  * Returns the options of `applyHatching` for a preset, overridden by your own options. Parameters of the material and of the
- * lines override those of the preset one by one, all other options as a whole. `lines: false` leaves out the lines of the preset,
- * `lines: true` keeps them.
+ * outlines override those of the preset one by one, all other options as a whole. `outlines: false` leaves out the outlines of the preset,
+ * `outlines: true` keeps them.
  *
  * @param preset the name of a preset, or a preset of your own
  * @throws RangeError if there is no preset of this name
@@ -13,12 +13,15 @@ export function withPreset(
   preset: PresetName | HatchingPreset,
   { preset: _preset, ...options }: ApplyHatchingOptions = {},
 ): ApplyHatchingOptions {
-  const { material, lines, tonalArtMap } = presetOf(preset);
-  const { material: own = {}, lines: ownLines = true } = options;
+  const { material, outlines, tonalArtMap } = presetOf(preset);
+  const { material: own = {}, outlines: ownOutlines = true } = options;
   return {
     ...options,
     material: typeof own === 'function' ? (...args) => ({ ...material, ...own(...args) }) : { ...material, ...own },
-    lines: typeof ownLines === 'object' && ownLines !== null ? { ...lines, ...ownLines } : ownLines && lines,
+    outlines:
+      typeof ownOutlines === 'object' && ownOutlines !== null
+        ? { ...outlines, ...ownOutlines }
+        : ownOutlines && outlines,
     // A preset without a map needs none. If your options change its technique, it may need one, and gets the default map.
     tonalArtMap: options.tonalArtMap === undefined ? (tonalArtMap ?? undefined) : options.tonalArtMap,
   };

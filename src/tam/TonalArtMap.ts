@@ -1,7 +1,7 @@
 import { assertHatchImages, checkHatchImages, type HatchImageReport } from '../hatchImages/checkHatchImages.js';
 import { deriveThresholds } from '../hatchImages/deriveThresholds.js';
 import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThresholds.js';
-import { DEFAULT_STROKE_WIDTH, type HatchImages } from '../hatchImages/HatchImages.js';
+import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../hatchImages/HatchImages.js';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import type { TonalArtMapSource } from '../mapFiles/readSource.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
@@ -25,14 +25,14 @@ export type MapDrawing = HatchImageOptions;
 export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
 
 /** The names of the properties that `fromHatchImages` reads. */
-const HATCH_IMAGES = { size: true, images: true, strokeWidth: true } satisfies Record<keyof HatchImages, true>;
+const HATCH_IMAGES = { size: true, images: true, strokeTexels: true } satisfies Record<keyof HatchImages, true>;
 
 /** What is known of a map before it is drawn. */
 interface MapShape {
   size: number;
   tones: number;
   levels: number;
-  strokeWidth: number;
+  strokeTexels: number;
 }
 
 /** What a map is made of. */
@@ -60,7 +60,7 @@ export class TonalArtMap {
   /** Number of levels. Each has half the texels per side of the previous level. */
   readonly levels: number;
   /** Width of the strokes in texels, the same on every level. */
-  readonly strokeWidth: number;
+  readonly strokeTexels: number;
   /**
    * The hatch images, as an RGBA array texture with drawn mip levels; without an image until the map is ready. It holds no colours:
    * layer l, channel c holds tone min(3l + c, tones − 1), 1 = paper, 0 = ink, so that one fetch reads both neighbours of any tone.
@@ -75,11 +75,11 @@ export class TonalArtMap {
   private cachedThresholdTexture: ThresholdTexture | undefined;
   private cachedMoments: ThresholdMoments | undefined;
 
-  private constructor({ size, tones, levels, strokeWidth }: MapShape) {
+  private constructor({ size, tones, levels, strokeTexels }: MapShape) {
     this.size = size;
     this.tones = tones;
     this.levels = levels;
-    this.strokeWidth = strokeWidth;
+    this.strokeTexels = strokeTexels;
     this.texture = new TonalArtMapTexture(size, levels, tones);
   }
 
@@ -113,10 +113,10 @@ export class TonalArtMap {
 
   private static begin(caller: string, options: TonalArtMapOptions): TonalArtMap {
     checkOptions(caller, options, HATCH_IMAGE_OPTIONS);
-    const { style, seed, size, tones, levels, strokeWidth, ...taskOptions } = options;
-    const drawing: HatchImageOptions = { style, seed, size, tones, levels, strokeWidth };
+    const { style, seed, size, tones, levels, strokeTexels, ...taskOptions } = options;
+    const drawing: HatchImageOptions = { style, seed, size, tones, levels, strokeTexels };
     const { style: strokes, ...shape } = resolveHatchImageOptions(drawing, caller);
-    const map = new TonalArtMap({ ...shape, strokeWidth: strokes.width });
+    const map = new TonalArtMap({ ...shape, strokeTexels: strokes.width });
     map.drawn = drawHatchImages(drawing, taskOptions).then(({ images, thresholds }) =>
       map.fill(images, thresholds, true),
     );
@@ -132,8 +132,8 @@ export class TonalArtMap {
     thresholds: ThresholdLevel[] | undefined,
     hasDrawnThresholds: boolean,
   ): TonalArtMap {
-    const { size, images: tones, strokeWidth = DEFAULT_STROKE_WIDTH } = images;
-    const map = new TonalArtMap({ size, tones: tones.length, levels: tones[0].length, strokeWidth });
+    const { size, images: tones, strokeTexels = DEFAULT_STROKE_TEXELS } = images;
+    const map = new TonalArtMap({ size, tones: tones.length, levels: tones[0].length, strokeTexels });
     return map.fill(images, thresholds, hasDrawnThresholds);
   }
 
@@ -181,7 +181,7 @@ export class TonalArtMap {
       { ...options, onProgress: onProgress && ((done) => onProgress(READING_SHARE + (1 - READING_SHARE) * done)) },
       async () => ({ ...(await readSource(source, signal, () => {})), lacksLevels }),
     );
-    return TonalArtMap.of({ ...images, strokeWidth: read.strokeWidth }, levels, false);
+    return TonalArtMap.of({ ...images, strokeTexels: read.strokeTexels }, levels, false);
   }
 
   /** Whether the map is drawn. */
@@ -306,7 +306,7 @@ export class TonalArtMap {
     const images = Array.from({ length: this.tones }, (_, tone) =>
       Array.from({ length: this.levels }, (_, level) => this.image(tone, level)),
     );
-    return { size: this.size, images, strokeWidth: this.strokeWidth };
+    return { size: this.size, images, strokeTexels: this.strokeTexels };
   }
 
   private assertLevel(method: string, level: number): void {

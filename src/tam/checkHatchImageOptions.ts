@@ -8,7 +8,7 @@ export const HATCH_IMAGE_OPTIONS = {
   size: true,
   tones: true,
   levels: true,
-  strokeWidth: true,
+  strokeTexels: true,
 } satisfies Record<keyof HatchImageOptions, true>;
 
 /**

@@ -134,7 +134,7 @@ for (const [args, message] of [
   [['tam', '--out', 'x', '--preset', 'pen', '--style', 'ruled'], '--preset and --style exclude each other'],
   [['tam', '--out', 'x', '--size', '100'], '--size is 100, but must be 64, 128, 256, 512 or 1024.'],
   [['tam', '--out', 'x', '--tones', 'many'], '--tones is many, but must be a whole number.'],
-  [['tam', '--out', 'x', '--stroke-width', '9'], '--stroke-width is 9, but must be a number from 1.2 to 2.6'],
+  [['tam', '--out', 'x', '--stroke-texels', '9'], '--stroke-texels is 9, but must be a number from 1.2 to 2.6'],
 ] as const) {
   test(`the command refuses: ${args.join(' ')}`, () => {
     const { status, stdout, stderr } = run(...args);

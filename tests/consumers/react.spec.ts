@@ -146,25 +146,25 @@ test('hot reload: an edited component is hatched anew, and the page and what it 
 test('the parts by hand: map, geometry, material and lines; what is taken away is at its default again', async ({
   page,
 }) => {
-  await page.evaluate(() => window.page.show({ hatched: false, byHand: true, ink: '#aa0000', lineWidth: 5 }));
+  await page.evaluate(() => window.page.show({ hatched: false, byHand: true, ink: '#aa0000', outlineWidth: 5 }));
   await page.waitForFunction(() => window.page.meshes()['by hand']);
   const parts = () =>
     page.evaluate(() => {
       const mesh = window.page.state.scene.getObjectByName('by hand') as import('three').Mesh;
       const material = mesh.material as unknown as import('three-hatching').HatchingMaterial;
-      const [lines] = mesh.children as import('three-hatching').HatchingLines[];
+      const [lines] = mesh.children as import('three-hatching').HatchingOutlines[];
       window.page.pixels();
       return {
         ink: material.ink.getHexString(),
         offset: material.strokeOffset.x,
         map: material.tonalArtMap?.size,
-        lineWidth: lines.material.lineWidth,
+        outlineWidth: lines.material.outlineWidth,
         wobble: lines.material.wobble,
       };
     });
-  expect(await parts()).toEqual({ ink: 'aa0000', offset: 0.5, map: 64, lineWidth: 5, wobble: 1 });
-  await page.evaluate(() => window.page.show({ ink: undefined, lineWidth: undefined }));
-  await expect.poll(parts).toEqual({ ink: '000000', offset: 0.5, map: 64, lineWidth: 1.8, wobble: 1 });
+  expect(await parts()).toEqual({ ink: 'aa0000', offset: 0.5, map: 64, outlineWidth: 5, wobble: 1 });
+  await page.evaluate(() => window.page.show({ ink: undefined, outlineWidth: undefined }));
+  await expect.poll(parts).toEqual({ ink: '000000', offset: 0.5, map: 64, outlineWidth: 1.8, wobble: 1 });
   const memory = await page.evaluate(async () => {
     window.page.show({ byHand: false });
     for (let i = 0; i < 3; i++) await new Promise((go) => requestAnimationFrame(go));

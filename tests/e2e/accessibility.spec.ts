@@ -18,7 +18,7 @@ async function violations(page: Page): Promise<string[]> {
 }
 
 test('axe finds nothing on the playground, at four sizes, with settings and gallery open', async ({ page }) => {
-  await openPlayground(page, 'model=cube&lines=off');
+  await openPlayground(page, 'model=cube&outlines=off');
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });
     expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);

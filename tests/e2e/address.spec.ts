@@ -6,7 +6,7 @@ import { changedShare } from './pictures.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
 
-const LOOK = 'mapSize=64&mapTones=4&lines=off&upAxis=z';
+const LOOK = 'mapSize=64&mapTones=4&outlines=off&upAxis=z';
 /** Pastes a link into the open page. */
 async function follow(page: Page, hash: string): Promise<void> {
   await page.evaluate((link) => {

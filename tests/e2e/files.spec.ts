@@ -215,7 +215,7 @@ test('a large model is drawn at once, before it is baked, and stays where it was
 });
 
 test('the caption says what is missing, whole, and all else is behind a button', async ({ page }) => {
-  await openPlayground(page, 'model=cube&lines=off');
+  await openPlayground(page, 'model=cube&outlines=off');
   const name = 'a square with a name that is as long as names of files get, more or less';
   const [obj, mtl] = [squareObj.replace('square.mtl', `${name}.mtl`), squareMtl.replace('sky.png', `${name}.png`)];
   const note = page.locator('#model-note');
@@ -256,7 +256,7 @@ test('the caption says what is missing, whole, and all else is behind a button',
 });
 
 test('a model that is the wrong way up is turned when asked to, and turned back with Undo', async ({ page }) => {
-  await openPlayground(page, 'model=cube&lines=off');
+  await openPlayground(page, 'model=cube&outlines=off');
   await drop(page, [file('cone.obj', lyingConeObj())]);
   await expect(page.locator('#model-name')).toHaveText('cone.obj');
   const hint = page.getByText('It seems to be the wrong way up.');

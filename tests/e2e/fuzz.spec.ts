@@ -37,7 +37,7 @@ test('damaged files leave the page drawing, silent and on its own', async ({ pag
     CASES.map(([kind, seed]) => ({ kind, seed })),
     {
       address: baseURL!,
-      settings: 'occlusion=0&shadows=off&lines=off&ground=none',
+      settings: 'occlusion=0&shadows=off&outlines=off&ground=none',
       watched: [pageProblems, elsewhere],
       onCase: (outcome) => ended.push(outcome),
     },

@@ -9,7 +9,7 @@ import { changedShare, meanInk } from './pictures.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
 
-const LINK = 'model=cube&mapSize=64&mapTones=4&lines=off';
+const LINK = 'model=cube&mapSize=64&mapTones=4&outlines=off';
 const octahedron = file('octahedron.ply', octahedronPly);
 
 /** Waits until the browser keeps what the page shows, by the link in the page's address. */

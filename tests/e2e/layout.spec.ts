@@ -88,7 +88,7 @@ async function openAll(page: Page): Promise<void> {
 
 test('nothing overlaps, is cut off or sticks out, at eight widths and in three fonts', async ({ page }) => {
   await page.setViewportSize({ width: 1000, height: 500 });
-  await openPlayground(page, 'model=cube&lines=off');
+  await openPlayground(page, 'model=cube&outlines=off');
   for (const font of FONTS) {
     await page.evaluate((name) => {
       if (name) document.body.style.setProperty('--serif', `"${name}"`);
@@ -106,7 +106,7 @@ test.describe('at 200 %', () => {
   test.use({ deviceScaleFactor: 2, viewport: { width: 640, height: 512 } });
 
   test('nothing is cut off or out of reach: the page twice as large, or its letters alone', async ({ page }) => {
-    await openPlayground(page, 'model=cube&lines=off');
+    await openPlayground(page, 'model=cube&outlines=off');
     // Windows of 1,280 × 1,024, 1,366 × 768 and 1,920 × 1,080 pixels: what is left of them at twice the size.
     for (const [width, height] of [
       [640, 512],

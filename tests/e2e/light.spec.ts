@@ -36,7 +36,7 @@ async function expectFaceAsReference(page: Page, along: 'T' | 'B'): Promise<void
 }
 
 test('strokes and tone of a face follow the light when it is dragged', async ({ page }) => {
-  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&strokeScale=5`);
+  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&tilesPerUnit=5`);
   await expectFaceAsReference(page, 'B');
   const before = await lampPlace(page);
   await dragLamp(page, { x: -40, y: -90 });
@@ -110,7 +110,7 @@ test('a second sun lightens its side, and crosses the strokes unless there is on
 test('at first sight no lamp hides what it lights, on no sheet, and its label has no box', async ({ page }) => {
   test.slow();
   // A view that colours all of the model, and nothing else.
-  const all = 'debugView=frames&lines=off&technique=triangle&mapSize=64&mapTones=4';
+  const all = 'debugView=frames&outlines=off&technique=triangle&mapSize=64&mapTones=4';
   await openPlayground(page, `model=cube&${all}`);
   await expect(page.locator('#lamp .hint')).toHaveCSS('background-color', 'rgba(0, 0, 0, 0)');
   for (const model of [
@@ -185,7 +185,7 @@ test.describe('on a narrow sheet', () => {
       // Near enough for the outline of the lamp's sphere to lie beyond both edges.
       await openPlayground(
         page,
-        `model=sphere&lines=off&camera=0,0,4,0,0,0&lightKind=${kind}&lightAzimuth=30&lightDistance=2.5`,
+        `model=sphere&outlines=off&camera=0,0,4,0,0,0&lightKind=${kind}&lightAzimuth=30&lightDistance=2.5`,
       );
       const from = await middleOf(page, '#lamp');
       const sheet = (await page.locator('#viewport').boundingBox())!;
@@ -202,7 +202,7 @@ test.describe('on a narrow sheet', () => {
 });
 
 test('arrow keys move the light by 5°, with Shift by 1°', async ({ page }) => {
-  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&strokeScale=5`);
+  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&tilesPerUnit=5`);
   await page.locator('#lamp').focus();
   await page.keyboard.press('ArrowRight');
   expect(await lampPlace(page)).toMatchObject({ azimuth: 45, elevation: 10 });
@@ -220,7 +220,7 @@ test.describe('by touch', () => {
   test('a finger moves the light, a second one changes its distance', async ({ page }) => {
     await openPlayground(
       page,
-      `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&strokeScale=5`,
+      `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&tilesPerUnit=5`,
     );
     const before = { place: await lampPlace(page), picture: await readDrawing(page) };
     const session = await page.context().newCDPSession(page);
@@ -253,7 +253,7 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
   page,
 }) => {
   const seenFrom = (camera: string) =>
-    `model=sphere&camera=${camera},0,0,0&lightAzimuth=-90&lightElevation=0&lines=off`;
+    `model=sphere&camera=${camera},0,0,0&lightAzimuth=-90&lightElevation=0&outlines=off`;
   const left = async () => {
     const picture = await readDrawing(page);
     return meanInk(picture, LEFT_HALF) - meanInk(picture, RIGHT_HALF);
@@ -273,7 +273,7 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
 
 test('a model goes aside for its shadow, and is in the middle again without one', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
-  const look = 'technique=engraved&lines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
+  const look = 'technique=engraved&outlines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
   await openPlayground(page, look);
   const alone = await readDrawing(page);
   await openPlayground(page, `${look}&shadows=on`);
@@ -290,7 +290,7 @@ test('a model goes aside for its shadow, and is in the middle again without one'
 
 test('a light that illustrators use is one press, and one undo', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, 'model=sphere&lightAzimuth=60&lightElevation=5&lines=off');
+  await openPlayground(page, 'model=sphere&lightAzimuth=60&lightElevation=5&outlines=off');
   const before = await readDrawing(page);
   await page.getByRole('button', { name: 'Light', exact: true }).press('Enter');
   await page.getByRole('button', { name: 'From below' }).press('Enter');
@@ -302,7 +302,7 @@ test('a light that illustrators use is one press, and one undo', async ({ page }
 });
 
 test('hollows become darker when asked for, by the light of the page', async ({ page }) => {
-  const view = 'model=teapot&lines=off&debugView=tone&lightAzimuth=30&lightElevation=60';
+  const view = 'model=teapot&outlines=off&debugView=tone&lightAzimuth=30&lightElevation=60';
   await openPlayground(page, view);
   const open = await readDrawing(page);
   await openPlayground(page, `${view}&occlusion=100`);

@@ -127,9 +127,9 @@ test('the camera orbits by mouse and keys, and frames the whole model again', as
 test('another model is seen whole, however near the camera was; a link keeps its own place', async ({ page }) => {
   const near = '0.2,0.1,1,0,0,0.7';
   await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, `model=cube&lines=off&camera=${near}`);
+  await openPlayground(page, `model=cube&outlines=off&camera=${near}`);
   await page.evaluate((camera) => {
-    location.hash = `model=sphere&lines=off&camera=${camera}`;
+    location.hash = `model=sphere&outlines=off&camera=${camera}`;
   }, near);
   await expect(page.locator('#model-name')).toHaveText('Sphere');
   await ready(page);
@@ -229,7 +229,7 @@ test.describe('with a touch screen', () => {
 
   test('copies the facts for a report by key and by touch, without the name of the file', async ({ page, context }) => {
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-    await openPlayground(page, 'mapSize=64&mapTones=4&lines=off&ink=%23123456');
+    await openPlayground(page, 'mapSize=64&mapTones=4&outlines=off&ink=%23123456');
     await drop(page, [file('secret.ply', octahedronPly)]);
     await expect(page.locator('#model-name')).toHaveText('secret.ply');
     await idle(page);

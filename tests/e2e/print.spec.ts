@@ -124,7 +124,7 @@ test('an A6 sheet measures what it should; cut to the drawing it is the same, sm
 test('the sheet that is chosen is framed over the drawing, which is composed for it; what it frames is what is saved', async ({
   page,
 }) => {
-  await openPlayground(page, 'technique=engraved&lines=off&model=column&pictureSize=a6&pictureDpi=150');
+  await openPlayground(page, 'technique=engraved&outlines=off&model=column&pictureSize=a6&pictureDpi=150');
   const frame = page.locator('.sheet-frame');
   await expect(frame).toHaveCount(0);
   const before = await readDrawing(page);

@@ -4,7 +4,7 @@ import { expect, test } from '../browser/test.js';
 test.use({ viewport: { width: 640, height: 420 } });
 
 test('programs of another technique are ready before anything is drawn with them', async ({ page }) => {
-  await openPlayground(page, 'model=cube&technique=triangle&lines=off&mapSize=64&mapTones=4');
+  await openPlayground(page, 'model=cube&technique=triangle&outlines=off&mapSize=64&mapTones=4');
   await page.evaluate(() => {
     const gl = document.querySelector<HTMLCanvasElement>('#drawing')!.getContext('webgl2')!;
     const seen = { linked: 0, early: 0 };
@@ -41,7 +41,7 @@ test('programs of another technique are ready before anything is drawn with them
   const frames = await page.evaluate(() => window.__playground!.framesDrawn);
   await follow(page, 'model=cube&technique=engraved&shadows=on&ground=floor');
   expect(await seen()).toMatchObject({ early: 0 });
-  await follow(page, 'model=cube&technique=adjacency&compare=anchored&lines=on&mapSize=64&mapTones=4');
+  await follow(page, 'model=cube&technique=adjacency&compare=anchored&outlines=on&mapSize=64&mapTones=4');
   const { linked, early } = (await seen()) as { linked: number; early: number };
   expect(linked).toBeGreaterThan(3);
   expect(early).toBe(0);

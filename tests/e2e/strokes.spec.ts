@@ -129,7 +129,7 @@ test('shadows of its own fall on a model, under every kind of light', async ({ p
 
 test('a model stands on its shadow or on a floor; a picture without paper keeps the shadow alone', async ({ page }) => {
   const view =
-    'model=sphere&camera=1.1,0.9,4.9,0,0,0&lightAzimuth=-60&lightElevation=50&lines=off&technique=engraved&screenConstancy=100';
+    'model=sphere&camera=1.1,0.9,4.9,0,0,0&lightAzimuth=-60&lightElevation=50&outlines=off&technique=engraved&sizedOnScreen=100';
   const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };
   const ink: Record<string, number> = {};
   for (const look of ['none', 'shadow', 'floor']) {
@@ -175,7 +175,7 @@ test('strokes sized on the screen keep their spacing when the camera comes neare
   const faceDepth = 1 / Math.sqrt(3);
   const spacing = async (constancy: number, distanceToFace: number): Promise<number> => {
     const camera = `0,0,${(faceDepth + distanceToFace).toFixed(3)},0,0,0`;
-    await openPlayground(page, `${CUBE}&screenConstancy=${constancy}&strokeScale=1&camera=${camera}`);
+    await openPlayground(page, `${CUBE}&sizedOnScreen=${constancy}&tilesPerUnit=1&camera=${camera}`);
     return edgeSpacing(await readDrawing(page), MIDDLE);
   };
   const near = await spacing(100, 1.4);

@@ -37,8 +37,12 @@ const cases: AnchoredCase[] = [
   { name: 'rotated object', matrixWorld: rotated },
   { name: 'rotated, moved and scaled object', matrixWorld: placed, lights: [point] },
   { name: 'mirrored object', matrixWorld: mirrored },
-  { name: 'no rotation, other scale and spacing', material: { strokeRotation: 0, strokeScale: 3 }, anchorSpacing: 0.6 },
-  { name: 'between levels of the map', material: { strokeScale: 0.6 } },
+  {
+    name: 'no rotation, other scale and spacing',
+    material: { strokeRotation: 0, tilesPerUnit: 3 },
+    anchorSpacing: 0.6,
+  },
+  { name: 'between levels of the map', material: { tilesPerUnit: 0.6 } },
   { name: 'seen at a slant', mesh: wall, matrixWorld: leaning, material: { strokeRotation: 0 } },
   {
     name: 'seen at a slant, strokes the other way',
@@ -58,12 +62,12 @@ const cases: AnchoredCase[] = [
     mesh: wall,
     matrixWorld: leaning,
     isOrthographic: true,
-    screenConstancy: 1,
+    sizedOnScreen: 1,
   },
-  { name: 'sized on the screen', screenConstancy: 1 },
-  { name: 'sized on the screen, seen at a slant', mesh: wall, matrixWorld: leaning, screenConstancy: 1 },
-  { name: 'sized on the screen, placed object', screenConstancy: 1, matrixWorld: placed, lights: [point] },
-  { name: 'sized half on the screen, two lights', screenConstancy: 0.5, lights: [directional, redSide] },
+  { name: 'sized on the screen', sizedOnScreen: 1 },
+  { name: 'sized on the screen, seen at a slant', mesh: wall, matrixWorld: leaning, sizedOnScreen: 1 },
+  { name: 'sized on the screen, placed object', sizedOnScreen: 1, matrixWorld: placed, lights: [point] },
+  { name: 'sized half on the screen, two lights', sizedOnScreen: 0.5, lights: [directional, redSide] },
   ...(['halfLambert', 'phong', 'toon'] as const).flatMap((toneModel) => [
     { name: toneModel, material: { toneModel } },
     { name: `${toneModel}, point light, moved object`, lights: [point], matrixWorld: placed, material: { toneModel } },
@@ -101,7 +105,7 @@ const cases: AnchoredCase[] = [
     matrixWorld: leaning,
     lights: crossed,
     material: { strokeLayers: 'tone', crossFrom: 0.1, crossAngle: 0.4 },
-    screenConstancy: 1,
+    sizedOnScreen: 1,
   },
   ...(['tone', 'cross', 'reorient'] as const).flatMap((shadowStrokes) => [
     { name: `in shadow, ${shadowStrokes}`, lights: [blocked, ambient], material: { shadowStrokes } },
@@ -121,9 +125,9 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
-for (const { anchorSpacing = 0.35, screenConstancy = 0, ...rest } of cases) {
+for (const { anchorSpacing = 0.35, sizedOnScreen = 0, ...rest } of cases) {
   test(`anchored equals the double-precision reference: ${rest.name}`, async ({ page }) => {
-    const spec: HatchingSpec = { ...specOf({ ...rest, screenConstancy }, 'anchored'), anchorSpacing };
+    const spec: HatchingSpec = { ...specOf({ ...rest, sizedOnScreen }, 'anchored'), anchorSpacing };
     const { positions, indices } = spec;
     const normals = spec.normals!;
     const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
@@ -131,11 +135,11 @@ for (const { anchorSpacing = 0.35, screenConstancy = 0, ...rest } of cases) {
     const fragments = rasterizeReference(trianglesOf(spec), spec.matrixWorld, spec.camera, SIZE, SIZE, false);
     const reference = referenceOf(spec);
     const settings: AnchoredSettings = {
-      strokeScale: spec.material.strokeScale,
+      tilesPerUnit: spec.material.tilesPerUnit,
       strokeRotation: spec.material.strokeRotation,
       anchorSpacing: spec.anchorSpacing!,
       halfTiles: spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
-      screenConstancy: spec.screenConstancy!,
+      sizedOnScreen: spec.sizedOnScreen!,
       shadowStrokes: spec.material.shadowStrokes,
       threshold: analyticThreshold.field,
       mapSize: analyticThreshold.size,

@@ -51,7 +51,7 @@ for (const technique of kindsOfTechnique) {
       const pictures: number[][] = [];
       for (const root of [separate, instanced]) {
         await applyHatching(root, options);
-        // Engraved lines run on from mesh to mesh; instances have lines of their own, and here the meshes shall too.
+        // Engraved lines run on from mesh to mesh; instances have outlines of their own, and here the meshes shall too.
         root.traverse(({ userData }) => delete userData.hatchingField);
         pictures.push(pixelsOf(sceneOf(sun(), root)));
       }
@@ -70,10 +70,14 @@ for (const technique of kindsOfTechnique) {
         const root = new THREE.Group().add(new THREE.Group().add(mesh));
         mesh.scale.setScalar(scale / 4);
         root.scale.setScalar(4);
-        await applyHatching(root, { tonalArtMap: stripedMap(), strokeScale: 2, material: { technique, ...material } });
+        await applyHatching(root, {
+          tonalArtMap: stripedMap(),
+          tilesPerWorldUnit: 2,
+          material: { technique, ...material },
+        });
         return pixelsOf(sceneOf(root, sun()));
       };
-      return [await show(1, 1), await show(0.05, 20), await show(0.05, 20, { strokeScale: 2 })];
+      return [await show(1, 1), await show(0.05, 20), await show(0.05, 20, { tilesPerUnit: 2 })];
     }, technique);
     expect(covered(modelled)).toBeGreaterThan(800);
     // Stripes fall on other pixels where positions are rounded otherwise.
@@ -120,7 +124,7 @@ test('a batch is hatched as it is by anchored', async ({ page }) => {
     }
     const pictures: number[][] = [];
     for (const root of [batch, group]) {
-      await applyHatching(root, { tonalArtMap: greyMap(), strokeScale: 2, material: { technique: 'anchored' } });
+      await applyHatching(root, { tonalArtMap: greyMap(), tilesPerWorldUnit: 2, material: { technique: 'anchored' } });
       pictures.push(pixelsOf(sceneOf(root, sun())));
     }
     return pictures;
@@ -149,9 +153,9 @@ for (const technique of kindsOfTechnique) {
       const use = () => ({ ...renderer.info.memory, programs: renderer.info.programs!.length });
       const before = pixelsOf(scene, renderer);
       const memory = [use()];
-      // On so small a picture lines sized on the object would fade into their tone.
-      const screenConstancy = technique === 'engraved' ? 1 : 0;
-      const handle = await applyHatching(root, { material: { technique, screenConstancy } });
+      // On so small a picture outlines sized on the object would fade into their tone.
+      const sizedOnScreen = technique === 'engraved' ? 1 : 0;
+      const handle = await applyHatching(root, { material: { technique, sizedOnScreen } });
       const hatched = pixelsOf(scene, renderer);
       memory.push(use());
       handle.restore();
@@ -219,7 +223,7 @@ test.describe('loaded glTF', () => {
   }
 });
 
-test('lines come with a scene, go with it, and leave nothing on the graphics card', async ({ page }) => {
+test('outlines come with a scene, go with it, and leave nothing on the graphics card', async ({ page }) => {
   const result = await page.evaluate(async () => {
     const { THREE, applyHatching, greyMap, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
@@ -235,19 +239,22 @@ test('lines come with a scene, go with it, and leave nothing on the graphics car
     camera.layers.enable(1);
     renderer.render(scene, camera);
     const before = { ...renderer.info.memory, children: torus.children.length };
-    const hatched = await applyHatching(root, { tonalArtMap: greyMap(), lines: { lineWidth: 3, creaseLength: 0 } });
+    const hatched = await applyHatching(root, {
+      tonalArtMap: greyMap(),
+      outlines: { outlineWidth: 3, creaseLength: 0 },
+    });
     renderer.compile(scene, camera);
     renderer.render(scene, camera);
-    const [first] = hatched.lines;
+    const [first] = hatched.outlines;
     const during = {
-      lines: hatched.lines.length,
+      outlines: hatched.outlines.length,
       onTorus: torus.children[0] === first,
       layers: first.layers.mask === torus.layers.mask,
-      width: first.material.lineWidth,
-      drawn: hatched.lines.every(({ geometry }) => geometry.drawRange.count > 0),
+      width: first.material.outlineWidth,
+      drawn: hatched.outlines.every(({ geometry }) => geometry.drawRange.count > 0),
       textures: renderer.info.memory.textures,
     };
-    // A clone of the scene has lines of its own, on its own meshes.
+    // A clone of the scene has outlines of its own, on its own meshes.
     const clone = root.clone();
     const clonedMesh = clone.children[0];
     const rebound = (clonedMesh.children[0] as typeof first).mesh === clonedMesh;
@@ -259,7 +266,7 @@ test('lines come with a scene, go with it, and leave nothing on the graphics car
     return { before, during, rebound, restored, after };
   });
   const { before, during, rebound, restored, after } = result;
-  expect(during).toMatchObject({ lines: 2, onTorus: true, layers: true, width: 3, drawn: true });
+  expect(during).toMatchObject({ outlines: 2, onTorus: true, layers: true, width: 3, drawn: true });
   expect(during.textures).toBeGreaterThan(before.textures);
   expect(rebound).toBe(true);
   expect(restored).toEqual({ children: 0, material: true });
@@ -267,12 +274,12 @@ test('lines come with a scene, go with it, and leave nothing on the graphics car
   expect(after.geometries).toBe(before.geometries);
 });
 
-test('lines that cannot be are refused before anything changes', async ({ page }) => {
+test('outlines that cannot be are refused before anything changes', async ({ page }) => {
   const messages = await page.evaluate(async () => {
     const { THREE, applyHatching } = window.toolkit;
     const mesh = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial());
     const { geometry } = mesh;
-    const tried = [{ lines: 3 }, { lines: { lineWidth: 0 } }, { lines: { creaseAngle: 7 } }];
+    const tried = [{ outlines: 3 }, { outlines: { outlineWidth: 0 } }, { outlines: { featureAngle: 7 } }];
     const messages: string[] = [];
     for (const options of tried) {
       await applyHatching(mesh, options as object).catch((error: Error) => messages.push(error.message));
@@ -281,8 +288,8 @@ test('lines that cannot be are refused before anything changes', async ({ page }
     return messages;
   });
   expect(messages).toEqual([
-    expect.stringMatching(/lines must be true, false or an object/),
-    expect.stringMatching(/lineWidth: 0 is not a number in \(0, ∞\)/),
-    expect.stringMatching(/lines\.creaseAngle is 7/),
+    expect.stringMatching(/outlines must be true, false or an object/),
+    expect.stringMatching(/outlineWidth: 0 is not a number in \(0, ∞\)/),
+    expect.stringMatching(/outlines\.featureAngle is 7/),
   ]);
 });

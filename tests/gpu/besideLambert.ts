@@ -380,7 +380,7 @@ function dressedIn(technique: HatchingTechnique, isPaper: boolean): Stage['dress
       toneNormal: parameters.flatShading ? 'face' : 'smooth',
       ...(isPaper ? {} : { debugView: 'tone' }),
       // Neighbours would blend a tone of their own into it.
-      ...(technique === 'adjacency' ? { creaseAngle: 0 } : {}),
+      ...(technique === 'adjacency' ? { blendAngle: 0 } : {}),
       ...rest,
     });
     if (color !== undefined) material.color.set(color as THREE.ColorRepresentation);

@@ -2,7 +2,7 @@ import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
 
 /** The technique `engraved`: how dark its lines are, how far apart, and what they are fixed to. */
 
-const test = onOnePage('tests/gpu/lines.html');
+const test = onOnePage('tests/gpu/outlines.html');
 
 test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.lining !== undefined);
@@ -15,7 +15,7 @@ test('the mean darkness is the tone, at every distance between octaves, with and
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2).rotateZ(0.3), { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', screenConstancy: 1 });
+    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', sizedOnScreen: 1 });
     const mesh = new THREE.Mesh(geometry, material);
     const light = new THREE.AmbientLight(0xffffff, 0);
     const scene = paperScene(mesh, light);
@@ -55,7 +55,7 @@ test('carved lines are white wedges that end in points, and their mean is the to
       carved: true,
       crossFrom: 1,
       lineField: 'y',
-      screenConstancy: 1,
+      sizedOnScreen: 1,
       handmade: 0,
     });
     const light = new THREE.AmbientLight(0xffffff, 0);
@@ -112,7 +112,7 @@ test('lines lie as far apart as asked on the screen, from near and far, or half 
       technique: 'engraved',
       handmade: 0,
       lineField: 'y',
-      screenConstancy: 1,
+      sizedOnScreen: 1,
       lineSpacing: 6,
       crossFrom: 1,
     });
@@ -150,12 +150,13 @@ test('a picture of more pixels has the same lines, whatever they are sized on, a
       const ink = draw(scene, camera, rendererOf(size));
       return Array.from({ length: size }, (_, y) => ink[y * size + size / 2]);
     };
-    const linesIn = (column: number[]) => column.filter((ink, y) => y > 0 && ink >= 0.3 && column[y - 1] < 0.3).length;
-    const pictures = [0, 0.5, 1].map((screenConstancy) => {
-      const sizes = { screenConstancy, lineSpacing: [80, 20, 5][2 * screenConstancy] };
-      return [1, 2, 4].map((factor) => linesIn(columnOf(150 * factor, { ...sizes, ...scaledSizes(sizes, factor) })));
+    const outlinesIn = (column: number[]) =>
+      column.filter((ink, y) => y > 0 && ink >= 0.3 && column[y - 1] < 0.3).length;
+    const pictures = [0, 0.5, 1].map((sizedOnScreen) => {
+      const sizes = { sizedOnScreen, lineSpacing: [80, 20, 5][2 * sizedOnScreen] };
+      return [1, 2, 4].map((factor) => outlinesIn(columnOf(150 * factor, { ...sizes, ...scaledSizes(sizes, factor) })));
     });
-    const sizes = { screenConstancy: 1, lineSpacing: 4.5, finestSpacing: 3 };
+    const sizes = { sizedOnScreen: 1, lineSpacing: 4.5, finestSpacing: 3 };
     const { finestSpacing: _, ...bound } = scaledSizes(sizes, 0.5);
     const full = columnOf(300, sizes);
     /** How far a column in half the resolution is from that in the full one, seen as small. */
@@ -184,7 +185,7 @@ test('lines cut by an axis stay while the light moves; those cut by the light tu
     const { THREE, draw, rendererOf, paperScene, lookFrom, mostDifferent } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.IcosahedronGeometry(1, 20), { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', screenConstancy: 1 });
+    const material = new HatchingMaterial({ technique: 'engraved', sizedOnScreen: 1 });
     const sun = new THREE.DirectionalLight(0xffffff, 1e-3);
     const scene = paperScene(new THREE.Mesh(geometry, material), sun, new THREE.AmbientLight(0xffffff, 0.6 * Math.PI));
     const changeWith = (lineField: 'light' | 'x') => {
@@ -215,7 +216,7 @@ test('the triangulation does not show: a flat sheet of 2 and of 5,000 triangles 
       const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2, parts, parts), {
         layout: 'indexed',
       });
-      const material = new HatchingMaterial({ technique: 'engraved', screenConstancy: 1 });
+      const material = new HatchingMaterial({ technique: 'engraved', sizedOnScreen: 1 });
       pictures.push(draw(paperScene(light, new THREE.Mesh(geometry, material)), lookFrom(1, 1, 3), rendererOf(300)));
     }
     return pictures[0].filter((one, i) => Math.abs(one - pictures[1][i]) > 0.1).length;
@@ -228,7 +229,7 @@ test('a scene that is engraved needs no map, and keeps its indices', async ({ pa
     const { THREE, draw, rendererOf, paperScene, lookFrom, total } = window.lining;
     const { applyHatching } = window.toolkit;
     const mesh = new THREE.Mesh(new THREE.TorusGeometry(0.8, 0.3, 24, 48), new THREE.MeshLambertMaterial());
-    const hatched = await applyHatching(mesh, { material: { technique: 'engraved', screenConstancy: 1 } });
+    const hatched = await applyHatching(mesh, { material: { technique: 'engraved', sizedOnScreen: 1 } });
     const light = new THREE.DirectionalLight(0xffffff, 2);
     const ink = total(draw(paperScene(light, mesh), lookFrom(1, 2, 4), rendererOf(300)));
     return { map: hatched.materials[0].tonalArtMap, layout: mesh.geometry.userData.hatching.layout, ink };
@@ -281,7 +282,7 @@ test('around a near lamp lines are cut by spheres: on a floor they are circles a
       technique: 'engraved',
       handmade: 0,
       crossFrom: 1,
-      screenConstancy: 1,
+      sizedOnScreen: 1,
       lineSpacing: 12,
     });
     // Two triangles: the rings must not come from vertices.
@@ -320,8 +321,8 @@ test('lines run on from mesh to mesh of a scene, whatever the parts are scaled, 
     light.position.set(1, 2, 2);
     const draws = async (scene: InstanceType<typeof THREE.Object3D>, clones = false) => {
       const hatched = await applyHatching(scene, {
-        material: { technique: 'engraved', screenConstancy: 0.5, lineSpacing: 20 },
-        strokeScale: 3,
+        material: { technique: 'engraved', sizedOnScreen: 0.5, lineSpacing: 20 },
+        tilesPerWorldUnit: 3,
       });
       const drawn = clones ? scene.clone() : scene;
       const picture = draw(paperScene(light, drawn), lookFrom(0.3, 0.4, 3), rendererOf(300));
@@ -367,8 +368,8 @@ test('a face that lies in a cutting plane has lines all the same: other families
     return [0, 0.12, 0.3].map((turn) => {
       mesh.rotation.x = turn;
       mesh.updateMatrixWorld();
-      return [0, 1].map((screenConstancy) => {
-        material.screenConstancy = screenConstancy;
+      return [0, 1].map((sizedOnScreen) => {
+        material.sizedOnScreen = sizedOnScreen;
         const ink = draw(paperScene(mesh, light), camera, rendererOf(300));
         const mean = ink.reduce((sum, one) => sum + one, 0) / ink.length;
         return { mean, deviation: Math.sqrt(ink.reduce((sum, one) => sum + (one - mean) ** 2, 0) / ink.length) };

@@ -55,7 +55,7 @@ const cases: EngravedCase[] = [
   { name: 'carved towards a near lamp', lights: [lamp], lines: { carved: true, lineField: 'towards', crossFrom: 1 } },
   {
     name: 'carved across the axis y, sized on the object',
-    screenConstancy: 0,
+    sizedOnScreen: 0,
     lines: { carved: true, lineField: 'y' },
   },
   {
@@ -69,8 +69,8 @@ const cases: EngravedCase[] = [
   { name: 'crossing at right angles from light tones on', lines: { crossFrom: 0.2, crossAngle: Math.PI / 2 } },
   { name: 'finer than lines may lie', lines: { lineSpacing: 2.6 } },
   { name: 'wide apart', lines: { lineSpacing: 21 } },
-  { name: 'sized on the object', screenConstancy: 0, lines: { lineSpacing: 12 } },
-  { name: 'sized half on the screen', screenConstancy: 0.5 },
+  { name: 'sized on the object', sizedOnScreen: 0, lines: { lineSpacing: 12 } },
+  { name: 'sized half on the screen', sizedOnScreen: 0.5 },
   { name: 'rotated object', matrixWorld: rotated },
   { name: 'rotated, moved and scaled object', matrixWorld: placed },
   { name: 'mirrored object', matrixWorld: mirrored },
@@ -126,15 +126,15 @@ for (const { lines, ...rest } of cases) {
         ...lines,
       },
     };
-    const { positions, matrixWorld, camera, lights, material, screenConstancy } = spec;
+    const { positions, matrixWorld, camera, lights, material, sizedOnScreen } = spec;
     const reference = referenceOf(spec);
     const engraved = new EngravedReference({
       reference,
       settings: {
         ...spec.lines!,
         strokeRotation: material.strokeRotation,
-        strokeScale: material.strokeScale,
-        screenConstancy: screenConstancy!,
+        tilesPerUnit: material.tilesPerUnit,
+        sizedOnScreen: sizedOnScreen!,
         shadowStrokes: material.shadowStrokes,
       },
       lights,

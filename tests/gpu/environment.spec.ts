@@ -51,8 +51,8 @@ test("a room lights as it lights three's Lambert, alone and with a sun", async (
         const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
         for (const technique of techniques) {
           // No blend with neighbours, whose tone is another.
-          const creaseAngle = technique === 'adjacency' ? { creaseAngle: 0 } : {};
-          const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...creaseAngle }));
+          const blendAngle = technique === 'adjacency' ? { blendAngle: 0 } : {};
+          const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...blendAngle }));
           compared[`${light}, ${technique}, ${toneNormal}`] = [tone, lambert];
         }
       }

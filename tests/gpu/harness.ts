@@ -133,7 +133,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   hatching.edgePixels = 0;
   if (spec.dots) Object.assign(hatching, { ...spec.dots, medium: 'stipple', tonalArtMap: null });
   hatching.anchorSpacing = spec.anchorSpacing ?? 0.35;
-  hatching.screenConstancy = spec.screenConstancy ?? 0;
+  hatching.sizedOnScreen = spec.sizedOnScreen ?? 0;
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);
   hatching.paper.setRGB(...(paper as [number, number, number]), LinearSRGBColorSpace);
   hatching.color.setRGB(...(color as [number, number, number]), LinearSRGBColorSpace);

@@ -4,7 +4,7 @@ import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
 
 /** What only `engraved` has. */
-export type LineSettings = Omit<EngravedSettings, 'screenConstancy' | 'strokeScale' | 'strokeRotation'>;
+export type LineSettings = Omit<EngravedSettings, 'sizedOnScreen' | 'tilesPerUnit' | 'strokeRotation'>;
 
 /** A picture to render, as plain data: what the test page and the reference both understand. */
 export interface HatchingSpec {
@@ -23,7 +23,7 @@ export interface HatchingSpec {
   map: AnalyticMapName;
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
   anchorSpacing?: number;
-  screenConstancy?: number;
+  sizedOnScreen?: number;
   /** For the medium `stipple` of the technique `anchored`: the dots. */
   dots?: { strokeWidth: number; edgePixels: number };
   /** For the technique `engraved`, which draws the mesh unprepared too. */

@@ -9,7 +9,7 @@ import { test } from './toolkitPage.js';
 type Way = Partial<
   Pick<
     HatchingMaterialOptions,
-    'technique' | 'crisp' | 'levelRule' | 'screenConstancy' | 'edgePixels' | 'strokeRotation' | 'strokeWidth'
+    'technique' | 'crisp' | 'levelRule' | 'sizedOnScreen' | 'edgePixels' | 'strokeRotation' | 'strokeWidth'
   >
 >;
 
@@ -25,8 +25,8 @@ const ways: Record<string, Way> = {
   'adjacency, level by depth': { technique: 'adjacency', levelRule: 'depth' },
   'crisp, level by derivatives': { technique: 'triangle', crisp: true, levelRule: 'derivatives' },
   'crisp, level by depth': { technique: 'triangle', crisp: true, levelRule: 'depth' },
-  'anchored, sized on the object': { technique: 'anchored', screenConstancy: 0 },
-  'anchored, sized on the screen': { technique: 'anchored', screenConstancy: 1 },
+  'anchored, sized on the object': { technique: 'anchored', sizedOnScreen: 0 },
+  'anchored, sized on the screen': { technique: 'anchored', sizedOnScreen: 1 },
 };
 
 for (const [name, parameters] of Object.entries(ways)) {
@@ -76,11 +76,11 @@ test('seen at a slant, depth chooses a finer level than derivatives, and so does
   expect(anisotropic! / derivatives).toBeLessThan(0.75);
 });
 
-for (const screenConstancy of [0, 1]) {
-  test(`anchored strokes stay strokes at a slant, of the same tone: screenConstancy ${screenConstancy}`, async ({
+for (const sizedOnScreen of [0, 1]) {
+  test(`anchored strokes stay strokes at a slant, of the same tone: sizedOnScreen ${sizedOnScreen}`, async ({
     page,
   }) => {
-    const way: Way = { technique: 'anchored', screenConstancy, ...upright };
+    const way: Way = { technique: 'anchored', sizedOnScreen, ...upright };
     const [faceOn, slanted] = [await drawWall(page, way, [1]), await drawWall(page, way, [1], { slant: 1.47 })].map(
       ([picture]) => spread(picture),
     );
@@ -134,7 +134,7 @@ async function drawWall(
       const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 8), {
         ...parameters,
         tonalArtMap,
-        strokeScale: 1 / (256 * unitsPerPixel),
+        tilesPerUnit: 1 / (256 * unitsPerPixel),
       });
       mesh.rotation.y = slant;
       // N·L = 5/7: exactly the third of eight hatch images. Turned with the wall.

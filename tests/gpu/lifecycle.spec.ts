@@ -10,7 +10,7 @@ test('clone and copy draw the same picture', async ({ page }) => {
     const renderer = makeRenderer();
     const mesh = await hatchedMesh(new THREE.TorusGeometry(0.6, 0.3, 12, 24), {
       tonalArtMap: stripedMap(),
-      strokeScale: 2,
+      tilesPerUnit: 2,
       strokeRotation: 0.3,
       technique: 'triangle',
       ink: 'darkred',
@@ -109,12 +109,12 @@ test('a slider does not recompile, and a frame allocates no textures or geometri
       };
     }
     for (let i = 0; i < 5; i++) {
-      mesh.material.strokeScale = 2 + i;
+      mesh.material.tilesPerUnit = 2 + i;
       mesh.material.strokeRotation = i;
       mesh.material.strokeOffset.x = i / 5;
       mesh.material.ink.setRGB(i / 5, 0, 0);
       mesh.material.toneSteps = 2 + i;
-      mesh.material.creaseAngle = 0.2 + i / 5;
+      mesh.material.blendAngle = 0.2 + i / 5;
       mesh.material.reflectedLight = i / 5;
       mesh.material.paperOpacity = i / 5;
       mesh.material.toneCurve = [
@@ -138,8 +138,8 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
       const renderer = makeRenderer();
       const tonalArtMap = stripedMap();
-      const common = { tonalArtMap, technique, strokeScale: 2, toneNormal: 'smooth' } as const;
-      const changed = { strokeScale: 1.3, strokeRotation: 0.7 };
+      const common = { tonalArtMap, technique, tilesPerUnit: 2, toneNormal: 'smooth' } as const;
+      const changed = { tilesPerUnit: 1.3, strokeRotation: 0.7 };
       const offset = new THREE.Vector2(0.1, 0.3);
       const sphere = () => new THREE.SphereGeometry(0.6, 24, 16);
       const left = await hatchedMesh(sphere(), common);
@@ -148,7 +148,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       right.position.x = 0.7;
       const scene = sceneOf(left, right, sun());
       const before = pixelsOf(scene, renderer);
-      right.material.strokeScale = changed.strokeScale;
+      right.material.tilesPerUnit = changed.tilesPerUnit;
       right.material.strokeRotation = changed.strokeRotation;
       right.material.strokeOffset.copy(offset);
       const after = pixelsOf(scene, renderer);
@@ -255,7 +255,7 @@ test('degenerate, tiny, huge and far meshes give no NaN and no error', async ({ 
     const results: number[][] = [];
     for (const scale of [1e-6, 1e-3, 1e3, 1e6]) {
       const geometry = new THREE.SphereGeometry(1, 16, 12).scale(scale, scale, scale);
-      const mesh = await hatchedMesh(geometry, { tonalArtMap: stripedMap(), strokeScale: 2 / scale, ink: 'blue' });
+      const mesh = await hatchedMesh(geometry, { tonalArtMap: stripedMap(), tilesPerUnit: 2 / scale, ink: 'blue' });
       mesh.scale.setScalar(1 / scale);
       const pixels = pixelsOf(sceneOf(mesh, sun()));
       const seen = new Set<string>();

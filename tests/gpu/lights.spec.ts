@@ -151,11 +151,11 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
           const { THREE, TonalArtMap, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
           const tonalArtMap = await TonalArtMap.generate({ size: 128 });
           const renderer = makeRenderer();
-          const strokeScale = 0.6;
+          const tilesPerUnit = 0.6;
           // At the same place of the world, and at another on the object, where other anchors are.
           const wallAt = async (depth: number, strokeLayers: 'single' | 'lights') => {
             const geometry = new THREE.PlaneGeometry(4, 4).translate(0, 0, depth);
-            const wall = await hatchedMesh(geometry, { tonalArtMap, technique, crisp, strokeLayers, strokeScale });
+            const wall = await hatchedMesh(geometry, { tonalArtMap, technique, crisp, strokeLayers, tilesPerUnit });
             wall.position.z = -depth;
             return wall;
           };
@@ -215,7 +215,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
             tonalArtMap,
             technique,
             crisp,
-            strokeScale: 2,
+            tilesPerUnit: 2,
           });
           const renderer = makeRenderer();
           const scene = sceneOf(wall, light);
@@ -271,7 +271,7 @@ for (const technique of ['adjacency', 'anchored'] as const) {
                   tonalArtMap,
                   technique,
                   ...(technique === 'adjacency' && { crisp: true }),
-                  strokeScale: 0.5,
+                  tilesPerUnit: 0.5,
                   edgePixels: 3,
                   strokeLayers: 'tone',
                   crossFrom,

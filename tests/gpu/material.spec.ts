@@ -155,7 +155,7 @@ const cases: Case[] = [
       mesh: loadBunny,
       matrixWorld: placed,
       map: 'constantPerLevel' as const,
-      material: { technique, levelRule: 'depth', strokeScale: 0.6 } as const,
+      material: { technique, levelRule: 'depth', tilesPerUnit: 0.6 } as const,
     },
   ]),
   {
@@ -163,7 +163,7 @@ const cases: Case[] = [
     mesh: torus,
     orthographic: true,
     map: 'constantPerLevel',
-    material: { levelRule: 'depth', strokeScale: 0.9 },
+    material: { levelRule: 'depth', tilesPerUnit: 0.9 },
   },
   ...[0, Math.PI / 2, 2.4].map((strokeRotation, i) => ({
     name: `strokes turned by ${strokeRotation.toFixed(1)}, scaled and shifted`,
@@ -172,7 +172,7 @@ const cases: Case[] = [
     material: {
       technique: i % 2 ? ('triangle' as const) : ('adjacency' as const),
       strokeRotation,
-      strokeScale: 0.8 + i,
+      tilesPerUnit: 0.8 + i,
       strokeOffset: [0.7 * i, -0.2] as [number, number],
     },
   })),
@@ -198,7 +198,7 @@ const cases: Case[] = [
   { name: 'directional, point and spot light together', mesh: loadBunny, lights: [redSide, point, spot] },
   { name: 'smooth tone', mesh: torus, material: { toneNormal: 'smooth' }, lights: [point] },
   { name: 'smooth tone on a mirrored object', mesh: torus, material: { toneNormal: 'smooth' }, matrixWorld: mirrored },
-  { name: 'crease angle of 30°', mesh: torus, material: { creaseAngle: Math.PI / 6 } },
+  { name: 'crease angle of 30°', mesh: torus, material: { blendAngle: Math.PI / 6 } },
   {
     name: 'ink, paper and colour',
     mesh: torus,
@@ -288,7 +288,7 @@ for (const one of cases) {
 }
 
 // Fine enough that the coarsest level of the map serves everywhere.
-const fine = { crisp: true, strokeScale: 3 };
+const fine = { crisp: true, tilesPerUnit: 3 };
 
 const crispCases: Case[] = (['triangle', 'adjacency'] as const).flatMap((technique) => [
   { name: `one layer, ${technique}`, mesh: torus, material: { ...fine, technique } },

@@ -23,7 +23,7 @@ test('what a dry medium leaves is the tone in the mean, and at middle tones most
       technique: 'anchored',
       tonalArtMap,
       medium: 'dry',
-      strokeScale: 2,
+      tilesPerUnit: 2,
     });
     const light = sun();
     const scene = sceneOf(mesh, light);

@@ -5,14 +5,14 @@ import { test } from './toolkitPage.js';
 
 test('movement is drawn at a lower pixel ratio, and rest at the full one', async ({ page }) => {
   const seen = await page.evaluate(async () => {
-    const { THREE, MovingResolution, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
+    const { THREE, AdaptiveResolution, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
     renderer.setPixelRatio(2);
     const scene = sceneOf(await hatchedMesh(new THREE.SphereGeometry(1, 24, 12)), sun());
     const camera = makeCamera();
     let rested = () => {};
     let measured = () => {};
-    const resolution = new MovingResolution(renderer, {
+    const resolution = new AdaptiveResolution(renderer, {
       slow: 0,
       pause: 300,
       onRest: () => rested(),
@@ -67,12 +67,12 @@ test('movement is drawn at a lower pixel ratio, and rest at the full one', async
 
 test('fast frames stay in full resolution, and wrong options are told', async ({ page }) => {
   const [scale, width, messages] = await page.evaluate(async () => {
-    const { THREE, MovingResolution, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
+    const { THREE, AdaptiveResolution, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
     const scene = sceneOf(await hatchedMesh(new THREE.BoxGeometry()), sun());
     const camera = makeCamera();
     let measured = () => {};
-    const resolution = new MovingResolution(renderer, { slow: 1e6, onMeasured: () => measured() });
+    const resolution = new AdaptiveResolution(renderer, { slow: 1e6, onMeasured: () => measured() });
     for (let i = 0; i < 3; i++) {
       await new Promise<void>((resolve) => {
         measured = resolve;
@@ -81,7 +81,7 @@ test('fast frames stay in full resolution, and wrong options are told', async ({
     }
     const messages = [{ share: 0 }, { slow: -1 }, { pause: Number.NaN }].map((options) => {
       try {
-        return String(new MovingResolution(renderer, options));
+        return String(new AdaptiveResolution(renderer, options));
       } catch (error) {
         return String(error);
       }
@@ -90,8 +90,8 @@ test('fast frames stay in full resolution, and wrong options are told', async ({
   });
   expect([scale, width]).toEqual([1, 96]);
   expect(messages).toEqual([
-    'RangeError: MovingResolution: share is 0. Pass a number in (0, 1], or leave it out.',
-    'RangeError: MovingResolution: slow is -1. Pass a number of milliseconds, 0 or more, or leave it out.',
-    'RangeError: MovingResolution: pause is NaN. Pass a positive number of milliseconds, or leave it out.',
+    'RangeError: AdaptiveResolution: share is 0. Pass a number in (0, 1], or leave it out.',
+    'RangeError: AdaptiveResolution: slow is -1. Pass a number of milliseconds, 0 or more, or leave it out.',
+    'RangeError: AdaptiveResolution: pause is NaN. Pass a positive number of milliseconds, or leave it out.',
   ]);
 });

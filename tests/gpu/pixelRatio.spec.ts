@@ -1,5 +1,5 @@
 import type { Scene, WebGLRenderer } from 'three';
-import type { HatchingLineParameters, HatchingMaterialParameters } from 'three-hatching';
+import type { HatchingMaterialParameters, HatchingOutlineParameters } from 'three-hatching';
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 
@@ -22,13 +22,13 @@ test.beforeEach(async ({ page }) => {
 
     window.drawing = {
       /** A scene of paper and black, hatched with a look. */
-      async sceneWith({ lines, material }: Look) {
-        const subject = lines ? new THREE.IcosahedronGeometry(0.9, 1) : new THREE.PlaneGeometry(4, 4, 2, 2);
+      async sceneWith({ outlines, material }: Look) {
+        const subject = outlines ? new THREE.IcosahedronGeometry(0.9, 1) : new THREE.PlaneGeometry(4, 4, 2, 2);
         const mesh = new THREE.Mesh(subject, new THREE.MeshLambertMaterial({ flatShading: true }));
         mesh.rotation.set(0.2, 0.3, 0);
         const scene = sceneOf(mesh, ...lit);
         scene.background = new THREE.Color(0xffffff);
-        await applyHatching(mesh, { material, lines: lines ?? false, tonalArtMap: map });
+        await applyHatching(mesh, { material, outlines: outlines ?? false, tonalArtMap: map });
         return scene;
       },
       rendererAt(pixelRatio: number) {
@@ -91,7 +91,7 @@ function correlation(a: number[], b: number[]): number {
 
 interface Look {
   material: HatchingMaterialParameters;
-  lines?: HatchingLineParameters;
+  outlines?: HatchingOutlineParameters;
 }
 
 declare global {
@@ -111,23 +111,25 @@ const BLANK = [
 ] as const;
 
 const LOOKS: Record<string, Look> = {
-  strokes: { material: { technique: 'anchored', screenConstancy: 1, strokeWidth: 6 } },
-  'strokes sized on the object': { material: { technique: 'anchored', strokeScale: 0.3, strokeWidth: 6 } },
-  'crisp strokes of triangles': { material: { technique: 'adjacency', crisp: true, strokeScale: 0.3, strokeWidth: 6 } },
-  'engraved lines': { material: { technique: 'engraved', screenConstancy: 1, lineSpacing: 12, handmade: 0 } },
-  'engraved lines sized half on the screen': {
-    material: { technique: 'engraved', screenConstancy: 0.5, lineSpacing: 60, handmade: 0 },
+  strokes: { material: { technique: 'anchored', sizedOnScreen: 1, strokeWidth: 6 } },
+  'strokes sized on the object': { material: { technique: 'anchored', tilesPerUnit: 0.3, strokeWidth: 6 } },
+  'crisp strokes of triangles': {
+    material: { technique: 'adjacency', crisp: true, tilesPerUnit: 0.3, strokeWidth: 6 },
   },
-  dots: { material: { technique: 'anchored', medium: 'stipple', screenConstancy: 1, strokeWidth: 8 } },
+  'engraved outlines': { material: { technique: 'engraved', sizedOnScreen: 1, lineSpacing: 12, handmade: 0 } },
+  'engraved outlines sized half on the screen': {
+    material: { technique: 'engraved', sizedOnScreen: 0.5, lineSpacing: 60, handmade: 0 },
+  },
+  dots: { material: { technique: 'anchored', medium: 'stipple', sizedOnScreen: 1, strokeWidth: 8 } },
   grain: { material: { technique: 'anchored', medium: 'dry', tooth: 1, toothSize: 6, softness: 0.2 } },
   outlines: {
     material: { technique: 'anchored', toneCurve: BLANK },
-    lines: { lineWidth: 5, wobble: 6, overshoot: 5, creases: 1, shadeWeights: [1, 1] },
+    outlines: { outlineWidth: 5, wobble: 6, overshoot: 5, creases: 1, shadeWeights: [1, 1] },
   },
 };
 
-/** Grain has no strokes, and lines that are being born between others are thinner than a pixel. */
-const WITHOUT_WIDTH = ['grain', 'engraved lines sized half on the screen'];
+/** Grain has no strokes, and outlines that are being born between others are thinner than a pixel. */
+const WITHOUT_WIDTH = ['grain', 'engraved outlines sized half on the screen'];
 
 for (const [name, look] of Object.entries(LOOKS)) {
   test(`strokes stay where they are and as wide at another pixel ratio: ${name}`, async ({ page }) => {

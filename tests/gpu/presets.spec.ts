@@ -39,6 +39,6 @@ test('the presets can be distinguished at 200 pixels, and not only by colour', a
   }
   // Control: other colours alone are no other preset.
   const colours = { ink: '#203080', paper: '#ffe0c0' };
-  const tinted = await thumbnail(page, pictures[0], { material: colours, lines: { ink: colours.ink } });
+  const tinted = await thumbnail(page, pictures[0], { material: colours, outlines: { ink: colours.ink } });
   expect(tellApart(seen[0], { ...seen[0], own: tinted })).toBe(false);
 });

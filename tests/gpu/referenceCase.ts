@@ -20,12 +20,12 @@ export interface ReferenceCase {
   matrixWorld?: number[];
   isOrthographic?: boolean;
   material?: Partial<ReferenceMaterial>;
-  screenConstancy?: number;
+  sizedOnScreen?: number;
 }
 
 /** What the page is to draw for a case. */
 export function specOf(
-  { mesh = torus, lights, matrixWorld, isOrthographic, material, screenConstancy = 1 }: ReferenceCase,
+  { mesh = torus, lights, matrixWorld, isOrthographic, material, sizedOnScreen = 1 }: ReferenceCase,
   technique: 'anchored' | 'engraved',
 ): HatchingSpec {
   return {
@@ -40,7 +40,7 @@ export function specOf(
     lights: lights ?? [directional],
     material: { ...defaults, ...material, technique, toneNormal: 'smooth' },
     map: 'smooth',
-    screenConstancy,
+    sizedOnScreen,
   };
 }
 

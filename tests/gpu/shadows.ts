@@ -144,7 +144,7 @@ async function ground(
   const tonalArtMap = isGrey ? window.toolkit.greyMap() : await strokeMap();
   const material = new HatchingMaterial({
     technique,
-    ...(technique === 'engraved' ? { screenConstancy: 1, lineSpacing: 6 } : { tonalArtMap, strokeScale: 1 }),
+    ...(technique === 'engraved' ? { sizedOnScreen: 1, lineSpacing: 6 } : { tonalArtMap, tilesPerUnit: 1 }),
     ...parameters,
   });
   const mesh = new THREE.Mesh(geometry, material);

@@ -23,8 +23,8 @@ const cases: StippleCase[] = [
   { name: 'sized on the screen' },
   { name: 'large, with hard edges', dots: { strokeWidth: 9, edgePixels: 0 } },
   { name: 'finer than a pixel', dots: { strokeWidth: 1 } },
-  { name: 'sized on the object', screenConstancy: 0, material: { strokeScale: 0.3 } },
-  { name: 'sized half on the screen', screenConstancy: 0.5, material: { strokeScale: 0.3 } },
+  { name: 'sized on the object', sizedOnScreen: 0, material: { tilesPerUnit: 0.3 } },
+  { name: 'sized half on the screen', sizedOnScreen: 0.5, material: { tilesPerUnit: 0.3 } },
   { name: 'rotated object', matrixWorld: rotated },
   { name: 'rotated, moved and scaled object, two lights', matrixWorld: placed, lights: [directional, redSide] },
   { name: 'mirrored object', matrixWorld: mirrored },
@@ -48,8 +48,8 @@ for (const { dots, ...rest } of cases) {
     const reference = referenceOf(spec);
     const settings = {
       ...spec.dots!,
-      strokeScale: spec.material.strokeScale,
-      screenConstancy: spec.screenConstancy!,
+      tilesPerUnit: spec.material.tilesPerUnit,
+      sizedOnScreen: spec.sizedOnScreen!,
     };
     const stipple = new StippleReference({ reference, settings, matrixWorld, camera, size: SIZE });
     await expectDarkness(page, spec, reference, (...at) => stipple.darkness(...at));

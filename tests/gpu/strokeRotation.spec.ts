@@ -19,7 +19,7 @@ test('strokes turn clockwise about the normal, in every technique', async ({ pag
         technique,
         ...(technique === 'engraved'
           ? { lineSpacing: 8, crossFrom: 1, tonalArtMap: null }
-          : { strokeScale: 1, tonalArtMap }),
+          : { tilesPerUnit: 1, tonalArtMap }),
       });
       // The direction that the picture changes in, from −π/2 to π/2: twice the angle of the mean of squared gradients.
       const across = (strokeRotation: number): number => {

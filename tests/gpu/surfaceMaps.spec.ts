@@ -89,7 +89,7 @@ for (const technique of techniques) {
           technique,
           toneNormal: 'smooth',
           debugView: 'tone',
-          ...(technique === 'adjacency' ? { creaseAngle: 0 } : {}),
+          ...(technique === 'adjacency' ? { blendAngle: 0 } : {}),
         });
         show(hatched);
         hatched.material.setValues(parameters);

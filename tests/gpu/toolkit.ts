@@ -5,11 +5,11 @@ import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import {
+  AdaptiveResolution,
   applyHatching,
   bakeOcclusion,
   HatchingMaterial,
   type HatchingMaterialParameters,
-  MovingResolution,
   prepareHatchingGeometry,
   scaledSizes,
   TonalArtMap,
@@ -125,7 +125,7 @@ const toolkit = {
   applyHatching,
   bakeOcclusion,
   HatchingMaterial,
-  MovingResolution,
+  AdaptiveResolution,
   scaledSizes,
   prepareHatchingGeometry,
   TonalArtMap,

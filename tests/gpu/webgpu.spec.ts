@@ -2,15 +2,15 @@ import { expect, test } from '../browser/test.js';
 
 const THREES = [
   /Material "Hatching(Line)?Material" is not compatible/,
-  // Of the material that three.js draws in the place of that of lines.
+  // Of the material that three.js draws in the place of that of outlines.
   /Vertex attribute "position" not found on geometry/,
 ];
 
 test("besides three's error a single message says what to do, and nothing breaks", async ({ page, pageProblems }) => {
-  for (const lines of [false, true]) {
+  for (const outlines of [false, true]) {
     await page.goto('tests/gpu/webgpu.html');
     await page.waitForFunction(() => window.drawWithWebGPURenderer !== undefined);
-    expect(await page.evaluate((l) => window.drawWithWebGPURenderer(l), lines)).toBe(3);
+    expect(await page.evaluate((l) => window.drawWithWebGPURenderer(l), outlines)).toBe(3);
     const problems = pageProblems.splice(0);
     const ours = problems.filter((problem) => problem.includes('WebGPURenderer draws no materials'));
     expect(ours).toEqual([expect.stringContaining('Draw the scene with WebGLRenderer')]);

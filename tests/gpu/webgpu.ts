@@ -3,12 +3,12 @@ import { BoxGeometry, DirectionalLight, Mesh, MeshStandardMaterial, PerspectiveC
 import { WebGPURenderer } from 'three/webgpu';
 import { applyHatching } from 'three-hatching';
 
-async function drawWithWebGPURenderer(lines: boolean): Promise<number> {
+async function drawWithWebGPURenderer(outlines: boolean): Promise<number> {
   const mesh = new Mesh(new BoxGeometry(), new MeshStandardMaterial());
   const scene = new Scene().add(mesh, new DirectionalLight());
   const camera = new PerspectiveCamera(40, 1, 0.1, 10);
   camera.position.z = 4;
-  await applyHatching(scene, { preset: 'technical', lines });
+  await applyHatching(scene, { preset: 'technical', outlines });
   let calls = 0;
   // The user's own handler must still be called.
   mesh.onBeforeRender = () => {

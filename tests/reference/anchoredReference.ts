@@ -10,12 +10,12 @@ import type { Vec3 } from './referenceAdjacency.js';
 export type ThresholdFunction = (u: number, v: number, level: number) => number;
 
 export interface AnchoredSettings {
-  strokeScale: number;
+  tilesPerUnit: number;
   strokeRotation: number;
   anchorSpacing: number;
   /** Whether the direction is known only up to its sign, so that the map may be shifted by half tiles alone. */
   halfTiles: boolean;
-  screenConstancy: number;
+  sizedOnScreen: number;
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
   threshold: ThresholdFunction;
   /** Texels per side of level 0. A texel should cover one pixel. */
@@ -82,12 +82,12 @@ function anchoredField(
   coarser: number,
   settings: AnchoredSettings,
 ): Field {
-  const magnification = -Math.log2(settings.strokeScale * unitsPerPixel * settings.mapSize);
-  const wanted = settings.screenConstancy * magnification;
+  const magnification = -Math.log2(settings.tilesPerUnit * unitsPerPixel * settings.mapSize);
+  const wanted = settings.sizedOnScreen * magnification;
   const lattice = Math.ceil(wanted);
   const octaves = lattice - magnification + coarser;
   const coarse = latticeField(point, tangent, bitangent, lattice, octaves, settings);
-  if (settings.screenConstancy === 0) return coarse;
+  if (settings.sizedOnScreen === 0) return coarse;
   // The fade covers the last three quarters of the way to the next lattice.
   const way = Math.min(1, Math.max(0, (1 - lattice + wanted - 0.25) / 0.75));
   const fade = way * way * (3 - 2 * way);
@@ -107,8 +107,8 @@ function latticeField(
   octaves: number,
   settings: AnchoredSettings,
 ): Field {
-  const { strokeScale, strokeRotation, anchorSpacing, threshold } = settings;
-  const edge = anchorSpacing / (strokeScale * 2 ** lattice);
+  const { tilesPerUnit, strokeRotation, anchorSpacing, threshold } = settings;
+  const edge = anchorSpacing / (tilesPerUnit * 2 ** lattice);
   const cos = Math.cos(strokeRotation);
   const sin = Math.sin(strokeRotation);
   const level = Math.min(Math.max(octaves, 0), settings.mapLevels - 1);
@@ -148,7 +148,7 @@ export function anchoredExcess(
 ): number {
   const world = reference.toWorld(point);
   const { tangent, bitangent, crossing } = reference.frameOfNormal(strokeNormal, world);
-  const edge = settings.anchorSpacing / settings.strokeScale;
+  const edge = settings.anchorSpacing / settings.tilesPerUnit;
   const toViewer = reference.toViewer(world);
   const worldNormal = reference.normalToWorld(toneNormal);
   const tone = reference.tone(world, worldNormal);

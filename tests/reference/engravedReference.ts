@@ -15,8 +15,8 @@ export interface EngravedSettings {
   crossFrom: number;
   crossAngle: number;
   handmade: number;
-  screenConstancy: number;
-  strokeScale: number;
+  sizedOnScreen: number;
+  tilesPerUnit: number;
   /** Default: false. */
   carved?: boolean;
   /** Default: 'tone'. */
@@ -106,7 +106,7 @@ function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { ax
     }
     if (type !== 'point' && type !== 'spot') return [];
     const inObject = vec3.transformMat4([0, 0, 0], position!, toObject) as Vec3;
-    const toLamp = mixed(inObject, settings.strokeScale, centre, -settings.strokeScale);
+    const toLamp = mixed(inObject, settings.tilesPerUnit, centre, -settings.tilesPerUnit);
     return [{ toLight: unit(toLamp), weight, nearness: 1 / vec3.length(toLamp) }];
   });
   if (seen.length === 0) return { axis: [0, 1, 0], bend: 0 };
@@ -251,10 +251,10 @@ function ruledDarkness(
   settings: EngravedSettings,
   along: Along,
 ): number {
-  const { lineSpacing, screenConstancy, handmade } = settings;
+  const { lineSpacing, sizedOnScreen, handmade } = settings;
   const onObject = octaveOf((lineSpacing / 256) * Math.min(slope / 0.4, 1));
   const onScreen = octaveOf(lineSpacing * perPixel);
-  const asked = powerOf((1 - screenConstancy) * onObject + screenConstancy * onScreen);
+  const asked = powerOf((1 - sizedOnScreen) * onObject + sizedOnScreen * onScreen);
   const wanted = Math.max(asked, 3 * perPixel);
   // The smallest power of two that is not below the wanted spacing, in tiles: the distance of old lines.
   const period = 2 ** Math.ceil(Math.log2(wanted));
@@ -309,8 +309,8 @@ export class EngravedReference {
     const lit = unit(toneNormal);
     const tone = reference.tone(world, lit);
     const own = settings.shadowStrokes === 'cross' ? reference.tone(world, lit, false) : tone;
-    const { strokeScale, crossFrom } = settings;
-    const fromCentre = mixed(place, strokeScale, centre, -strokeScale);
+    const { tilesPerUnit, crossFrom } = settings;
+    const fromCentre = mixed(place, tilesPerUnit, centre, -tilesPerUnit);
     const { strayed, pressure } = hand(fromCentre, settings);
     const n = unit(normal);
     const plane = new ScreenPlane(this.scene, place, n);
@@ -331,7 +331,7 @@ export class EngravedReference {
     const leftBy = (family: LineFunction, familyTone: number, familySlope: number) => {
       if (familyTone <= 1e-4 && family !== first) return 1;
       const pressed = familyTone + pressure * familyTone * (1 - familyTone);
-      const perPixel = strokeScale * plane.gradientLength(family.gradient(strayed));
+      const perPixel = tilesPerUnit * plane.gradientLength(family.gradient(strayed));
       const along: Along =
         family === first
           ? {

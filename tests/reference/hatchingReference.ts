@@ -34,10 +34,10 @@ export interface ReferenceMaterial {
   toneSteps: number;
   shininess: number;
   toneNormal: 'face' | 'smooth';
-  strokeScale: number;
+  tilesPerUnit: number;
   strokeRotation: number;
   strokeOffset: [number, number];
-  creaseAngle: number;
+  blendAngle: number;
   toneCurve: 'linear' | 'perceptual' | [number, number][];
   reflectedLight: number;
   strokeLayers: 'single' | 'lights' | 'tone';
@@ -263,7 +263,7 @@ export class HatchingReference {
 
   /** Texture coordinates of an object-space point in the frame of a triangle: project (Algorithm 2), then measure. */
   coordinates(point: Vec3, triangle: Triangle): [number, number] {
-    const { strokeScale, strokeRotation, strokeOffset } = this.scene.material;
+    const { tilesPerUnit, strokeRotation, strokeOffset } = this.scene.material;
     const n = faceNormal(triangle);
     const projected = subtract(point, scale(n, dot(subtract(point, triangle[0]), n)));
     const { tangent, bitangent } = this.frame(triangle);
@@ -271,7 +271,7 @@ export class HatchingReference {
     const t = dot(projected, bitangent);
     const cos = Math.cos(strokeRotation);
     const sin = Math.sin(strokeRotation);
-    return [(s * cos - t * sin) * strokeScale + strokeOffset[0], (s * sin + t * cos) * strokeScale + strokeOffset[1]];
+    return [(s * cos - t * sin) * tilesPerUnit + strokeOffset[0], (s * sin + t * cos) * tilesPerUnit + strokeOffset[1]];
   }
 
   /** Section 3.4: tone of a world position with a world normal, with the shadows or as if there were none. */
@@ -353,7 +353,7 @@ export class HatchingReference {
     const { size = 1, unitsPerPixel, material } = this.scene;
     if (material.levelRule !== 'depth') return 0;
     const objectPerWorld = Math.cbrt(Math.abs(mat3.determinant(this.worldToObjectLinear as unknown as mat3)));
-    return Math.log2(material.strokeScale * size * objectPerWorld * unitsPerPixel!(world));
+    return Math.log2(material.tilesPerUnit * size * objectPerWorld * unitsPerPixel!(world));
   }
 
   /** What is blended at the point b0·V0 + b1·V1 + b2·V2 of a triangle with these neighbours, as in `shade`. */
@@ -373,7 +373,7 @@ export class HatchingReference {
     const central = faceNormal(triangle);
     const shades = [{ t: triangle, n: central, f: 1 }];
     if (material.technique === 'adjacency') {
-      const k = Math.cos(material.creaseAngle);
+      const k = Math.cos(material.blendAngle);
       neighbours.forEach((neighbour, edge) => {
         if (neighbour === null) return;
         const n = faceNormal(neighbour);

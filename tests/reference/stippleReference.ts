@@ -14,7 +14,7 @@ export interface StippleScene {
   camera: ReferenceCamera;
   /** The width and height of the picture, in pixels. */
   size: number;
-  settings: { strokeScale: number; strokeWidth: number; screenConstancy: number; edgePixels: number };
+  settings: { tilesPerUnit: number; strokeWidth: number; sizedOnScreen: number; edgePixels: number };
 }
 
 type Vec2 = [number, number];
@@ -112,7 +112,7 @@ export class StippleReference {
         const own = 1 - Math.max(1 - whole, 1e-6) ** share;
         const [a, b, c] = kind === 'black' ? [3.17, 7.71, 5.39] : [4.73, 1.93, 8.29];
         const shifted = at.map(
-          (coordinate, i) => coordinate + dot(axis, i === 0 ? [a, b, c] : [b, c, a]) / settings.strokeScale,
+          (coordinate, i) => coordinate + dot(axis, i === 0 ? [a, b, c] : [b, c, a]) / settings.tilesPerUnit,
         ) as Vec2;
         blank[kind] *= 1 - this.dots(shifted, moves, share, own, whole);
       }
@@ -128,13 +128,13 @@ export class StippleReference {
 
   /** The ink of one plane. `moves` are the pixels for a step along each of its axes, and `share` is its share of all dots. */
   private dots(at: Vec2, moves: [Vec2, Vec2], share: number, own: number, all: number): number {
-    const { strokeScale, strokeWidth, screenConstancy, edgePixels } = this.scene.settings;
+    const { tilesPerUnit, strokeWidth, sizedOnScreen, edgePixels } = this.scene.settings;
     const pixelArea = Math.abs(moves[0][0] * moves[1][1] - moves[0][1] * moves[1][0]);
     // A dot at half tone has 0.8 of its room as diameter. Dots per unit of length.
     const onPaper = Math.sqrt(pixelArea) / (strokeWidth / 0.8);
-    const onObject = Math.min(64 * strokeScale, onPaper);
+    const onObject = Math.min(64 * tilesPerUnit, onPaper);
     const thinned = Math.sqrt(share) * Math.min(1, Math.max(2 * all, 0.008)) ** 0.25;
-    const octave = Math.log2(onObject ** (1 - screenConstancy) * onPaper ** screenConstancy * thinned);
+    const octave = Math.log2(onObject ** (1 - sizedOnScreen) * onPaper ** sizedOnScreen * thinned);
     const cells = 2 ** (Math.floor(octave) + 1);
     const into = octave - Math.floor(octave);
     const dotArea = (areaFor(own, into) * pixelArea) / cells ** 2 / (0.25 + 0.75 * meanGrown(into));

@@ -9,7 +9,7 @@ import {
   SpotLight,
   WebGLRenderer,
 } from 'three';
-import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { loadScenarioModel } from './scenarioModels.js';
 import type { Scenario, ScenarioLight } from './scenarios.js';
 import { widenStrokes } from './widenStrokes.js';
@@ -45,15 +45,15 @@ window.renderScenario = async (scenario, deviation = {}) => {
       : TonalArtMap.fromHatchImages(widenStrokes(scenario.tonalArtMap, deviation.strokeWidth));
   const geometry = await prepareHatchingGeometry(await loadScenarioModel(scenario.model), {
     adjacency: true,
-    lines: scenario.lines !== undefined,
+    outlines: scenario.outlines !== undefined,
   });
   tonalArtMap.texture.anisotropy = scenario.anisotropy ?? 1;
   const material = new HatchingMaterial({ tonalArtMap, ...scenario.material });
   const mesh = new Mesh(geometry, material);
   mesh.rotation.fromArray([...(scenario.modelRotation ?? [0, 0, 0])]);
 
-  const lines = scenario.lines && new HatchingLines(mesh, scenario.lines);
-  if (lines) mesh.add(lines);
+  const outlines = scenario.outlines && new HatchingOutlines(mesh, scenario.outlines);
+  if (outlines) mesh.add(outlines);
 
   const scene = new Scene();
   scene.add(mesh, ...scenario.lights.map(makeLight));
@@ -65,7 +65,7 @@ window.renderScenario = async (scenario, deviation = {}) => {
   renderer.setSize(width, height, false);
   renderer.render(scene, camera);
   const pixels = readPixels(width, height);
-  for (const thing of [geometry, material, tonalArtMap, lines]) thing?.dispose();
+  for (const thing of [geometry, material, tonalArtMap, outlines]) thing?.dispose();
   return { width, height, base64: toBase64(pixels) };
 };
 

@@ -1,6 +1,6 @@
-import type { HatchingLineParameters, HatchingMaterialOptions, TonalArtMap } from 'three-hatching';
+import type { HatchingMaterialOptions, HatchingOutlineParameters, TonalArtMap } from 'three-hatching';
 
-type LineSetting = 'lineWidth' | 'creases' | 'suggestiveContours' | 'wobble' | 'overshoot';
+type LineSetting = 'outlineWidth' | 'creases' | 'suggestiveContours' | 'wobble' | 'overshoot';
 
 type Triple = readonly [x: number, y: number, z: number];
 
@@ -35,9 +35,9 @@ export interface Scenario {
       HatchingMaterialOptions,
       | 'technique'
       | 'crisp'
-      | 'strokeScale'
+      | 'tilesPerUnit'
       | 'strokeRotation'
-      | 'screenConstancy'
+      | 'sizedOnScreen'
       | 'debugView'
       | 'toneModel'
       | 'toneSteps'
@@ -51,8 +51,8 @@ export interface Scenario {
       | 'handmade'
     >
   >;
-  /** Of the lines, if there are any. */
-  lines?: Pick<HatchingLineParameters, LineSetting>;
+  /** Of the outlines, if there are any. */
+  outlines?: Pick<HatchingOutlineParameters, LineSetting>;
   /** Pixels. */
   size: readonly [width: number, height: number];
 }
@@ -118,55 +118,55 @@ export const scenarios: readonly Scenario[] = [
     name: 'figure-04-a-triangle',
     figure: 4,
     sentence: 'Four adjacent triangles with different normals, without blending: strokes break at every shared edge.',
-    material: { technique: 'triangle', strokeScale: 1.2 },
+    material: { technique: 'triangle', tilesPerUnit: 1.2 },
   },
   {
     ...patch,
     name: 'figure-04-b-adjacency',
     figure: 4,
     sentence: 'The same triangles blended with their neighbours: strokes fade into each other across the edges.',
-    material: { technique: 'adjacency', strokeScale: 1.2 },
+    material: { technique: 'adjacency', tilesPerUnit: 1.2 },
   },
   {
     ...patch,
     name: 'figure-08-blend-factors',
     figure: 8,
     sentence: 'What each neighbour contributes: red, green and blue stand for the triangles across edges 0, 1 and 2.',
-    material: { technique: 'adjacency', strokeScale: 1.2, debugView: 'blendFactors' },
+    material: { technique: 'adjacency', tilesPerUnit: 1.2, debugView: 'blendFactors' },
   },
   ...(['lambert', 'halfLambert', 'phong', 'toon'] as const).map((toneModel) => ({
     ...face,
     name: `figure-09-${toneModel}`,
     figure: 9,
     sentence: `Texture numbers by the lighting technique ${toneModel}.`,
-    material: { strokeScale: 1.5, toneModel, toneSteps: 4 },
+    material: { tilesPerUnit: 1.5, toneModel, toneSteps: 4 },
   })),
   ...[0, 45, 90].map((degrees) => ({
     ...face,
     name: `figure-10-rotation-${degrees}`,
     sentence: `Strokes turned by ${degrees} degrees about the normal of each triangle.`,
-    material: { strokeScale: 1.5, strokeRotation: (degrees * Math.PI) / 180 },
+    material: { tilesPerUnit: 1.5, strokeRotation: (degrees * Math.PI) / 180 },
   })),
   // Smaller scales than elsewhere: from about 0.6 on the levels of the map keep strokes as wide as they are drawn.
-  ...Object.entries({ coarse: 0.15, medium: 0.3, fine: 0.6 }).map(([name, strokeScale]) => ({
+  ...Object.entries({ coarse: 0.15, medium: 0.3, fine: 0.6 }).map(([name, tilesPerUnit]) => ({
     ...face,
     name: `figure-10-scale-${name}`,
-    sentence: `Strokes at ${strokeScale} tiles per unit of the model.`,
-    material: { strokeScale },
+    sentence: `Strokes at ${tilesPerUnit} tiles per unit of the model.`,
+    material: { tilesPerUnit },
   })),
   ...Object.entries({ left: sun(-2, 0.5, 1), above: sun(0, 2, 1), right: sun(2, 0.5, 1) }).map(([side, lights]) => ({
     ...face,
     name: `figure-10-light-${side}`,
     sentence: side === 'above' ? 'Light from above.' : `Light from the ${side}.`,
     lights,
-    material: { strokeScale: 1.5 },
+    material: { tilesPerUnit: 1.5 },
   })),
   ...[-40, 0, 40].map((degrees) => ({
     ...face,
     name: `figure-10-model-${degrees < 0 ? `minus-${-degrees}` : degrees}`,
     sentence: `The model turned by ${degrees} degrees under a light that stays where it is.`,
     modelRotation: [0, (degrees * Math.PI) / 180, 0] as const,
-    material: { strokeScale: 1.5 },
+    material: { tilesPerUnit: 1.5 },
   })),
   ...Object.entries({ left: sun(-2, 0.6, 1), above: sun(0, 2, 0.7), right: sun(2, 0.6, 1) }).map(([side, lights]) => ({
     ...dragon,
@@ -174,7 +174,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 11,
     sentence: `Details of the form stay visible with the light ${side === 'above' ? 'above' : `on the ${side}`}.`,
     lights,
-    material: { strokeScale: 1.5 },
+    material: { tilesPerUnit: 1.5 },
   })),
   ...(['hatching', 'crossHatching', 'stippling'] as const).map((style) => ({
     ...dragon,
@@ -183,35 +183,35 @@ export const scenarios: readonly Scenario[] = [
     sentence: `The dragon drawn with the map ${style}.`,
     lights: sun(-2, 0.6, 1),
     tonalArtMap: { ...common.tonalArtMap, style },
-    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN },
+    material: { tilesPerUnit: 1.5, strokeRotation: QUARTER_TURN },
   })),
   ...Object.entries({ without: 'triangle', with: 'adjacency' } as const).map(([blending, technique]) => ({
     ...chair,
     name: `figure-13-${blending}-blending`,
     figure: 13,
     sentence: `A coloured chair ${blending} blending between its triangles.`,
-    material: { technique, strokeScale: 1.2, color: '#c9573f' },
+    material: { technique, tilesPerUnit: 1.2, color: '#c9573f' },
   })),
   {
     ...bunny,
     name: 'figure-14-towards',
     figure: 14,
     sentence: 'Strokes drawn towards the light.',
-    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN },
+    material: { tilesPerUnit: 1.5, strokeRotation: QUARTER_TURN },
   },
   {
     ...bunny,
     name: 'figure-14-tangent',
     figure: 14,
     sentence: 'Strokes drawn tangent to the direction of the light.',
-    material: { strokeScale: 1.5, strokeRotation: 0 },
+    material: { tilesPerUnit: 1.5, strokeRotation: 0 },
   },
   {
     ...bunny,
     name: 'beyond-anchored',
     figure: 0,
     sentence: 'Anchored strokes, sized on the object: continuous, black and white.',
-    material: { technique: 'anchored', strokeScale: 2 },
+    material: { technique: 'anchored', tilesPerUnit: 2 },
   },
   {
     ...dragon,
@@ -219,32 +219,32 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Anchored strokes, sized on the screen.',
     lights: sun(1.2, 1, 1),
-    material: { technique: 'anchored', strokeRotation: QUARTER_TURN, screenConstancy: 1 },
+    material: { technique: 'anchored', strokeRotation: QUARTER_TURN, sizedOnScreen: 1 },
   },
   {
     ...dragon,
-    name: 'lines-dragon',
+    name: 'outlines-dragon',
     figure: 0,
     sentence: 'Contours, heavier in the shade, over strokes that leave the lit side white.',
     lights: sun(-1, 1.5, 1.2),
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenConstancy: 1 },
-    lines: { lineWidth: 2 },
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, sizedOnScreen: 1 },
+    outlines: { outlineWidth: 2 },
   },
   {
     ...chair,
-    name: 'lines-chair',
+    name: 'outlines-chair',
     figure: 0,
     sentence: 'Borders and creases by an unsteady hand that runs on past corners.',
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenConstancy: 1 },
-    lines: { lineWidth: 2, wobble: 1.5, overshoot: 5 },
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, sizedOnScreen: 1 },
+    outlines: { outlineWidth: 2, wobble: 1.5, overshoot: 5 },
   },
   {
     ...face,
-    name: 'lines-face',
+    name: 'outlines-face',
     figure: 0,
     sentence: 'Suggestive contours beside contours.',
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenConstancy: 1 },
-    lines: { lineWidth: 2, suggestiveContours: 0.6 },
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, sizedOnScreen: 1 },
+    outlines: { outlineWidth: 2, suggestiveContours: 0.6 },
   },
   {
     ...dragon,
@@ -252,43 +252,43 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Engraved around the light, crossed in the darks, with contours.',
     lights: sun(-1, 1.5, 1.2),
-    material: { technique: 'engraved', reflectedLight: 0.12, screenConstancy: 1 },
-    lines: { lineWidth: 2 },
+    material: { technique: 'engraved', reflectedLight: 0.12, sizedOnScreen: 1 },
+    outlines: { outlineWidth: 2 },
   },
   {
     ...bunny,
     name: 'engraved-fixed',
     figure: 0,
     sentence: 'Lines cut across an axis of the object by a ruling machine; only their width answers the light.',
-    material: { technique: 'engraved', lineField: 'y', handmade: 0, screenConstancy: 1 },
+    material: { technique: 'engraved', lineField: 'y', handmade: 0, sizedOnScreen: 1 },
   },
   {
     ...bunny,
     name: 'beyond-crisp',
     figure: 0,
     sentence: "The paper's frames and weights, with thresholds blended instead of greys.",
-    material: { technique: 'adjacency', crisp: true, strokeScale: 1.5 },
+    material: { technique: 'adjacency', crisp: true, tilesPerUnit: 1.5 },
   },
   {
     ...bunny,
     name: 'tone-linear',
     figure: 0,
     sentence: 'As much ink as there is shade: the side turned away is black.',
-    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN },
+    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN },
   },
   {
     ...bunny,
     name: 'tone-perceptual',
     figure: 0,
     sentence: 'Half the paper is covered where the light looks half as light as white.',
-    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, toneCurve: 'perceptual' },
+    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN, toneCurve: 'perceptual' },
   },
   {
     ...bunny,
     name: 'tone-reflected-light',
     figure: 0,
     sentence: 'The surroundings reflect half the light: shade is darkest where it begins and opens up behind.',
-    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, reflectedLight: 0.5 },
+    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN, reflectedLight: 0.5 },
   },
   {
     ...bunny,
@@ -296,7 +296,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Two lights: where they disagree, a second layer of strokes crosses the first.',
     lights: twoSuns,
-    material: { strokeScale: 1.5, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
+    material: { tilesPerUnit: 1.5, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
   },
   {
     ...bunny,
@@ -304,7 +304,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'The same two lights and layers, in anchored strokes.',
     lights: twoSuns,
-    material: { technique: 'anchored', strokeScale: 2, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
+    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
   },
   {
     ...bunny,
@@ -313,7 +313,7 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'Strokes cross in the darks: a second layer at 60°, and a third.',
     material: {
       technique: 'anchored',
-      screenConstancy: 1,
+      sizedOnScreen: 1,
       strokeRotation: QUARTER_TURN,
       reflectedLight: 0.4,
       strokeLayers: 'tone',
@@ -325,13 +325,13 @@ export const scenarios: readonly Scenario[] = [
     name: 'levels-floor-derivatives',
     sentence:
       'A long floor, its level by screen derivatives: strokes are never too fine, but wide where the floor slants.',
-    material: { strokeScale: 10 },
+    material: { tilesPerUnit: 10 },
   },
   {
     ...floor,
     name: 'levels-floor-depth',
     sentence: 'The same floor, its level by depth as in the paper: strokes as wide as drawn from near to far.',
-    material: { strokeScale: 10, levelRule: 'depth' },
+    material: { tilesPerUnit: 10, levelRule: 'depth' },
   },
   {
     ...floor,
@@ -339,7 +339,7 @@ export const scenarios: readonly Scenario[] = [
     sentence:
       'By derivatives with anisotropic filtering: strokes keep their place on the floor and turn grey far away.',
     anisotropy: 8,
-    material: { strokeScale: 10 },
+    material: { tilesPerUnit: 10 },
   },
   ...Object.entries({ near: 1.2, middle: 2.4, far: 4.8 }).map(([name, distance]) => ({
     ...common,
@@ -349,6 +349,6 @@ export const scenarios: readonly Scenario[] = [
     model: 'dragon' as const,
     camera: { position: [0, 0.1 * distance, distance] as const, fov: 28 },
     lights: sun(1.2, 1, 1),
-    material: { strokeScale: 2, strokeRotation: QUARTER_TURN, levelRule: 'depth' as const },
+    material: { tilesPerUnit: 2, strokeRotation: QUARTER_TURN, levelRule: 'depth' as const },
   })),
 ];

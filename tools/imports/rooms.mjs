@@ -23,9 +23,9 @@ export const ROOMS = {
   'material/facts': [],
   'material/shaders': ['facts'],
   'material/deformation': ['shaders'],
-  lines: ['features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
-  scene: ['slices', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'lines'],
-  'index.ts': ['strokes', 'hatchImages', 'mapFiles', 'worker', 'tam', 'geometry', 'material', 'lines', 'scene'],
+  outlines: ['features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
+  scene: ['slices', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'outlines'],
+  'index.ts': ['strokes', 'hatchImages', 'mapFiles', 'worker', 'tam', 'geometry', 'material', 'outlines', 'scene'],
 
   // For Node: the presets are data.
   command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts'],

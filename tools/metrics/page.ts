@@ -27,8 +27,8 @@ import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 /** The first technique. Where stroke spacing matters, the others are scaled to its spacing. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['anchored', { technique: 'anchored' }],
-  ['engraved', { technique: 'engraved', screenConstancy: 1 }],
-  ['engraved, x', { technique: 'engraved', screenConstancy: 1, lineField: 'x' }],
+  ['engraved', { technique: 'engraved', sizedOnScreen: 1 }],
+  ['engraved, x', { technique: 'engraved', sizedOnScreen: 1, lineField: 'x' }],
   ['adjacency', { technique: 'adjacency' }],
   ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
   ['triangle', { technique: 'triangle' }],
@@ -54,7 +54,7 @@ export interface TechniqueMetrics {
   edgeJump?: EdgeJump;
   kink?: StrokeKink;
   /** Normalised flips as the light turns, at the stroke scale that gives all techniques the same spacing. */
-  light?: { strokeScale: number; spacing: number; flips: { degrees: number; share: number }[] };
+  light?: { tilesPerUnit: number; spacing: number; flips: { degrees: number; share: number }[] };
   /** What changes from frame to frame as the camera comes nearer: normalised flips, and luminance. */
   dolly?: { flips: number[]; popping: number; luminance: number[]; luminancePopping: number };
   /** Spacing in pixels as the camera comes nearer; octaveSpread: at the whole octaves of the way, 1, 2, 4 and 8 times as near. */
@@ -76,8 +76,8 @@ const SIZE = 400;
 /** Measures of motion use smaller pictures: they take many, and compare only like with like. */
 const MOVING_SIZE = 256;
 /** Strokes as in a picture of 1000 pixels at the default scale: the whole model reduced, or its middle at full size. */
-const WHOLE = { zoom: 1, strokeScale: 1.2 };
-const MIDDLE = { zoom: 2.5, strokeScale: 3 };
+const WHOLE = { zoom: 1, tilesPerUnit: 1.2 };
+const MIDDLE = { zoom: 2.5, tilesPerUnit: 3 };
 const TONES = [0.1, 0.25, 0.4, 0.6, 0.8];
 const LIGHT_TURNS = [0.1, 0.5, 1, 2];
 /** The tone of one image of the default map of eight tones, so that no technique blends two images. */
@@ -138,7 +138,7 @@ window.measureModel = async (name, plan, text) => {
 };
 
 function measureWhole(camera: SurfaceCamera, material: HatchingMaterial) {
-  material.strokeScale = WHOLE.strokeScale;
+  material.tilesPerUnit = WHOLE.tilesPerUnit;
   camera.view(WHOLE.zoom);
   return {
     greyness: greyness(camera.lit().shoot()),
@@ -164,7 +164,7 @@ function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: Hat
 }
 
 function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
-  material.strokeScale = MIDDLE.strokeScale;
+  material.tilesPerUnit = MIDDLE.tilesPerUnit;
   const even = camera.view(MIDDLE.zoom).evenlyToned(EVEN_TONE).shoot();
   return {
     coherence: strokeCoherence(even),
@@ -182,7 +182,7 @@ async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
     crisp: true,
     levelRule: 'depth',
     edgePixels: 0,
-    strokeScale: MIDDLE.strokeScale,
+    tilesPerUnit: MIDDLE.tilesPerUnit,
   });
   const camera = new SurfaceCamera(renderer, SIZE, wall, material);
   const length = lengthBySpacing(camera.view(MIDDLE.zoom));
@@ -198,20 +198,20 @@ function lengthBySpacing(camera: SurfaceCamera): number {
 
 /** Flips per turn of the light depend on the stroke spacing, which is therefore made equal first. */
 function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedSpacing: number) {
-  material.strokeScale = MIDDLE.strokeScale;
+  material.tilesPerUnit = MIDDLE.tilesPerUnit;
   camera.view(MIDDLE.zoom);
   // Not in one step: a coarser scale may bring in another level of the map.
   for (let step = 0; step < 4; step++) {
     const tooWide = strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
     if (counts(material, 'lineSpacing')) material.lineSpacing /= tooWide;
-    else material.strokeScale *= tooWide;
+    else material.tilesPerUnit *= tooWide;
   }
   const before = camera.evenlyToned(EVEN_TONE).shoot();
   const flips = LIGHT_TURNS.map((degrees) => ({
     degrees,
     share: normalisedFlips(before, camera.evenlyToned(EVEN_TONE, degrees).shoot()),
   }));
-  return { strokeScale: material.strokeScale, spacing: strokeSpacing(before), flips };
+  return { tilesPerUnit: material.tilesPerUnit, spacing: strokeSpacing(before), flips };
 }
 
 function measureDolly(camera: SurfaceCamera, material: HatchingMaterial) {
@@ -239,8 +239,8 @@ function measureZoom(camera: SurfaceCamera, material: HatchingMaterial) {
 
 /** Sizes strokes on the screen. Returns the point of the model to move towards: the middle of the standard view. */
 function sizeOnScreen(camera: SurfaceCamera, material: HatchingMaterial): Vector3 {
-  material.strokeScale = MIDDLE.strokeScale;
-  material.screenConstancy = 1;
+  material.tilesPerUnit = MIDDLE.tilesPerUnit;
+  material.sizedOnScreen = 1;
   return middleOf(camera.evenlyToned(EVEN_TONE).view().shootLocated());
 }
 

@@ -49,7 +49,7 @@ export interface Picture {
   occlusion?: number;
   /** What differs from the preset. */
   material?: HatchingPreset['material'];
-  lines?: HatchingPreset['lines'];
+  outlines?: HatchingPreset['outlines'];
 }
 
 /** Rendered pixels per pixel of the picture, along each axis. */
@@ -145,14 +145,14 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   const look = {
     ...preset,
     material: { ...preset.material, ...picture.material },
-    lines: { ...preset.lines, ...picture.lines },
+    outlines: { ...preset.outlines, ...picture.outlines },
   };
   const scaled = scalePreset(look, SUPERSAMPLING * pixelRatio);
   const hatched = [await applyHatching(holder, scaled)];
   if (picture.ground) {
     const ground = groundBelow(holder);
     scene.add(ground);
-    hatched.push(await applyHatching(ground, { ...scaled, lines: false }));
+    hatched.push(await applyHatching(ground, { ...scaled, outlines: false }));
     if (picture.ground === 'shadow') showOnlyShadows(ground.material as unknown as HatchingMaterial);
   }
   scene.traverse((object) => {

@@ -65,6 +65,6 @@ ours, and \`npm run bench\` measures yours.
   const turn = `# Beyond the paper
 
 What the paper does not have: strokes anchored to the object ([anchored.md](anchored.md)), engraved lines ([engraved.md](engraved.md)),
-contours and creases ([lines.md](lines.md)), and presets that join all of them ([presets.md](presets.md)).`;
+contours and creases ([outlines.md](outlines.md)), and presets that join all of them ([presets.md](presets.md)).`;
   writeFileSync(`${root}docs/figures.md`, `${[introduction.trimEnd(), ...again, turn, ...beyond].join('\n\n')}\n`);
 }

@@ -20,12 +20,10 @@ export interface NumberRow extends BaseRow {
   kind: 'number';
   /** `null`: no number is asked for, and null may be set. */
   default: number | null;
-  /** Another number that gives way when this one is set. */
-  clears?: string;
   /** How the default is written where digits would hide what it is. */
   defaultSource?: string;
   measure: HatchingMeasure;
-  /** What it measures at a `screenConstancy` of 1, where that is something else. In between it is a mean of the two. */
+  /** What it measures at a `sizedOnScreen` of 1, where that is something else. In between it is a mean of the two. */
   measureOnScreen?: HatchingMeasure;
   /** Left out: every finite number. */
   range?: NumberRange;

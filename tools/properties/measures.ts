@@ -18,5 +18,5 @@ const WORDS: Readonly<Record<HatchingMeasure, string>> = {
 
 /** The measure of a number, in words. */
 export function measureWords(measure: HatchingMeasure, onScreen?: HatchingMeasure): string {
-  return onScreen ? `${WORDS[onScreen]} at a \`screenConstancy\` of 1, ${WORDS[measure]} at 0` : WORDS[measure];
+  return onScreen ? `${WORDS[onScreen]} at a \`sizedOnScreen\` of 1, ${WORDS[measure]} at 0` : WORDS[measure];
 }

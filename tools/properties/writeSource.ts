@@ -1,7 +1,7 @@
 import { constantCase } from '../../src/material/facts/constantCase.js';
 import type { NumberRange } from '../../src/material/facts/HatchingProperty.js';
 import { describe } from './describe.js';
-import type { NumberRow, PropertyRow } from './PropertyRow.js';
+import type { PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';
 
 type Table = Readonly<Record<string, PropertyRow>>;
@@ -162,12 +162,6 @@ function valueType(row: PropertyRow): string {
 const setType = (row: PropertyRow): string =>
   row.kind === 'choice' && row.defaultFor ? `${valueType(row)} | 'auto'` : valueType(row);
 
-/** What setting a number does to the one that gives way to it. */
-const clearing = ({ default: fallback, clears }: NumberRow): string =>
-  clears === undefined
-    ? ''
-    : `\n  ${fallback === null ? 'if (value !== null) ' : ''}this.numbers.${clears} = HATCHING_DEFAULTS.${clears};`;
-
 function field(name: string, row: PropertyRow): string {
   const fallback = `HATCHING_DEFAULTS.${name}`;
   switch (row.kind) {
@@ -200,7 +194,7 @@ set ${name}(value: ${valueType(row)}) {
 }
 
 set ${name}(value: ${valueType(row)}) {
-  ${row.default === null ? `this.numbers.${name} = value === null ? null : ` : `this.numbers.${name} = `}checkNumber('${name}', value${row.range ? `, HATCHING_PROPERTIES.${name}.range` : ''});${clearing(row)}
+  ${row.default === null ? `this.numbers.${name} = value === null ? null : ` : `this.numbers.${name} = `}checkNumber('${name}', value${row.range ? `, HATCHING_PROPERTIES.${name}.range` : ''});
 }`;
     default:
       return `${name}: ${valueType(row)} = ${fallback};`;

@@ -5,9 +5,9 @@
 #include "perFragment/screenGradient"
 #include "largestComponents"
 
-uniform float strokeScale; // tiles per object unit
+uniform float tilesPerUnit; // tiles per object unit
 uniform float anchorSpacing; // tiles between anchors
-uniform float screenConstancy; // 0: dots spaced on the object, 1: on the screen
+uniform float sizedOnScreen; // 0: dots spaced on the object, 1: on the screen
 
 #include "technique/dots"
 
@@ -20,7 +20,7 @@ uniform float screenConstancy; // 0: dots spaced on the object, 1: on the screen
 #define LEAST_SHARE 0.02
 // Surfaces that lean away further than this cosine are taken for ones that do not, so that dots stay round: those beyond lean.
 #define LEAST_ROUND 0.33
-// Dots at half tone along each side of a tile, at a screenConstancy of 0.
+// Dots at half tone along each side of a tile, at a sizedOnScreen of 0.
 #define DOTS_PER_TILE 64.0
 // The diameter of a dot at half tone as a share of the distance between dots: 0.8² π/4 is one half.
 #define DOT_SHARE 0.8
@@ -92,9 +92,9 @@ vec2 blackAndWhite(const in float tone) {
 
 // Cells of the set per object unit, as a logarithm to base 2, at half tone. Of several planes each has a share of the dots.
 float octaveOf(const in PlaneOnScreen plane, const in float share) {
-  float onObject = log2(strokeScale * DOTS_PER_TILE);
+  float onObject = log2(tilesPerUnit * DOTS_PER_TILE);
   float onScreen = -0.5 * log2(max(abs(plane.area), 1e-30)) - log2(dotPixels / DOT_SHARE);
-  return mix(min(onObject, onScreen), onScreen, screenConstancy) + 0.5 * log2(share);
+  return mix(min(onObject, onScreen), onScreen, sizedOnScreen) + 0.5 * log2(share);
 }
 
 // Takes away what the dots across an axis cover of the blanks that black dots and white ones leave.
@@ -116,7 +116,7 @@ void printPlane(
     // A lighter tone has fewer dots and smaller ones, both by its square root: by the fourth root to each side.
     float sparser = 0.25 * log2(clamp(2.0 * cover, 2.0 * LEAST_DENSE_SHARE, 1.0));
     vec3 setShift = isBlack ? BLACK_SHIFT : WHITE_SHIFT;
-    vec2 shift = vec2(dot(axis, setShift), dot(axis, setShift.yzx)) / strokeScale;
+    vec2 shift = vec2(dot(axis, setShift), dot(axis, setShift.yzx)) / tilesPerUnit;
     float covered = dotsAt(place + shift, plane, octave + sparser, own);
     blank *= isBlack ? vec2(1.0 - covered, 1.0) : vec2(1.0, 1.0 - covered);
   }

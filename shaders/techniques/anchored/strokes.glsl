@@ -8,7 +8,7 @@
 
 uniform float anchorSpacing; // tiles between anchors
 #ifdef SIZED_ON_SCREEN
-  uniform float screenConstancy; // 0: strokes sized on the object, 1: on the screen
+  uniform float sizedOnScreen; // 0: strokes sized on the object, 1: on the screen
 #endif // SIZED_ON_SCREEN
 
 // Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
@@ -25,7 +25,7 @@ uniform float anchorSpacing; // tiles between anchors
 float latticeField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float lattice, const in ThresholdLevel level
 ) {
-  LatticeAnchors anchors = nearestAnchors(point * (strokeScale * exp2(lattice * LATTICE_OCTAVES) / anchorSpacing), lattice);
+  LatticeAnchors anchors = nearestAnchors(point * (tilesPerUnit * exp2(lattice * LATTICE_OCTAVES) / anchorSpacing), lattice);
   #if LIGHTS_WITH_DIRECTION > 1
     // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
     // only: where B turns into −B the strokes stay.
@@ -61,12 +61,12 @@ float foreshortenedOctaves(const in vec3 lean) {
 HatchField anchoredField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in vec3 lean, const in bool isBlank, out float crowding
 ) {
-  // Octaves by which the map at strokeScale is magnified: > 0 too near, < 0 too far.
+  // Octaves by which the map at tilesPerUnit is magnified: > 0 too near, < 0 too far.
   float magnification = -levelByDepth(thresholdMapSize);
   float foreshortened = foreshortenedOctaves(lean);
   HatchField field = HatchField(0.0, 0.0);
   #ifdef SIZED_ON_SCREEN
-    float wanted = screenConstancy * magnification / LATTICE_OCTAVES;
+    float wanted = sizedOnScreen * magnification / LATTICE_OCTAVES;
     float lattice = ceil(wanted);
     float faceOn = lattice * LATTICE_OCTAVES - magnification;
     float octaves = faceOn + max(foreshortened - FREE_CROWDING, 0.0);

@@ -2,7 +2,7 @@
 // tone, new ones are born between old ones as one comes nearer, and other families cross them in the darks.
 uniform float crossFrom; // tone above which lines cross
 uniform vec4 layerTurns; // xy: cosine and sine of the angle between a family and what crosses it
-uniform float screenConstancy; // 0: lines spaced on the object, 1: on the screen
+uniform float sizedOnScreen; // 0: lines spaced on the object, 1: on the screen
 
 #include "technique/ruledLines"
 

@@ -37,7 +37,7 @@ float ruledLines(
   // As the surface turns to face the gradient, the lines it is cut in lie further apart, up to a bound.
   float onObject = octaves(lineSpacing / 256.0 * min(slope / SPARSEST_SLOPE, 1.0));
   float onScreen = octaves(lineSpacing * perPixel);
-  float octave = max(mix(onObject, onScreen, screenConstancy), octaves(finestSpacing * perPixel));
+  float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
   float period = powerOf2(ceil(octave));
   // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
   // they leave is that of the new ones, which are their equals when the next octave begins.

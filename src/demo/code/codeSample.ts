@@ -4,9 +4,9 @@ import type { Settings } from '../settings/settings.js';
 import { lightSample } from './lightSample.js';
 import {
   drawnWithMap,
-  lineParameters,
   mapSource,
   materialParameters,
+  outlineParameters,
   prepareArgument,
   shiftsStrokes,
 } from './lookSample.js';
@@ -36,30 +36,30 @@ function wholeSample(settings: Settings, sceneRadius: number | undefined, name: 
   if (shiftsStrokes(settings)) classes.add('Vector2');
   if (!isScene) classes.add('Mesh');
   const parameters = material.map((line) => (line.includes('//') ? line : `${line},`));
-  const lines = settings.lines === 'on' ? lineParameters(settings) : undefined;
+  const outlines = settings.outlines === 'on' ? outlineParameters(settings) : undefined;
   const [names, use] = isScene
     ? [
         ['applyHatching'],
         `const { scene: model } = await new GLTFLoader().loadAsync(${inQuotes(name)});
 scene.add(model);
 await applyHatching(model, {
-  strokeScale: ${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world
+  tilesPerWorldUnit: ${Number((settings.tilesPerUnit / sceneRadius).toPrecision(3))}, // tiles per unit of the world
   material: {
 ${parameters.map((line) => `    ${line}`).join('\n')}
-  },${lines ? `\n  lines: {\n${lines.map((line) => `    ${line},`).join('\n')}\n  },` : ''}
+  },${outlines ? `\n  outlines: {\n${outlines.map((line) => `    ${line},`).join('\n')}\n  },` : ''}
 });`,
       ]
     : [
-        [...(lines ? ['HatchingLines'] : []), 'HatchingMaterial', 'prepareHatchingGeometry'],
+        [...(outlines ? ['HatchingOutlines'] : []), 'HatchingMaterial', 'prepareHatchingGeometry'],
         `const material = new HatchingMaterial({
 ${parameters.map((line) => `  ${line}`).join('\n')}
 });
 ${
-  lines
+  outlines
     ? `const mesh = new Mesh(await prepareHatchingGeometry(geometry${prepareArgument(settings, true)}), material);
 mesh.add(
-  new HatchingLines(mesh, {
-${lines.map((line) => `    ${line},`).join('\n')}
+  new HatchingOutlines(mesh, {
+${outlines.map((line) => `    ${line},`).join('\n')}
   }),
 );
 scene.add(mesh);`

@@ -10,16 +10,16 @@ import type { CodeDrawing } from './CodeModel.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
 import {
   drawnWithMap,
-  lineParameters,
   mapSource,
   materialParameters,
+  outlineParameters,
   prepareArgument,
   shiftsStrokes,
 } from './lookSample.js';
 import { modelSource } from './modelSource.js';
 import { round } from './round.js';
 
-/** An ES module that draws all that the page shows: model, paper, camera, lights, shadows, ground and lines. */
+/** An ES module that draws all that the page shows: model, paper, camera, lights, shadows, ground and outlines. */
 export interface DrawingSample {
   /** Import declarations. */
   imports: string;
@@ -184,8 +184,8 @@ function lookPart({ model, settings }: CodeDrawing): Part {
     }
     look = materialParameters(settings, true).map(onSheet);
     if (shiftsStrokes(settings)) three.push('Vector2');
-    const lines = settings.lines === 'on' ? lineParameters(settings).map(onSheet) : undefined;
-    rest = lines ? `  lines: {\n${lines.map((line) => `    ${line},\n`).join('')}  },\n` : '';
+    const outlines = settings.outlines === 'on' ? outlineParameters(settings).map(onSheet) : undefined;
+    rest = outlines ? `  outlines: {\n${outlines.map((line) => `    ${line},\n`).join('')}  },\n` : '';
   }
   const entries = [...look, ...own].map((entry) => `  ${entry},\n`).join('');
   let after = '';
@@ -202,10 +202,10 @@ function lookPart({ model, settings }: CodeDrawing): Part {
     hatching,
     code: `${before}const look = {
 ${entries}};
-const strokeScale = ${round(settings.strokeScale)}; // tiles per unit of the scene
+const tilesPerUnit = ${round(settings.tilesPerUnit)}; // tiles per unit of the scene
 const hatching = await applyHatching(holder, {
 ${rest}  material: look,
-  strokeScale,
+  tilesPerWorldUnit: tilesPerUnit,
 });${after}`,
   };
 }
@@ -224,7 +224,7 @@ function groundPart({ settings, groundHeight }: CodeDrawing): Part {
 const groundMaterial = new HatchingMaterial({
   ...look,
   tonalArtMap: hatching.materials[0].tonalArtMap,
-  strokeScale,
+  tilesPerUnit,
   color: '${settings.color}',${kind}
 });
 const ground = new Mesh(await prepareHatchingGeometry(plane${prepareArgument(settings)}), groundMaterial);

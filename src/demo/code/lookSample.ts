@@ -1,14 +1,14 @@
 import {
   counts,
-  HATCHING_LINE_DEFAULTS,
+  HATCHING_OUTLINE_DEFAULTS,
   type HatchingPropertyName,
   needsAdjacency,
   needsMap,
   pixelPower,
 } from 'three-hatching';
 import { countsFor } from '../settings/effects.js';
-import { lineLook } from '../settings/lineLook.js';
 import { isSize, materialLook, TWINS, type Twin } from '../settings/materialLook.js';
+import { outlineLook } from '../settings/outlineLook.js';
 import { SETTINGS, type Settings } from '../settings/settings.js';
 import type { Setting } from '../settings/table/Setting.js';
 import { unitOf } from '../settings/table/units.js';
@@ -51,24 +51,24 @@ export function materialParameters(settings: Settings, isScene: boolean): string
   if (!isScene) {
     parameters.push(
       `color: '${settings.color}'`,
-      `strokeScale: ${round(settings.strokeScale)}, // tiles per unit; this page scales models to a radius of 1`,
+      `tilesPerUnit: ${round(settings.tilesPerUnit)}, // tiles per unit; this page scales models to a radius of 1`,
     );
   } else if (settings.surfaceColors === 'paper') parameters.push(`color: 'white'`, 'map: null', 'vertexColors: false');
   return parameters;
 }
 
 /** Properties that materials of a loaded scene take from the scene. */
-const OF_THE_MODEL: readonly HatchingPropertyName[] = ['strokeScale', 'color'];
+const OF_THE_MODEL: readonly HatchingPropertyName[] = ['tilesPerUnit', 'color'];
 
 /** Whether the parameters name a vector. */
 export const shiftsStrokes = (settings: Settings): boolean =>
   countsFor(materialLook(settings), 'offsetU') && (settings.offsetU !== 0 || settings.offsetV !== 0);
 
 /** The options of `prepareHatchingGeometry` for the look, as a second argument with its comma; none if it needs none. */
-export function prepareArgument(settings: Settings, lines = false): string {
+export function prepareArgument(settings: Settings, outlines = false): string {
   const options = [
     ...(needsAdjacency(materialLook(settings)) ? ['adjacency: true'] : []),
-    ...(lines ? ['lines: true'] : []),
+    ...(outlines ? ['outlines: true'] : []),
   ];
   return options.length > 0 ? `, { ${options.join(', ')} }` : '';
 }
@@ -92,16 +92,16 @@ function sizeSource(settings: Settings, { key, property }: Twin): string {
   return `${size} * renderer.getPixelRatio()${power === 1 ? '' : ` ** ${power}`}`;
 }
 
-/** The parameters of lines that are not at their defaults, and all that are measured in pixels. */
-export function lineParameters(settings: Settings): string[] {
-  const { lineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = lineLook(settings);
-  const inPixels = { lineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };
+/** The parameters of outlines that are not at their defaults, and all that are measured in pixels. */
+export function outlineParameters(settings: Settings): string[] {
+  const { outlineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = outlineLook(settings);
+  const inPixels = { outlineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };
   return [
     ...Object.entries(inPixels)
       .filter(([, value]) => value > 0)
       .map(([name, value]) => `${name}: ${round(value)} * renderer.getPixelRatio()`),
     ...Object.entries(weights)
-      .filter(([name, value]) => value !== HATCHING_LINE_DEFAULTS[name as keyof typeof weights])
+      .filter(([name, value]) => value !== HATCHING_OUTLINE_DEFAULTS[name as keyof typeof weights])
       .map(([name, value]) => `${name}: ${round(value)}`),
     `shadeWeights: [${shadeWeights.map(round).join(', ')}]`,
     `ink: '${ink}'`,

@@ -17,18 +17,18 @@ export function presetSample(
 ): string {
   const isScene = sceneRadius !== undefined;
   const { code: lights, classes } = lightSample(settings, sceneRadius);
-  const [load, model, strokeScale] = isScene
+  const [load, model, tilesPerUnit] = isScene
     ? [
         `const { scene: model } = await new GLTFLoader().loadAsync(${inQuotes(name)});
 scene.add(model);`,
         'model',
-        `${Number((settings.strokeScale / sceneRadius).toPrecision(3))}, // tiles per unit of the world`,
+        `${Number((settings.tilesPerUnit / sceneRadius).toPrecision(3))}, // tiles per unit of the world`,
       ]
     : [
         `const mesh = new Mesh(geometry);
 scene.add(mesh);`,
         'mesh',
-        `${settings.strokeScale}, // tiles per unit; this page scales models to a radius of 1`,
+        `${settings.tilesPerUnit}, // tiles per unit; this page scales models to a radius of 1`,
       ];
   if (!isScene) classes.push('Mesh');
   const isPaper = isScene && settings.surfaceColors === 'paper';
@@ -42,7 +42,7 @@ const preset = scalePreset(presets.${preset}, renderer.getPixelRatio());
 ${load}
 await applyHatching(${model}, {
   ...preset,
-  strokeScale: ${strokeScale}${material}
+  tilesPerWorldUnit: ${tilesPerUnit}${material}
 });
 
 ${lights}`;

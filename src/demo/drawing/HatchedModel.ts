@@ -8,13 +8,13 @@ import {
   type Object3D,
   type Texture,
 } from 'three';
-import type { HatchingLineMaterial, HatchingLines, HatchingMaterial, TonalArtMap } from 'three-hatching';
+import type { HatchingMaterial, HatchingOutlineMaterial, HatchingOutlines, TonalArtMap } from 'three-hatching';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import { parameterSetter } from './parameterSetter.js';
-import { lineSizesIn, materialSizesIn } from './picturedSizes.js';
+import { materialSizesIn, outlineSizesIn } from './picturedSizes.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
 
 /** What the bake found in a model. */
@@ -61,7 +61,7 @@ export class HatchedModel {
   private readonly meshes: { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
   /** The look that the materials have, as a text; undefined while they have another. */
   private shown: string | undefined;
-  private readonly lineMaterials: ReadonlySet<HatchingLineMaterial>;
+  private readonly outlineMaterials: ReadonlySet<HatchingOutlineMaterial>;
 
   /**
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
@@ -70,7 +70,7 @@ export class HatchedModel {
    * @param outline xyz of points on the outer parts of the root, in all poses
    * @param stands which of its axes points up; undefined if no flat side shows that
    * @param motion its clips and morph targets, if it has any
-   * @param lines of its meshes; several may share a material
+   * @param outlines of its meshes; several may share a material
    * @param free called when the model is disposed
    */
   constructor(
@@ -81,20 +81,20 @@ export class HatchedModel {
     readonly statistics: ModelStatistics,
     readonly motion: Motion | undefined,
     materials: readonly HatchingMaterial[],
-    private readonly lines: readonly HatchingLines[],
+    private readonly outlines: readonly HatchingOutlines[],
     private readonly free: () => void,
   ) {
     this.pairs = materials.map((drawn) => ({
       drawn,
       compared: undefined,
       surface: surfaceOf(drawn),
-      scale: drawn.strokeScale,
+      scale: drawn.tilesPerUnit,
     }));
     this.meshes = meshesOf(root).map((mesh) => {
       mesh.castShadow = mesh.receiveShadow = true;
       return { mesh, drawn: mesh.material, compared: mesh.material };
     });
-    this.lineMaterials = new Set(lines.map(({ material }) => material));
+    this.outlineMaterials = new Set(outlines.map(({ material }) => material));
   }
 
   /** Gives the materials a look. */
@@ -114,20 +114,20 @@ export class HatchedModel {
         setDrawn(drawn);
         if (compared) setCompared(compared);
         for (const material of bothOf({ drawn, compared })) {
-          material.strokeScale *= scale;
+          material.tilesPerUnit *= scale;
           showSurface(material, surface, look.showsSurfaceColors);
         }
         yield;
       }
-      for (const material of this.lineMaterials) material.setValues(look.lines);
+      for (const material of this.outlineMaterials) material.setValues(look.outlines);
       this.shown = shown;
     }
-    this.showLines(look.showsLines);
+    this.showOutlines(look.showsOutlines);
   }
 
-  /** Shows or hides the lines, until a look is applied again. */
-  showLines(shown: boolean): void {
-    for (const lines of this.lines) lines.visible = shown;
+  /** Shows or hides the outlines, until a look is applied again. */
+  showOutlines(shown: boolean): void {
+    for (const outlines of this.outlines) outlines.visible = shown;
   }
 
   set tonalArtMap(map: TonalArtMap) {
@@ -135,7 +135,7 @@ export class HatchedModel {
   }
 
   /**
-   * Sets how wide strokes and lines are.
+   * Sets how wide strokes and outlines are.
    *
    * @param share of their width that they have on a small sheet
    * @param scale of a picture whose size is not that of the page
@@ -143,8 +143,8 @@ export class HatchedModel {
   setWidths(look: Look, share: number, scale = 1): void {
     const sizes = materialSizesIn(look, share, scale);
     for (const pair of this.pairs) for (const material of bothOf(pair)) Object.assign(material, sizes);
-    const lineSizes = lineSizesIn(look, share * scale);
-    for (const material of this.lineMaterials) material.setValues(lineSizes);
+    const outlineSizes = outlineSizesIn(look, share * scale);
+    for (const material of this.outlineMaterials) material.setValues(outlineSizes);
   }
 
   /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
@@ -176,7 +176,7 @@ export class HatchedModel {
       }
     }
     if (layer === undefined) return;
-    for (const lines of this.lines) lines.visible &&= layer === 'outline';
+    for (const outlines of this.outlines) outlines.visible &&= layer === 'outline';
   }
 
   /** Selects the materials for the next rendering. */
@@ -216,8 +216,8 @@ export class HatchedModel {
 }
 
 /** What materials take of a look, as a text: two looks with the same text give equal materials. */
-const materialKey = ({ drawn, compared, lines, showsSurfaceColors }: Look): string =>
-  JSON.stringify([drawn, compared, lines, showsSurfaceColors]);
+const materialKey = ({ drawn, compared, outlines, showsSurfaceColors }: Look): string =>
+  JSON.stringify([drawn, compared, outlines, showsSurfaceColors]);
 
 /** The material that is drawn, and its copy if there is one. */
 const bothOf = ({ drawn, compared }: Pick<MaterialPair, 'drawn' | 'compared'>): HatchingMaterial[] =>

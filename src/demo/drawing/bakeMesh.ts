@@ -13,11 +13,11 @@ export interface BakedMesh {
 /**
  * Bakes a mesh for hatching by any technique, in the library's worker. Missing normals are computed there, with creases kept.
  *
- * @param options.lines whether contours, borders and creases are to be drawn too
+ * @param options.outlines whether contours, borders and creases are to be drawn too
  */
 export async function bakeMesh(
   mesh: PlainMesh,
-  options: { lines?: boolean; signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
+  options: { outlines?: boolean; signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
 ): Promise<BakedMesh> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(mesh.positions, 3));

@@ -1,5 +1,5 @@
 import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
-import { HatchingLines, HatchingMaterial } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines } from 'three-hatching';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { PlainMesh } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
@@ -21,16 +21,16 @@ export async function modelOfMesh(
   pictures: readonly (MeshPicture | undefined)[] = [],
   stands?: UpAxis,
 ): Promise<HatchedModel> {
-  const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, lines: true });
+  const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, outlines: true });
   const textures = pictures.map((picture) => picture && textureOf(picture));
   const materials = (mesh.ranges ?? [{ picture: -1 }]).map(({ picture }) => {
     const map = textures[picture] ?? null;
     const alphaTest = map && pictures[picture]?.cutOut ? CUT_OUT : 0;
-    return new HatchingMaterial({ strokeScale: 1, vertexColors: mesh.colors !== null, side, map, alphaTest });
+    return new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side, map, alphaTest });
   });
   const drawn = new Mesh(geometry, mesh.ranges ? materials : materials[0]);
-  const lines = new HatchingLines(drawn);
-  const root = new Group().add(drawn.add(lines));
+  const outlines = new HatchingOutlines(drawn);
+  const root = new Group().add(drawn.add(outlines));
   return new HatchedModel(
     root,
     geometry.boundingBox!,
@@ -39,9 +39,9 @@ export async function modelOfMesh(
     statistics,
     undefined,
     materials,
-    [lines],
+    [outlines],
     () => {
-      lines.dispose();
+      outlines.dispose();
       geometry.dispose();
       for (const material of materials) material.dispose();
       for (const picture of pictures) picture?.bitmap.close();

@@ -57,7 +57,7 @@ export async function modelOfScene(
   await slices.next();
 
   // One tile per world unit. The settings scale it.
-  const hatched = await applyHatching(root, { tonalArtMap: null, strokeScale: 1, lines: true, ...options });
+  const hatched = await applyHatching(root, { tonalArtMap: null, tilesPerWorldUnit: 1, outlines: true, ...options });
   // From here on, cancelling disposes of the model, which frees everything.
   const ending = new Slices();
   const damaged = hatched.skipped.filter(({ error }) => error);
@@ -76,7 +76,7 @@ export async function modelOfScene(
     statistics,
     motion.canMove ? motion : undefined,
     hatched.materials,
-    hatched.lines,
+    hatched.outlines,
     () => {
       motion.dispose();
       hatched.dispose();

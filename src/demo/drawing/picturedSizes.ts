@@ -10,24 +10,24 @@ const { finestSpacing } = HATCHING_DEFAULTS;
  * @param scale of a picture whose size is not that of the page
  */
 export function materialSizesIn(
-  { sizes, drawn: { screenConstancy } }: Look,
+  { sizes, drawn: { sizedOnScreen } }: Look,
   share: number,
   scale = 1,
 ): HatchingMaterialParameters {
   return {
     ...sizes,
-    ...scaledSizes({ ...sizes, screenConstancy }, share * scale),
-    // Where lines become too close to be told apart, the sheet does not matter.
+    ...scaledSizes({ ...sizes, sizedOnScreen }, share * scale),
+    // Where outlines become too close to be told apart, the sheet does not matter.
     ...scaledSizes({ finestSpacing }, scale),
   };
 }
 
-/** The sizes of lines. @param factor on all of them */
-export function lineSizesIn({ lines }: Look, factor: number) {
+/** The sizes of outlines. @param factor on all of them */
+export function outlineSizesIn({ outlines }: Look, factor: number) {
   return {
-    lineWidth: lines.lineWidth * factor,
-    wobble: lines.wobble * factor,
-    overshoot: lines.overshoot * factor,
-    toothSize: lines.toothSize * factor,
+    outlineWidth: outlines.outlineWidth * factor,
+    wobble: outlines.wobble * factor,
+    overshoot: outlines.overshoot * factor,
+    toothSize: outlines.toothSize * factor,
   };
 }

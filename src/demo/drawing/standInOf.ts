@@ -9,7 +9,7 @@ import { HatchedModel } from './HatchedModel.js';
 import { outlineOf } from './outlineOf.js';
 
 /**
- * A model that is drawn while `read` is baked: with plain normals, without lines and from both sides. Undefined where the bake
+ * A model that is drawn while `read` is baked: with plain normals, without outlines and from both sides. Undefined where the bake
  * is short, or where what the settings ask for cannot be drawn without.
  */
 export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
@@ -22,7 +22,7 @@ export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): H
   if (mesh.colors) geometry.setAttribute('color', new BufferAttribute(mesh.colors, 3));
   if (mesh.indices) geometry.setIndex(new BufferAttribute(mesh.indices, 1));
   geometry.computeBoundingBox();
-  const material = new HatchingMaterial({ strokeScale: 1, vertexColors: mesh.colors !== null, side: DoubleSide });
+  const material = new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side: DoubleSide });
   const drawn = new Mesh(geometry, material);
   // The only object there is: nothing is to be gained from measuring whether it is in view.
   drawn.frustumCulled = false;

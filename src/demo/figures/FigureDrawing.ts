@@ -1,7 +1,7 @@
 import { DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PointLight, Scene, Vector3 } from 'three';
 import {
-  HatchingLines,
   HatchingMaterial,
+  HatchingOutlines,
   type HatchingPreset,
   type HatchingTechnique,
   needsMap,
@@ -35,7 +35,7 @@ export class FigureDrawing {
   /** The colour behind the model. */
   readonly paper: string;
   readonly camera = createCamera();
-  private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; strokeScale: number }[] = [];
+  private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; tilesPerUnit: number }[] = [];
   private readonly light;
   private readonly reflected = new HemisphereLight('white', 'black');
   private readonly lightPosition = new Vector3();
@@ -64,15 +64,16 @@ export class FigureDrawing {
     group.rotation.y = MathUtils.degToRad(panel.turned ?? 0);
     for (const [part, geometry] of Object.entries(model.parts)) {
       const look: Look = { ...figure.look, ...panel.look, ...panel.parts?.[part] };
-      const { style, preset: name, lines, ...options } = look;
+      const { style, preset: name, outlines, ...options } = look;
       const preset: HatchingPreset | undefined = name && scalePreset(presets[name], PIXEL_RATIO);
       const technique = options.technique ?? preset?.material.technique ?? 'adjacency';
       const parameters = { ink, paper, ...preset?.material, ...options, technique, side: model.side };
       const material = new HatchingMaterial(parameters);
       if (needsMap(material)) material.tonalArtMap = await mapOf(style ?? preset?.tonalArtMap?.style ?? 'hatching');
-      drawing.materials.push({ material, technique, strokeScale: material.strokeScale });
+      drawing.materials.push({ material, technique, tilesPerUnit: material.tilesPerUnit });
       const mesh = new Mesh(geometry, material);
-      if (lines !== false && (lines || preset)) mesh.add(new HatchingLines(mesh, { ink, ...preset?.lines, ...lines }));
+      if (outlines !== false && (outlines || preset))
+        mesh.add(new HatchingOutlines(mesh, { ink, ...preset?.outlines, ...outlines }));
       group.add(mesh);
     }
     drawing.scene.add(group);
@@ -93,10 +94,10 @@ export class FigureDrawing {
 
   /** Sets the technique of the materials. */
   setTechnique(choice: TechniqueChoice): void {
-    for (const { material, technique, strokeScale } of this.materials) {
+    for (const { material, technique, tilesPerUnit } of this.materials) {
       const isReplaced = choice === 'anchored' && technique === 'adjacency' && !this.figure.fixedTechnique;
       material.technique = isReplaced ? 'anchored' : technique;
-      material.strokeScale = isReplaced ? ANCHORED_SCALE * strokeScale : strokeScale;
+      material.tilesPerUnit = isReplaced ? ANCHORED_SCALE * tilesPerUnit : tilesPerUnit;
     }
   }
 }

@@ -51,7 +51,7 @@ function meshIn(read: ReadModel | BuiltInScene): PlainMesh {
 function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
   return async () => {
     const mesh = meshIn(await BUILT_IN_MODELS[name].load(LOADING));
-    const { geometry, side } = await bakeMesh(mesh, { lines: true });
+    const { geometry, side } = await bakeMesh(mesh, { outlines: true });
     return { parts: { all: geometry }, side, outline: mesh.positions };
   };
 }
@@ -59,7 +59,7 @@ function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
 async function hand(): Promise<FigureModel> {
   const { loadHand } = await import('../models/loadHand.js');
   const mesh = await loadHand();
-  const { geometry } = await bakeMesh(mesh, { lines: true });
+  const { geometry } = await bakeMesh(mesh, { outlines: true });
   return { parts: { all: geometry }, side: DoubleSide, outline: mesh.positions };
 }
 

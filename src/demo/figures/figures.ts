@@ -2,7 +2,7 @@
  * The figures of the paper by Suarez et al. that are drawn again, and some of what goes beyond it, as plain data. The page, the
  * documentation and the tests read this table.
  */
-import type { HatchingLineParameters, HatchingMaterialOptions, PresetName, StrokeStyleName } from 'three-hatching';
+import type { HatchingMaterialOptions, HatchingOutlineParameters, PresetName, StrokeStyleName } from 'three-hatching';
 import { PRESET_LABELS, PRESET_NAMES } from '../settings/presetLabels.js';
 import type { FigureModelName } from './figureModels.js';
 
@@ -12,7 +12,7 @@ export interface Look
     Pick<
       HatchingMaterialOptions,
       | 'technique'
-      | 'strokeScale'
+      | 'tilesPerUnit'
       | 'strokeRotation'
       | 'toneModel'
       | 'toneSteps'
@@ -25,7 +25,7 @@ export interface Look
       | 'crossAngle'
       | 'lineField'
       | 'lineSpacing'
-      | 'screenConstancy'
+      | 'sizedOnScreen'
       | 'strokeWidth'
       | 'crossFrom'
     >
@@ -34,7 +34,7 @@ export interface Look
   /** A preset of the library, which the other fields of the look change. */
   preset?: PresetName;
   /** Contours, borders and creases, by the parameters that differ from their defaults or from those of the preset; `false` for none. */
-  lines?: HatchingLineParameters | false;
+  outlines?: HatchingOutlineParameters | false;
 }
 
 type Triple = readonly [x: number, y: number, z: number];
@@ -129,7 +129,7 @@ export const FIGURES: readonly Figure[] = [
     here: 'The same: without blending every edge shows; with it strokes run out into grey before the edge.',
     model: 'fourTriangles',
     aspect: 1.1,
-    look: { strokeScale: 1.2 },
+    look: { tilesPerUnit: 1.2 },
     rows: [
       {
         panels: [
@@ -149,7 +149,7 @@ export const FIGURES: readonly Figure[] = [
     model: 'fourTriangles',
     aspect: 1.1,
     fixedTechnique: true,
-    look: { strokeScale: 1.2 },
+    look: { tilesPerUnit: 1.2 },
     rows: [
       {
         panels: [
@@ -184,7 +184,7 @@ export const FIGURES: readonly Figure[] = [
     beside: true,
     light: { position: [-1.6, 1.3, 1.3], reflected: 0 },
     view: [0.1, 0.3, 1],
-    look: { strokeScale: 2, toneNormal: 'smooth' },
+    look: { tilesPerUnit: 2, toneNormal: 'smooth' },
     rows: (
       [
         ['lambert', 'Lambert', {}],
@@ -209,7 +209,7 @@ export const FIGURES: readonly Figure[] = [
     aspect: 1,
     light: { position: [1, 1.2, 1.5] },
     view: [0.05, 0.1, 1],
-    look: { strokeScale: 1.3 },
+    look: { tilesPerUnit: 1.3 },
     rows: [
       {
         label: 'Strokes turned about the normal of each triangle',
@@ -221,10 +221,10 @@ export const FIGURES: readonly Figure[] = [
       },
       {
         label: 'Strokes scaled',
-        panels: [0.3, 0.6, 1.2, 2.4].map((strokeScale) => ({
-          name: `scale-${strokeScale}`,
-          label: `${strokeScale} tiles to a unit`,
-          look: { strokeScale },
+        panels: [0.3, 0.6, 1.2, 2.4].map((tilesPerUnit) => ({
+          name: `scale-${tilesPerUnit}`,
+          label: `${tilesPerUnit} tiles to a unit`,
+          look: { tilesPerUnit },
         })),
       },
       {
@@ -256,7 +256,7 @@ export const FIGURES: readonly Figure[] = [
     aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.1, 0.05, 1],
-    look: { strokeScale: 1.6, strokeRotation: degrees(90) },
+    look: { tilesPerUnit: 1.6, strokeRotation: degrees(90) },
     rows: [
       {
         panels: Object.entries(SIDES).map(([name, { label, position }]) => ({ name, label, light: { position } })),
@@ -271,7 +271,7 @@ export const FIGURES: readonly Figure[] = [
     model: 'dragon',
     aspect: 1.3,
     light: { position: SIDES.left.position },
-    look: { strokeScale: 1.6, strokeRotation: degrees(90) },
+    look: { tilesPerUnit: 1.6, strokeRotation: degrees(90) },
     rows: (
       [
         ['hatching', 'Pen'],
@@ -300,7 +300,7 @@ export const FIGURES: readonly Figure[] = [
     aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.75, 0.5, 1],
-    look: { strokeScale: 1.2 },
+    look: { tilesPerUnit: 1.2 },
     rows: Object.entries(liveries).map(([name, parts]) => ({
       panels: [
         {
@@ -327,7 +327,7 @@ export const FIGURES: readonly Figure[] = [
     aspect: 1.1,
     light: { position: [-1.2, 1.4, 1.2] },
     view: [0, 0.1, 1],
-    look: { strokeScale: 1.6 },
+    look: { tilesPerUnit: 1.6 },
     rows: [
       {
         panels: [
@@ -345,16 +345,16 @@ export const FIGURES: readonly Figure[] = [
     aspect: 1.3,
     fixedTechnique: true,
     light: { position: SIDES.left.position },
-    look: { strokeScale: 1.8, strokeRotation: degrees(90) },
+    look: { tilesPerUnit: 1.8, strokeRotation: degrees(90) },
     rows: [
       {
         panels: [
           { name: 'adjacency', label: 'as in the paper' },
-          { name: 'anchored', label: 'anchored to the dragon', look: { technique: 'anchored', strokeScale: 3 } },
+          { name: 'anchored', label: 'anchored to the dragon', look: { technique: 'anchored', tilesPerUnit: 3 } },
           {
             name: 'crossed',
             label: 'crossing by tone',
-            look: { technique: 'anchored', strokeScale: 3, strokeLayers: 'tone', crossFrom: 0.35 },
+            look: { technique: 'anchored', tilesPerUnit: 3, strokeLayers: 'tone', crossFrom: 0.35 },
           },
         ],
       },
@@ -384,7 +384,7 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 'C',
     title: 'Contours and creases',
-    here: 'The same engraving without lines, with contours that are heavier in the shade, and with suggestive contours drawn by a freer hand.',
+    here: 'The same engraving without outlines, with contours that are heavier in the shade, and with suggestive contours drawn by a freer hand.',
     model: 'suzanne',
     aspect: 1.1,
     fixedTechnique: true,
@@ -394,9 +394,9 @@ export const FIGURES: readonly Figure[] = [
     rows: [
       {
         panels: [
-          { name: 'none', label: 'none', look: { lines: false } },
+          { name: 'none', label: 'none', look: { outlines: false } },
           { name: 'contours', label: 'contours and creases' },
-          { name: 'suggestive', label: 'suggestive, freer', look: { lines: { suggestiveContours: 0.6, wobble: 4 } } },
+          { name: 'suggestive', label: 'suggestive', look: { outlines: { suggestiveContours: 0.6, wobble: 4 } } },
         ],
       },
     ],
@@ -404,7 +404,7 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 'D',
     title: 'Presets',
-    here: 'One hand under one light in the nine presets of the library: material, lines and map in one object each.',
+    here: 'One hand under one light in the nine presets of the library: material, outlines and map in one object each.',
     model: 'hand',
     aspect: 0.8,
     fixedTechnique: true,

@@ -12,8 +12,8 @@ export function drawnSettings(settings: Settings): Settings {
     ...settings,
     strokeWidth: settings.strokeWidth * size,
     lineSpacing: settings.lineSpacing * size,
-    lineWidth: settings.lineWidth * size,
-    strokeScale: settings.strokeScale / size,
+    outlineWidth: settings.outlineWidth * size,
+    tilesPerUnit: settings.tilesPerUnit / size,
     lightStrength: settings.lightStrength / cover,
     secondStrength: settings.secondStrength / cover,
   };

@@ -1,8 +1,8 @@
 import { type HatchingMaterialParameters, needsMap } from 'three-hatching';
 import { drawnSettings } from './drawnSettings.js';
 import { type Lighting, lightingOf } from './lighting.js';
-import { type LineLook, lineLook } from './lineLook.js';
 import { materialLook, materialSizes } from './materialLook.js';
+import { type OutlineLook, outlineLook } from './outlineLook.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 import { UPRIGHT } from './settingValues.js';
 
@@ -14,9 +14,9 @@ export interface Look {
   readonly compared: HatchingMaterialParameters | undefined;
   /** The sizes of the materials. Those that are measured in pixels are in CSS pixels. */
   readonly sizes: HatchingMaterialParameters;
-  /** The parameters of lines, in CSS pixels. */
-  readonly lines: LineLook;
-  readonly showsLines: boolean;
+  /** The parameters of outlines, in CSS pixels. */
+  readonly outlines: OutlineLook;
+  readonly showsOutlines: boolean;
   /** Whether surfaces have the colours and pictures of the model, and not those of paper. */
   readonly showsSurfaceColors: boolean;
   /** What the model stands on, and whether that is to be seen: debug views look at the model. */
@@ -46,9 +46,9 @@ export function lookOf(settings: Settings): Look {
     drawn,
     compared,
     sizes: materialSizes(shown),
-    lines: lineLook(shown),
+    outlines: outlineLook(shown),
     // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
-    showsLines: shown.lines === 'on' && !isDebugView,
+    showsOutlines: shown.outlines === 'on' && !isDebugView,
     showsSurfaceColors: shown.surfaceColors === 'shown',
     ground,
     showsGround: ground !== 'none' && !isDebugView,

@@ -25,7 +25,7 @@ export const TWINS: readonly Twin[] = SETTING_KEYS.flatMap((key) => {
 });
 
 /** Whether a property is measured in pixels of the picture, where it is sized on the screen. */
-export const isSize = ({ property }: Twin): boolean => pixelPower({ screenConstancy: 1 }, property) > 0;
+export const isSize = ({ property }: Twin): boolean => pixelPower({ sizedOnScreen: 1 }, property) > 0;
 
 const SIZES = TWINS.filter(isSize);
 const OTHERS = TWINS.filter((twin) => !isSize(twin));

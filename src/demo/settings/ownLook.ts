@@ -1,4 +1,5 @@
 import { acceptSetting } from './acceptSetting.js';
+import { storedValue } from './formerNames.js';
 import { SETTINGS, type Settings, settingsOf } from './settings.js';
 
 /** The settings that a look of one's own sets: more than a preset does, shadows and what the model stands on among them. */
@@ -12,7 +13,7 @@ export type OwnLook = Partial<Settings>;
  */
 export function acceptLook(known: Readonly<Record<string, unknown>>): OwnLook {
   const entries = LOOK_KEYS.map((key) => {
-    const value = Object.hasOwn(known, key) ? known[key] : undefined;
+    const value = storedValue(key, (name) => (Object.hasOwn(known, name) ? known[name] : undefined));
     const isPlain = typeof value === 'string' || typeof value === 'number';
     const accepted = isPlain && value !== 'file' ? acceptSetting(key, value) : undefined;
     return [key, accepted ?? SETTINGS[key].default];

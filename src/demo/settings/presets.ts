@@ -1,6 +1,6 @@
 import { type PresetName, presets } from 'three-hatching';
-import { settingsOfLines } from './lineLook.js';
 import { settingsOfMaterial } from './materialLook.js';
+import { settingsOfOutlines } from './outlineLook.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { defaultSettings, SETTINGS, type Settings, settingsOf } from './settings.js';
 
@@ -12,12 +12,12 @@ const LIGHT_STRENGTH = 100;
 
 /** All settings of a preset, also those at their default, so that nothing of the previous look remains. */
 export function presetLook(name: PresetName): Partial<Settings> {
-  const { material, lines, tonalArtMap } = presets[name];
+  const { material, outlines, tonalArtMap } = presets[name];
   return {
     ...Object.fromEntries(LOOK_KEYS.map((key) => [key, SETTINGS[key].default])),
     lightStrength: LIGHT_STRENGTH,
     ...settingsOfMaterial(material),
-    ...settingsOfLines(lines),
+    ...settingsOfOutlines(outlines),
     ...(tonalArtMap?.style && { mapStyle: tonalArtMap.style }),
   };
 }

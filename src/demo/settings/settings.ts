@@ -1,6 +1,6 @@
 import { DRAWING_SETTINGS } from './table/drawingSettings.js';
 import { LIGHT_SETTINGS } from './table/lightSettings.js';
-import { LINE_SETTINGS } from './table/lineSettings.js';
+import { OUTLINE_SETTINGS } from './table/outlineSettings.js';
 import { PICTURE_SETTINGS, VIDEO_SETTINGS, VIEW_SETTINGS } from './table/outputSettings.js';
 import type { Setting } from './table/Setting.js';
 import { STROKE_SETTINGS } from './table/strokeSettings.js';
@@ -10,7 +10,7 @@ import { COLOUR_SETTINGS, TONE_SETTINGS } from './table/toneSettings.js';
 export const SETTINGS = {
   ...DRAWING_SETTINGS,
   ...STROKE_SETTINGS,
-  ...LINE_SETTINGS,
+  ...OUTLINE_SETTINGS,
   ...TONE_SETTINGS,
   ...COLOUR_SETTINGS,
   ...LIGHT_SETTINGS,

@@ -1,9 +1,10 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
+import { storedValue } from './formerNames.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
 import { MAX_VIEWS, readView, type SavedView, writeView } from './savedViews.js';
-import { defaultSettings, SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
+import { defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 
 /** What a link brings back. */
 export interface LinkedDrawing {
@@ -14,11 +15,6 @@ export interface LinkedDrawing {
   address: string | undefined;
   views: readonly SavedView[];
 }
-
-/** What older links call values, and what those are called now. */
-const FORMER_VALUES: Partial<Record<SettingKey, Record<string, string>>> = {
-  strokeLayers: { 1: 'single', 2: 'lights' },
-};
 
 /**
  * Settings and camera as the hash of a URL. Defaults are left out, but for the technique: no hash at all stands for the first view.
@@ -66,8 +62,8 @@ export function readLink(hash: string): LinkedDrawing {
   const preset = PRESET_NAMES.find((name) => name === parameters.get('preset'));
   const settings = parameters.size === 0 ? firstView() : { ...defaultSettings(), ...(preset && presetLook(preset)) };
   for (const key of SETTING_KEYS) {
-    const text = parameters.get(key);
-    const value = text === null ? undefined : acceptSetting(key, FORMER_VALUES[key]?.[text] ?? text);
+    const text = storedValue(key, (name) => parameters.get(name) ?? undefined);
+    const value = text === undefined ? undefined : acceptSetting(key, text);
     if (value !== undefined && value !== 'file') Object.assign(settings, { [key]: value });
   }
   const numbers = (parameters.get('camera') ?? '').split(',').map((text) => Math.fround(Number(text)));

@@ -1,9 +1,9 @@
 import type { WebGLRenderer } from 'three';
-import { MovingResolution } from 'three-hatching';
+import { AdaptiveResolution } from 'three-hatching';
 
 /**
  * The first frame of a model is a sketch, so that there is something to see early on a slow machine: in a lower resolution, by this
- * factor per side, without lines and ground, whose programs are built later.
+ * factor per side, without outlines and ground, whose programs are built later.
  */
 const SKETCH_SHARE = 0.5;
 /** A sketch of a stand-in that takes longer stays until the model itself is there. */
@@ -22,14 +22,14 @@ interface FrameQualityHost {
 /** Measures frames, and tells how finely the next is drawn: coarsely while something moves on a slow machine, or as a sketch. */
 export class FrameQuality {
   private isSketching = false;
-  private readonly resolution: MovingResolution;
+  private readonly resolution: AdaptiveResolution;
   private readonly listeners: (() => void)[] = [];
 
   constructor(
     renderer: WebGLRenderer,
     private readonly host: FrameQualityHost,
   ) {
-    this.resolution = new MovingResolution(renderer, {
+    this.resolution = new AdaptiveResolution(renderer, {
       onRest: () => host.invalidate(),
       onMeasured: () => this.measured(),
     });

@@ -60,7 +60,7 @@ export class Painter {
   /**
    * Draws one tile of a picture, or a whole frame.
    *
-   * @param scale of a picture whose size is not that of the page; the widths of strokes and lines go with it
+   * @param scale of a picture whose size is not that of the page; the widths of strokes and outlines go with it
    */
   drawTile(tile: Tile, scale = 1): void {
     this.setWidths(scale);

@@ -12,7 +12,7 @@ export interface TiledPicture {
   viewHeight: number;
   left: number;
   top: number;
-  /** Pixels of the picture per CSS pixel of the page, by which strokes and lines are sized. */
+  /** Pixels of the picture per CSS pixel of the page, by which strokes and outlines are sized. */
   scale: number;
 }
 

@@ -80,7 +80,7 @@ export class Scenery {
   }
 
   /**
-   * Sets how wide strokes and lines are.
+   * Sets how wide strokes and outlines are.
    *
    * @param share of their width that they have on a small sheet
    * @param scale of a picture whose size is not that of the page
@@ -91,9 +91,9 @@ export class Scenery {
     this.ground.setWidths(this.look, share, scale);
   }
 
-  /** Hides lines and ground, which need programs of their own, until the look is applied again. */
+  /** Hides outlines and ground, which need programs of their own, until the look is applied again. */
   showSketch(): void {
-    this.shown.model?.showLines(false);
+    this.shown.model?.showOutlines(false);
     this.ground.hide();
   }
 

@@ -75,7 +75,7 @@ export interface HatchingTechniqueData {
 export interface HatchingFacts {
   /** Of a number or a vector. */
   measure?: HatchingMeasure;
-  /** What it measures at a `screenConstancy` of 1, where that is something else. In between it is a mean of the two. */
+  /** What it measures at a `sizedOnScreen` of 1, where that is something else. In between it is a mean of the two. */
   measureOnScreen?: HatchingMeasure;
   /** What other properties must be for it to count. Several conditions: it is enough that one holds. */
   when?: HatchingCondition | readonly HatchingCondition[];

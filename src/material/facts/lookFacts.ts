@@ -57,23 +57,23 @@ export const needsAdjacency = (look: HatchingLook): boolean =>
 
 /**
  * What a number or a vector measures in a look; undefined for other properties, and for one that is a mean of two measures, as far as
- * `screenConstancy` says.
+ * `sizedOnScreen` says.
  */
 export function measureOf(look: HatchingLook, name: HatchingPropertyName): HatchingMeasure | undefined {
   const { measure, measureOnScreen = measure } = factsOf(name);
-  const onScreen = Number(valueIn(look, 'screenConstancy'));
+  const onScreen = Number(valueIn(look, 'sizedOnScreen'));
   if (measure === measureOnScreen || onScreen === 0) return measure;
   return onScreen === 1 ? measureOnScreen : undefined;
 }
 
 /**
  * How a property goes with the size of a picture: 1 if it is measured in CSS pixels, 0 if it is not, and for one that is as far as
- * `screenConstancy` says, that. In a picture twice as wide it is 2 to this power as large.
+ * `sizedOnScreen` says, that. In a picture twice as wide it is 2 to this power as large.
  */
 export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
   const { measure, measureOnScreen } = factsOf(name);
   if (measure === 'pixels') return 1;
-  return measureOnScreen === 'pixels' ? Number(valueIn(look, 'screenConstancy')) : 0;
+  return measureOnScreen === 'pixels' ? Number(valueIn(look, 'sizedOnScreen')) : 0;
 }
 
 /**

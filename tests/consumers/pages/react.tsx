@@ -3,7 +3,13 @@ import { StrictMode, Suspense, use, useMemo, useSyncExternalStore } from 'react'
 import { createRoot } from 'react-dom/client';
 import { BufferAttribute, BufferGeometry, Group, Mesh, MeshStandardMaterial, SphereGeometry } from 'three';
 import type { HatchedScene, HatchingMaterial } from 'three-hatching';
-import { Hatched, type HatchedProps, HatchingLines, useHatchingGeometry, useTonalArtMap } from 'three-hatching/react';
+import {
+  Hatched,
+  type HatchedProps,
+  HatchingOutlines,
+  useHatchingGeometry,
+  useTonalArtMap,
+} from 'three-hatching/react';
 import { ReactModel } from './ReactModel.js';
 
 /** What the page shows; the tests change it. */
@@ -19,7 +25,7 @@ interface Shown {
   late: boolean;
   byHand: boolean;
   ink: string | undefined;
-  lineWidth: number | undefined;
+  outlineWidth: number | undefined;
 }
 
 let shown: Shown = {
@@ -34,7 +40,7 @@ let shown: Shown = {
   late: false,
   byHand: false,
   ink: undefined,
-  lineWidth: undefined,
+  outlineWidth: undefined,
 };
 const listeners = new Set<() => void>();
 
@@ -126,15 +132,15 @@ function Late() {
   );
 }
 
-function ByHand({ ink, lineWidth }: Pick<Shown, 'ink' | 'lineWidth'>) {
+function ByHand({ ink, outlineWidth }: Pick<Shown, 'ink' | 'outlineWidth'>) {
   const tonalArtMap = useTonalArtMap({ style: 'woodcut', size: 64, tones: 4 });
   const source = useMemo(() => new SphereGeometry(0.4, 16, 12), []);
-  const geometry = useHatchingGeometry(source, { lines: true });
+  const geometry = useHatchingGeometry(source, { outlines: true });
   if (!geometry) return null;
   return (
     <mesh name="by hand" geometry={geometry} position-y={-0.9}>
       <hatchingMaterial technique="anchored" tonalArtMap={tonalArtMap} strokeOffset={[0.5, 0]} {...(ink && { ink })} />
-      <HatchingLines wobble={1} {...(lineWidth !== undefined && { lineWidth })} />
+      <HatchingOutlines wobble={1} {...(outlineWidth !== undefined && { outlineWidth })} />
     </mesh>
   );
 }
@@ -188,7 +194,7 @@ function App() {
       <Watch key={String(now.hatched)} />
       {now.byHand && (
         <Suspense fallback={null}>
-          <ByHand ink={now.ink} lineWidth={now.lineWidth} />
+          <ByHand ink={now.ink} outlineWidth={now.outlineWidth} />
         </Suspense>
       )}
     </Canvas>

@@ -2,21 +2,21 @@
 import type { ReactElement } from 'react';
 import { BoxGeometry, Group } from 'three';
 import type { HatchedScene, TonalArtMap } from 'three-hatching';
-import { Hatched, HatchingLines, useHatchingGeometry, useTonalArtMap } from 'three-hatching/react';
+import { Hatched, HatchingOutlines, useHatchingGeometry, useTonalArtMap } from 'three-hatching/react';
 
 const scene = new Group();
 const box = new BoxGeometry();
 
 export function Drawing({ onHatched }: { onHatched: (hatched: HatchedScene) => void }): ReactElement {
   const map: TonalArtMap = useTonalArtMap({ style: 'woodcut' });
-  const geometry = useHatchingGeometry(box, { lines: true, onError: (error: unknown) => console.error(error) });
+  const geometry = useHatchingGeometry(box, { outlines: true, onError: (error: unknown) => console.error(error) });
   return (
     <>
       <Hatched
         preset="pencil"
         object={scene}
         material={{ ink: 'navy' }}
-        lines={{ wobble: 1 }}
+        outlines={{ wobble: 1 }}
         position={[0, 1, 0]}
         onHatched={onHatched}
         onProgress={(progress: number) => progress.toFixed(2)}
@@ -33,7 +33,7 @@ export function Drawing({ onHatched }: { onHatched: (hatched: HatchedScene) => v
           <hatchingMaterial technique="anchored" tonalArtMap={map} ink="#222" strokeOffset={[0.5, 0]} side={2} />
           {/* @ts-expect-error: an unknown technique is refused; the attributes are not `any`. */}
           <hatchingMaterial technique="scribble" />
-          <HatchingLines lineWidth={2} shadeWeights={[1, 1]} ink="navy" />
+          <HatchingOutlines outlineWidth={2} shadeWeights={[1, 1]} ink="navy" />
         </mesh>
       )}
     </>

@@ -14,7 +14,7 @@ export async function renderHatchedCube({ createWorker } = {}) {
     prepareHatchingGeometry(new BoxGeometry(), { createWorker }),
     TonalArtMap.generate({ size: 64, tones: 4, createWorker }),
   ]);
-  const mesh = new Mesh(geometry, new HatchingMaterial({ tonalArtMap, strokeScale: 1 }));
+  const mesh = new Mesh(geometry, new HatchingMaterial({ tonalArtMap, tilesPerUnit: 1 }));
   mesh.rotation.set(0.5, 0.6, 0);
   const sun = new DirectionalLight(0xffffff, Math.PI);
   sun.position.set(2, 1, 1);

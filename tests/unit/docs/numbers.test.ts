@@ -5,7 +5,7 @@ import { CORNER_STRIDE } from '../../../src/bake/cornerLayout.js';
 import { hatchNormal } from '../../../src/bake/hatchNormal.js';
 import { TRIANGLE_WORDS, VERTEX_WORDS } from '../../../src/bake/pullLayout.js';
 import { MANY_TRIANGLES } from '../../../src/geometry/prepareHatchingGeometry.js';
-import { MAX_SEARCHED } from '../../../src/lines/InstanceList.js';
+import { MAX_SEARCHED } from '../../../src/outlines/InstanceList.js';
 import { presets } from '../../../src/scene/presets.js';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { DOCUMENTS, root } from './documents.js';
@@ -107,7 +107,7 @@ describe('times are those of the benchmarks', () => {
     const lists = Object.values<{ listed: number; primitives: number }>(resultOf('lines.gpu').models);
     const shares = lists.map(({ listed, primitives }) => Math.round((100 * listed) / primitives));
     const text = /(\d+) to (\d+) % of them are drawn/;
-    expect(numbersIn('docs/lines.md', text)).toEqual([Math.min(...shares), Math.max(...shares)]);
+    expect(numbersIn('docs/outlines.md', text)).toEqual([Math.min(...shares), Math.max(...shares)]);
   });
 
   test('of pixels that flip while the light turns', () => {
@@ -185,7 +185,7 @@ describe('counts are those of the code', () => {
 
   test('limits', () => {
     expect(numbersIn('docs/geometry.md', /morph targets or more than ([\d,]+) triangles/)).toEqual([MANY_TRIANGLES]);
-    expect(numbersIn('docs/lines.md', /at most (\d+) million primitives/)).toEqual([MAX_SEARCHED / 1e6]);
+    expect(numbersIn('docs/outlines.md', /at most (\d+) million primitives/)).toEqual([MAX_SEARCHED / 1e6]);
   });
 
   test('versions', () => {

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { POINT_BITS, POINT_MASK } from '../../../src/bake/lineLayout.js';
+import { POINT_BITS, POINT_MASK } from '../../../src/bake/outlineLayout.js';
 import {
   type ContourSearch,
   contourCandidates,
@@ -11,7 +11,7 @@ import {
 import { contourSearchBuffers } from '../../../src/features/contourSearchBuffers.js';
 import { finish } from '../mesh/meshes.js';
 import { noise, torus } from '../mesh/shapes.js';
-import { cross, dot, fanPositions, linesOf, type Row, unit } from './surfaces.js';
+import { cross, dot, fanPositions, outlinesOf, type Row, unit } from './surfaces.js';
 
 /** Rows of a search: its points, and the points of its triangles and edges. */
 interface Rows {
@@ -243,7 +243,7 @@ test('a point where the eye is, or without a normal, is never sure', () => {
 
 describe('a torus of the bake', () => {
   const mesh = torus(140, 70);
-  const { fans, normals } = linesOf(mesh);
+  const { fans, normals } = outlinesOf(mesh);
   const search: ContourSearch = {
     positions: new Float32Array(fanPositions(mesh, fans.ofCorner).flat()),
     normals,

@@ -4,7 +4,7 @@ import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { computeSmoothNormals } from '../../../src/normals/computeSmoothNormals.js';
 import { finish, meshOf } from '../mesh/meshes.js';
 import { cube, noise, patch, sphere, torus } from '../mesh/shapes.js';
-import { cross, dot, fanPositions, linesOf, perFan, type Row, scaled, surfaceOf, unit } from './surfaces.js';
+import { cross, dot, fanPositions, outlinesOf, perFan, type Row, scaled, surfaceOf, unit } from './surfaces.js';
 
 /** K·w */
 const times = ([xx, xy, xz, yy, yz, zz]: Row, [x, y, z]: Row): number[] => [
@@ -57,7 +57,7 @@ describe('a sphere', () => {
   test('has 1/r within some per cent with normals that are means of those of its triangles, and with those of the bake', () => {
     const radius = 2;
     const mesh = scaled(sphere(14), radius);
-    const { fans, normals, curvatures } = linesOf(mesh);
+    const { fans, normals, curvatures } = outlinesOf(mesh);
     const tensors = rowsOf(curvatures, TENSOR_FLOATS);
     const position = [0, 0, 0];
     const baked = rowsOf(normals, 3).map((normal, i) => ({ position, normal, tensor: tensors[i] }));

@@ -14,7 +14,7 @@ import { type CreaseLimits, type FeatureEdges, findFeatureEdges } from '../../..
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../mesh/meshes.js';
 import { cube, noise, patch, prism, together } from '../mesh/shapes.js';
-import { fanPositions, featureSurface, linesOf, meshFrom, moebius, scaled, turned } from './surfaces.js';
+import { fanPositions, featureSurface, meshFrom, moebius, outlinesOf, scaled, turned } from './surfaces.js';
 
 const KINDS = BORDER | CREASE | MATERIAL_BORDER | CONTRARY;
 
@@ -35,7 +35,7 @@ function described(mesh: TriangleMesh, ofCorner: Uint32Array, { fans, flags }: F
   });
 }
 
-const NO_LIMITS: CreaseLimits = { creaseAngle: null, creaseLength: 0 };
+const NO_LIMITS: CreaseLimits = { featureAngle: null, creaseLength: 0 };
 
 function edgesOf(mesh: TriangleMesh, limits: Partial<CreaseLimits> = {}, triangleGroups: Uint16Array | null = null) {
   const surface = featureSurface(mesh, triangleGroups);
@@ -126,7 +126,7 @@ describe('creases', () => {
 
   test('that are dropped where nothing else is are no edges, and make no corners', () => {
     // Of 40°, so that the fans on both sides are the same.
-    const limits = { creaseAngle: Math.PI / 6, creaseLength: 1.5 };
+    const limits = { featureAngle: Math.PI / 6, creaseLength: 1.5 };
     expect(countOf(edgesOf(foldedQuad(40), limits), CREASE)).toBe(0);
     expect(edgesOf(foldedQuad(40), limits)).toHaveLength(4);
     expect(countOf(edgesOf(foldedQuad(40), { ...limits, creaseLength: 1.4 }), CREASE)).toBe(1);
@@ -140,20 +140,20 @@ describe('creases', () => {
     [60, 61, 0],
     [10, 9, 1],
     [0, 1, 0],
-  ])('of %i° with a creaseAngle of %s: %i', (fold, degrees, count) => {
-    const creaseAngle = degrees === null ? null : (degrees * Math.PI) / 180;
-    const edges = edgesOf(foldedQuad(fold), { creaseAngle });
+  ])('of %i° with a featureAngle of %s: %i', (fold, degrees, count) => {
+    const featureAngle = degrees === null ? null : (degrees * Math.PI) / 180;
+    const edges = edgesOf(foldedQuad(fold), { featureAngle });
     expect(countOf(edges, CREASE)).toBe(count);
     expect(countOf(edges, BORDER)).toBe(4);
   });
 
-  test('of exactly the creaseAngle are creases, however the object is turned', () => {
+  test('of exactly the featureAngle are creases, however the object is turned', () => {
     const random = noise(3);
     for (let i = 0; i < 20; i++) {
       const turn = [random(), random(), random(), random()];
-      expect(countOf(edgesOf(turned(cube(1), turn), { creaseAngle: Math.PI / 2 }), CREASE)).toBe(12);
-      expect(countOf(edgesOf(turned(prism(8), turn), { creaseAngle: Math.PI / 4 }), CREASE)).toBe(24);
-      expect(countOf(edgesOf(turned(cube(1), turn), { creaseAngle: Math.PI / 2 + 0.01 }), CREASE)).toBe(0);
+      expect(countOf(edgesOf(turned(cube(1), turn), { featureAngle: Math.PI / 2 }), CREASE)).toBe(12);
+      expect(countOf(edgesOf(turned(prism(8), turn), { featureAngle: Math.PI / 4 }), CREASE)).toBe(24);
+      expect(countOf(edgesOf(turned(cube(1), turn), { featureAngle: Math.PI / 2 + 0.01 }), CREASE)).toBe(0);
     }
   });
 
@@ -163,7 +163,7 @@ describe('creases', () => {
   });
 
   test('are not made by the creaseAngle of the adjacency', () => {
-    const { edges } = linesOf(foldedQuad(10), { creaseAngle: 0 });
+    const { edges } = outlinesOf(foldedQuad(10), { creaseAngle: 0 });
     expect([...edges.flags].filter((flag) => flag & CREASE)).toEqual([]);
   });
 
@@ -210,7 +210,7 @@ describe('borders', () => {
     }
     expect(visited.size).toBe(128);
     expect(edges.filter(({ kinds }) => kinds !== BORDER).map(({ kinds }) => kinds)).toEqual(Array(5).fill(CONTRARY));
-    const all = edgesOf(mesh, { creaseAngle: 0 }).filter(({ kinds }) => kinds & CONTRARY);
+    const all = edgesOf(mesh, { featureAngle: 0 }).filter(({ kinds }) => kinds & CONTRARY);
     expect(all.map(({ kinds }) => kinds)).toEqual(Array(5).fill(CONTRARY));
   });
 
@@ -241,8 +241,8 @@ describe('contrary windings', () => {
   };
 
   test.each([0, 60, 120])('make no crease, with a fold of %i°', (degrees) => {
-    for (const creaseAngle of [null, 0, 1]) {
-      const edges = edgesOf(contrary(degrees), { creaseAngle });
+    for (const featureAngle of [null, 0, 1]) {
+      const edges = edgesOf(contrary(degrees), { featureAngle });
       expect(edges.map(({ kinds }) => kinds).sort()).toEqual([BORDER, BORDER, BORDER, BORDER, CONTRARY].sort());
     }
   });
@@ -262,7 +262,7 @@ describe('groups', () => {
     expect(edgesOf(foldedQuad(0), {}, new Uint16Array([2, 2]))).toHaveLength(4);
   });
 
-  test('that meet crosswise have a corner there, though both lines go straight on', () => {
+  test('that meet crosswise have a corner there, though both outlines go straight on', () => {
     const mesh = patch(2, 2, (u, v) => [u, v, 0]);
     const edges = edgesOf(mesh, {}, new Uint16Array([1, 1, 2, 2, 3, 3, 4, 4]));
     const crossing = edges
@@ -282,7 +282,7 @@ describe('groups', () => {
   });
 
   test('reach the bake', () => {
-    const { edges } = linesOf(foldedQuad(0), { lines: { triangleGroups: new Uint16Array([1, 0]) } });
+    const { edges } = outlinesOf(foldedQuad(0), { outlines: { triangleGroups: new Uint16Array([1, 0]) } });
     expect([...edges.flags].filter((flag) => flag & MATERIAL_BORDER)).toHaveLength(1);
   });
 });
@@ -295,15 +295,15 @@ describe('smooth surfaces of three.js have no edges', () => {
     ['icosahedron', new IcosahedronGeometry(1, 7)],
   ])('%s', (name, geometry) => {
     const mesh = meshFrom(geometry);
-    expect([...linesOf(mesh).edges.flags]).toEqual([]);
+    expect([...outlinesOf(mesh).edges.flags]).toEqual([]);
     // What is not joined has borders, which shows that the above is no accident.
-    const torn = linesOf(mesh, { weldTolerance: 0 }).edges.flags;
+    const torn = outlinesOf(mesh, { weldTolerance: 0 }).edges.flags;
     if (name !== 'icosahedron') expect([...torn].filter((flag) => flag & BORDER).length).toBeGreaterThan(20);
   });
 });
 
 test('on a coarse mesh every edge may hold the contour', () => {
-  const { edges } = linesOf(meshFrom(new IcosahedronGeometry(1, 3)));
+  const { edges } = outlinesOf(meshFrom(new IcosahedronGeometry(1, 3)));
   expect(edges.flags).toEqual(new Uint8Array(480).fill(IS_EDGE));
 });
 

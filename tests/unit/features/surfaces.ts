@@ -20,7 +20,7 @@ export function meshFrom({ attributes, index }: BufferGeometry): TriangleMesh {
   };
 }
 
-/** A mesh with its adjacency, cut at sharp edges, and its fans: what `bakeLines` starts from. */
+/** A mesh with its adjacency, cut at sharp edges, and its fans: what `bakeOutlines` starts from. */
 export function surfaceOf(mesh: TriangleMesh) {
   const adjacency = finish(buildTriangleAdjacency(mesh));
   const sharpTwins = finish(consistentTwins(adjacency));
@@ -45,18 +45,18 @@ export function featureSurface(mesh: TriangleMesh, triangleGroups: Uint16Array |
   };
 }
 
-/** The lines of a mesh, by the whole bake. */
-export const linesOf = (mesh: TriangleMesh, options: Partial<SurfaceRequest> = {}) =>
+/** The outlines of a mesh, by the whole bake. */
+export const outlinesOf = (mesh: TriangleMesh, options: Partial<SurfaceRequest> = {}) =>
   finish(
     bakeSurface({
       label: 'test',
       mesh,
       creaseAngle: Math.PI / 2,
       wantsNormals: false,
-      lines: { triangleGroups: null },
+      outlines: { triangleGroups: null },
       ...options,
     }),
-  ).lines!;
+  ).outlines!;
 
 /** The position of each fan. */
 export function fanPositions({ positions, indices }: TriangleMesh, ofCorner: Uint32Array): number[][] {

@@ -11,8 +11,8 @@ import { drawStrokes, finish, hatchImages, styleNames } from '../strokes/draw.js
 const matrix: HatchImageOptions[] = styleNames.flatMap((style) => [
   { style },
   { style, size: 64, tones: 4, seed: 2 },
-  { style, size: 128, tones: 16, seed: 3, strokeWidth: strokeStyles[style].widthRange[1] },
-  { style, size: 128, tones: 5, seed: 4, strokeWidth: strokeStyles[style].widthRange[0] },
+  { style, size: 128, tones: 16, seed: 3, strokeTexels: strokeStyles[style].widthRange[1] },
+  { style, size: 128, tones: 5, seed: 4, strokeTexels: strokeStyles[style].widthRange[0] },
 ]);
 for (const style of ['hatching', 'stippling', 'charcoal'] as const) {
   matrix.push({ style, size: 512, tones: 4, levels: 2, seed: 5 });
@@ -93,8 +93,8 @@ describe('generateHatchImages', () => {
     [{ tones: 17 }, /tones is 17/],
     [{ size: 64, levels: 4 }, /levels is 4, but must be a whole number from 1 to 3 at size 64/],
     [{ levels: 0 }, /levels is 0/],
-    [{ strokeWidth: 0 }, /strokeWidth is 0, but must be a number from 1\.2 to 2\.6 texels for style hatching/],
-    [{ style: 'stippling', strokeWidth: 1.2 }, /strokeWidth is 1\.2, but must be a number from 1\.65 to 2\.5/],
+    [{ strokeTexels: 0 }, /strokeTexels is 0, but must be a number from 1\.2 to 2\.6 texels for style hatching/],
+    [{ style: 'stippling', strokeTexels: 1.2 }, /strokeTexels is 1\.2, but must be a number from 1\.65 to 2\.5/],
   ])('refuses %o', (options, message) => {
     expect(() => generateHatchImages(options).next()).toThrow(RangeError);
     expect(() => generateHatchImages(options).next()).toThrow(message);

@@ -60,7 +60,7 @@ function rampsAcross(field: Float64Array, size: number, value: number): { texels
 const matrix: HatchImageOptions[] = [
   ...styleNames.map((style) => ({ style, size: 128 })),
   { style: 'hatching' },
-  { style: 'crossHatching', size: 64, seed: 9, levels: 2, strokeWidth: 1.3 },
+  { style: 'crossHatching', size: 64, seed: 9, levels: 2, strokeTexels: 1.3 },
 ];
 
 describe.each(matrix)('generateThresholds(%o)', (options) => {

@@ -34,7 +34,7 @@ describe('HatchingMaterial', () => {
       toneNormal: 'face',
       debugView: 'none',
       strokeAnchor: 'rest',
-      strokeScale: 3,
+      tilesPerUnit: 3,
       strokeRotation: 0,
       tonalArtMap: null,
       toneCurve: 'linear',
@@ -92,12 +92,12 @@ describe('HatchingMaterial', () => {
   test('asks for another program only where the shader changes', () => {
     const material = new HatchingMaterial({ tonalArtMap: map });
     const { version } = material;
-    material.strokeScale = 7;
+    material.tilesPerUnit = 7;
     material.strokeRotation = 1;
     material.strokeOffset.set(0.1, 0.2);
     material.toneSteps = 6;
     material.shininess = 5;
-    material.creaseAngle = 1;
+    material.blendAngle = 1;
     material.reflectedLight = 0.3;
     material.paperOpacity = 0.5;
     material.ink.set('red');
@@ -169,8 +169,8 @@ describe('HatchingMaterial', () => {
   test('strokes sized on the object alone have a program of their own, and other sizes one between them', () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     // The renderer asks for it when it chooses a program.
-    const definesAt = (screenConstancy: number) => {
-      material.screenConstancy = screenConstancy;
+    const definesAt = (sizedOnScreen: number) => {
+      material.sizedOnScreen = sizedOnScreen;
       material.customProgramCacheKey();
       return { ...material.defines };
     };
@@ -178,7 +178,7 @@ describe('HatchingMaterial', () => {
     expect(definesAt(0.5)).not.toEqual(onObject);
     expect(definesAt(0.5)).toEqual(definesAt(1));
     expect(definesAt(0)).toEqual(onObject);
-    expect(programSwitches(Object.assign(material, { screenConstancy: 0.4 }))).not.toBe(
+    expect(programSwitches(Object.assign(material, { sizedOnScreen: 0.4 }))).not.toBe(
       programSwitches(new HatchingMaterial({ technique: 'anchored' })),
     );
   });
@@ -199,13 +199,12 @@ describe('HatchingMaterial', () => {
       toneNormal: 'smooth',
       debugView: 'tone',
       strokeAnchor: 'deformed',
-      strokeScale: 5,
+      tilesPerUnit: 5,
       strokeRotation: 0.5,
       strokeOffset: new Vector2(0.1, 0.2),
-      creaseAngle: 0.7,
+      blendAngle: 0.7,
       anchorSpacing: 0.2,
-      screenConstancy: 0.5,
-      texelPixels: 2,
+      sizedOnScreen: 0.5,
       edgePixels: 0.5,
       shininess: 8,
       toneCurve: [
@@ -237,12 +236,11 @@ describe('HatchingMaterial', () => {
       'toneNormal',
       'debugView',
       'strokeAnchor',
-      'strokeScale',
+      'tilesPerUnit',
       'strokeRotation',
-      'creaseAngle',
+      'blendAngle',
       'anchorSpacing',
-      'screenConstancy',
-      'texelPixels',
+      'sizedOnScreen',
       'edgePixels',
       'shininess',
       'toneCurve',
@@ -294,29 +292,29 @@ describe('values of the wrong kind', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingMaterial();
     for (const [wrong, message] of [
-      [{ strokeScale: 7, map: { image: {} } }, 'HatchingMaterial.map: expected a THREE.Texture or null.'],
-      [{ strokeScale: 7, normalMap: 1 }, 'HatchingMaterial.normalMap: expected a THREE.Texture or null.'],
-      [{ strokeScale: 7, strokeOffset: null }, 'HatchingMaterial.strokeOffset: expected a THREE.Vector2'],
+      [{ tilesPerUnit: 7, map: { image: {} } }, 'HatchingMaterial.map: expected a THREE.Texture or null.'],
+      [{ tilesPerUnit: 7, normalMap: 1 }, 'HatchingMaterial.normalMap: expected a THREE.Texture or null.'],
+      [{ tilesPerUnit: 7, strokeOffset: null }, 'HatchingMaterial.strokeOffset: expected a THREE.Vector2'],
       [
-        { strokeScale: 7, normalScale: { x: 1, y: Number.NaN } },
+        { tilesPerUnit: 7, normalScale: { x: 1, y: Number.NaN } },
         'HatchingMaterial.normalScale: expected a THREE.Vector2',
       ],
-      [{ strokeScale: 7, strokeWidth: '1.9' }, 'HatchingMaterial.strokeWidth: 1.9 is not a number in (0, ∞).'],
-      [{ strokeScale: 7, texelPixels: null }, 'HatchingMaterial.texelPixels: null is not a number'],
-      [{ strokeScale: 7, medium: 'constructor' }, 'HatchingMaterial.medium: "constructor" is not known'],
-      [{ strokeScale: 7, inkBlend: 'auto' }, 'HatchingMaterial.inkBlend: "auto" is not known'],
-      [{ strokeScale: 7, crisp: 'yes' }, 'HatchingMaterial.crisp: expected true or false.'],
-      [{ strokeScale: 7, toneCurve: [[0, 0]] }, 'HatchingMaterial.toneCurve: '],
-      [{ strokeScale: 7, tonalArtMap: {} }, 'HatchingMaterial.tonalArtMap: '],
+      [{ tilesPerUnit: 7, strokeWidth: '1.9' }, 'HatchingMaterial.strokeWidth: 1.9 is not a number in (0, ∞).'],
+      [{ tilesPerUnit: 7, edgePixels: null }, 'HatchingMaterial.edgePixels: null is not a number'],
+      [{ tilesPerUnit: 7, medium: 'constructor' }, 'HatchingMaterial.medium: "constructor" is not known'],
+      [{ tilesPerUnit: 7, inkBlend: 'auto' }, 'HatchingMaterial.inkBlend: "auto" is not known'],
+      [{ tilesPerUnit: 7, crisp: 'yes' }, 'HatchingMaterial.crisp: expected true or false.'],
+      [{ tilesPerUnit: 7, toneCurve: [[0, 0]] }, 'HatchingMaterial.toneCurve: '],
+      [{ tilesPerUnit: 7, tonalArtMap: {} }, 'HatchingMaterial.tonalArtMap: '],
       ...['nonsense', 'constructor', '#12', 'rgb(red)', '', null, Number.NaN, {}, true].map(
-        (ink) => [{ strokeScale: 7, ink }, 'HatchingMaterial.ink: expected a THREE.Color, a number'] as const,
+        (ink) => [{ tilesPerUnit: 7, ink }, 'HatchingMaterial.ink: expected a THREE.Color, a number'] as const,
       ),
-      [JSON.parse('{ "strokeScale": 7, "__proto__": { "isMaterial": false } }'), '"__proto__" is no parameter'],
+      [JSON.parse('{ "tilesPerUnit": 7, "__proto__": { "isMaterial": false } }'), '"__proto__" is no parameter'],
     ] as const) {
       expect(() => material.setValues(wrong as never)).toThrow(message);
       expect(() => new HatchingMaterial(wrong as never)).toThrow(message);
     }
-    expect(material.strokeScale).not.toBe(7);
+    expect(material.tilesPerUnit).not.toBe(7);
     expect(material).toBeInstanceOf(HatchingMaterial);
     expect(() => Object.assign(material, { crisp: 'yes' })).toThrow('expected true or false');
     expect(warn.mock.calls.every(([message]) => /Color/.test(message))).toBe(true);

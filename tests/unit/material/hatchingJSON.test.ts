@@ -17,12 +17,12 @@ describe('JSON of a material, from anywhere', () => {
       "dispose": "no function", "onBeforeCompile": 1, "customProgramCacheKey": null, "setValues": {}, "constructor": 5,
       "isMaterial": false, "isHatchingMaterial": false, "type": "Other", "version": -1, "needsUpdate": false,
       "vertexShader": "", "fragmentShader": "", "uniforms": {}, "defines": { "MINE": 1 }, "extensions": 1,
-      "tonalArtMap": "none", "roughness": 1, "strokeScale": 7, "opacity": 0.5
+      "tonalArtMap": "none", "roughness": 1, "tilesPerUnit": 7, "opacity": 0.5
     }`);
     expect(Object.getPrototypeOf(material)).toBe(HatchingMaterial.prototype);
     expect(material).toMatchObject({ isMaterial: true, isHatchingMaterial: true, type: 'HatchingMaterial' });
     expect(Object.keys(material)).toEqual(Object.keys(new HatchingMaterial()));
-    expect(material).toMatchObject({ strokeScale: 7, opacity: 0.5, tonalArtMap: null });
+    expect(material).toMatchObject({ tilesPerUnit: 7, opacity: 0.5, tonalArtMap: null });
     const { defines, vertexShader, fragmentShader } = new HatchingMaterial();
     expect(material).toMatchObject({ defines, vertexShader, fragmentShader });
     for (const name of ['dispose', 'onBeforeCompile', 'customProgramCacheKey', 'setValues', 'constructor'] as const) {
@@ -47,13 +47,12 @@ describe('JSON of a material, from anywhere', () => {
     ['{ "userData": null }', 'HatchingMaterial.fromJSON: userData is null, but must be a object.'],
     ['{ "clippingPlanes": [{ "normal": [0, 1], "constant": 2 }] }', 'must be a list of planes.'],
     ['{ "clippingPlanes": 1 }', 'must be a list of planes.'],
-    ['{ "secondLayer": "yes" }', 'HatchingMaterial.fromJSON: secondLayer is "yes", but must be a boolean.'],
   ])('is refused with a value of the wrong kind, and sets nothing: %s', (text, message) => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingMaterial();
-    const json = { strokeScale: 7, opacity: 0.5, ...JSON.parse(text) };
+    const json = { tilesPerUnit: 7, opacity: 0.5, ...JSON.parse(text) };
     expect(() => material.fromJSON(json)).toThrow(message);
-    expect([material.strokeScale, material.opacity]).toEqual([3, 1]);
+    expect([material.tilesPerUnit, material.opacity]).toEqual([3, 1]);
   });
 
   test('finds textures by their own names alone', () => {

@@ -26,10 +26,10 @@ function numbersOf(material: HatchingMaterial, renderer: WebGLRenderer): [name: 
 const SIZES = { toothSize: 3, lineSpacing: 6, finestSpacing: 5, strokeWidth: 2.5, edgePixels: 1.5 };
 
 test.each(
-  [0.5, 1, 2].flatMap((pixelRatio) => [0, 0.5, 1].map((screenConstancy) => [pixelRatio, screenConstancy] as const)),
-)('sizes are in CSS pixels: at a pixel ratio of %d, sized on the screen by %d', (pixelRatio, screenConstancy) => {
+  [0.5, 1, 2].flatMap((pixelRatio) => [0, 0.5, 1].map((sizedOnScreen) => [pixelRatio, sizedOnScreen] as const)),
+)('sizes are in CSS pixels: at a pixel ratio of %d, sized on the screen by %d', (pixelRatio, sizedOnScreen) => {
   for (const technique of ['adjacency', 'anchored', 'engraved'] as const) {
-    const look: HatchingMaterialParameters = { technique, screenConstancy, ...SIZES };
+    const look: HatchingMaterialParameters = { technique, sizedOnScreen, ...SIZES };
     const scaled = new HatchingMaterial({ ...look, ...scaledSizes(look, pixelRatio) });
     const material = new HatchingMaterial(look);
     expect(numbersOf(material, rendererOf(pixelRatio))).toEqual(numbersOf(scaled, rendererOf(1)));

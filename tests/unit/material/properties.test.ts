@@ -44,9 +44,7 @@ function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
   }
 }
 
-/** All but one of two that clear each other. */
-const together = rows.filter(([name]) => name !== 'texelPixels');
-const changed = Object.fromEntries(together.map(([name, row]) => [name, anotherValue(name, row)]));
+const changed = Object.fromEntries(rows.map(([name, row]) => [name, anotherValue(name, row)]));
 /** three's own material writes these whatever they are. */
 const WRITTEN_BY_THREE = ['color', 'shininess', 'emissive', 'emissiveIntensity', 'flatShading'];
 
@@ -81,7 +79,7 @@ describe('every property', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const source = new HatchingMaterial(changed as HatchingMaterialParameters);
     const clone = source.clone();
-    for (const [name] of together) {
+    for (const [name] of rows) {
       expect(plain(source[name]), name).toEqual(plain(changed[name]));
       expect(plain(clone[name]), name).toEqual(plain(changed[name]));
     }
@@ -94,7 +92,7 @@ describe('every property', () => {
     const full = new HatchingMaterial(changed as HatchingMaterialParameters).toJSON() as unknown as typeof bare;
     expect(bare.type).toBe('HatchingMaterial');
     expect(bare).not.toHaveProperty('uniforms');
-    for (const [name, { kind }] of together) {
+    for (const [name, { kind }] of rows) {
       if (kind === 'texture') expect(full[name], name).toBe((changed[name] as Texture).uuid);
       else if (kind === 'tonalArtMap') expect(full).not.toHaveProperty(name);
       else expect(full[name], name).toEqual(plain(changed[name]));
@@ -110,7 +108,7 @@ describe('every property', () => {
     };
     for (const [name, row] of rows) {
       // Without a highlight its softness is nothing.
-      const base = { ...(row.techniques && { technique: row.techniques[0] }), keepHighlight: 0.1 };
+      const base = { ...(row.techniques && { technique: row.techniques[0] }), highlightTone: 0.1 };
       const parameters = { ...base, tonalArtMap: changed.tonalArtMap, [name]: anotherValue(name, row) };
       const before = new HatchingMaterial({
         ...base,
@@ -122,7 +120,7 @@ describe('every property', () => {
 });
 
 describe('a property that does not count for the technique', () => {
-  const unused = together.flatMap(([name, { techniques }]) =>
+  const unused = rows.flatMap(([name, { techniques }]) =>
     Object.keys(PROPERTIES.technique.choices)
       .filter((technique) => techniques && !techniques.includes(technique))
       .map((technique) => [name, technique as HatchingMaterial['technique']] as const),
@@ -147,11 +145,11 @@ describe('a property that does not count for the technique', () => {
 
   test('is warned of once where it is set to something, not at its default', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-    new HatchingMaterial({ technique: 'anchored', creaseAngle: HATCHING_DEFAULTS.creaseAngle });
+    new HatchingMaterial({ technique: 'anchored', blendAngle: HATCHING_DEFAULTS.blendAngle });
     expect(warn).not.toHaveBeenCalled();
-    for (let i = 0; i < 2; i++) new HatchingMaterial({ creaseAngle: 1, technique: 'anchored' });
+    for (let i = 0; i < 2; i++) new HatchingMaterial({ blendAngle: 1, technique: 'anchored' });
     expect(warn.mock.calls).toEqual([
-      ['HatchingMaterial: "creaseAngle" is not used by the technique "anchored", only by adjacency.'],
+      ['HatchingMaterial: "blendAngle" is not used by the technique "anchored", only by adjacency.'],
     ]);
   });
 });
@@ -190,8 +188,8 @@ describe('a value out of range', () => {
 });
 
 describe('the width of strokes on the screen', () => {
-  const map = (strokeWidth: number) =>
-    TonalArtMap.fromHatchImages({ size: 1, strokeWidth, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
+  const map = (strokeTexels: number) =>
+    TonalArtMap.fromHatchImages({ size: 1, strokeTexels, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
 
   test('follows from the width that the map draws', () => {
     const material = new HatchingMaterial({ tonalArtMap: map(2.5), strokeWidth: 5 });
@@ -200,48 +198,11 @@ describe('the width of strokes on the screen', () => {
     expect(wider.uniforms.texelPixels.value).toBe(4);
   });
 
-  test('is set by one of two properties, the one set last', () => {
-    const material = new HatchingMaterial({ tonalArtMap: map(2), texelPixels: 3 });
-    material.strokeWidth = 5;
-    expect(material.texelPixels).toBe(1);
-    material.strokeWidth = null;
-    expect(material.texelPixels).toBe(1);
-    material.strokeWidth = 5;
-    material.texelPixels = 3;
+  test('is that of the map where none is asked for', () => {
+    const material = new HatchingMaterial({ tonalArtMap: map(2) });
     expect(material.strokeWidth).toBe(null);
-    expect(new HatchingMaterial({ tonalArtMap: map(2), texelPixels: 3 }).uniforms.texelPixels.value).toBe(3);
-  });
-});
-
-describe('the older name of layers where lights disagree', () => {
-  const older = (material: HatchingMaterial) => [material.secondLayer, material.strokeLayers];
-
-  test('is the same as the newer one: as a parameter, a property, in copies', () => {
-    const warn = vi.spyOn(console, 'warn');
-    const material = new HatchingMaterial({ secondLayer: true });
-    expect(older(material)).toEqual([true, 'lights']);
-    expect(material.defines).toEqual(new HatchingMaterial({ strokeLayers: 'lights' }).defines);
-    expect(older(material.clone())).toEqual([true, 'lights']);
-    material.secondLayer = false;
-    expect(older(material)).toEqual([false, 'single']);
-    material.setValues({ secondLayer: true });
-    expect(older(material)).toEqual([true, 'lights']);
-    material.strokeLayers = 'single';
-    expect(older(material)).toEqual([false, 'single']);
-    expect(warn).not.toHaveBeenCalled();
-  });
-
-  test('leaves layers by tone alone when it is set to what it is already', () => {
-    expect(older(new HatchingMaterial({ strokeLayers: 'tone', secondLayer: false }))).toEqual([false, 'tone']);
-    expect(older(new HatchingMaterial({ secondLayer: false, strokeLayers: 'tone' }))).toEqual([false, 'tone']);
-  });
-
-  test('is read from JSON, and not written', () => {
-    const json = JSON.parse(JSON.stringify(new HatchingMaterial({ secondLayer: true }).toJSON()));
-    expect(json).not.toHaveProperty('secondLayer');
-    expect(json.strokeLayers).toBe('lights');
-    const { strokeLayers: _, ...saved } = json;
-    expect(older(HatchingMaterial.fromJSON({ ...saved, secondLayer: true }))).toEqual([true, 'lights']);
+    expect(material.uniforms.texelPixels.value).toBe(1);
+    expect(material.uniforms.dotPixels.value).toBe(2);
   });
 });
 
@@ -268,10 +229,10 @@ describe('JSON', () => {
 
   test("three's own loader finds the class once it is registered", () => {
     MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial);
-    const source = new HatchingMaterial({ ink: 'navy', strokeScale: 5, technique: 'anchored' });
+    const source = new HatchingMaterial({ ink: 'navy', tilesPerUnit: 5, technique: 'anchored' });
     const made = new MaterialLoader().parse(JSON.parse(JSON.stringify(source.toJSON())));
     expect(made).toBeInstanceOf(HatchingMaterial);
-    expect(made).toMatchObject({ strokeScale: 5, technique: 'anchored', ink: source.ink });
+    expect(made).toMatchObject({ tilesPerUnit: 5, technique: 'anchored', ink: source.ink });
   });
 });
 

@@ -50,7 +50,7 @@ describe('the work of a frame', () => {
   test('is done for every mesh of a material that says so', () => {
     const renderer = rendererAt(9);
     draw(renderer);
-    material.texelPixels = 3;
+    material.strokeWidth = 3;
     material.uniformsNeedUpdate = true;
     expect(draw(renderer)).toBeGreaterThan(0);
     expect(material.uniforms.texelPixels.value).toBe(3);

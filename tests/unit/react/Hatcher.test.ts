@@ -47,17 +47,17 @@ const materialOf = ({ material }: Mesh): HatchingMaterial => {
   return material as unknown as HatchingMaterial;
 };
 
-test('values change in place: the geometry, the material and the lines stay', async () => {
+test('values change in place: the geometry, the material and the outlines stay', async () => {
   const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical' });
   await next();
-  const [geometry, material, lines] = [mesh.geometry, materialOf(mesh), mesh.children[0]];
-  hatcher.update({ preset: 'engraving', material: { ink: '#123456' }, lines: { taper: 0 } });
+  const [geometry, material, outlines] = [mesh.geometry, materialOf(mesh), mesh.children[0]];
+  hatcher.update({ preset: 'engraving', material: { ink: '#123456' }, outlines: { taper: 0 } });
   await next();
-  expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, lines]);
+  expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, outlines]);
   expect(material.ink.getHexString()).toBe('123456');
   expect([material.lineField, material.handmade]).toEqual(['light', presets.engraving.material.handmade]);
-  const [{ material: look }] = hatched[0].lines;
-  // Of `technical`, which draws lines of even weight; `engraving` leaves them at their defaults.
+  const [{ material: look }] = hatched[0].outlines;
+  // Of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
   expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.6, 0.5, 1.4]);
   hatcher.update({ preset: 'engraving' });
   await next();
@@ -69,14 +69,14 @@ test('a technique that needs other geometry, other creases and other options of 
   const { mesh, hatcher, next } = atWork({ preset: 'technical' });
   await next();
   for (const options of [
-    { preset: 'technical', lines: { creaseAngle: 1 } },
-    { preset: 'technical', lines: false },
-    { preset: 'technical', lines: false, material: { strokeScale: 2 } },
-    { preset: 'technical', lines: false },
-    { preset: 'technical', lines: false, smoothingRadius: 0.1 },
+    { preset: 'technical', outlines: { featureAngle: 1 } },
+    { preset: 'technical', outlines: false },
+    { preset: 'technical', outlines: false, material: { tilesPerUnit: 2 } },
+    { preset: 'technical', outlines: false },
+    { preset: 'technical', outlines: false, smoothingRadius: 0.1 },
     {
       preset: 'technical',
-      lines: false,
+      outlines: false,
       smoothingRadius: 0.1,
       material: { technique: 'adjacency' },
       tonalArtMap: SMALL_MAP,
@@ -163,7 +163,7 @@ test('meshes that come, and other geometries and materials, are hatched with the
   expect(mesh.material).toBe(plain);
 });
 
-test('what is not hatched yet is not drawn, and is in its layers afterwards, its lines too', async () => {
+test('what is not hatched yet is not drawn, and is in its layers afterwards, its outlines too', async () => {
   const { mesh, root, hatcher, next } = atWork({ preset: 'technical' });
   expect(mesh.layers.mask).toBe(0);
   await next();

@@ -369,19 +369,19 @@ describe('options', () => {
     root.scale.setScalar(10);
     const scene = await applyHatching(root, { tonalArtMap });
     const perWorldUnit = 3 / 20;
-    expect(hatched(small).strokeScale).toBeCloseTo(perWorldUnit * 5, 6);
-    expect(hatched(large).strokeScale).toBeCloseTo(perWorldUnit * 20, 6);
-    expect(hatched(instanced).strokeScale).toBeCloseTo(perWorldUnit * 2.5, 6);
+    expect(hatched(small).tilesPerUnit).toBeCloseTo(perWorldUnit * 5, 6);
+    expect(hatched(large).tilesPerUnit).toBeCloseTo(perWorldUnit * 20, 6);
+    expect(hatched(instanced).tilesPerUnit).toBeCloseTo(perWorldUnit * 2.5, 6);
     expect(alike.material).toBe(small.material);
     expect(scene.materials).toHaveLength(3);
     scene.dispose();
     await applyHatching(root, {
       tonalArtMap,
-      strokeScale: 2,
-      material: (_, mesh) => (mesh === large ? { strokeScale: 7 } : {}),
+      tilesPerWorldUnit: 2,
+      material: (_, mesh) => (mesh === large ? { tilesPerUnit: 7 } : {}),
     });
-    expect(hatched(small).strokeScale).toBeCloseTo(10, 6);
-    expect(hatched(large).strokeScale).toBe(7);
+    expect(hatched(small).tilesPerUnit).toBeCloseTo(10, 6);
+    expect(hatched(large).tilesPerUnit).toBe(7);
   });
 
   test('the size of a skinned mesh is that of its bones, wherever its node stands', async () => {
@@ -395,8 +395,8 @@ describe('options', () => {
     const root = new Group().add(bone, skinned);
     skinned.bind(new Skeleton([bone], [new Matrix4()]), new Matrix4());
     skinned.scale.setScalar(100);
-    await applyHatching(root, { tonalArtMap, strokeScale: 1 });
-    expect(hatched(skinned).strokeScale).toBeCloseTo(4, 6);
+    await applyHatching(root, { tonalArtMap, tilesPerWorldUnit: 1 });
+    expect(hatched(skinned).tilesPerUnit).toBeCloseTo(4, 6);
   });
 
   test('a filter leaves meshes out, and crease angle and progress reach the bake', async () => {
@@ -537,7 +537,7 @@ describe('when something is wrong', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, strokeScale, filter, onGeometry, preset, replaces, adjacency, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, filter, onGeometry, preset, replaces, adjacency, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],
@@ -684,8 +684,8 @@ describe('when something is wrong', () => {
     ['a material of null', { material: null }, /^applyHatching: material must be an object/],
     [
       'a size that is no number',
-      { strokeScale: Number.NaN },
-      /^applyHatching: strokeScale is NaN, but must be a positive/,
+      { tilesPerWorldUnit: Number.NaN },
+      /^applyHatching: tilesPerWorldUnit is NaN, but must be a positive/,
     ],
     ['a map that is none', { tonalArtMap: 5 }, /tonalArtMap: 5 is no TonalArtMap/],
   ];

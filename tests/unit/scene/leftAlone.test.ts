@@ -90,7 +90,7 @@ test('after meshes were added another call hatches these, with strokes of the sa
   const after = await applyHatching(root, options);
   expect(first.material).toBe(material);
   expect(after.materials).toEqual([added.material]);
-  expect(after.materials[0].strokeScale).toBeCloseTo(before.materials[0].strokeScale);
+  expect(after.materials[0].tilesPerUnit).toBeCloseTo(before.materials[0].tilesPerUnit);
   expect(after.skipped).toEqual([
     { mesh: first, reason: 'The Mesh at Group/Mesh[0] is hatched already, or is being hatched.' },
   ]);
@@ -117,16 +117,16 @@ test('values that three.js draws with never refuse a scene: the nearest in range
   warn.mockRestore();
 });
 
-test('a batch that cannot have lines says so once', async () => {
+test('a batch that cannot have outlines says so once', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
   for (let i = 0; i < 2; i++) {
     const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
     batch.name = 'bricks';
     batch.addInstance(batch.addGeometry(new BoxGeometry()));
-    await applyHatching(batch, { ...options, lines: true });
+    await applyHatching(batch, { ...options, outlines: true });
   }
   expect(warn.mock.calls).toEqual([
-    [expect.stringContaining('the BatchedMesh "bricks" is hatched without lines, since a BatchedMesh has none.')],
+    [expect.stringContaining('the BatchedMesh "bricks" is hatched without outlines, since a BatchedMesh has none.')],
   ]);
   warn.mockRestore();
 });

@@ -3,7 +3,7 @@ import { afterEach, expect, test, vi } from 'vitest';
 import * as identities from '../../../src/geometry/identityOf.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { LineMaker } from '../../../src/scene/LineMaker.js';
+import { OutlineMaker } from '../../../src/scene/OutlineMaker.js';
 
 vi.mock('../../../src/geometry/identityOf.js', async (original) => {
   const { identityOf } = await original<typeof identities>();
@@ -86,13 +86,16 @@ test('hatching anew asks of each mesh a few times who it is, not for every other
   hatched.dispose();
 });
 
-test('frames and lines are made in slices, and a mesh that is given another material between them stays as it is', async () => {
+test('frames and outlines are made in slices, and a mesh that is given another material between them stays as it is', async () => {
   slowClock();
   const root = manyMaterials();
   const last = root.children.at(-1) as Mesh;
   const own = new MeshLambertMaterial();
   let turns = 0;
-  const makeLines = vi.spyOn(LineMaker.prototype, 'addLines').mockImplementation(function (this: LineMaker, look) {
+  const makeLines = vi.spyOn(OutlineMaker.prototype, 'addOutlines').mockImplementation(function (
+    this: OutlineMaker,
+    look,
+  ) {
     if (makeLines.mock.calls.length === 1) setImmediate(turn);
     made.push(look.mesh);
   });
@@ -102,7 +105,7 @@ test('frames and lines are made in slices, and a mesh that is given another mate
     last.material = own;
     if (made.length < MESHES) setImmediate(turn);
   };
-  const hatched = await applyHatching(root, { tonalArtMap: null, lines: true });
+  const hatched = await applyHatching(root, { tonalArtMap: null, outlines: true });
   expect(made).toHaveLength(MESHES);
   expect(turns).toBeGreaterThan(MESHES / SLICE / 2);
   expect(hatched.skipped.map(({ mesh }) => mesh)).toEqual([last]);

@@ -1,7 +1,7 @@
 import { BoxGeometry, Mesh, MeshBasicMaterial } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { HatchingLineMaterial } from '../../../src/lines/HatchingLineMaterial.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { HatchingOutlineMaterial } from '../../../src/outlines/HatchingOutlineMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { type PresetName, presets } from '../../../src/scene/presets.js';
 import { scalePreset } from '../../../src/scene/scalePreset.js';
@@ -12,17 +12,17 @@ const names = Object.keys(presets) as PresetName[];
 afterEach(() => vi.restoreAllMocks());
 
 describe('presets', () => {
-  test.each(names)('%s sets nothing that its technique or its lines do not use', (name) => {
+  test.each(names)('%s sets nothing that its technique or its outlines do not use', (name) => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-    const { material, lines } = presets[name];
+    const { material, outlines } = presets[name];
     const made = new HatchingMaterial(material);
     for (const [property, value] of Object.entries(material)) {
       const got: unknown = made[property as keyof HatchingMaterial];
       if (property === 'ink' || property === 'paper') expect(`#${made[property].getHexString()}`).toBe(value);
       else expect(got, property).toEqual(value);
     }
-    const drawn = new HatchingLineMaterial(lines);
-    expect(drawn.lineWidth).toBe(lines.lineWidth);
+    const drawn = new HatchingOutlineMaterial(outlines);
+    expect(drawn.outlineWidth).toBe(outlines.outlineWidth);
     expect(`#${drawn.ink.getHexString()}`).toBe(material.ink);
     expect(warn).not.toHaveBeenCalled();
   });
@@ -46,7 +46,7 @@ describe('presets', () => {
   test('applyHatching takes one as it is, draws its map and frees it', async () => {
     const generate = vi.spyOn(TonalArtMap, 'generate');
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
-    const { material, lines } = presets.pen;
+    const { material, outlines } = presets.pen;
     const hatched = await applyHatching(mesh, {
       ...presets.pen,
       tonalArtMap: { style: 'stippling', size: 64, tones: 4 },
@@ -57,7 +57,7 @@ describe('presets', () => {
     expect(made.technique).toBe(material.technique);
     expect(made.ink.getHexString()).toBe('000080');
     expect(made.tonalArtMap?.size).toBe(64);
-    expect(hatched.lines[0].material.lineWidth).toBe(lines.lineWidth);
+    expect(hatched.outlines[0].material.outlineWidth).toBe(outlines.outlineWidth);
     let isFreed = false;
     made.tonalArtMap!.texture.addEventListener('dispose', () => (isFreed = true));
     hatched.dispose();
@@ -67,8 +67,8 @@ describe('presets', () => {
   test.each(['engraving', 'stipple', 'woodcut'] as const)('%s needs no map, and has none drawn', async (name) => {
     const generate = vi.spyOn(TonalArtMap, 'generate');
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
-    const { material, lines } = presets[name];
-    (await applyHatching(mesh, { material, lines })).dispose();
+    const { material, outlines } = presets[name];
+    (await applyHatching(mesh, { material, outlines })).dispose();
     expect(generate).not.toHaveBeenCalled();
   });
 
@@ -88,12 +88,12 @@ describe('presets', () => {
 
 describe('scalePreset', () => {
   test.each(names)('%s grows in every size and in nothing else', (name) => {
-    const { material, lines, tonalArtMap } = presets[name];
+    const { material, outlines, tonalArtMap } = presets[name];
     const scaled = scalePreset(presets[name], 2);
-    const sizes = ['strokeWidth', 'lineSpacing', 'toothSize', 'lineWidth', 'wobble'];
+    const sizes = ['strokeWidth', 'lineSpacing', 'toothSize', 'outlineWidth', 'wobble'];
     for (const [from, to] of [
       [material, scaled.material],
-      [lines, scaled.lines],
+      [outlines, scaled.outlines],
     ] as const) {
       for (const [key, value] of Object.entries(from)) {
         const got = to[key as keyof typeof to] as unknown;
@@ -103,13 +103,13 @@ describe('scalePreset', () => {
     expect(
       material.technique === 'engraved' ? scaled.material.lineSpacing : scaled.material.strokeWidth,
     ).toBeGreaterThan(0);
-    expect(scaled.lines.lineWidth).toBe(2 * lines.lineWidth!);
+    expect(scaled.outlines.outlineWidth).toBe(2 * outlines.outlineWidth!);
     expect(scaled.tonalArtMap).toBe(tonalArtMap);
   });
 
   test('spacing on the object is the same at every resolution, and in between as far as it is on the screen', () => {
-    const spacingAt = (screenConstancy: number | undefined) =>
-      scalePreset({ ...presets.engraving, material: { lineSpacing: 5, screenConstancy } }, 4).material.lineSpacing;
+    const spacingAt = (sizedOnScreen: number | undefined) =>
+      scalePreset({ ...presets.engraving, material: { lineSpacing: 5, sizedOnScreen } }, 4).material.lineSpacing;
     expect([spacingAt(1), spacingAt(0.5), spacingAt(0), spacingAt(undefined)]).toEqual([20, 10, 5, 5]);
   });
 

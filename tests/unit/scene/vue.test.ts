@@ -50,7 +50,7 @@ test('a material in a ref takes values, keeps them, and draws with the map itsel
 
 test('a geometry in a ref is prepared', async () => {
   const held = ref(new SphereGeometry(1, 8, 6));
-  const prepared = await prepareHatchingGeometry(held.value as unknown as SphereGeometry, { lines: true });
+  const prepared = await prepareHatchingGeometry(held.value as unknown as SphereGeometry, { outlines: true });
   expect(prepared.userData.hatching.triangles).toBe(80);
 });
 

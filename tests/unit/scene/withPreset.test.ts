@@ -7,20 +7,20 @@ import { withPreset } from '../../../src/scene/withPreset.js';
 
 test('what is said beside a preset counts before it, parameter by parameter', () => {
   expect(withPreset('pen')).toEqual(presets.pen);
-  const { material, lines, tonalArtMap, layout } = withPreset('pen', {
+  const { material, outlines, tonalArtMap, layout } = withPreset('pen', {
     layout: 'pull',
     material: { ink: 'navy' },
-    lines: { wobble: 0 },
+    outlines: { wobble: 0 },
     tonalArtMap: { style: 'ruled', size: 64 },
   });
   expect(material).toEqual({ ...presets.pen.material, ink: 'navy' });
-  expect(lines).toEqual({ ...presets.pen.lines, wobble: 0 });
+  expect(outlines).toEqual({ ...presets.pen.outlines, wobble: 0 });
   expect([tonalArtMap, layout]).toEqual([{ style: 'ruled', size: 64 }, 'pull']);
 });
 
-test('lines can be left out or kept, a map taken away, and a function adds to the material', () => {
-  expect(withPreset('pen', { lines: false }).lines).toBe(false);
-  expect(withPreset('pen', { lines: true }).lines).toEqual(presets.pen.lines);
+test('outlines can be left out or kept, a map taken away, and a function adds to the material', () => {
+  expect(withPreset('pen', { outlines: false }).outlines).toBe(false);
+  expect(withPreset('pen', { outlines: true }).outlines).toEqual(presets.pen.outlines);
   expect(withPreset('pen', { tonalArtMap: null }).tonalArtMap).toBe(null);
   // It needs none, and says nothing of what another technique would be drawn with.
   expect(withPreset('engraving').tonalArtMap).toBe(undefined);
@@ -33,7 +33,7 @@ test('lines can be left out or kept, a map taken away, and a function adds to th
 });
 
 test('a preset of your own is taken as it is', () => {
-  const mine = { material: { ink: 'red' }, lines: { lineWidth: 3 }, tonalArtMap: { style: 'ruled' } } as const;
+  const mine = { material: { ink: 'red' }, outlines: { outlineWidth: 3 }, tonalArtMap: { style: 'ruled' } } as const;
   expect(withPreset(mine)).toEqual(mine);
 });
 
@@ -52,7 +52,7 @@ test('applyHatching takes a name in the place of options, or among them', async 
     const hatched = await applyHatching(mesh, options);
     const material = mesh.material as unknown as HatchingMaterial;
     expect([material.technique, material.lineField, material.lineSpacing]).toEqual(['engraved', 'y', 5]);
-    expect(hatched.lines.map((lines) => lines.material.lineWidth)).toEqual([1.6]);
+    expect(hatched.outlines.map((outlines) => outlines.material.outlineWidth)).toEqual([1.6]);
     hatched.dispose();
   }
 });

@@ -146,7 +146,7 @@ describe('TonalArtMap.generate', () => {
       'TonalArtMap.load: unknown option "style". The known ones are signal, onProgress, createWorker.',
     );
     expect(() => TonalArtMap.fromHatchImages({ size: 4, images: [], levels: 1 } as never)).toThrow(
-      'TonalArtMap.fromHatchImages: unknown option "levels". The known ones are size, images, strokeWidth.',
+      'TonalArtMap.fromHatchImages: unknown option "levels". The known ones are size, images, strokeTexels.',
     );
     await expect(TonalArtMap.generate({ size: 100 })).rejects.toThrow('TonalArtMap.generate: size is 100');
   });
@@ -157,7 +157,7 @@ describe('TonalArtMap.draw', () => {
 
   it('returns the map at once, with its sizes, and fills its texture when it is drawn', async () => {
     const map = TonalArtMap.draw({ size: 64, tones: 4, style: 'ruled' });
-    expect([map.size, map.tones, map.levels, map.strokeWidth]).toEqual([64, 4, 3, strokeStyles.ruled.width]);
+    expect([map.size, map.tones, map.levels, map.strokeTexels]).toEqual([64, 4, 3, strokeStyles.ruled.width]);
     const { texture } = map;
     expect([map.isReady, texture.version]).toEqual([false, 0]);
     expect(await map.ready).toBe(map);
@@ -215,19 +215,19 @@ describe('TonalArtMap.draw', () => {
   });
 });
 
-describe('TonalArtMap.strokeWidth', () => {
+describe('TonalArtMap.strokeTexels', () => {
   const images = [[new Uint8Array([255])], [new Uint8Array(1)]];
 
   it('is the width the style draws, or the one asked for', async () => {
-    expect((await TonalArtMap.generate({ style: 'ruled', size: 64 })).strokeWidth).toBe(strokeStyles.ruled.width);
-    expect((await TonalArtMap.generate({ size: 64, strokeWidth: 2.5 })).strokeWidth).toBe(2.5);
+    expect((await TonalArtMap.generate({ style: 'ruled', size: 64 })).strokeTexels).toBe(strokeStyles.ruled.width);
+    expect((await TonalArtMap.generate({ size: 64, strokeTexels: 2.5 })).strokeTexels).toBe(2.5);
   });
 
   it('is told with images of your own, or taken to be 2', () => {
-    expect(TonalArtMap.fromHatchImages({ size: 1, images }).strokeWidth).toBe(2);
-    expect(TonalArtMap.fromHatchImages({ size: 1, images, strokeWidth: 3 }).strokeWidth).toBe(3);
-    for (const strokeWidth of [0, -1, Number.NaN, Infinity]) {
-      expect(() => TonalArtMap.fromHatchImages({ size: 1, images, strokeWidth })).toThrow('strokeWidth is');
+    expect(TonalArtMap.fromHatchImages({ size: 1, images }).strokeTexels).toBe(2);
+    expect(TonalArtMap.fromHatchImages({ size: 1, images, strokeTexels: 3 }).strokeTexels).toBe(3);
+    for (const strokeTexels of [0, -1, Number.NaN, Infinity]) {
+      expect(() => TonalArtMap.fromHatchImages({ size: 1, images, strokeTexels })).toThrow('strokeTexels is');
     }
   });
 });

@@ -39,7 +39,7 @@ describe('TonalArtMap.save and load', () => {
     const again = await TonalArtMap.load(await map.save());
     expect(imagesOf(again)).toEqual(imagesOf(map));
     expect(thresholdsOf(again)).toEqual(thresholdsOf(map));
-    expect(again.strokeWidth).toBe(map.strokeWidth);
+    expect(again.strokeTexels).toBe(map.strokeTexels);
     expect(again.thresholdTexture.mipmaps).toEqual(map.thresholdTexture.mipmaps);
   });
 
@@ -59,7 +59,7 @@ describe('TonalArtMap.save and load', () => {
     const again = await TonalArtMap.load('http://maps.test/set/map.json');
     expect(imagesOf(again)).toEqual(images);
     expect(thresholdsOf(again)).toEqual(thresholdsOf(map));
-    expect(again.strokeWidth).toBe(map.strokeWidth);
+    expect(again.strokeTexels).toBe(map.strokeTexels);
   });
 
   it('saves what was loaded as it was', async () => {

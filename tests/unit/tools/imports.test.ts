@@ -32,7 +32,7 @@ test.each([
   ['src/demo/playground/panel/SettingsPanel.ts', '../dialogs/Gallery.js', 'demo/playground/panel imports'],
   ['src/demo/playground/panel/SettingsPanel.ts', '../main.js', 'demo/playground/panel imports'],
   ['src/react/Hatcher.tsx', '../scene/applyHatching.js', 'react imports no other room'],
-  ['src/lines/HatchingLines.ts', '../tam/TonalArtMap.js', 'lines imports'],
+  ['src/outlines/HatchingOutlines.ts', '../tam/TonalArtMap.js', 'outlines imports'],
   ['tools/soak/soak.ts', '../../tests/browser/test.js', 'only tests import from tests'],
 ])('%s may not import %s', (file, name, reason) => {
   expect(objectionTo(file, name)).toContain(reason);
@@ -41,8 +41,8 @@ test.each([
 test.each([
   ['src/mesh/weldPositions.ts', './TriangleMesh.js'],
   ['src/bake/bake.ts', '../mesh/TriangleMesh.js'],
-  ['src/lines/HatchingLines.ts', '../tam/toothMap.js'],
-  ['src/lines/HatchingLines.ts', '../../shaders/lines/line.vert?raw'],
+  ['src/outlines/HatchingOutlines.ts', '../tam/toothMap.js'],
+  ['src/outlines/HatchingOutlines.ts', '../../shaders/outlines/outline.vert?raw'],
   ['src/demo/files/gltf/readGltf.ts', '../scenes/mergeScene.js'],
   ['src/demo/files/readModel.ts', './ply/readPly.js'],
   ['src/demo/playground/panel/SettingsPanel.ts', '../../settings/settings.js'],

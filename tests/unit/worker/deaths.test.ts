@@ -42,8 +42,8 @@ test.each([
   ['pull', 'bakePull', 1],
   ['indexed', 'bakeIndexed', 2],
 ] as const)('a geometry of layout %s is prepared as ever, though %s kills %i workers', async (layout, task, deaths) => {
-  const expected = await prepareHatchingGeometry(box(), { layout, lines: true });
-  const prepared = await prepareHatchingGeometry(box(), { layout, lines: true, createWorker: mortal(task, deaths) });
+  const expected = await prepareHatchingGeometry(box(), { layout, outlines: true });
+  const prepared = await prepareHatchingGeometry(box(), { layout, outlines: true, createWorker: mortal(task, deaths) });
   expect(arraysOf(prepared)).toEqual(arraysOf(expected));
   expect(prepared.userData.hatching).toEqual(expected.userData.hatching);
   expect([died.length, warn.mock.calls.length]).toEqual([deaths, deaths]);

@@ -9,7 +9,7 @@ import {
   SkinnedMesh,
   Uint16BufferAttribute,
 } from 'three';
-import { HatchingLines, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
@@ -35,37 +35,37 @@ export interface LineTimes {
  */
 export async function measureLines(model: string, turns: number, size: number, isMoving: boolean): Promise<LineTimes> {
   const plain = await loadModel(model);
-  const geometry = await prepareHatchingGeometry(plain, { layout: 'indexed', lines: true });
+  const geometry = await prepareHatchingGeometry(plain, { layout: 'indexed', outlines: true });
   const material = new HatchingMaterial({ tonalArtMap: await TonalArtMap.generate(), technique: 'anchored' });
   const hatched = new Mesh(geometry, material);
-  const lined = withLines(new Mesh(geometry, material));
-  const tested = withLines(new Mesh(geometry, material));
+  const lined = withOutlines(new Mesh(geometry, material));
+  const tested = withOutlines(new Mesh(geometry, material));
   // At this weight nothing is drawn, but every triangle is tested.
-  linesOf(tested).material.suggestiveContours = 1e-9;
+  outlinesOf(tested).material.suggestiveContours = 1e-9;
   const meshes: Record<string, Mesh> = { hatched, 'with lines': lined, 'with lines, no list': tested };
   if (isMoving) {
     meshes.instance = instanceOf(geometry, material);
-    meshes['instance with lines'] = withLines(instanceOf(geometry, material));
-    const skinned = await prepareHatchingGeometry(withSkin(plain), { layout: 'indexed', lines: true });
+    meshes['instance with lines'] = withOutlines(instanceOf(geometry, material));
+    const skinned = await prepareHatchingGeometry(withSkin(plain), { layout: 'indexed', outlines: true });
     meshes.skinned = onBone(skinned, material.clone());
-    meshes['skinned with lines'] = withLines(onBone(skinned, material.clone()));
+    meshes['skinned with lines'] = withOutlines(onBone(skinned, material.clone()));
   }
 
   const stage = new Stage(size);
   await listReady(stage, lined);
   const times = await timeTurns(stage, meshes, turns);
-  const listed = linesOf(lined).geometry.drawRange.count / 3;
-  const primitives = linesOf(tested).geometry.drawRange.count / 3;
+  const listed = outlinesOf(lined).geometry.drawRange.count / 3;
+  const primitives = outlinesOf(tested).geometry.drawRange.count / 3;
   const script = await timeScript(stage, lined);
   return { triangles: geometry.index!.count / 3, listed, primitives, times, script };
 }
 
-function withLines<Kind extends Mesh>(mesh: Kind): Kind {
-  mesh.add(new HatchingLines(mesh));
+function withOutlines<Kind extends Mesh>(mesh: Kind): Kind {
+  mesh.add(new HatchingOutlines(mesh));
   return mesh;
 }
 
-const linesOf = (mesh: Mesh): HatchingLines => mesh.children.find((child) => child instanceof HatchingLines)!;
+const outlinesOf = (mesh: Mesh): HatchingOutlines => mesh.children.find((child) => child instanceof HatchingOutlines)!;
 
 function instanceOf(geometry: BufferGeometry, material: HatchingMaterial): InstancedMesh {
   const mesh = new InstancedMesh(geometry, material, 1);
@@ -103,17 +103,17 @@ function onBone(geometry: BufferGeometry, material: HatchingMaterial): SkinnedMe
 /** Draws until the worker has sent the list of candidates. */
 async function listReady(stage: Stage, mesh: Mesh): Promise<void> {
   stage.drawFrame(mesh);
-  const first = linesOf(mesh).geometry.drawRange.count;
+  const first = outlinesOf(mesh).geometry.drawRange.count;
   for (let i = 0; i < 100; i++) {
     await new Promise((resolve) => setTimeout(resolve, 20));
     stage.drawFrame(mesh);
-    if (linesOf(mesh).geometry.drawRange.count < first) return;
+    if (outlinesOf(mesh).geometry.drawRange.count < first) return;
   }
 }
 
 /** What the lines' own function takes while the camera turns. */
 async function timeScript(stage: Stage, mesh: Mesh): Promise<number[]> {
-  const lines = linesOf(mesh);
+  const lines = outlinesOf(mesh);
   const own = lines.onBeforeRender;
   const times: number[] = [];
   Object.assign(lines, {

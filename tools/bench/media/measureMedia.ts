@@ -20,7 +20,7 @@ export async function measureMedia(model: string, turns: number, size: number): 
   const geometry = await prepareHatchingGeometry(plain, { layout: 'indexed' });
   const tonalArtMap = await TonalArtMap.generate();
   const sized = (parameters: HatchingMaterialParameters): Mesh =>
-    new Mesh(geometry, new HatchingMaterial({ screenConstancy: 1, ...parameters }));
+    new Mesh(geometry, new HatchingMaterial({ sizedOnScreen: 1, ...parameters }));
   const meshes = {
     ink: sized({ technique: 'anchored', tonalArtMap }),
     dry: sized({ technique: 'anchored', tonalArtMap, medium: 'dry' }),

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, Mesh } from 'three';
 import {
-  HatchingLines,
   HatchingMaterial,
+  HatchingOutlines,
   type HatchingTechnique,
   type PrepareHatchingGeometryOptions,
   prepareHatchingGeometry,
@@ -17,14 +17,14 @@ export interface MemoryPlan {
   triangles: number;
   technique: HatchingTechnique;
   layout: PrepareHatchingGeometryOptions['layout'];
-  lines?: boolean;
+  outlines?: boolean;
 }
 
 let stage: Stage | undefined;
 let mesh: Mesh | undefined;
 
 /** Bakes and draws a torus once. Returns the bytes of the result and of its source, and the longest task of the main thread in ms. */
-export async function measureMemory({ triangles, technique, layout, lines = false }: MemoryPlan) {
+export async function measureMemory({ triangles, technique, layout, outlines = false }: MemoryPlan) {
   let longestTask = 0;
   const tasks = new PerformanceObserver((list) => {
     for (const { duration } of list.getEntries()) longestTask = Math.max(longestTask, duration);
@@ -34,13 +34,13 @@ export async function measureMemory({ triangles, technique, layout, lines = fals
   await pause();
   tasks.observe({ entryTypes: ['longtask'] });
   const start = performance.now();
-  const geometry = await prepareHatchingGeometry(source, { layout, lines });
+  const geometry = await prepareHatchingGeometry(source, { layout, outlines });
   const seconds = (performance.now() - start) / 1000;
   await pause();
   tasks.disconnect();
   stage = new Stage(SIZE);
   mesh = new Mesh(geometry, new HatchingMaterial({ technique }));
-  if (lines) mesh.add(new HatchingLines(mesh));
+  if (outlines) mesh.add(new HatchingOutlines(mesh));
   await stage.timeFrame(mesh);
   const sourceBytes = source.attributes.position!.array.byteLength + source.index!.array.byteLength;
   return {

@@ -11,7 +11,7 @@ const STEADY = ['adjacency', 'anchored', 'engraved'].map((technique) => ({
   triangles: 5000,
   technique,
   layout: 'auto',
-  lines: true,
+  outlines: true,
 }));
 const PLAN = { scale: SCALE, steady: STEADY, frames: 100 };
 const QUICK = {
@@ -61,7 +61,7 @@ export const memory = {
       ]),
     ])}
 
-Bytes that a frame leaves to the garbage collector, with lines, while the camera turns; mean of ${frames} frames. Until V8 has optimised a
+Bytes that a frame leaves to the garbage collector, with outlines, while the camera turns; mean of ${frames} frames. Until V8 has optimised a
 function, which takes thousands of frames, fractions that it reckons with are among them, of 12 to 16 bytes each.
 
 ${table([

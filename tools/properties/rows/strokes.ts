@@ -22,13 +22,13 @@ export const STROKES = {
     default: 'adjacency',
     sentence: 'How strokes are laid on the surface.',
   },
-  strokeScale: {
+  tilesPerUnit: {
     kind: 'number',
     group: 'Strokes',
     default: 3,
     measure: 'tilesPerUnit',
     range: { above: 0 },
-    when: { screenConstancy: { not: 1 } },
+    when: { sizedOnScreen: { not: 1 } },
     sentence: 'Size of the strokes: larger is finer.',
   },
   strokeRotation: {
@@ -86,7 +86,7 @@ export const STROKES = {
     techniques: ['triangle', 'adjacency'],
     sentence: 'What the level of the map is chosen by. `anchored` always goes by depth.',
   },
-  screenConstancy: {
+  sizedOnScreen: {
     kind: 'number',
     group: 'Strokes',
     default: 0,
@@ -94,22 +94,8 @@ export const STROKES = {
     range: { from: 0, to: 1 },
     techniques: ['anchored', 'engraved'],
     sentence:
-      'What strokes are sized on: 0 the object, by `strokeScale`; 1 the screen, by `texelPixels`, without popping. In between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
+      'What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
   },
-  texelPixels: {
-    kind: 'number',
-    group: 'Strokes',
-    default: 1,
-    measure: 'pixels',
-    range: { above: 0 },
-    uniform: false,
-    clears: 'strokeWidth',
-    techniques: WITH_MAP,
-    when: [{ crisp: [true] }, { levelRule: ['depth'] }],
-    sentence:
-      'Size of a texel of the map on the screen, where `anchored` sizes strokes on the screen; also where coarser levels of the map take over, unless blended greys choose them by derivatives. Strokes are `tonalArtMap.strokeWidth` texels wide.',
-  },
-  // After texelPixels, so that copied in this order the one that was set remains.
   strokeWidth: {
     kind: 'number',
     group: 'Strokes',
@@ -117,11 +103,10 @@ export const STROKES = {
     measure: 'pixels',
     range: { above: 0 },
     uniform: false,
-    clears: 'texelPixels',
     techniques: WITH_MAP,
     when: [{ crisp: [true] }, { levelRule: ['depth'] }],
     sentence:
-      'Width of a stroke on the screen, from the width that the map draws strokes at: `texelPixels` in other words. Setting one of the two clears the other. `null` leaves it to `texelPixels`.',
+      'Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys choose them by derivatives. `null`: as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels.',
   },
   edgePixels: {
     kind: 'number',
@@ -195,7 +180,7 @@ export const STROKES = {
     },
     default: 'single',
     techniques: WITH_MAP,
-    sentence: "How many layers of strokes there are. `secondLayer: true` is an older name of `'lights'`.",
+    sentence: 'How many layers of strokes there are.',
   },
   crossFrom: {
     kind: 'number',
@@ -239,7 +224,7 @@ export const STROKES = {
     sentence:
       'Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points ([media.md](media.md)).',
   },
-  creaseAngle: {
+  blendAngle: {
     kind: 'number',
     group: 'Strokes',
     default: Math.PI / 2,

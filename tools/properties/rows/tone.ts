@@ -76,7 +76,7 @@ export const TONE = {
     sentence:
       'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
   },
-  keepHighlight: {
+  highlightTone: {
     kind: 'number',
     group: 'Tone',
     default: 0,
@@ -92,7 +92,7 @@ export const TONE = {
     measure: 'share',
     range: { from: 0, to: 1 },
     uniform: false,
-    when: { keepHighlight: { not: 0 } },
-    sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `keepHighlight`.',
+    when: { highlightTone: { not: 0 } },
+    sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightTone`.',
   },
 } as const satisfies Record<string, PropertyRow>;

@@ -7,7 +7,7 @@ import { looksOf } from '../../settings/settingValues.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../../settings/table/Setting.js';
 
 /** Widths that the panel shows in millimetres of the print, too. */
-const PRINTED = ['strokeWidth', 'lineWidth'] as const;
+const PRINTED = ['strokeWidth', 'outlineWidth'] as const;
 
 /** An action for which the panel has a button. */
 export interface PanelAction {
@@ -23,7 +23,7 @@ export class SettingsPanel {
   private readonly units = new Map<SettingKey, HTMLElement>();
   private readonly changingLabels: (() => void)[] = [];
   /** Show the widths of strokes and lines in a print of the chosen size. */
-  private readonly printNotes = { strokeWidth: note(''), lineWidth: note('') };
+  private readonly printNotes = { strokeWidth: note(''), outlineWidth: note('') };
 
   constructor(
     container: HTMLElement,

@@ -55,7 +55,7 @@ export type SettingOwner = 'hand' | 'scene' | 'subject' | 'check' | 'output';
 export const SETTING_GROUPS = [
   'Drawing',
   'More',
-  'Lines',
+  'Outlines',
   'Tone',
   'Colours',
   'Light',

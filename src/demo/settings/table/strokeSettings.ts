@@ -15,9 +15,9 @@ const offset = (label: string) =>
 
 /** What strokes are like, and the map that they come from. */
 export const STROKE_SETTINGS = inGroup('More', 'hand', {
-  screenConstancy: numberOf('screenConstancy', { label: 'Stroke size', ends: ['on the object', 'on the screen'] }),
+  sizedOnScreen: numberOf('sizedOnScreen', { label: 'Stroke size', ends: ['on the object', 'on the screen'] }),
   strokeWidth: numberOf('strokeWidth', { label: 'Stroke width', default: 1.5, min: 0.5, max: 8 }),
-  strokeScale: numberOf('strokeScale', {
+  tilesPerUnit: numberOf('tilesPerUnit', {
     label: 'Stroke scale',
     default: 2.5,
     min: 0.5,

@@ -30,8 +30,8 @@ export const TONE_SETTINGS = inGroup('Tone', 'hand', {
       chalked: 'As chalk on dark',
     },
   },
-  creaseAngle: numberOf('creaseAngle', { label: 'Crease from' }),
-  keepHighlight: numberOf('keepHighlight', { label: 'Blank below', max: 60 }),
+  blendAngle: numberOf('blendAngle', { label: 'Blend up to' }),
+  highlightTone: numberOf('highlightTone', { label: 'Blank below', max: 60 }),
 });
 
 /** Ink, paper and surfaces. */

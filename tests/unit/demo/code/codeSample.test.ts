@@ -2,15 +2,15 @@ import * as THREE from 'three';
 import { describe, expect, test } from 'vitest';
 import { codeSample } from '../../../../src/demo/code/codeSample.js';
 import { parameterSetter } from '../../../../src/demo/drawing/parameterSetter.js';
-import { lineLook } from '../../../../src/demo/settings/lineLook.js';
 import { lookOf } from '../../../../src/demo/settings/lookOf.js';
+import { outlineLook } from '../../../../src/demo/settings/outlineLook.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { LightRig } from '../../../../src/demo/stage/light/LightRig.js';
-import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
-import { HatchingLines } from '../../../../src/lines/HatchingLines.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { HatchingOutlineMaterial } from '../../../../src/outlines/HatchingOutlineMaterial.js';
+import { HatchingOutlines } from '../../../../src/outlines/HatchingOutlines.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 import { presets } from '../../../../src/scene/presets.js';
 import { scalePreset } from '../../../../src/scene/scalePreset.js';
@@ -21,7 +21,7 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
   const loader = loaded ? ['three/addons/loaders/GLTFLoader.js'] : [];
   expect(names.map(([, , from]) => from)).toEqual(['three', ...loader, 'three-hatching']);
   const given: Record<string, unknown> = {
-    HatchingLines,
+    HatchingOutlines,
     HatchingMaterial,
     applyHatching,
     presets,
@@ -52,26 +52,27 @@ viewer.position.set(3, 2, 1);
 viewer.lookAt(0, 0, 0);
 
 /** The line material that the page draws with. */
-const lineMaterialOf = (settings: Settings): HatchingLineMaterial => new HatchingLineMaterial(lineLook(settings));
+const lineMaterialOf = (settings: Settings): HatchingOutlineMaterial =>
+  new HatchingOutlineMaterial(outlineLook(settings));
 
-function expectLines(lines: HatchingLines | undefined, settings: Settings): void {
+function expectLines(outlines: HatchingOutlines | undefined, settings: Settings): void {
   const expected = lineMaterialOf(settings);
-  const made = lines!.material;
-  for (const [key, value] of Object.entries(lineLook(settings))) {
-    if (typeof value === 'number') expect(made[key as 'lineWidth'], key).toBeCloseTo(value, 3);
+  const made = outlines!.material;
+  for (const [key, value] of Object.entries(outlineLook(settings))) {
+    if (typeof value === 'number') expect(made[key as 'outlineWidth'], key).toBeCloseTo(value, 3);
   }
   expect(made.shadeWeights.distanceTo(expected.shadeWeights)).toBeCloseTo(0, 3);
   expect(made.ink.equals(expected.ink)).toBe(true);
   expect(made.taper).toBe(expected.taper);
 }
 
-const linesIn = (root: THREE.Object3D): HatchingLines | undefined =>
-  root.children.find((child) => child instanceof HatchingLines);
+const outlinesIn = (root: THREE.Object3D): HatchingOutlines | undefined =>
+  root.children.find((child) => child instanceof HatchingOutlines);
 
 const looks: Record<string, Partial<Settings>> = {
   ...Object.fromEntries(PRESET_NAMES.map((name) => [name, presetLook(name)])),
   'a preset with shadows': { ...presetLook('engraving'), shadows: 'on' },
-  'a preset with shadows across its lines': { ...presetLook('engraving'), shadows: 'on', shadowStrokes: 'cross' },
+  'a preset with shadows across its outlines': { ...presetLook('engraving'), shadows: 'on', shadowStrokes: 'cross' },
   'a preset with another ink': { ...presetLook('pen'), ink: '#203080' },
   'two lights': { secondLight: 'left', secondStrength: 80, lightKind: 'spot' },
   'one layer under two lights': {
@@ -83,7 +84,7 @@ const looks: Record<string, Partial<Settings>> = {
   },
   'two lights that stay with the viewer': { lightFollows: 'viewer', secondLight: 'right', secondStrength: 70 },
   'a second light somewhere else': { secondLight: 'free', secondAzimuth: 75, secondElevation: -20 },
-  'a highlight with an edge': { keepHighlight: 20, reflectedLight: 0 },
+  'a highlight with an edge': { highlightTone: 20, reflectedLight: 0 },
   'layers by tone': { strokeLayers: 'tone', crossFrom: 40, crossAngle: 90, secondLight: 'right' },
   'engraved, crossing at a right angle': { technique: 'engraved', crossFrom: 30, crossAngle: 90 },
   'tinted, curved, by depth': {
@@ -92,9 +93,16 @@ const looks: Record<string, Partial<Settings>> = {
     inkBlend: 'multiply',
     levelRule: 'depth',
     offsetU: 0.25,
-    creaseAngle: 30,
+    blendAngle: 30,
   },
-  'other lines': { lineWidth: 3.3, lineContours: 150, lineCreases: 0, lineSuggestive: 60, lineShade: 100, lineHand: 3 },
+  'other outlines': {
+    outlineWidth: 3.3,
+    outlineContours: 150,
+    outlineCreases: 0,
+    outlineSuggestive: 60,
+    outlineShade: 100,
+    outlineHand: 3,
+  },
   'toon, perceptual': {
     technique: 'adjacencyCrisp',
     toneModel: 'toon',
@@ -113,17 +121,17 @@ describe('codeSample', () => {
     parameterSetter(lookOf(settings).drawn)(expected);
     const mesh = scene.children.find((child) => child instanceof THREE.Mesh) as THREE.Mesh;
     const { material } = mesh;
-    expectLines(linesIn(mesh), settings);
+    expectLines(outlinesIn(mesh), settings);
     const made = material as HatchingMaterial;
     // Unless it names a preset, the sample leaves out a second layer for lights that disagree if there is one light.
     if (!presetOf(settings) && settings.secondLight === 'none' && settings.strokeLayers === 'lights')
       expected.strokeLayers = 'single';
     expect(made.defines).toEqual(expected.defines);
     for (const key of [
-      'strokeScale',
+      'tilesPerUnit',
       'strokeRotation',
       'reflectedLight',
-      'creaseAngle',
+      'blendAngle',
       'edgePixels',
       'crossAngle',
       'crossFrom',
@@ -176,10 +184,10 @@ describe('codeSample', () => {
       expect(made.technique).toBe(settings.technique);
       expect(`#${made.ink.getHexString()}`).toBe(settings.ink);
       // The page scales models to a radius of 1; a bounding sphere may be a little larger than the farthest vertex.
-      expect(made.strokeScale * 5).toBeCloseTo(settings.strokeScale, 0);
+      expect(made.tilesPerUnit * 5).toBeCloseTo(settings.tilesPerUnit, 0);
       expect(made.color.equals(new THREE.Color(surfaceColors === 'shown' ? 'tomato' : 'white'))).toBe(true);
       expect(made.map).toBe(surfaceColors === 'shown' ? paint.map : null);
-      expectLines(linesIn(model), settings);
+      expectLines(outlinesIn(model), settings);
     },
   );
 
@@ -220,14 +228,14 @@ describe('codeSample', () => {
     [100, 'lineSpacing: 4 * renderer.getPixelRatio(),'],
     [50, 'lineSpacing: 4 * renderer.getPixelRatio() ** 0.5,'],
     [0, 'lineSpacing: 4,'],
-  ])('spaces lines in pixels as far as they are on the screen: %d %%', (screenConstancy, expected) => {
-    const settings: Settings = { ...defaultSettings(), technique: 'engraved', lineSpacing: 4, screenConstancy };
+  ])('spaces outlines in pixels as far as they are on the screen: %d %%', (sizedOnScreen, expected) => {
+    const settings: Settings = { ...defaultSettings(), technique: 'engraved', lineSpacing: 4, sizedOnScreen };
     expect(codeSample(settings, undefined)).toContain(expected);
   });
 
-  test('draws no lines if the page draws none', async () => {
-    const settings: Settings = { ...defaultSettings(), lines: 'off' };
-    expect(codeSample(settings, undefined)).not.toMatch(/lines/i);
+  test('draws no outlines if the page draws none', async () => {
+    const settings: Settings = { ...defaultSettings(), outlines: 'off' };
+    expect(codeSample(settings, undefined)).not.toMatch(/outlines/i);
     const scene = await run(codeSample(settings, undefined));
     expect(scene.children.find((child) => child instanceof THREE.Mesh)!.children).toEqual([]);
     const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 2), new THREE.MeshStandardMaterial());

@@ -74,7 +74,7 @@ describe('copied code', () => {
       expect(text).toContain(`'${title}'`);
       parse(text);
     }
-    parse(moduleSample(drawing({ title: 'all.zip' }, { mapStyle: 'file', lines: 'off' })));
+    parse(moduleSample(drawing({ title: 'all.zip' }, { mapStyle: 'file', outlines: 'off' })));
   });
 
   test.each<[Partial<Settings>, boolean]>([

@@ -14,7 +14,7 @@ describe('a setting from a link', () => {
     ['mapSeed', '-3', 1],
     ['mapSeed', '1e9', 99],
     ['lineSpacing', '3.14159', 3.1],
-    ['lineContours', '62', 60],
+    ['outlineContours', '62', 60],
     ['lightAzimuth', '-179.96', -180],
   ] as const)('%s=%s snaps to %d', (key, text, snapped) => {
     expect(readLink(`#${key}=${text}`).settings[key]).toBe(snapped);

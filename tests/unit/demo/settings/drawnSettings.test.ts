@@ -13,8 +13,8 @@ test('bold strokes are wider and farther apart, all alike; nothing else changes'
   expect(changedBy({ ...defaultSettings(), boldness: 200 })).toEqual({
     strokeWidth: 2,
     lineSpacing: 2,
-    lineWidth: 2,
-    strokeScale: 0.5,
+    outlineWidth: 2,
+    tilesPerUnit: 0.5,
   });
 });
 

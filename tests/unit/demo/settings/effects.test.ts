@@ -37,13 +37,13 @@ describe('a setting has an effect', () => {
     ['strokeWidth', { technique: 'adjacency' }, false],
     ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
     ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
-    ['strokeScale', { technique: 'anchored', screenConstancy: 100 }, false],
-    ['strokeScale', { technique: 'anchored', screenConstancy: 99 }, true],
-    ['strokeScale', { technique: 'anchored', screenConstancy: 100, compare: 'triangle' }, true],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 100 }, false],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 99 }, true],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 100, compare: 'triangle' }, true],
     ['shininess', { toneModel: 'phong' }, true],
     ['shininess', {}, false],
-    ['lineWidth', { lines: 'off' }, false],
-    ['lineWidth', {}, true],
+    ['outlineWidth', { outlines: 'off' }, false],
+    ['outlineWidth', {}, true],
     ['ground', { shadows: 'off' }, false],
     ['shadowStrokes', { shadows: 'on' }, true],
     ['lightDistance', {}, false],
@@ -91,8 +91,8 @@ test.each([
   [0, '/256 tile'],
   // A mean of the two has no name.
   [50, ''],
-])('the distance between lines, %d %% on the screen, has the unit %j', (screenConstancy, unit) => {
-  const settings: Settings = { ...defaultSettings(), technique: 'engraved', screenConstancy };
+])('the distance between outlines, %d %% on the screen, has the unit %j', (sizedOnScreen, unit) => {
+  const settings: Settings = { ...defaultSettings(), technique: 'engraved', sizedOnScreen };
   expect(presentUnit('lineSpacing', looksOf(settings))).toBe(unit);
   expect(presentUnit('strokeWidth', looksOf(settings))).toBe('px');
   expect(presentUnit('handmade', looksOf(settings))).toBe('%');

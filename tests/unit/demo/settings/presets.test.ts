@@ -2,8 +2,8 @@ import { describe, expect, test } from 'vitest';
 import { parameterSetter } from '../../../../src/demo/drawing/parameterSetter.js';
 import { materialSizesIn } from '../../../../src/demo/drawing/picturedSizes.js';
 import { acceptSetting } from '../../../../src/demo/settings/acceptSetting.js';
-import { lineLook } from '../../../../src/demo/settings/lineLook.js';
 import { lookOf } from '../../../../src/demo/settings/lookOf.js';
+import { outlineLook } from '../../../../src/demo/settings/outlineLook.js';
 import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { firstView, presetLook, presetOf, wholeLook } from '../../../../src/demo/settings/presets.js';
 import {
@@ -15,19 +15,19 @@ import {
 } from '../../../../src/demo/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
 import type { Setting } from '../../../../src/demo/settings/table/Setting.js';
-import { HatchingLineMaterial } from '../../../../src/lines/HatchingLineMaterial.js';
-import { LINE_NUMBER_NAMES } from '../../../../src/lines/lineProperties.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/material/facts/hatchingProperties.js';
 import { isUsedBy } from '../../../../src/material/facts/lookFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { HatchingOutlineMaterial } from '../../../../src/outlines/HatchingOutlineMaterial.js';
+import { OUTLINE_NUMBER_NAMES } from '../../../../src/outlines/outlineProperties.js';
 import { presets } from '../../../../src/scene/presets.js';
 
 const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });
 
 test('sizes go with a picture and a small sheet as far as they are measured on them', () => {
   const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, toothSize: 3 };
-  const sizesAt = (screenConstancy: number, ...of: [number, number?]) =>
-    materialSizesIn(lookOf({ ...settings, screenConstancy }), ...of);
+  const sizesAt = (sizedOnScreen: number, ...of: [number, number?]) =>
+    materialSizesIn(lookOf({ ...settings, sizedOnScreen }), ...of);
   expect(sizesAt(100, 1, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16, toothSize: 12, finestSpacing: 12 });
   expect(sizesAt(50, 1, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8, toothSize: 12, finestSpacing: 12 });
   expect(sizesAt(0, 1, 4)).toEqual({ strokeWidth: 8, lineSpacing: 4, toothSize: 12, finestSpacing: 12 });
@@ -39,15 +39,15 @@ describe('the presets of the page', () => {
     expect(PRESET_NAMES).toEqual(Object.keys(presets));
   });
 
-  test.each(PRESET_NAMES)('%s gives the material and the lines of the library', (name) => {
+  test.each(PRESET_NAMES)('%s gives the material and the outlines of the library', (name) => {
     const settings = settingsOf(name);
     const expected = new HatchingMaterial(presets[name].material);
     const made = new HatchingMaterial();
     parameterSetter(lookOf(settings).drawn)(made);
     Object.assign(made, materialSizesIn(lookOf(settings), 1));
     for (const property of Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[]) {
-      // The size of strokes on the object follows from the size of the model; texelPixels is strokeWidth in other words.
-      if (property === 'strokeScale' || property === 'texelPixels' || property === 'tonalArtMap') continue;
+      // The size of strokes on the object follows from the size of the model.
+      if (property === 'tilesPerUnit' || property === 'tonalArtMap') continue;
       // Belongs to the light of the page, which bakes it only when asked.
       if (property === 'occlusion') continue;
       if (!isUsedBy(expected.technique, HATCHING_PROPERTIES[property])) continue;
@@ -57,12 +57,12 @@ describe('the presets of the page', () => {
     }
     expect(settings.mapStyle).toBe(presets[name].tonalArtMap?.style ?? defaultSettings().mapStyle);
 
-    const lines = new HatchingLineMaterial(presets[name].lines);
-    const drawn = new HatchingLineMaterial(lineLook(settings));
-    for (const number of LINE_NUMBER_NAMES) expect(drawn[number], number).toBeCloseTo(lines[number], 6);
-    expect(drawn.shadeWeights.distanceTo(lines.shadeWeights)).toBeCloseTo(0, 6);
-    expect(drawn.ink.equals(lines.ink)).toBe(true);
-    expect(settings.lines).toBe('on');
+    const outlines = new HatchingOutlineMaterial(presets[name].outlines);
+    const drawn = new HatchingOutlineMaterial(outlineLook(settings));
+    for (const number of OUTLINE_NUMBER_NAMES) expect(drawn[number], number).toBeCloseTo(outlines[number], 6);
+    expect(drawn.shadeWeights.distanceTo(outlines.shadeWeights)).toBeCloseTo(0, 6);
+    expect(drawn.ink.equals(outlines.ink)).toBe(true);
+    expect(settings.outlines).toBe('on');
   });
 
   test.each(PRESET_NAMES)('%s is recognised, survives a link, and fits the controls', (name) => {
@@ -70,7 +70,7 @@ describe('the presets of the page', () => {
     expect(presetOf(settings)).toBe(name);
     expect(readLink(writeLink(settings, undefined)).settings).toEqual(settings);
     for (const key of SETTING_KEYS) expect(acceptSetting(key, settings[key]), key).toBe(settings[key]);
-    expect(presetOf({ ...settings, lineWidth: settings.lineWidth + 1 })).toBeUndefined();
+    expect(presetOf({ ...settings, outlineWidth: settings.outlineWidth + 1 })).toBeUndefined();
   });
 
   test('leave nothing of the look before, and the model, the place of the light and the camera alone', () => {
@@ -81,7 +81,7 @@ describe('the presets of the page', () => {
       shadows: 'on',
       offsetU: 0.5,
       crossAngle: 20,
-      creaseAngle: 30,
+      blendAngle: 30,
     };
     const after = { ...before, ...presetLook('stipple') };
     expect(after).toMatchObject({
@@ -90,7 +90,7 @@ describe('the presets of the page', () => {
       shadows: 'on',
       offsetU: 0,
       crossAngle: 60,
-      creaseAngle: 90,
+      blendAngle: 90,
     });
   });
 });

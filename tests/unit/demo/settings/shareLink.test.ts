@@ -70,4 +70,18 @@ describe('a link', () => {
   ])('from before there were layers by tone is understood: strokeLayers=%s is %s', (written, meant) => {
     expect(readLink(`#strokeLayers=${written}`).settings.strokeLayers).toBe(meant);
   });
+
+  test('is understood by the names that settings had before', () => {
+    const { settings } = readLink(
+      '#technique=engraved&screenConstancy=40&strokeScale=3.5&lines=off&lineWidth=3&lineHand=2',
+    );
+    expect(settings).toMatchObject({
+      sizedOnScreen: 40,
+      tilesPerUnit: 3.5,
+      outlines: 'off',
+      outlineWidth: 3,
+      outlineHand: 2,
+    });
+    expect(readLink('#screenConstancy=40&sizedOnScreen=50').settings.sizedOnScreen).toBe(50);
+  });
 });

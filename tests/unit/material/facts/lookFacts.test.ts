@@ -72,18 +72,18 @@ describe('what follows from a look', () => {
     ['anchorSpacing', { technique: 'anchored', medium: 'stipple' }, false],
     ['strokeRotation', { technique: 'anchored', medium: 'stipple' }, false],
     ['strokeRotation', { technique: 'engraved', medium: 'stipple' }, true],
-    ['strokeScale', { technique: 'anchored', screenConstancy: 0.9 }, true],
-    ['strokeScale', { technique: 'anchored', screenConstancy: 1 }, false],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 0.9 }, true],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 1 }, false],
     // Strokes of triangles are sized on the object, whatever the others are.
-    ['strokeScale', { screenConstancy: 1 }, true],
+    ['tilesPerUnit', { sizedOnScreen: 1 }, true],
     ['bumpScale', {}, false],
     ['bumpScale', { bumpMap: {}, toneNormal: 'smooth' }, true],
     ['bumpScale', { bumpMap: {} }, false],
     ['bumpMap', { bumpMap: {}, normalMap: {}, toneNormal: 'smooth' }, false],
     ['normalMap', { technique: 'anchored', toneNormal: 'auto' }, true],
     ['normalMap', { technique: 'anchored', toneNormal: 'face' }, false],
-    ['highlightSoftness', { keepHighlight: 0 }, false],
-    ['highlightSoftness', { keepHighlight: 0.2 }, true],
+    ['highlightSoftness', { highlightTone: 0 }, false],
+    ['highlightSoftness', { highlightTone: 0.2 }, true],
   ] as const)('%s under %j counts: %s', (name, look, expected) => {
     expect(counts(look, name)).toBe(expected);
   });
@@ -111,9 +111,9 @@ test.each([
   ['edgePixels', {}, 'gridPixels'],
   ['handmade', {}, 'share'],
   ['lineSpacing', {}, 'tileParts'],
-  ['lineSpacing', { screenConstancy: 1 }, 'pixels'],
+  ['lineSpacing', { sizedOnScreen: 1 }, 'pixels'],
   // A mean of the two.
-  ['lineSpacing', { screenConstancy: 0.5 }, undefined],
+  ['lineSpacing', { sizedOnScreen: 0.5 }, undefined],
   ['ink', {}, undefined],
 ] as const)('%s of %j measures %s', (name, look, expected) => {
   expect(measureOf(look, name)).toBe(expected);
@@ -122,31 +122,31 @@ test.each([
 describe('sizes for a picture of more pixels', () => {
   test.each([
     ['strokeWidth', {}, 1],
-    ['toothSize', { screenConstancy: 0 }, 1],
+    ['toothSize', { sizedOnScreen: 0 }, 1],
     ['lineSpacing', {}, 0],
-    ['lineSpacing', { screenConstancy: 0.25 }, 0.25],
-    ['lineSpacing', { screenConstancy: 1 }, 1],
+    ['lineSpacing', { sizedOnScreen: 0.25 }, 0.25],
+    ['lineSpacing', { sizedOnScreen: 1 }, 1],
     ['edgePixels', {}, 0],
-    ['strokeScale', {}, 0],
+    ['tilesPerUnit', {}, 0],
     ['ink', {}, 0],
   ] as const)('%s of %j goes with the power %d', (name, look, power) => {
     expect(pixelPower(look, name)).toBe(power);
   });
 
   test('are those that are given and measured in pixels', () => {
-    const look = { strokeWidth: 2, strokeScale: 3, edgePixels: 1, anchorSpacing: 0.4, ink: 'navy', lineSpacing: 4 };
+    const look = { strokeWidth: 2, tilesPerUnit: 3, edgePixels: 1, anchorSpacing: 0.4, ink: 'navy', lineSpacing: 4 };
     expect(scaledSizes(look, 4)).toEqual({ strokeWidth: 8 });
-    expect(scaledSizes({ ...look, screenConstancy: 1 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16 });
-    expect(scaledSizes({ ...look, screenConstancy: 0.5 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8 });
-    expect(scaledSizes({ strokeWidth: null, texelPixels: 2 }, 0.5)).toEqual({ texelPixels: 1 });
+    expect(scaledSizes({ ...look, sizedOnScreen: 1 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16 });
+    expect(scaledSizes({ ...look, sizedOnScreen: 0.5 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8 });
+    expect(scaledSizes({ strokeWidth: null, toothSize: 2 }, 0.5)).toEqual({ toothSize: 1 });
     // Never below its range: lines of less than two pixels cannot be told apart.
     expect(scaledSizes({ finestSpacing: 3 }, 0.5)).toEqual({ finestSpacing: 2 });
   });
 
   test('a material has every one of them, whatever its technique', () => {
-    const sizes: HatchingPropertyName[] = ['lineSpacing', 'finestSpacing', 'texelPixels', 'toothSize'];
+    const sizes: HatchingPropertyName[] = ['lineSpacing', 'finestSpacing', 'toothSize'];
     for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
-      const look: HatchingLook = new HatchingMaterial({ technique, screenConstancy: technique === 'engraved' ? 1 : 0 });
+      const look: HatchingLook = new HatchingMaterial({ technique, sizedOnScreen: technique === 'engraved' ? 1 : 0 });
       const expected = technique === 'engraved' ? sizes : sizes.slice(1);
       expect(Object.keys(scaledSizes(look, 2)).sort()).toEqual([...expected].sort());
     }

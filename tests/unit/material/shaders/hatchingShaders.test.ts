@@ -1,9 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { lineShaders } from '../../../../src/lines/lineShaders.js';
 import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../../../src/material/facts/hatchingProperties.js';
 import { environmentLayout } from '../../../../src/material/shaders/environmentLayout.js';
 import { deformationShaders, hatchingShaders } from '../../../../src/material/shaders/hatchingShaders.js';
+import { outlineShaders } from '../../../../src/outlines/outlineShaders.js';
 
 const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
 const files = readdirSync('shaders', { recursive: true, withFileTypes: true })
@@ -19,9 +19,9 @@ describe('the shaders', () => {
   });
 
   test('of lines have no include of ours left, and are resolved once', () => {
-    const { vertexShader, fragmentShader } = lineShaders();
+    const { vertexShader, fragmentShader } = outlineShaders();
     for (const text of [vertexShader, fragmentShader]) expect(text).not.toMatch(/#include[^<\n]*"/);
-    expect(lineShaders()).toBe(lineShaders());
+    expect(outlineShaders()).toBe(outlineShaders());
   });
 
   test('are resolved once and differ by technique', () => {
@@ -36,7 +36,7 @@ describe('the shaders', () => {
   });
 
   test('no file lies there for nothing', () => {
-    const all = [deformationShaders(), lineShaders(), ...names.map(hatchingShaders)]
+    const all = [deformationShaders(), outlineShaders(), ...names.map(hatchingShaders)]
       .flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader])
       .join('\n');
     const used = new Set(all.split('\n'));

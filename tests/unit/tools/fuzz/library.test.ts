@@ -124,7 +124,7 @@ const PREPARE = {
   creaseAngle: [0.5, 1, 3],
   smoothingRadius: [0, 0.1, 1],
   weldTolerance: [0, 0.01],
-  lines: [true, false, { creaseAngle: 1 }],
+  outlines: [true, false, { featureAngle: 1 }],
 };
 
 async function geometryCase(random: Random): Promise<'good' | 'refused'> {

@@ -16,7 +16,7 @@ test('a large mesh takes the bytes that the limit is made of', async () => {
   const source = new BufferGeometry().setIndex(knot.index);
   for (const name of ['position', 'normal']) source.setAttribute(name, knot.getAttribute(name));
   source.setAttribute('color', new BufferAttribute(new Float32Array(knot.getAttribute('position').array), 3));
-  const baked = await prepareHatchingGeometry(source, { layout: 'pull', lines: true });
+  const baked = await prepareHatchingGeometry(source, { layout: 'pull', outlines: true });
   const { bytes, triangles } = baked.userData.hatching as HatchingStatistics;
   expect(bytes / triangles).toBeLessThan(205 * 1.03);
   expect(bytes / triangles).toBeGreaterThan(205 * 0.97);

@@ -1,0 +1,41 @@
+// The contour of a smooth surface: the zero set of n·v, linear over a triangle (Hertzmann and Zorin, "Illustrating smooth
+// surfaces", 2000).
+uniform float contours; // weight
+uniform float taper; // curvature times the bounding radius from which on the outline is as wide as asked
+
+// A contour is seen where the surface bends away from the eye. It ends in a cusp, where that bend is 0 (Koenderink), and the
+// pen lifts there.
+float taperAt(const in float bend) {
+  return taper > 0.0 ? smoothstep(0.0, taper, bend) : step(0.0, bend);
+}
+
+// The two points at which `values` is 0 on the edges of a triangle; false if it has one sign.
+bool zeroSet(
+  const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c, const in vec3 values, out PieceEnd start, out PieceEnd end
+) {
+  start = noEnd();
+  end = noEnd();
+  bvec3 positive = greaterThanEqual(values, vec3(0.0));
+  if (all(positive) || !any(positive)) return false;
+  // The corner whose sign is its own, and the next two.
+  if (positive.y == positive.z) {
+    start = endBetween(a, b, values.x / (values.x - values.y));
+    end = endBetween(a, c, values.x / (values.x - values.z));
+  } else if (positive.x == positive.z) {
+    start = endBetween(b, c, values.y / (values.y - values.z));
+    end = endBetween(b, a, values.y / (values.y - values.x));
+  } else {
+    start = endBetween(c, a, values.z / (values.z - values.x));
+    end = endBetween(c, b, values.z / (values.z - values.y));
+  }
+  return true;
+}
+
+Piece contour(const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c) {
+  Piece piece = noPiece();
+  if (zeroSet(a, b, c, vec3(a.facing, b.facing, c.facing), piece.start, piece.end)) {
+    piece.start.weight = contours * taperAt(piece.start.bend);
+    piece.end.weight = contours * taperAt(piece.end.bend);
+  }
+  return piece;
+}

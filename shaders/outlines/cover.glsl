@@ -1,0 +1,98 @@
+// From a piece of outline to the triangle on the screen that covers it.
+uniform float outlineWidth; // pixels
+uniform vec4 viewport; // x, y, width, height in pixels
+uniform float objectScale; // view units per object unit: the mean over directions
+uniform float nearDistance;
+#ifdef WOBBLE
+  uniform float wobble; // pixels
+#endif // WOBBLE
+
+// Room for the edge that fades out, in pixels.
+#define FRINGE 1.0
+
+void clearVaryings() {
+  vEnds = vec4(0.0);
+  vHalfWidths = vec2(0.0);
+  vStart = vec4(0.0);
+  vEnd = vec4(0.0);
+  #ifdef WOBBLE
+    vAnchorStart = vec3(0.0);
+    vAnchorEnd = vec3(0.0);
+  #endif // WOBBLE
+}
+
+// View units to a pixel at a point.
+float unitsToPixel(const in vec3 position) {
+  float away = isOrthographic ? 1.0 : max(-position.z, nearDistance);
+  return 2.0 * away / (projectionMatrix[1][1] * viewport.w);
+}
+
+vec2 pixelOf(const in vec4 clip) {
+  return viewport.xy + (0.5 * clip.xy / clip.w + 0.5) * viewport.zw;
+}
+
+// Just behind the near plane, as a factor on its distance.
+#define BEHIND_NEAR 1.0001
+
+// Moves an end that lies before the near plane onto it, along the piece.
+void cutAt(const in float z, inout vec3 place, inout PieceEnd cut, const in vec3 otherPlace, const in PieceEnd other) {
+  float t = (z - place.z) / (otherPlace.z - place.z);
+  place = mix(place, otherPlace, t);
+  cut.weight = mix(cut.weight, other.weight, t);
+  cut.anchor = mix(cut.anchor, other.anchor, t);
+  cut.overshoot = 0.0;
+}
+
+// Writes the position and the varyings of one corner of the triangle.
+void coverPiece(const in Piece piece, const in int corner) {
+  float scale = objectScale;
+  #ifdef USE_INSTANCING
+    scale *= pow(abs(determinant(mat3(instancePlace))), 1.0 / 3.0);
+  #endif // USE_INSTANCING
+  PieceEnd from = piece.start;
+  PieceEnd to = piece.end;
+  vec3 start = (objectToView() * vec4(from.position, 1.0)).xyz;
+  vec3 end = (objectToView() * vec4(to.position, 1.0)).xyz;
+
+  // What lies before the near plane has no place on the screen.
+  if (!isOrthographic) {
+    float z = -BEHIND_NEAR * nearDistance;
+    if (min(start.z, end.z) > z) return;
+    if (start.z > z) cutAt(z, start, from, end, to);
+    else if (end.z > z) cutAt(z, end, to, start, from);
+  }
+
+  vec2 halves = 0.5 * outlineWidth * vec2(from.weight, to.weight);
+  vec3 nearStart = lifted(start, liftOf(from, piece, halves.x * unitsToPixel(start), scale));
+  vec3 nearEnd = lifted(end, liftOf(to, piece, halves.y * unitsToPixel(end), scale));
+  vec4 clipStart = projectionMatrix * vec4(nearStart, 1.0);
+  vec4 clipEnd = projectionMatrix * vec4(nearEnd, 1.0);
+  vec2 a = pixelOf(projectionMatrix * vec4(start, 1.0));
+  vec2 b = pixelOf(projectionMatrix * vec4(end, 1.0));
+  vec2 depths = vec2(clipStart.z / clipStart.w, clipEnd.z / clipEnd.w);
+
+  float size = distance(a, b);
+  vec2 along = size > 1e-4 ? (b - a) / size : vec2(1.0, 0.0);
+  float slope = (depths.y - depths.x) / max(size, FRINGE);
+  float middleDepth = 0.5 * (depths.x + depths.y);
+  vec2 middle = 0.5 * (a + b);
+  a -= from.overshoot * along;
+  b += to.overshoot * along;
+
+  float reach = max(max(halves.x, halves.y), 0.5) + FRINGE;
+  #ifdef WOBBLE
+    reach += wobble;
+    vAnchorStart = from.anchor;
+    vAnchorEnd = to.anchor;
+  #endif // WOBBLE
+  // A right triangle that covers the rectangle around the capsule: its right angle lies at a corner, and its legs are twice the sides.
+  float reachAlong = 0.5 * size + reach + max(from.overshoot, to.overshoot);
+  vec2 local = corner == 0 ? vec2(-reachAlong, -reach) : corner == 1 ? vec2(3.0 * reachAlong, -reach) : vec2(-reachAlong, 3.0 * reach);
+  vec2 pixel = middle + local.x * along + local.y * vec2(-along.y, along.x);
+  gl_Position = vec4(2.0 * (pixel - viewport.xy) / viewport.zw - 1.0, middleDepth + slope * local.x, 1.0);
+
+  vEnds = vec4(a, b);
+  vHalfWidths = halves;
+  vStart = vec4(start, -nearStart.z);
+  vEnd = vec4(end, -nearEnd.z);
+}

@@ -1,0 +1,74 @@
+// Borders, creases and edges between materials; and the contour where it runs along an edge, since the normals on its two
+// sides differ. So contours are closed curves across creases.
+uniform float borders; // weights
+uniform float creases;
+uniform float materialBorders;
+uniform float overshoot; // pixels
+
+// The part of the edge, as t from start to end, on which one side faces the eye and the other does not. false if there is none.
+bool contourAlong(const in vec2 left, const in vec2 right, out vec2 part) {
+  bool startsOn = left.x * right.x < 0.0;
+  bool endsOn = left.y * right.y < 0.0;
+  // Where either side turns away; outside of [0, 1] where it never does.
+  float leftTurn = left.x * left.y < 0.0 ? left.x / (left.x - left.y) : -1.0;
+  float rightTurn = right.x * right.y < 0.0 ? right.x / (right.x - right.y) : -1.0;
+  part = vec2(0.0, 1.0);
+  if (startsOn && endsOn) return true;
+  float turn = max(leftTurn, rightTurn);
+  if (startsOn) part.y = turn;
+  else if (endsOn) part.x = turn;
+  else if (min(leftTurn, rightTurn) >= 0.0) part = vec2(min(leftTurn, rightTurn), turn);
+  else return false;
+  return part.x < part.y;
+}
+
+// The normal of the side that is seen.
+vec3 seenNormal(const in OutlinePoint left, const in OutlinePoint right, const in float sign) {
+  if (left.facing > 0.0 && sign * right.facing > 0.0) return left.normal + sign * right.normal;
+  if (left.facing > 0.0) return left.normal;
+  if (sign * right.facing > 0.0) return sign * right.normal;
+  return -left.normal;
+}
+
+Piece featureEdge(
+  const in uint flags, const in OutlinePoint leftStart, const in OutlinePoint leftEnd,
+  const in OutlinePoint rightStart, const in OutlinePoint rightEnd
+) {
+  // Where the windings contradict each other, the right side's normals look the other way.
+  float sign = (flags & EDGE_CONTRARY) != 0u ? -1.0 : 1.0;
+  vec2 left = vec2(leftStart.facing, leftEnd.facing);
+  vec2 right = sign * vec2(rightStart.facing, rightEnd.facing);
+
+  Piece piece = noPiece();
+  piece.isSmooth = false;
+  float whole = 0.0;
+  if ((flags & EDGE_CREASE) != 0u) whole = creases;
+  if ((flags & EDGE_MATERIAL_BORDER) != 0u) whole = max(whole, materialBorders);
+  bool isBorder = (flags & EDGE_BORDER) != 0u;
+  // Creases that look away on either side cannot be seen; borders show their backs.
+  if (!isBorder && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
+  if (isBorder) whole = borders;
+
+  vec2 part;
+  bool hasContour = !isBorder && contourAlong(left, right, part);
+  if (whole > 0.0) {
+    // Drawn from end to end, as wide as the contour where it is one.
+    bvec2 isContour = lessThan(left * right, vec2(0.0));
+    piece.start = endBetween(leftStart, leftEnd, 0.0);
+    piece.end = endBetween(leftStart, leftEnd, 1.0);
+    piece.start.weight = !isBorder && isContour.x ? max(contours, whole) : whole;
+    piece.end.weight = !isBorder && isContour.y ? max(contours, whole) : whole;
+    if ((flags & EDGE_CORNER_AT_START) != 0u) piece.start.overshoot = overshoot;
+    if ((flags & EDGE_CORNER_AT_END) != 0u) piece.end.overshoot = overshoot;
+  } else if (hasContour) {
+    piece.start = endBetween(leftStart, leftEnd, part.x);
+    piece.end = endBetween(leftStart, leftEnd, part.y);
+    piece.start.weight = contours;
+    piece.end.weight = contours;
+  } else {
+    return piece;
+  }
+  piece.start.normal = seenNormal(leftStart, rightStart, sign);
+  piece.end.normal = seenNormal(leftEnd, rightEnd, sign);
+  return piece;
+}

@@ -1,0 +1,25 @@
+// Hidden outlines. Each end is moved along its ray towards the eye before the depth test, so far that the surface it lies on does
+// not hide it, and hardly further; it stays where it is on the screen.
+
+// The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by.
+#define LIFT_SHARE 0.004
+// The most lift for the bend of the surface, as a share of the bounding radius.
+#define MOST_RISE 0.11
+// How steeply the faces beside an edge may rise towards the eye.
+#define EDGE_SLOPE 3.0
+
+// halfWidth: of the outline, in view units. scale: view units per object unit. Returns view units.
+float liftOf(const in PieceEnd end, const in Piece piece, const in float halfWidth, const in float scale) {
+  float r = radius * scale;
+  float own = LIFT_SHARE * r + piece.extent * scale;
+  if (!piece.isSmooth) return own + 2.0 * EDGE_SLOPE * halfWidth;
+  // A surface of curvature κ rises by √(2x/κ) towards the eye over the distance x beside its contour. Without this, half of
+  // the outline drowns.
+  float rise = sqrt(2.0 * halfWidth * r / max(end.bend, 1e-3));
+  return own + 2.0 * halfWidth + min(rise, MOST_RISE * r);
+}
+
+vec3 lifted(const in vec3 position, const in float lift) {
+  if (isOrthographic) return position + vec3(0.0, 0.0, lift);
+  return position * (1.0 - min(lift / max(length(position), 1e-20), 0.9));
+}

@@ -1,0 +1,68 @@
+// Contours and feature edges: the fragment shader stage. A piece of outline is a capsule on the screen, so that pieces join
+// without mitres; its edge fades over one pixel.
+#include "outlines/varyings"
+
+uniform vec3 ink;
+uniform float opacity;
+
+#include <common>
+#include <dithering_pars_fragment>
+#include "lineCoverage"
+#include "outlines/surroundings"
+#ifdef WOBBLE
+  #include "outlines/wobble"
+#endif // WOBBLE
+#ifdef TOOTH
+  #include "outlines/dryOutline"
+#endif // TOOTH
+
+// The place along the piece that is nearest to a pixel: 0 at the start, 1 at the end, and outside of [0, 1] beyond them.
+float placeOf(const in vec2 pixel) {
+  vec2 along = vEnds.zw - vEnds.xy;
+  return dot(pixel - vEnds.xy, along) / max(dot(along, along), 1e-8);
+}
+
+// The same in space: of an outline that runs away from the eye, the nearer half takes more of the screen.
+float alongLine(const in float t) {
+  return isOrthographic ? t : t * vStart.z / mix(vEnd.z, vStart.z, t);
+}
+
+void main() {
+  vec2 pixel = gl_FragCoord.xy;
+  float place = placeOf(pixel);
+  #ifdef WOBBLE
+    pixel -= wobbleAt(mix(vAnchorStart, vAnchorEnd, alongLine(clamp(place, 0.0, 1.0))));
+    place = placeOf(pixel);
+  #endif // WOBBLE
+  float t = clamp(place, 0.0, 1.0);
+  float away = distance(pixel, mix(vEnds.xy, vEnds.zw, t));
+  float halfWidth = mix(vHalfWidths.x, vHalfWidths.y, t);
+  // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
+  float fringe = place == t ? 0.5 : 0.0;
+  float coverage = lineCoverage(away, halfWidth, fringe);
+  #ifdef TOOTH
+    coverage *= dryInk(min(away / max(halfWidth, 0.5), 1.0));
+  #endif // TOOTH
+  vec4 diffuseColor = vec4(ink, opacity * coverage);
+
+  vec3 viewPosition = mix(vStart.xyz, vEnd.xyz, alongLine(t));
+  #if NUM_CLIPPING_PLANES > 0
+    vec3 vClipPosition = -viewPosition;
+  #endif // NUM_CLIPPING_PLANES
+  #include <clipping_planes_fragment>
+  if (diffuseColor.a < 0.002) discard;
+  #ifdef LOGARITHMIC_DEPTH
+    float depth = 1.0 / mix(1.0 / vStart.w, 1.0 / vEnd.w, t);
+    gl_FragDepth = isOrthographic ? gl_FragCoord.z : log2(1.0 + depth) * logDepthBufFC * 0.5;
+  #endif // LOGARITHMIC_DEPTH
+
+  gl_FragColor = diffuseColor;
+  #include <tonemapping_fragment>
+  #include <colorspace_fragment>
+  #ifdef USE_FOG
+    float vFogDepth = -viewPosition.z;
+  #endif // USE_FOG
+  #include <fog_fragment>
+  #include <premultiplied_alpha_fragment>
+  #include <dithering_fragment>
+}

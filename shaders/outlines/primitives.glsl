@@ -1,0 +1,45 @@
+// Primitives, all of them or those that are listed (src/bake/outlineLayout.ts).
+uniform highp usampler2D outlinePrimitives;
+uniform highp usampler2D candidates; // four numbers to a texel; of instances two, each with the instance it is of
+uniform bool isListed;
+#ifdef USE_INSTANCING
+  uniform highp sampler2D instancePlaces; // a column to a texel
+  mat4 instancePlace; // of the instance that the primitive is of
+#endif // USE_INSTANCING
+
+uvec4 readPrimitive(const in int i) {
+  int number = i;
+  #ifdef USE_INSTANCING
+    instancePlace = instanceMatrix;
+    if (isListed) {
+      uvec4 two = texelFetch(candidates, texelOf(i / 2, textureSize(candidates, 0).x), 0);
+      number = int(two[2 * (i % 2)]);
+      int column = 4 * int(two[2 * (i % 2) + 1]);
+      int width = textureSize(instancePlaces, 0).x;
+      for (int k = 0; k < 4; k++) instancePlace[k] = texelFetch(instancePlaces, texelOf(column + k, width), 0);
+    }
+  #else
+    if (isListed) {
+      uvec4 four = texelFetch(candidates, texelOf(i / 4, textureSize(candidates, 0).x), 0);
+      number = int(four[i % 4]);
+    }
+  #endif // USE_INSTANCING
+  return texelFetch(outlinePrimitives, texelOf(number, textureSize(outlinePrimitives, 0).x), 0);
+}
+
+uint flagsOf(const in uvec4 primitive) {
+  return (primitive.x >> POINT_BITS) | ((primitive.y >> POINT_BITS) << 4);
+}
+
+bool isEdge(const in uvec4 primitive) {
+  return (flagsOf(primitive) & EDGE_IS_EDGE) != 0u;
+}
+
+// The eye in the space of the instance.
+vec4 eyeOfInstance(const in vec4 eye) {
+  #ifdef USE_INSTANCING
+    return vec4(inverse(mat3(instancePlace)) * (eye.xyz - eye.w * instancePlace[3].xyz), eye.w);
+  #else
+    return eye;
+  #endif // USE_INSTANCING
+}

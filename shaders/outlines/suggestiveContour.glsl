@@ -1,0 +1,32 @@
+// Suggestive contours: where a contour would appear if the eye moved a little (DeCarlo, Finkelstein, Rusinkiewicz and Santella,
+// "Suggestive contours for conveying shape", 2003). The zero set of the bend along the line of sight, where it grows towards
+// the eye, on triangles that face it.
+uniform float suggestiveContours; // weight
+
+// How fast the bend must grow along the surface, times the radius, for an outline to begin, and to be as wide as asked.
+#define LEAST_GROWTH 20.0
+#define FULL_GROWTH 60.0
+// Seen face on, an outline says nothing: how far the normal must lean away for one to begin, and to be as wide as asked.
+#define LEAST_LEAN 0.1
+#define FULL_LEAN 0.35
+
+Piece suggestiveContour(const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c, const in vec4 eye) {
+  Piece piece = noPiece();
+  if (min(min(a.facing, b.facing), c.facing) <= 0.0) return piece;
+  if (!zeroSet(a, b, c, vec3(a.bend, b.bend, c.bend), piece.start, piece.end)) return piece;
+
+  // The gradient of the bend, which is linear over the triangle.
+  vec3 ab = b.position - a.position;
+  vec3 ac = c.position - a.position;
+  vec3 n = cross(ab, ac);
+  vec3 gradient = cross(n, (c.bend - a.bend) * ab - (b.bend - a.bend) * ac) / max(dot(n, n), 1e-30);
+  vec3 normal = normalize(a.normal + b.normal + c.normal);
+  vec3 v = normalize(towardsEye((a.position + b.position + c.position) / 3.0, eye));
+  vec3 w = v - dot(normal, v) * normal;
+  float lean = length(w);
+  float growth = radius * dot(gradient, w) / max(lean, 1e-6);
+  float weight = suggestiveContours * smoothstep(LEAST_GROWTH, FULL_GROWTH, growth * smoothstep(LEAST_LEAN, FULL_LEAN, lean));
+  piece.start.weight = weight;
+  piece.end.weight = weight;
+  return piece;
+}

@@ -1,0 +1,31 @@
+/**
+ * The layout of the two textures that contours and feature edges are drawn from. Both hold unsigned integers (RGBA, 32 bits
+ * each).
+ *
+ * `outlinePoints` has two texels per point. A point is a fan of corners that share one normal:
+ *
+ *     x, y, z as floats, normal     octahedral, two normalised 16-bit integers
+ *     xx xy, xz yy, yz zz, vertex   K·R as half floats, two to a word; R is the radius of the bounding sphere
+ *
+ * K is the curvature tensor of `fanCurvatures`. `vertex` is a vertex of the geometry: the pre-pass that deforms the geometry
+ * writes the deformed position of the point there.
+ *
+ * `outlinePrimitives` has one texel per triangle, then one per feature edge:
+ *
+ *     points 0, 1, 2, nothing                                    a triangle
+ *     left start, left end, right start, right end               an edge, and its flags
+ *
+ * The lower four flags (`edgeFlags.ts`) lie in the highest four bits of the first word, the others in those of the second.
+ */
+
+/** Words of `outlinePoints` per point. */
+export const POINT_WORDS = 8;
+
+/** Words of `outlinePrimitives` per primitive. */
+export const PRIMITIVE_WORDS = 4;
+
+/** The number of a point takes this many bits of a word; the others hold flags. */
+export const POINT_BITS = 28;
+
+/** The bits of a word that hold the number of a point. */
+export const POINT_MASK: number = 2 ** POINT_BITS - 1;

@@ -1,0 +1,56 @@
+import { counts, HATCHING_OUTLINE_DEFAULTS, type HatchingOutlineParameters } from 'three-hatching';
+import { techniqueOf } from './materialLook.js';
+import type { Settings } from './settings.js';
+
+/**
+ * A hand that strays by more than this many pixels also runs on past corners, by so many pixels more for each. A lighter one
+ * does not, because creases of scans have corners everywhere, and outlines would stand out from them like thorns.
+ */
+const LIGHT_HAND = 1;
+const OVERSHOOT = 3;
+/** Weight that outlines lose in full light and gain in full shade, if the shade weight is 100 %. */
+const LOST_IN_LIGHT = 1;
+const GAINED_IN_SHADE = 0.8;
+
+/** The parameters of outlines that settings stand for. */
+export type OutlineLook = ReturnType<typeof outlineLook>;
+
+/** What the material of outlines takes, from the settings. Its sizes are in pixels of the page. */
+export function outlineLook(settings: Settings) {
+  const shade = settings.outlineShade / 100;
+  const creases = settings.outlineCreases / 100;
+  return {
+    outlineWidth: settings.outlineWidth,
+    contours: settings.outlineContours / 100,
+    borders: settings.outlineBorders / 100,
+    creases,
+    materialBorders: creases,
+    suggestiveContours: settings.outlineSuggestive / 100,
+    shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
+    wobble: settings.outlineHand,
+    overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
+    // Outlines are drawn with what strokes are drawn with.
+    tooth: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'tooth')
+      ? settings.tooth / 100
+      : 0,
+    toothSize: settings.toothSize,
+    ink: settings.ink,
+  };
+}
+
+/** The settings that give outlines these parameters. Their ink is that of the material, and creases weigh as much as borders of materials. */
+export function settingsOfOutlines(parameters: HatchingOutlineParameters): Partial<Settings> {
+  const all = { ...HATCHING_OUTLINE_DEFAULTS, ...parameters };
+  const percent = (weight: number): number => Math.round(100 * weight);
+  const [inLight] = all.shadeWeights as readonly number[];
+  return {
+    outlines: 'on',
+    outlineWidth: all.outlineWidth,
+    outlineContours: percent(all.contours),
+    outlineBorders: percent(all.borders),
+    outlineCreases: percent(all.creases),
+    outlineSuggestive: percent(all.suggestiveContours),
+    outlineShade: percent((1 - inLight) / LOST_IN_LIGHT),
+    outlineHand: all.wobble,
+  };
+}

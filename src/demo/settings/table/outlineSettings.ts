@@ -1,0 +1,47 @@
+import { inGroup, type NumberRow } from './Setting.js';
+
+const DRAWN = { outlines: ['on'] } as const;
+
+/** How much outlines of a kind weigh. */
+const weight = (label: string, fallback: number, added: Partial<NumberRow> = {}): NumberRow => ({
+  kind: 'number',
+  label,
+  when: DRAWN,
+  default: fallback,
+  unit: '%',
+  min: 0,
+  max: 200,
+  step: 5,
+  ...added,
+});
+
+/** Contours, creases and the like. */
+export const OUTLINE_SETTINGS = inGroup('Outlines', 'hand', {
+  outlines: { kind: 'choice', label: 'Outlines', default: 'on', choices: { on: 'Drawn', off: 'None' } },
+  outlineWidth: {
+    kind: 'number',
+    label: 'Outline width',
+    when: DRAWN,
+    default: 1.8,
+    unit: 'px',
+    min: 0.4,
+    max: 8,
+    step: 0.1,
+  },
+  outlineContours: weight('Contours', 100),
+  outlineBorders: weight('Borders', 100),
+  outlineCreases: weight('Creases', 60),
+  outlineSuggestive: weight('Suggestive', 0, { ends: ['none', 'in folds'] }),
+  outlineShade: weight('Shade', 50, { max: 100, step: 1, ends: ['even', 'lost in light'] }),
+  outlineHand: {
+    kind: 'number',
+    label: 'Hand',
+    when: DRAWN,
+    default: 0.5,
+    unit: 'px',
+    min: 0,
+    max: 4,
+    step: 0.1,
+    ends: ['ruled', 'loose'],
+  },
+});

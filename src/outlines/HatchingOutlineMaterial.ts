@@ -1,0 +1,165 @@
+import {
+  Color,
+  type ColorRepresentation,
+  DoubleSide,
+  Material,
+  type MaterialParameters,
+  ShaderMaterial,
+  Vector2,
+} from 'three';
+import { checkNumber } from '../material/checkNumber.js';
+import { checkColor } from '../material/checkValues.js';
+import { toothMap } from '../tam/toothMap.js';
+import {
+  HATCHING_OUTLINE_DEFAULTS,
+  OUTLINE_NUMBER_NAMES,
+  OUTLINE_NUMBERS,
+  OUTLINE_SIZES,
+  type OutlineNumberName,
+} from './outlineProperties.js';
+import { outlineShaders } from './outlineShaders.js';
+import { createOutlineUniforms } from './outlineUniforms.js';
+
+/** The parameters of `new HatchingOutlineMaterial()` and `setValues()`. */
+export type HatchingOutlineParameters = MaterialParameters &
+  Partial<Pick<HatchingOutlineMaterial, OutlineNumberName>> & {
+    ink?: ColorRepresentation | undefined;
+    /** The weights on the lit side and in the shade. */
+    shadeWeights?: Vector2 | readonly [number, number] | undefined;
+    fog?: boolean | undefined;
+    clipping?: boolean | undefined;
+  };
+
+/**
+ * The material of `HatchingOutlines`. It uses the lights, fog and clipping planes of the scene. Every property may be set at any time
+ * and takes effect in the next frame; `wobble` and `tooth` compile another program when they change between 0 and more than 0.
+ * Several `HatchingOutlines` may share a material.
+ */
+export class HatchingOutlineMaterial extends ShaderMaterial {
+  readonly isHatchingOutlineMaterial = true;
+  /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
+  override readonly type: string = 'HatchingOutlineMaterial';
+
+  /** Width of an outline of weight 1, in CSS pixels, above 0. In print, see `millimetresToPixels`. Default 1.8. */
+  declare outlineWidth: number;
+  /** Weight of contours, along which the surface turns away from the eye; 0 draws none. Default 1. */
+  declare contours: number;
+  /** Weight of borders, where the surface ends; 0 draws none. Default 1. */
+  declare borders: number;
+  /** Weight of creases: sharp edges with both sides visible; 0 draws none. Default 0.6. */
+  declare creases: number;
+  /** Weight of edges between groups of a geometry, on meshes with several materials; 0 draws none. Default 0.6. */
+  declare materialBorders: number;
+  /**
+   * Weight of suggestive contours, where a contour would appear if the eye moved a little (DeCarlo et al., 2003); 0 draws
+   * none. Every triangle is tested for them. Default 0; try 0.6.
+   */
+  declare suggestiveContours: number;
+  /**
+   * Where a contour begins to taper, 0 or more. A contour ends where the surface stops curving away along the line of sight. It has
+   * its full width where that curvature is at least `taper` divided by the bounding radius, and becomes narrower below. 0 ends it
+   * bluntly. Default 0.8.
+   */
+  declare taper: number;
+  /** How far outlines deviate as if drawn by hand, in CSS pixels, 0 or more. The deviation is fixed to the object. Default 0. */
+  declare wobble: number;
+  /** How far outlines are drawn beyond the corners of creases and borders, in CSS pixels, 0 or more. Default 0. */
+  declare overshoot: number;
+  /** How strongly the tooth of the paper breaks outlines up, from 0 (ink, the default) to 1. See docs/media.md. */
+  declare tooth: number;
+  /** Size of the bumps of the paper, in CSS pixels, above 0. Default 2.5. */
+  declare toothSize: number;
+  /** Colour of the outlines. Default black. */
+  ink: Color = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
+  /** Weights on the lit side and in the shade, under all lights of the scene. Default (0.5, 1.4). */
+  shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
+
+  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
+  // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
+  constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
+    super();
+    for (const name of OUTLINE_NUMBER_NAMES) this.defineNumber(name);
+    this.uniforms = createOutlineUniforms();
+    Object.assign(this, outlineShaders());
+    this.lights = true;
+    this.fog = true;
+    this.clipping = true;
+    this.transparent = true;
+    this.depthWrite = false;
+    this.side = DoubleSide;
+    this.setValues(parameters);
+    this.writeUniforms(false, false);
+  }
+
+  /**
+   * Sets properties by name, as `setValues` of three.js does.
+   *
+   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour
+   */
+  override setValues(values?: HatchingOutlineParameters): void {
+    if (!values) return;
+    if (values.ink !== undefined) checkColor('HatchingOutlineMaterial.ink', values.ink);
+    const { shadeWeights, ...others } = values;
+    super.setValues(others as MaterialParameters);
+    if (shadeWeights !== undefined) this.shadeWeights.set(...checkPair(shadeWeights));
+  }
+
+  override copy(source: this): this {
+    // ShaderMaterial.copy would clone every texture among the uniforms, and each clone would be uploaded again.
+    Material.prototype.copy.call(this, source);
+    this.fog = source.fog;
+    this.lights = source.lights;
+    this.clipping = source.clipping;
+    for (const name of OUTLINE_NUMBER_NAMES) this[name] = source[name];
+    this.ink.copy(source.ink);
+    this.shadeWeights.copy(source.shadeWeights);
+    return this;
+  }
+
+  /**
+   * Writes the properties to the uniforms. It is called before each draw and allocates nothing.
+   *
+   * @param pixelRatio pixels of what is drawn to, which shaders measure sizes in, per CSS pixel
+   * @internal
+   */
+  writeUniforms(isDeformed: boolean, hasMaterials: boolean, pixelRatio = 1): void {
+    for (const name of OUTLINE_NUMBER_NAMES) this.uniforms[name].value = this[name];
+    for (const name of OUTLINE_SIZES) this.uniforms[name].value *= pixelRatio;
+    // If all groups have the same material, there are no borders between materials.
+    if (!hasMaterials) this.uniforms.materialBorders.value = 0;
+    this.uniforms.ink.value = this.ink;
+    this.uniforms.shadeWeights.value = this.shadeWeights;
+    this.uniforms.opacity.value = this.opacity;
+    if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
+    this.setDefine('DEFORMED', isDeformed);
+    this.uniformsNeedUpdate = true;
+  }
+
+  private setDefine(name: string, isSet: boolean): void {
+    if (isSet === name in this.defines) return;
+    if (isSet) this.defines[name] = '';
+    else delete this.defines[name];
+    this.needsUpdate = true;
+  }
+
+  private defineNumber(name: OutlineNumberName): void {
+    let current: number = HATCHING_OUTLINE_DEFAULTS[name];
+    Object.defineProperty(this, name, {
+      get: () => current,
+      set: (value: number) => {
+        current = checkNumber(name, value, OUTLINE_NUMBERS[name], 'HatchingOutlineMaterial');
+        // The define is set at once, so that `renderer.compile` compiles the program that frames use.
+        if (name === 'wobble' || name === 'tooth') this.setDefine(name.toUpperCase(), current > 0);
+      },
+      enumerable: true,
+    });
+  }
+}
+
+function checkPair(weights: Vector2 | readonly [number, number]): [number, number] {
+  const [lit, shaded] = Symbol.iterator in Object(weights) ? [...(weights as Iterable<number>)] : [];
+  if (lit >= 0 && shaded >= 0 && lit + shaded < Infinity) return [lit, shaded];
+  throw new RangeError(
+    'HatchingOutlineMaterial.shadeWeights: pass two numbers, 0 or more: the weights on the lit side and in the shade.',
+  );
+}

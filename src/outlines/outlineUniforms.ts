@@ -1,0 +1,35 @@
+import { type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'three';
+import { keptFromProxies } from '../material/hatchingUniforms.js';
+import { OUTLINE_NUMBER_NAMES } from './outlineProperties.js';
+
+/** Creates the uniforms of an outline material: those of its properties, of the geometry and camera, and of lights and fog. */
+export const createOutlineUniforms = (): Record<string, IUniform> =>
+  keptFromProxies(
+    UniformsUtils.merge([
+      UniformsLib.lights,
+      UniformsLib.fog,
+      Object.fromEntries(OUTLINE_NUMBER_NAMES.map((name) => [name, { value: 0 }])),
+      {
+        ink: { value: null },
+        opacity: { value: 1 },
+        shadeWeights: { value: null },
+        toothMap: { value: null },
+        // These describe the geometry and the mesh.
+        outlinePoints: { value: null },
+        outlinePrimitives: { value: null },
+        radius: { value: 1 },
+        deformedNormals: { value: null },
+        deformedPositions: { value: null },
+        deformedTurns: { value: null },
+        // These depend on the camera.
+        candidates: { value: null },
+        instancePlaces: { value: null },
+        isListed: { value: false },
+        eye: { value: new Vector4() },
+        nearDistance: { value: 0 },
+        objectScale: { value: 1 },
+        viewport: { value: new Vector4() },
+        toothOffset: { value: new Vector2() },
+      },
+    ]),
+  );

@@ -1,0 +1,116 @@
+import type { Page } from '@playwright/test';
+import type { PNG } from 'pngjs';
+import { openPlayground, readDrawing, ready, savePicture } from '../../tools/browser/playground.js';
+import { expect, test } from '../browser/test.js';
+import { changedShare, inkRun, meanInk, WHOLE } from './pictures.js';
+
+test.use({ viewport: { width: 640, height: 480 } });
+
+/** A sphere in the middle of the picture. The light from the left leaves its left side bare paper. */
+const SPHERE = 'model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=0&lightStrength=150';
+/** Outlines of one width, without a hand. */
+const RULED = 'outlineShade=0&outlineHand=0';
+/** Rows around the middle, as shares of the height. */
+const ROWS = [0.4, 0.44, 0.48, 0.52, 0.56, 0.6];
+
+/** Distance from the middle of a picture to the leftmost ink in each of the {@link ROWS}, in pixels. */
+function leftmostInk(picture: PNG): number[] {
+  return ROWS.map((share) => {
+    const row = Math.round(share * picture.height);
+    const { start } = inkRun(picture, row);
+    return Math.hypot(picture.width / 2 - start, picture.height / 2 - row);
+  });
+}
+
+/** Mean width of the leftmost ink in the {@link ROWS}, in pixels. */
+function leftmostWidth(picture: PNG): number {
+  const widths = ROWS.map((share) => inkRun(picture, Math.round(share * picture.height)).width);
+  return widths.reduce((sum, width) => sum + width) / widths.length;
+}
+
+async function openFold(page: Page): Promise<void> {
+  await page.setViewportSize({ width: 900, height: 600 });
+  await page.getByRole('button', { name: 'Outlines', exact: true }).press('Enter');
+}
+
+test('a contour is drawn by default, also where the light leaves the paper bare', async ({ page }) => {
+  await openPlayground(page, `${SPHERE}&outlines=off`);
+  const bare = leftmostInk(await readDrawing(page));
+  await openPlayground(page, `${SPHERE}&${RULED}`);
+  const outlined = leftmostInk(await readDrawing(page));
+  const radius = Math.max(...outlined);
+  expect(Math.min(...outlined), 'the contour is a circle').toBeGreaterThan(radius - 2);
+  expect(Math.max(...bare), 'no stroke begins near it').toBeLessThan(radius - 15);
+});
+
+test('a link without outlines opens without them; undo brings back what was switched off', async ({ page }) => {
+  await openPlayground(page, `${SPHERE}&outlines=off`);
+  await openFold(page);
+  const without = await readDrawing(page);
+  const outlines = page.getByLabel('Outlines', { exact: true });
+  await expect(outlines).toHaveValue('None');
+  await expect(page.getByLabel('Outline width')).toBeHidden();
+  await outlines.selectOption('Drawn');
+  const drawn = await readDrawing(page);
+  expect(meanInk(drawn)).toBeGreaterThan(meanInk(without));
+  await expect.poll(() => page.url()).not.toContain('outlines=off');
+  await outlines.selectOption('None');
+  expect(changedShare(without, await readDrawing(page))).toBe(0);
+  await expect.poll(() => page.url()).toContain('outlines=off');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(changedShare(drawn, await readDrawing(page))).toBe(0);
+});
+
+test('width, weights and hand of the outlines have labels and change the drawing', async ({ page }) => {
+  await openPlayground(page, 'model=cube');
+  await openFold(page);
+  let before = await readDrawing(page);
+  for (const [label, value] of [
+    ['Outline width', '5'],
+    ['Contours', '200'],
+    ['Creases', '0'],
+    ['Shade', '0'],
+    ['Hand', '4'],
+  ]) {
+    const field = page.getByLabel(label, { exact: true });
+    await expect(field).toBeVisible();
+    await field.fill(value);
+    await field.press('Enter');
+    const after = await readDrawing(page);
+    expect(changedShare(before, after), label).toBeGreaterThan(0.0005);
+    before = after;
+  }
+  await expect(page.getByLabel('Borders', { exact: true })).toBeVisible();
+  await expect(page.getByLabel('Suggestive', { exact: true })).toBeVisible();
+  await expect.poll(() => page.url()).toMatch(/outlineWidth=5&outlineContours=200.*outlineHand=4/);
+  await page.reload();
+  expect(changedShare(before, await readDrawing(page))).toBe(0);
+});
+
+test('outlines of a saved picture are wider by as much as the picture', async ({ page }) => {
+  await openPlayground(page, `${SPHERE}&${RULED}&outlineWidth=4&pictureSize=2`);
+  const shown = await readDrawing(page);
+  const saved = await savePicture(page);
+  expect(saved.width).toBe(2 * shown.width);
+  expect(leftmostWidth(shown)).toBeGreaterThan(3);
+  expect(leftmostWidth(shown)).toBeLessThan(5.5);
+  expect(leftmostWidth(saved) / leftmostWidth(shown)).toBeCloseTo(2, 0);
+});
+
+test.describe('with reduced motion', () => {
+  test.use({ reducedMotion: 'reduce' });
+
+  test('a model that moves has outlines, which follow its pose', async ({ page }) => {
+    const fish = 'model=fish&lightStrength=200&reflectedLight=60';
+    await openPlayground(page, `${fish}&outlines=off`);
+    const without = meanInk(await readDrawing(page), WHOLE);
+    await openPlayground(page, fish);
+    const posed = await readDrawing(page);
+    expect(meanInk(posed)).toBeGreaterThan(1.05 * without);
+    await page.evaluate(() => {
+      location.hash = `${location.hash}&outlineContours=0&outlineCreases=0&outlineBorders=0`;
+    });
+    await ready(page);
+    expect(meanInk(await readDrawing(page))).toBeCloseTo(without, 4);
+  });
+});
