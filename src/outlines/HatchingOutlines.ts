@@ -62,6 +62,10 @@ export class HatchingOutlines extends Object3D {
   isInstancedMesh = false;
   /** @internal */
   instanceMatrix: InstancedMesh['instanceMatrix'] | null = null;
+  /** Instances have neither colours nor morph targets here; an override material asks for both. @internal */
+  readonly instanceColor = null;
+  /** @internal */
+  readonly morphTexture = null;
   /** @internal */
   override count = 0;
   /** A geometry without attributes: vertices read their data from textures, and other materials draw nothing. @internal */

@@ -1,47 +1,23 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import react from '@vitejs/plugin-react';
-import { createServer, type ViteDevServer } from 'vite';
 import { expect, test } from '../browser/test.js';
-import { installPackedLibrary, projectFolder } from './packedLibrary.js';
+import { projectFolder } from './packedLibrary.js';
+import { type ReactServer, startReactServer } from './reactServer.js';
 
 /** The settings of the page. */
 type Shown = Record<string, unknown>;
 
 /** A React app in StrictMode on a development server with hot reload, with the packed library. */
-let server: ViteDevServer;
-const environment = process.env.NODE_ENV;
+let server: ReactServer;
 
 test.beforeAll(async () => {
-  installPackedLibrary();
-  // A build by Vite, as in earlier tests, leaves "production" here, which disables hot reload.
-  process.env.NODE_ENV = 'development';
-  server = await createServer({
-    configFile: false,
-    root: projectFolder,
-    logLevel: 'error',
-    cacheDir: join(projectFolder, '.vite-react'),
-    plugins: [react()],
-    server: { host: '127.0.0.1', port: 0 },
-    optimizeDeps: {
-      entries: ['react.html'],
-      include: [
-        ...['three', 'three-hatching', 'three-hatching/react', '@react-three/fiber'],
-        ...['react', 'react-dom/client', 'react/jsx-runtime', 'react/jsx-dev-runtime'],
-      ],
-    },
-  });
-  await server.listen();
+  server = await startReactServer('react.html');
 });
 
-test.afterAll(async () => {
-  if (environment === undefined) delete process.env.NODE_ENV;
-  else process.env.NODE_ENV = environment;
-  await server.close();
-});
+test.afterAll(() => server.close());
 
 test.beforeEach(async ({ page }) => {
-  await page.goto(`${server.resolvedUrls!.local[0]}react.html`);
+  await page.goto(`${server.address}react.html`);
   await page.waitForFunction(() => window.page?.hatchings > 0);
 });
 

@@ -136,6 +136,12 @@ test('with a material of others, as helpers give to every object for a moment, n
   outlines.material = own;
 });
 
+test('an override material finds no colours and no morph targets of instances, which have none here', () => {
+  // three.js compares with null.
+  const { instanceColor, morphTexture } = new HatchingOutlines();
+  expect([instanceColor, morphTexture]).toEqual([null, null]);
+});
+
 describe('in a scene', () => {
   test('rays go through', () => {
     const mesh = createMesh();
