@@ -27,9 +27,13 @@ test('every sample of README and guides draws a picture, without a word in the c
   rmSync(pictures, { recursive: true, force: true });
   mkdirSync(pictures, { recursive: true });
   for (const { name, kind, code } of SAMPLES) {
-    const options = { html: kind === 'html' ? code : undefined, hasCanvas: code.includes('<Canvas') };
+    const facts = {
+      html: kind === 'html' ? code : undefined,
+      hasCanvas: code.includes('<Canvas'),
+      isLit: /new \w*Light\(/.test(code),
+    };
     const failure = await page
-      .evaluate(([which, how]) => window.runSample(which, how), [name, options] as const)
+      .evaluate(([which, how]) => window.runSample(which, how), [name, facts] as const)
       .then(() => undefined, String);
     expect.soft(failure, name).toBeUndefined();
     if (failure !== undefined) continue;

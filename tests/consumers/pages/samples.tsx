@@ -38,8 +38,12 @@ const files = await Promise.all(
 );
 const plane = await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2));
 
-/** What samples speak of and do not make: a scene with a mesh, and whatever else they name, made when they first name it. */
-function surround(): { scene: Scene; camera: PerspectiveCamera } {
+/**
+ * What samples speak of and do not make: a scene with a mesh, and whatever else they name, made when they first name it.
+ *
+ * @param isLit whether the sample makes a light of its own
+ */
+function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
   const scene = new Scene();
   const camera = new PerspectiveCamera(30, SIZE.width / SIZE.height, 0.1, 50);
   camera.position.set(0, 0.4, 5);
@@ -47,9 +51,10 @@ function surround(): { scene: Scene; camera: PerspectiveCamera } {
   const light = new DirectionalLight('white', Math.PI);
   light.position.set(-3, 4, 3);
   const mesh = new Mesh(new TorusKnotGeometry(0.6, 0.22, 96, 16), new MeshLambertMaterial());
-  scene.add(light, mesh);
+  scene.add(mesh, ...(isLit ? [] : [light]));
   renderer.setClearColor('white');
   renderer.shadowMap.enabled = false;
+  renderer.setAnimationLoop(null);
 
   const placed = <Placed extends Object3D>(object: Placed): Placed => {
     scene.add(object);
@@ -90,17 +95,24 @@ function surround(): { scene: Scene; camera: PerspectiveCamera } {
 
 let root: Root | undefined;
 
+interface SampleFacts {
+  html?: string;
+  hasCanvas: boolean;
+  isLit: boolean;
+}
+
 /**
  * Runs a sample and leaves what it draws as the last element of the page.
  *
  * @param options.html the elements of a sample that is no module
  * @param options.hasCanvas whether its component is a whole canvas
+ * @param options.isLit whether it makes a light of its own
  */
-async function runSample(name: string, { html, hasCanvas }: { html?: string; hasCanvas: boolean }): Promise<void> {
+async function runSample(name: string, { html, hasCanvas, isLit }: SampleFacts): Promise<void> {
   root?.unmount();
   root = undefined;
   document.body.replaceChildren();
-  const { scene, camera } = surround();
+  const { scene, camera } = surround(isLit);
   if (html !== undefined) document.body.innerHTML = html;
   else {
     const sample = await (modules[`./samples/${name}.ts`] ?? modules[`./samples/${name}.tsx`])();
