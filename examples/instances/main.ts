@@ -18,7 +18,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
-import { applyHatching, presets, scalePreset } from 'three-hatching';
+import { applyHatching, presets } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -74,7 +74,7 @@ scene.add(stones);
 scene.traverse((object) => {
   object.castShadow = object.receiveShadow = true;
 });
-await applyHatching(scene, scalePreset(presets.pen, devicePixelRatio));
+await applyHatching(scene, presets.pen);
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-6, 6, 2);

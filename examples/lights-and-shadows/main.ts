@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
-import { applyHatching, presets, scalePreset } from 'three-hatching';
+import { applyHatching, presets } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -35,7 +35,7 @@ for (const solid of solids) {
   scene.add(mesh);
 }
 
-const pen = scalePreset(presets.pen, devicePixelRatio);
+const pen = presets.pen;
 await applyHatching(scene, {
   ...pen,
   // There is a second layer of strokes where the lamps disagree, and shadows have their own strokes.

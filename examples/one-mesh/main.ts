@@ -1,13 +1,6 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, Scene, TorusKnotGeometry, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import {
-  HatchingMaterial,
-  HatchingOutlines,
-  prepareHatchingGeometry,
-  presets,
-  scalePreset,
-  TonalArtMap,
-} from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, TonalArtMap } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -16,7 +9,7 @@ renderer.setPixelRatio(devicePixelRatio);
 renderer.shadowMap.enabled = true;
 
 // A look to start from, scaled so that its strokes have the same width on every screen.
-const pen = scalePreset(presets.pen, devicePixelRatio);
+const pen = presets.pen;
 
 // Both are made in a worker.
 const [geometry, tonalArtMap] = await Promise.all([

@@ -56,9 +56,9 @@ await applyHatching(scene, {
     ],
   },
   outlines: {
-    outlineWidth: 2.2 * devicePixelRatio,
-    wobble: 0.7 * devicePixelRatio,
-    overshoot: 3 * devicePixelRatio,
+    outlineWidth: 2.2,
+    wobble: 0.7,
+    overshoot: 3,
     creases: 0.8,
     shadeWeights: [1, 1],
     ink: '#1c1a17',

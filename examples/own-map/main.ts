@@ -29,14 +29,13 @@ async function drawCurls(count: number): Promise<File> {
 // Images are sorted by darkness, and their coarser levels are made. You can load an artist's PNG files in the same way.
 const tonalArtMap = await TonalArtMap.load(await Promise.all([30, 90, 200, 400, 800].map(drawCurls)));
 
-const ratio = devicePixelRatio;
 const mesh = new Mesh(
   await prepareHatchingGeometry(new SphereGeometry(1, 96, 48), { outlines: true }),
   new HatchingMaterial({
     tonalArtMap,
     technique: 'anchored',
     sizedOnScreen: 1,
-    strokeWidth: 1.4 * ratio,
+    strokeWidth: 1.4,
     anchorSpacing: 0.6,
     toneCurve: presets.pen.material.toneCurve,
     reflectedLight: 0.35,
@@ -44,12 +43,12 @@ const mesh = new Mesh(
     paper: '#f7f3e8',
   }),
 );
-mesh.add(new HatchingOutlines(mesh, { outlineWidth: 1.8 * ratio, ink: '#1d3550' }));
+mesh.add(new HatchingOutlines(mesh, { outlineWidth: 1.8, ink: '#1d3550' }));
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
 renderer.setClearColor('#f7f3e8');
-renderer.setPixelRatio(ratio);
+renderer.setPixelRatio(devicePixelRatio);
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 4, 4);

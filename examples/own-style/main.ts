@@ -6,7 +6,6 @@ import {
   type HatchingPreset,
   prepareHatchingGeometry,
   presets,
-  scalePreset,
   TonalArtMap,
 } from 'three-hatching';
 
@@ -51,7 +50,7 @@ for (let i = 0; i < position.count; i++) {
 }
 cloth.computeVertexNormals();
 
-const { material, outlines, tonalArtMap } = scalePreset(sanguine, devicePixelRatio);
+const { material, outlines, tonalArtMap } = sanguine;
 const mesh = new Mesh(
   await prepareHatchingGeometry(cloth, { outlines: true }),
   new HatchingMaterial({ ...material, tonalArtMap: await TonalArtMap.generate(tonalArtMap!) }),

@@ -15,13 +15,13 @@ import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { RenderPass } from 'three/addons/postprocessing/RenderPass.js';
 import { ShaderPass } from 'three/addons/postprocessing/ShaderPass.js';
 import { RGBShiftShader } from 'three/addons/shaders/RGBShiftShader.js';
-import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, scalePreset } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas });
 renderer.setPixelRatio(devicePixelRatio);
 
-const { material, outlines } = scalePreset(presets.engraving, devicePixelRatio);
+const { material, outlines } = presets.engraving;
 const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 3, 5), { outlines: true });
 const mesh = new Mesh(geometry, new HatchingMaterial(material));
 mesh.add(new HatchingOutlines(mesh, outlines));

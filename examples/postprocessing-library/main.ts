@@ -10,20 +10,13 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import {
-  HatchingMaterial,
-  HatchingOutlines,
-  prepareHatchingGeometry,
-  presets,
-  scalePreset,
-  TonalArtMap,
-} from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, TonalArtMap } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: false, stencil: false, depth: false });
 renderer.setPixelRatio(devicePixelRatio);
 
-const { material, outlines, tonalArtMap } = scalePreset(presets.chalk, devicePixelRatio);
+const { material, outlines, tonalArtMap } = presets.chalk;
 const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.26, 320, 40, 1, 2), { outlines: true });
 const map = await TonalArtMap.generate(tonalArtMap!);
 const mesh = new Mesh(geometry, new HatchingMaterial({ ...material, tonalArtMap: map }));

@@ -21,7 +21,7 @@ import {
 /** The size of the print in pixels: 10 × 7.5 cm at 300 dpi. */
 const DPI = 300;
 const PRINT = { width: Math.round((10 / 2.54) * DPI), height: Math.round((7.5 / 2.54) * DPI) };
-/** CSS pixels per inch. The sizes of presets are in CSS pixels. */
+/** CSS pixels per inch. Sizes are in CSS pixels. */
 const CSS_DPI = 96;
 
 const radii = [0.001, 0.34, 0.36, 0.28, 0.44, 0.62, 0.66, 0.54, 0.34, 0.22, 0.21, 0.27, 0.38];
@@ -38,8 +38,7 @@ const scene = new Scene().add(mesh, light);
 const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
 camera.position.set(0, 1, 4.6);
 
-/** Scales all widths, so that they are the same in centimetres on every device. */
-function setSizes(preset: HatchingPreset) {
+function setLook(preset: HatchingPreset) {
   material.setValues(preset.material);
   outlines.material.setValues(preset.outlines);
 }
@@ -51,14 +50,15 @@ renderer.setClearColor('#f7f3e8');
 function draw() {
   renderer.setPixelRatio(devicePixelRatio);
   renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
-  setSizes(scalePreset(presets.engraving, devicePixelRatio));
+  setLook(presets.engraving);
   renderer.render(scene, camera);
 }
 
 document.querySelector('button')!.addEventListener('click', () => {
   renderer.setPixelRatio(1);
   renderer.setSize(PRINT.width, PRINT.height, false);
-  setSizes(scalePreset(presets.engraving, DPI / CSS_DPI));
+  // All widths are the same in centimetres on paper and on the screen.
+  setLook(scalePreset(presets.engraving, DPI / CSS_DPI));
   renderer.render(scene, camera);
   // The pixels must be read in the same task, because the drawing buffer is not preserved.
   canvas.toBlob((png) => {

@@ -9,7 +9,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { applyHatching, presets, scalePreset } from 'three-hatching';
+import { applyHatching, presets } from 'three-hatching';
 // The policy of this page forbids workers from blob: URLs, so the worker is a file from the same server.
 // This is the import for Vite; docs/csp.md says more.
 import BakeWorker from 'three-hatching/bake.worker?worker';
@@ -33,7 +33,7 @@ for (const [x, turn] of [
   rings.add(ring);
 }
 await applyHatching(rings, {
-  ...scalePreset(presets.engraving, devicePixelRatio),
+  ...presets.engraving,
   createWorker,
 });
 

@@ -1,14 +1,7 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, PlaneGeometry, Scene, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { ImprovedNoise } from 'three/addons/math/ImprovedNoise.js';
-import {
-  HatchingMaterial,
-  HatchingOutlines,
-  prepareHatchingGeometry,
-  presets,
-  scalePreset,
-  type ToneCurve,
-} from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, type ToneCurve } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -38,7 +31,7 @@ for (let i = 0; i < position.count; i++) position.setY(i, heightAt(position.getX
 ground.computeVertexNormals();
 
 // With 'y', outlines follow the height, as contour outlines on a map do. They need no tonal art map.
-const { material, outlines } = scalePreset(presets.engraving, devicePixelRatio);
+const { material, outlines } = presets.engraving;
 const mesh = new Mesh(
   await prepareHatchingGeometry(ground, { outlines: true }),
   new HatchingMaterial({ ...material, lineField: 'y', toneCurve: TONES, crossFrom: 0.75 }),

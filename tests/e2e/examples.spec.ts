@@ -177,6 +177,35 @@ test.describe('<hatched-model>', () => {
     expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBeLessThan(4);
   });
 
+  test('has strokes as wide on a dense screen', async ({ page }) => {
+    const screen = await page.context().newCDPSession(page);
+    const drawnAt = async (deviceScaleFactor: number): Promise<PNG> => {
+      await screen.send('Emulation.setDeviceMetricsOverride', {
+        width: 480,
+        height: 800,
+        deviceScaleFactor,
+        mobile: false,
+      });
+      return pixels((await openElements(page)).locator('canvas'));
+    };
+    const plain = await drawnAt(1);
+    const dense = await drawnAt(2);
+    expect([dense.width, dense.height]).toEqual([2 * plain.width, 2 * plain.height]);
+    // Where four pixels of the one are ink, the other has ink, and the same for paper.
+    let same = 0;
+    let opposite = 0;
+    for (let i = 0; i < plain.width * plain.height; i++) {
+      const [x, y] = [2 * (i % plain.width), 2 * Math.floor(i / plain.width)];
+      const four = [0, 1, dense.width, dense.width + 1].map((next) => dense.data[4 * (y * dense.width + x + next)]);
+      const isInk = plain.data[4 * i] < 128;
+      if (four.every((red) => red < 100 || red > 156) && new Set(four.map((red) => red < 128)).size === 1) {
+        if (four[0] < 128 === isInk) same++;
+        else opposite++;
+      }
+    }
+    expect(opposite / same).toBeLessThan(0.004);
+  });
+
   test('bears being moved, taken out and put back, and frees the context with the last', async ({ page }) => {
     await openElements(page);
     const answer = await page.evaluate(async () => {

@@ -181,6 +181,18 @@ async function readSheet(page: Page): Promise<PNG> {
   return part;
 }
 
+test.describe('on a dense screen', () => {
+  test.use({ deviceScaleFactor: 2 });
+
+  test('a picture of twice the page has the very strokes that are shown', async ({ page }) => {
+    await openPlayground(page, `${LOOK}&pictureSize=2`);
+    const shown = await readDrawing(page);
+    const picture = PNG.sync.read(await saved(page));
+    expect([picture.width, picture.height]).toEqual([shown.width, shown.height]);
+    expect(changedShare(shown, picture)).toBeLessThan(0.01);
+  });
+});
+
 test('tiles meet without a seam, and a large picture can be given up', async ({ page }) => {
   test.slow();
   // 3,496 pixels wide: with edges of tiles at 2,048, and elsewhere when it is cut.

@@ -36,6 +36,9 @@ interface Part {
   hatching?: string[];
 }
 
+/** The variable by which strokes shrink on small sheets. */
+const SHARE = 'share';
+
 /** The code of a drawing. */
 export function drawingSample(shown: CodeDrawing): DrawingSample {
   const drawing = { ...shown, settings: drawnSettings(shown.settings) };
@@ -84,7 +87,7 @@ renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
 renderer.setClearColor('${settings.paper}');${shadows}
 // Strokes shrink on small sheets.
 const sheet = Math.min(canvas.clientWidth / ${FULL_SHEET.width}, canvas.clientHeight / ${FULL_SHEET.height});
-const pixelRatio = renderer.getPixelRatio() * MathUtils.clamp(sheet, ${LEAST_STROKE_SHARE}, 1);
+const ${SHARE} = MathUtils.clamp(sheet, ${LEAST_STROKE_SHARE}, 1);
 const scene = new Scene();
 const camera = new PerspectiveCamera(${LENS.fieldOfView}, 1, ${LENS.near}, ${LENS.far});
 camera.position.set(${listed(camera.position)});
@@ -150,8 +153,6 @@ mixer.setTime(${round(clip.time)});`,
   };
 }
 
-const onSheet = (entry: string): string => entry.replace('renderer.getPixelRatio()', 'pixelRatio');
-
 function lookPart({ model, settings }: CodeDrawing): Part {
   const preset = presetOf(settings);
   const three: string[] = [];
@@ -170,7 +171,7 @@ function lookPart({ model, settings }: CodeDrawing): Part {
   let before = '';
   if (preset) {
     hatching.push('presets', 'scalePreset');
-    before = `const preset = scalePreset(presets.${preset}, pixelRatio);\n`;
+    before = `const preset = scalePreset(presets.${preset}, ${SHARE});\n`;
     look = ['...preset.material'];
     if (settings.surfaceColors === 'paper') own.push(`color: 'white'`, 'map: null', 'vertexColors: false');
     rest = '  ...preset,\n';
@@ -182,9 +183,9 @@ function lookPart({ model, settings }: CodeDrawing): Part {
       }
       before += `const tonalArtMap = ${mapSource(settings)};\n`;
     }
-    look = materialParameters(settings, true).map(onSheet);
+    look = materialParameters(settings, true, SHARE);
     if (shiftsStrokes(settings)) three.push('Vector2');
-    const outlines = settings.outlines === 'on' ? outlineParameters(settings).map(onSheet) : undefined;
+    const outlines = settings.outlines === 'on' ? outlineParameters(settings, SHARE) : undefined;
     rest = outlines ? `  outlines: {\n${outlines.map((line) => `    ${line},\n`).join('')}  },\n` : '';
   }
   const entries = [...look, ...own].map((entry) => `  ${entry},\n`).join('');

@@ -30,8 +30,9 @@ export function mapSource(settings: Settings): string {
  * `tonalArtMap`.
  *
  * @param isScene whether it is for the materials of a loaded scene, which keep their colours and get their scale elsewhere
+ * @param factor the variable that multiplies sizes on the screen, if there is one
  */
-export function materialParameters(settings: Settings, isScene: boolean): string[] {
+export function materialParameters(settings: Settings, isScene: boolean, factor?: string): string[] {
   const look = materialLook(settings);
   const parameters = [...(needsMap(look) ? ['tonalArtMap'] : []), `technique: '${look.technique}'`];
   if (look.crisp) parameters.push('crisp: true');
@@ -45,7 +46,7 @@ export function materialParameters(settings: Settings, isScene: boolean): string
     if (OF_THE_MODEL.includes(property) || owner !== 'hand' || !counts(look, property)) continue;
     // With one light, strokes for each light are one layer.
     if (property === 'strokeLayers' && settings.strokeLayers === 'lights' && settings.secondLight === 'none') continue;
-    if (isSize(twin)) parameters.push(sizeSource(settings, twin));
+    if (isSize(twin)) parameters.push(sizeSource(settings, twin, factor));
     else if (settings[key] !== libraryDefault) parameters.push(`${property}: ${valueSource(settings, twin)}`);
   }
   if (!isScene) {
@@ -84,22 +85,22 @@ function valueSource(settings: Settings, { key, property }: Twin): string {
 
 const inRadians = (degrees: number): string => `(${degrees} / 180) * Math.PI`;
 
-/** A size as an entry of an object. As far as it is measured in pixels of the canvas, it is multiplied by the pixel ratio. */
-function sizeSource(settings: Settings, { key, property }: Twin): string {
+/** A size as an entry of an object. As far as it is measured in pixels, it is multiplied by the factor. */
+function sizeSource(settings: Settings, { key, property }: Twin, factor: string | undefined): string {
   const power = pixelPower(materialLook(settings), property);
   const size = `${property}: ${round(settings[key] as number)}`;
-  if (power === 0) return size;
-  return `${size} * renderer.getPixelRatio()${power === 1 ? '' : ` ** ${power}`}`;
+  if (factor === undefined || power === 0) return size;
+  return `${size} * ${factor}${power === 1 ? '' : ` ** ${power}`}`;
 }
 
-/** The parameters of outlines that are not at their defaults, and all that are measured in pixels. */
-export function outlineParameters(settings: Settings): string[] {
+/** The parameters of outlines that are not at their defaults, and all that are measured in pixels. @param factor as above */
+export function outlineParameters(settings: Settings, factor?: string): string[] {
   const { outlineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = outlineLook(settings);
   const inPixels = { outlineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };
   return [
     ...Object.entries(inPixels)
       .filter(([, value]) => value > 0)
-      .map(([name, value]) => `${name}: ${round(value)} * renderer.getPixelRatio()`),
+      .map(([name, value]) => `${name}: ${round(value)}${factor ? ` * ${factor}` : ''}`),
     ...Object.entries(weights)
       .filter(([name, value]) => value !== HATCHING_OUTLINE_DEFAULTS[name as keyof typeof weights])
       .map(([name, value]) => `${name}: ${round(value)}`),

@@ -33,15 +33,14 @@ scene.add(mesh);`,
   if (!isScene) classes.push('Mesh');
   const isPaper = isScene && settings.surfaceColors === 'paper';
   const material = isPaper
-    ? `\n  material: { ...preset.material, color: 'white', map: null, vertexColors: false },`
+    ? `\n  material: { ...presets.${preset}.material, color: 'white', map: null, vertexColors: false },`
     : '';
   return `import { ${[...new Set(classes)].sort().join(', ')} } from 'three';
-${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { applyHatching, presets, scalePreset } from 'three-hatching';
+${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { applyHatching, presets } from 'three-hatching';
 
-const preset = scalePreset(presets.${preset}, renderer.getPixelRatio());
 ${load}
 await applyHatching(${model}, {
-  ...preset,
+  ...presets.${preset},
   tilesPerWorldUnit: ${tilesPerUnit}${material}
 });
 

@@ -1,6 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, test } from 'vitest';
 import { codeSample } from '../../../../src/demo/code/codeSample.js';
+import { materialParameters } from '../../../../src/demo/code/lookSample.js';
 import { parameterSetter } from '../../../../src/demo/drawing/parameterSetter.js';
 import { lookOf } from '../../../../src/demo/settings/lookOf.js';
 import { outlineLook } from '../../../../src/demo/settings/outlineLook.js';
@@ -13,7 +14,6 @@ import { HatchingOutlineMaterial } from '../../../../src/outlines/HatchingOutlin
 import { HatchingOutlines } from '../../../../src/outlines/HatchingOutlines.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 import { presets } from '../../../../src/scene/presets.js';
-import { scalePreset } from '../../../../src/scene/scalePreset.js';
 
 /** Runs a sample in a project that has a scene, and returns the scene. */
 async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {
@@ -25,7 +25,6 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
     HatchingMaterial,
     applyHatching,
     presets,
-    scalePreset,
     GLTFLoader: class {
       loadAsync = async () => ({ scene: loaded });
     },
@@ -34,7 +33,7 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
     scene: new THREE.Scene(),
     camera: viewer,
     geometry: new THREE.IcosahedronGeometry(1, 2),
-    renderer: { getPixelRatio: () => 1, shadowMap: {} },
+    renderer: { shadowMap: {} },
   };
   for (const name of names[0][1].split(', ')) given[name] = (THREE as Record<string, unknown>)[name];
   const body = sample.replace(/^import .*$/gm, '');
@@ -201,7 +200,7 @@ describe('codeSample', () => {
 
   test.each(PRESET_NAMES)('names the preset that the page shows: %s', (name) => {
     const settings: Settings = { ...defaultSettings(), ...presetLook(name) };
-    expect(codeSample(settings, undefined)).toContain(`scalePreset(presets.${name}, renderer.getPixelRatio())`);
+    expect(codeSample(settings, undefined)).toContain(`...presets.${name},`);
     expect(codeSample({ ...settings, ink: '#203080' }, undefined)).not.toContain('presets');
     expect(codeSample({ ...settings, reflectedLight: settings.reflectedLight + 1 }, 5)).not.toContain('presets');
   });
@@ -225,12 +224,13 @@ describe('codeSample', () => {
   });
 
   test.each([
-    [100, 'lineSpacing: 4 * renderer.getPixelRatio(),'],
-    [50, 'lineSpacing: 4 * renderer.getPixelRatio() ** 0.5,'],
+    [100, 'lineSpacing: 4 * share,'],
+    [50, 'lineSpacing: 4 * share ** 0.5,'],
     [0, 'lineSpacing: 4,'],
-  ])('spaces outlines in pixels as far as they are on the screen: %d %%', (sizedOnScreen, expected) => {
+  ])('spaces outlines on a small sheet as far as they are on the screen: %d %%', (sizedOnScreen, expected) => {
     const settings: Settings = { ...defaultSettings(), technique: 'engraved', lineSpacing: 4, sizedOnScreen };
-    expect(codeSample(settings, undefined)).toContain(expected);
+    expect(materialParameters(settings, true, 'share').join(',\n')).toContain(expected);
+    expect(codeSample(settings, undefined)).toContain('lineSpacing: 4,');
   });
 
   test('draws no outlines if the page draws none', async () => {
