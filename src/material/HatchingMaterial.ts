@@ -32,7 +32,7 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from './facts/hatchingProperties.js';
-import { isUsedBy, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
+import { isUsedBy, knowsChoice, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
@@ -377,7 +377,9 @@ export class HatchingMaterial extends HatchingMaterialProperties {
         usesFirstChannel ||= texture?.channel === 0;
       }
       if (!('define' in property) || property.define === undefined) continue;
-      const value = isUsedBy(technique, property) ? this.choice(name) : this.defaultChoice(name);
+      const wanted = this.choice(name);
+      const isUsed = isUsedBy(technique, property) && knowsChoice(technique, property, wanted);
+      const value = isUsed ? wanted : this.defaultChoice(name);
       if (property.kind === 'choice') write(property.define, property.choices.indexOf(value as string));
       else write(property.define, value ? '' : undefined);
     }

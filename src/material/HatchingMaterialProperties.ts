@@ -40,7 +40,7 @@ export interface HatchingMaterialOptions {
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
    * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `medium` `'ink'` or `'dry'`.
+   * `medium` `'ink'` or `'dry'` or `'woodcut'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -120,11 +120,6 @@ export interface HatchingMaterialOptions {
    */
   handmade: number;
   /**
-   * Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points. Default
-   * `false`. Only `'engraved'`. Another value builds another program.
-   */
-  carved: boolean;
-  /**
    * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
    * `'adjacency'`.
@@ -136,8 +131,9 @@ export interface HatchingMaterialOptions {
    */
   shadowStrokes: ShadowStrokes;
   /**
-   * What strokes are drawn with. The tone is the same with all. Default `'ink'`. Only `'anchored'`. Another value
-   * builds another program.
+   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'woodcut'`
+   * is for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only `'anchored'`,
+   * `'engraved'`. Another value builds another program.
    */
   medium: Medium;
   /**
@@ -332,7 +328,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
    * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `medium` `'ink'` or `'dry'`.
+   * `medium` `'ink'` or `'dry'` or `'woodcut'`.
    */
   get strokeRotation(): number {
     return this.numbers.strokeRotation;
@@ -519,18 +515,6 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points. Default
-   * `false`. Only `'engraved'`. Another value builds another program.
-   */
-  get carved(): boolean {
-    return this.choice('carved') as boolean;
-  }
-
-  set carved(value: boolean) {
-    this.choose('carved', value);
-  }
-
-  /**
    * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
    * `'adjacency'`.
@@ -556,8 +540,9 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * What strokes are drawn with. The tone is the same with all. Default `'ink'`. Only `'anchored'`. Another value
-   * builds another program.
+   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'woodcut'`
+   * is for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only `'anchored'`,
+   * `'engraved'`. Another value builds another program.
    */
   get medium(): Medium {
     return this.choice('medium') as Medium;

@@ -132,7 +132,7 @@ const makePresets = () =>
     woodcut: {
       material: {
         technique: 'engraved',
-        carved: true,
+        medium: 'woodcut',
         sizedOnScreen: 1,
         lineField: 'towards',
         lineSpacing: 7,

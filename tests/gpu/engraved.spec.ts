@@ -52,7 +52,7 @@ test('carved lines are white wedges that end in points, and their mean is the to
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2), { layout: 'indexed' });
     const material = new HatchingMaterial({
       technique: 'engraved',
-      carved: true,
+      medium: 'woodcut',
       crossFrom: 1,
       lineField: 'y',
       sizedOnScreen: 1,

@@ -18,7 +18,7 @@ export interface EngravedSettings {
   sizedOnScreen: number;
   tilesPerUnit: number;
   /** Default: false. */
-  carved?: boolean;
+  medium?: 'ink' | 'woodcut';
   /** Default: 'tone'. */
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
 }
@@ -262,13 +262,15 @@ function ruledDarkness(
   const pixels = period / perPixel;
   const nearest = Math.round(value / period);
   const shareOf = (line: number): number =>
-    settings.carved ? cutShare(line, 1 - tone, along, period, 2 * shares.young) : tone * lineFactor(line, handmade);
+    settings.medium === 'woodcut'
+      ? cutShare(line, 1 - tone, along, period, 2 * shares.young)
+      : tone * lineFactor(line, handmade);
   let covered = 0;
   for (let line = nearest - 2; line <= nearest + 2; line += 0.5) {
     const width = (Number.isInteger(line) ? shares.old : shares.young) * pixels * shareOf(line * period);
     covered += lineShare(Math.abs(value - line * period) / perPixel, width);
   }
-  return settings.carved ? 1 - Math.min(covered, 1) : Math.min(covered, 1);
+  return settings.medium === 'woodcut' ? 1 - Math.min(covered, 1) : Math.min(covered, 1);
 }
 
 /** Two parabolas instead of a sine of period 2: up from −1 to 0, down from 0 to 1. */

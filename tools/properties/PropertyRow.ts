@@ -69,6 +69,8 @@ export interface ChoiceRow extends BaseRow {
   default: string;
   /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
+  /** The choices that a technique knows, where these are not all; another one counts as the default. */
+  choicesFor?: Readonly<Record<string, readonly string[]>>;
   /** `false` for the technique: it chooses the shaders themselves. */
   isDefine?: false;
 }

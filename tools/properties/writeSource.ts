@@ -113,6 +113,7 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
     fields.push(`define: '${constantCase(name)}'`);
   if (row.kind === 'choice') {
     fields.push(`choices: ${list(Object.keys(row.choices))}`);
+    if (row.choicesFor) fields.push(`choicesFor: ${JSON.stringify(row.choicesFor)}`);
     if (row.defaultFor) fields.push(`defaultFor: ${JSON.stringify(row.defaultFor)}`);
   }
   if (row.kind === 'number') {

@@ -22,12 +22,12 @@ float powerOf2(const in float octave) {
   return intBitsToFloat(int((octave + 127.0) * 8388608.0));
 }
 
-#ifdef CARVED
+#if MEDIUM == MEDIUM_WOODCUT
   #include "technique/carving"
 #else
   // How wide a line is, as a share of the room it has.
   #define WIDTH_OF(line) (tone * handWidth(line))
-#endif // CARVED
+#endif // MEDIUM
 
 // value: of the function, tiles. perPixel: its change from one pixel to the next. slope: its change along the surface. place: on the
 // surface along the lines, as two coordinates and the share of the first. Returns the darkness.
@@ -45,9 +45,9 @@ float ruledLines(
   float spacing = powerOf2(octave) / perPixel;
   float x = value / period;
   float below = floor(x);
-  #ifdef CARVED
+  #if MEDIUM == MEDIUM_WOODCUT
     Cut cut = cutFor(tone, place / vec3(period, period, 1.0), 2.0 - 2.0 * spacing / pixels);
-  #endif // CARVED
+  #endif // MEDIUM
   float oldRoom = 0.5 * spacing;
   float youngRoom = 0.5 * (pixels - spacing);
   // All that a pixel may lie on: their shares of it add up.
@@ -56,9 +56,9 @@ float ruledLines(
     + lineCoverage(abs(x - below - 0.5) * pixels, youngRoom * WIDTH_OF((below + 0.5) * period), FRINGE)
     + lineCoverage((below + 1.0 - x) * pixels, oldRoom * WIDTH_OF((below + 1.0) * period), FRINGE)
   );
-  #ifdef CARVED
+  #if MEDIUM == MEDIUM_WOODCUT
     return 1.0 - covered;
   #else
     return covered;
-  #endif // CARVED
+  #endif // MEDIUM
 }

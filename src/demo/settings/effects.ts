@@ -1,4 +1,11 @@
-import { counts, HATCHING_FACTS, type HatchingLook, measureOf } from 'three-hatching';
+import {
+  counts,
+  HATCHING_FACTS,
+  HATCHING_PROPERTIES,
+  type HatchingLook,
+  type HatchingProperty,
+  measureOf,
+} from 'three-hatching';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { looksOf } from './settingValues.js';
 import type { Setting } from './table/Setting.js';
@@ -26,6 +33,15 @@ export function countsFor(look: HatchingLook, key: SettingKey): boolean {
   const { property, partOf = property, yieldsTo }: Setting = SETTINGS[key];
   if (yieldsTo && counts(look, yieldsTo)) return false;
   return partOf === undefined || counts(look, partOf);
+}
+
+/** Whether a choice means something to one of the techniques of these looks. */
+export function isChoiceKnown(key: SettingKey, value: string, looks: readonly HatchingLook[]): boolean {
+  const { property }: Setting = SETTINGS[key];
+  if (property === undefined) return true;
+  const row: HatchingProperty = HATCHING_PROPERTIES[property];
+  const choicesFor = row.kind === 'choice' ? row.choicesFor : undefined;
+  return looks.some(({ technique }) => choicesFor?.[String(technique)]?.includes(value) ?? true);
 }
 
 /** The unit that the number of a setting has at present; none where it is a mean of two. */

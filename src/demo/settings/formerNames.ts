@@ -30,6 +30,8 @@ export function storedValue<Value>(
   key: SettingKey,
   stored: (name: string) => Value | undefined,
 ): Value | string | undefined {
+  // A woodcut was a switch of its own.
+  if (key === 'medium' && stored('carved') === 'yes') return 'woodcut';
   const value = stored(key) ?? stored(FORMER_KEYS[key] ?? key);
   return FORMER_VALUES[key]?.[String(value)] ?? value;
 }

@@ -51,6 +51,8 @@ export interface HatchingChoice extends UsedByTechniques {
   /** Left out for the technique: it chooses the shaders themselves. */
   define?: string;
   choices: readonly string[];
+  /** The choices that a technique knows, where these are not all; another one counts as the default. */
+  choicesFor?: Readonly<Record<string, readonly string[]>>;
   /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
 }

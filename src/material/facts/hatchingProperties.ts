@@ -68,8 +68,9 @@ export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
  *   lies on the screen.
  * - `stipple`: dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the
  *   diameter of a dot at half tone. Draws without a map.
+ * - `woodcut`: lines that are cut white out of black: wedges that widen with the light and end in points.
  */
-export type Medium = 'ink' | 'dry' | 'stipple';
+export type Medium = 'ink' | 'dry' | 'stipple' | 'woodcut';
 
 /**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
@@ -126,7 +127,6 @@ export const HATCHING_DEFAULTS = {
   crossFrom: 0.52,
   crossAngle: Math.PI / 3,
   handmade: 0.4,
-  carved: false,
   blendAngle: Math.PI / 2,
   shadowStrokes: 'tone',
   medium: 'ink',
@@ -220,10 +220,15 @@ export const HATCHING_PROPERTIES = {
     techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
   },
   handmade: { kind: 'number', uniform: 'handmade', range: { from: 0, to: 1 }, techniques: ['engraved'] },
-  carved: { kind: 'switch', define: 'CARVED', techniques: ['engraved'] },
   blendAngle: { kind: 'number', range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
   shadowStrokes: { kind: 'choice', define: 'SHADOW_STROKES', choices: ['tone', 'cross', 'reorient'] },
-  medium: { kind: 'choice', define: 'MEDIUM', choices: ['ink', 'dry', 'stipple'], techniques: ['anchored'] },
+  medium: {
+    kind: 'choice',
+    define: 'MEDIUM',
+    choices: ['ink', 'dry', 'stipple', 'woodcut'],
+    choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'woodcut'] },
+    techniques: ['anchored', 'engraved'],
+  },
   tooth: { kind: 'number', uniform: 'tooth', range: { from: 0, to: 1 }, techniques: ['anchored'] },
   toothSize: { kind: 'number', uniform: 'toothSize', range: { above: 0 }, techniques: ['anchored'] },
   softness: { kind: 'number', uniform: 'softness', range: { from: 0, to: 1 }, techniques: ['anchored'] },

@@ -26,6 +26,10 @@ const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: HatchingLook) 
 export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
   techniques?.includes(technique) ?? true;
 
+/** Whether a choice is one of those that a technique knows. Allocates nothing. */
+export const knowsChoice = (technique: HatchingTechnique, property: HatchingProperty, value: unknown): boolean =>
+  property.kind !== 'choice' || (property.choicesFor?.[technique]?.includes(value as string) ?? true);
+
 /** Whether a property counts for a look: its technique reads it, and so do its medium and what else it depends on. */
 export function counts(look: HatchingLook, name: HatchingPropertyName): boolean {
   if (!isUsedBy(techniqueOf(look), propertyOf(name))) return false;
@@ -96,5 +100,7 @@ export function scaledSizes<Look extends HatchingLook>(look: Look, factor: numbe
 
 function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown {
   const value = look[name];
-  return value === undefined || value === 'auto' ? defaultOf(name, techniqueOf(look)) : value;
+  const technique = techniqueOf(look);
+  const isChosen = value !== undefined && value !== 'auto' && knowsChoice(technique, propertyOf(name), value);
+  return isChosen ? value : defaultOf(name, technique);
 }

@@ -26,7 +26,7 @@ export async function measureMedia(model: string, turns: number, size: number): 
     dry: sized({ technique: 'anchored', tonalArtMap, medium: 'dry' }),
     stipple: sized({ technique: 'anchored', medium: 'stipple', strokeWidth: 3.2 }),
     engraved: sized({ technique: 'engraved' }),
-    carved: sized({ technique: 'engraved', carved: true, crossFrom: 1 }),
+    carved: sized({ technique: 'engraved', medium: 'woodcut', crossFrom: 1 }),
   };
 
   const stage = new Stage(size);

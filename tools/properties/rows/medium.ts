@@ -12,10 +12,13 @@ export const MEDIUM = {
       dry: 'pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which lies on the screen.',
       stipple:
         'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone. Draws without a map.',
+      woodcut: 'lines that are cut white out of black: wedges that widen with the light and end in points.',
     },
     default: 'ink',
-    techniques: ['anchored'],
-    sentence: 'What strokes are drawn with ([media.md](media.md)). The tone is the same with all.',
+    choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'woodcut'] },
+    techniques: ['anchored', 'engraved'],
+    sentence:
+      "What strokes are drawn with ([media.md](media.md)). The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'woodcut'` is for `engraved`; a technique draws in ink with what is not for it.",
   },
   tooth: {
     kind: 'number',

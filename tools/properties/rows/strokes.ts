@@ -38,7 +38,7 @@ export const STROKES = {
     measure: 'radians',
     uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
-    when: { medium: ['ink', 'dry'] },
+    when: { medium: ['ink', 'dry', 'woodcut'] },
     sentence:
       "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
   },
@@ -215,14 +215,6 @@ export const STROKES = {
     techniques: ['engraved'],
     sentence:
       'How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine.',
-  },
-  carved: {
-    kind: 'switch',
-    group: 'Strokes',
-    default: false,
-    techniques: ['engraved'],
-    sentence:
-      'Lines are cut white out of black, as in a woodcut: wedges that widen with the light and end in points ([media.md](media.md)).',
   },
   blendAngle: {
     kind: 'number',

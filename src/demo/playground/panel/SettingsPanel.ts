@@ -1,7 +1,7 @@
 import { type Controller, GUI } from 'lil-gui';
 import { type DrawnView, millimetresPerPixel } from '../../print/printPlan.js';
 import { drawnSettings } from '../../settings/drawnSettings.js';
-import { hasEffect, presentUnit } from '../../settings/effects.js';
+import { hasEffect, isChoiceKnown, presentUnit } from '../../settings/effects.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../settings/settings.js';
 import { looksOf } from '../../settings/settingValues.js';
 import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../../settings/table/Setting.js';
@@ -89,6 +89,12 @@ export class SettingsPanel {
         const unit = presentUnit(key, looks);
         this.units.get(key)!.textContent = unit;
         sayValue(controller, setting, Number(settings[key]), unit);
+      }
+      if (setting.kind === 'choice') {
+        const options = controller.domElement.querySelectorAll('option');
+        for (const [i, value] of Object.keys(setting.choices).entries()) {
+          options[i].disabled = value !== settings[key] && !isChoiceKnown(key, value, looks);
+        }
       }
     }
     this.notePrintedWidths();

@@ -63,12 +63,6 @@ export function choiceOf<
   return { kind: 'choice', property, libraryDefault, default: libraryDefault, ...added };
 }
 
-/** On or off, each with its label. */
-export const switchOf = <const Choices extends Readonly<Record<'no' | 'yes', string>>>(
-  property: OfKind<'switch'>,
-  added: Added<ChoiceRow> & { choices: Choices },
-): ChoiceRow & { choices: Choices } => ({ kind: 'choice', property, libraryDefault: 'no', default: 'no', ...added });
-
 /** A colour of the material. */
 export function colorOf(property: OfKind<'color'>, added: Added<ColorRow>): ColorRow {
   const libraryDefault = `#${HATCHING_DEFAULTS[property].toString(16).padStart(6, '0')}`;

@@ -1,4 +1,4 @@
-import { choiceOf, numberOf, switchOf } from './materialRows.js';
+import { choiceOf, numberOf } from './materialRows.js';
 import { inGroup, type SettingRow } from './Setting.js';
 
 const offset = (label: string) =>
@@ -33,15 +33,11 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
   crossFrom: numberOf('crossFrom', { label: 'Crossing from' }),
   crossAngle: numberOf('crossAngle', { label: 'Crossing at', min: 10 }),
   handmade: numberOf('handmade', { label: 'Handmade' }),
-  carved: switchOf('carved', {
-    label: 'Line work',
-    choices: { no: 'Ink on paper', yes: 'Cut white out of black' },
-  }),
   anchorSpacing: numberOf('anchorSpacing', { label: 'Anchors', default: 0.4, min: 0.1, max: 1 }),
   edge: numberOf('edgePixels', { label: 'Soft edge', max: 4 }),
   medium: choiceOf('medium', {
     label: 'Medium',
-    choices: { ink: 'Ink', dry: 'Pencil or chalk', stipple: 'Dots' },
+    choices: { ink: 'Ink', dry: 'Pencil or chalk', stipple: 'Dots', woodcut: 'Cut white out of black' },
   }),
   tooth: numberOf('tooth', { label: 'Paper tooth' }),
   toothSize: numberOf('toothSize', { label: 'Tooth size', min: 0.5, max: 12 }),

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { choosesMap, hasEffect, presentUnit } from '../../../../src/demo/settings/effects.js';
+import { choosesMap, hasEffect, isChoiceKnown, presentUnit } from '../../../../src/demo/settings/effects.js';
 import {
   defaultSettings,
   SETTING_KEYS,
@@ -102,4 +102,12 @@ test('the map is chosen again with what says which it is, or whether there is on
   expect(SETTING_KEYS.filter(choosesMap).sort()).toEqual(
     ['technique', 'compare', 'medium', 'mapStyle', 'mapSize', 'mapTones', 'mapSeed'].sort(),
   );
+});
+
+test('a medium is offered to the techniques that know it', () => {
+  const offered = (technique: string) =>
+    Object.keys(SETTINGS.medium.choices).filter((medium) => isChoiceKnown('medium', medium, [{ technique }]));
+  expect(offered('anchored')).toEqual(['ink', 'dry', 'stipple']);
+  expect(offered('engraved')).toEqual(['ink', 'woodcut']);
+  expect(isChoiceKnown('toneModel', 'toon', [{ technique: 'engraved' }])).toBe(true);
 });

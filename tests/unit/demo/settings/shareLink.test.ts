@@ -82,6 +82,8 @@ describe('a link', () => {
       outlineWidth: 3,
       outlineHand: 2,
     });
+    expect(readLink('#technique=engraved&carved=yes').settings.medium).toBe('woodcut');
+    expect(readLink('#technique=anchored&medium=dry&carved=no').settings.medium).toBe('dry');
     expect(readLink('#screenConstancy=40&sizedOnScreen=50').settings.sizedOnScreen).toBe(50);
   });
 });

@@ -72,6 +72,9 @@ describe('what follows from a look', () => {
     ['anchorSpacing', { technique: 'anchored', medium: 'stipple' }, false],
     ['strokeRotation', { technique: 'anchored', medium: 'stipple' }, false],
     ['strokeRotation', { technique: 'engraved', medium: 'stipple' }, true],
+    ['strokeRotation', { technique: 'engraved', medium: 'woodcut' }, true],
+    // Of a medium that it does not know, anchored draws in ink.
+    ['anchorSpacing', { technique: 'anchored', medium: 'woodcut' }, true],
     ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 0.9 }, true],
     ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 1 }, false],
     // Strokes of triangles are sized on the object, whatever the others are.
