@@ -21,9 +21,9 @@ const NORMALIZABLE: ReadonlySet<string> = new Set([
  */
 export function assertGeometry(geometry: BufferGeometry, caller: string): void {
   if (!geometry?.isBufferGeometry) {
-    throw new TypeError(
-      `${caller}: expected a THREE.BufferGeometry, got ${kindOf(geometry)}. For a mesh pass mesh.geometry.`,
-    );
+    const kind = kindOf(geometry);
+    const remedy = kind === 'Promise' ? 'Write await before it.' : 'For a mesh pass mesh.geometry.';
+    throw new TypeError(`${caller}: expected a THREE.BufferGeometry, got ${kind}. ${remedy}`);
   }
   const { attributes, morphAttributes, groups, drawRange } = geometry;
   for (const [name, value] of Object.entries({ attributes, morphAttributes, drawRange })) {

@@ -3,6 +3,7 @@ import type { BakeRequest } from '../bake/bakeCorners.js';
 import type { OutlineRequest } from '../bake/bakeOutlines.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
@@ -107,6 +108,9 @@ export const checkPrepareOptions = (
 
 const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
+/** What three.js asks of a geometry first, and users. */
+const ASKED_OF_GEOMETRIES = ['morphAttributes', 'boundingSphere', 'attributes', 'userData'] as const;
+
 /** For more triangles than this, `'auto'` chooses the layout `'pull'`. */
 export const MANY_TRIANGLES = 200_000;
 
@@ -143,10 +147,14 @@ export const MANY_TRIANGLES = 200_000;
  * If the worker dies, the bake starts over in a new worker, and if that dies too, on the main thread, each time with a warning in
  * the console. If `geometry` has changed since the call, the promise is rejected with an Error instead.
  */
-export async function prepareHatchingGeometry(
+export function prepareHatchingGeometry(
   geometry: BufferGeometry,
   options: PrepareHatchingGeometryOptions = {},
 ): Promise<BufferGeometry> {
+  return mustBeAwaited(prepare(geometry, options), 'prepareHatchingGeometry()', ASKED_OF_GEOMETRIES);
+}
+
+async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometryOptions): Promise<BufferGeometry> {
   checkPrepareOptions('prepareHatchingGeometry', options);
   options.signal?.throwIfAborted();
   const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;

@@ -15,12 +15,13 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
+import { silence } from '../mistakes/silence.js';
 import { stippleMap } from '../tam/stippleMap.js';
 import { toothMap } from '../tam/toothMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
-import { bindVertices, compilePrePass, vertexLayoutOf, warnIfStale } from './deformation/bindVertices.js';
+import { bindVertices, compilePrePass, vertexLayoutOf } from './deformation/bindVertices.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
 import { defaultOf } from './facts/defaultOf.js';
@@ -34,6 +35,7 @@ import {
 } from './facts/hatchingProperties.js';
 import { isUsedBy, knowsChoice, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
 import { writeFieldFrame } from './fieldFrame.js';
+import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
@@ -48,7 +50,7 @@ import {
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
-import { isRigid, type ProgramParameters } from './programParameters.js';
+import { defineRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
 import { hatchingShaders } from './shaders/hatchingShaders.js';
 import {
@@ -60,9 +62,6 @@ import {
 } from './shaders/shaderConventions.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
-
-/** Is put before the shaders of a mesh that neither deforms nor has instances. */
-const RIGID = '#define RIGID\n';
 
 const viewport = /* @__PURE__ */ new Vector4();
 
@@ -108,6 +107,16 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private isWithWebGL = false;
   /** Meshes announced before the first program was built. */
   private announced: Mesh[] = [];
+  private readonly drawn = new DrawnMeshes();
+
+  /** Whether the library says nothing on the console of the mistakes that it finds (docs/troubleshooting.md). Default: false. */
+  static get silent(): boolean {
+    return silence.isOn;
+  }
+
+  static set silent(isSilent: boolean) {
+    silence.isOn = isSilent;
+  }
 
   /** @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range */
   // React Three Fiber gives an attribute that is taken away its default only if the constructor counts no parameters.
@@ -216,11 +225,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    */
   override onBeforeCompile(shader: ProgramParameters, renderer: WebGLRenderer): void {
     this.isWithWebGL = true;
-    // A user's hook may call this one, which then runs twice.
-    if (isRigid(shader) && !shader.vertexShader.includes(RIGID)) {
-      shader.vertexShader = `${RIGID}${shader.vertexShader}`;
-      shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
-    }
+    defineRigid(shader);
     for (const mesh of this.announced.splice(0)) {
       if (needsAdjacency(this)) compilePrePass(renderer, mesh);
       const environment = environmentAround(mesh);
@@ -255,7 +260,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) {
       if (writeFieldFrame(this.uniforms, this.tilesPerUnit, geometry, object)) this.uniformsNeedUpdate = true;
     }
-    warnIfStale(geometry);
+    this.drawn.note(this, renderer, scene, camera, geometry, object, drawn.w);
     this.announced.length = 0;
     if (needsAdjacency(this)) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
   }

@@ -4,10 +4,15 @@ import type { TonalArtMap } from '../tam/TonalArtMap.js';
 export const isTonalArtMap = (value: unknown): value is TonalArtMap =>
   (value as Partial<TonalArtMap> | null | undefined)?.isTonalArtMap === true;
 
+/** Whether an `await` is missing. */
+export const isPromise = (value: unknown): boolean =>
+  typeof (value as Partial<Promise<unknown>> | null | undefined)?.then === 'function';
+
 /** @throws TypeError unless `value` is a TonalArtMap or null */
 export function checkTonalArtMap(value: TonalArtMap | null): TonalArtMap | null {
   if (value === null || isTonalArtMap(value)) return value;
-  throw new TypeError(
-    `HatchingMaterial.tonalArtMap: ${String(value)} is no TonalArtMap; TonalArtMap.draw() gives one, null stands for none.`,
-  );
+  const fault = isPromise(value)
+    ? 'a promise is no TonalArtMap; write await before it, or use TonalArtMap.draw().'
+    : `${String(value)} is no TonalArtMap; TonalArtMap.draw() gives one, null stands for none.`;
+  throw new TypeError(`HatchingMaterial.tonalArtMap: ${fault}`);
 }

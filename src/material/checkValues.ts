@@ -14,6 +14,9 @@ import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js
 export function checkValues(parameters: HatchingMaterialParameters): void {
   // In an object read from JSON this is an own property, and three.js would set it as the prototype of the material.
   if (Object.hasOwn(parameters, '__proto__')) throw new TypeError('HatchingMaterial: "__proto__" is no parameter.');
+  if (Object.hasOwn(parameters, 'material')) {
+    throw new TypeError('HatchingMaterial: this is a whole preset. Pass its parameters, as in presets.pen.material.');
+  }
   for (const [name, value] of Object.entries(parameters)) {
     // three.js itself warns of undefined, and keeps the present value.
     if (value !== undefined && Object.hasOwn(HATCHING_PROPERTIES, name))

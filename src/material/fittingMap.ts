@@ -1,4 +1,5 @@
 import { identityOf } from '../geometry/identityOf.js';
+import { tell } from '../mistakes/tell.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 
 /** Identities of maps that were reported as too large. */
@@ -22,8 +23,9 @@ export function fittingMap(
   const identity = identityOf(map);
   if (!refused.has(identity)) {
     refused.add(identity);
-    console.error(
+    tell(
       `HatchingMaterial.tonalArtMap: a map of ${map.size} texels per side needs a texture ${width} texels wide, but this device allows ${maxTextureSize}. The surface stays blank paper; give it a smaller map.`,
+      'error',
     );
   }
   return null;

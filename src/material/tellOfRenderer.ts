@@ -1,3 +1,5 @@
+import { tell } from '../mistakes/tell.js';
+
 let wasTold = false;
 
 /**
@@ -9,7 +11,8 @@ let wasTold = false;
 export function tellOfRenderer(what: string): void {
   if (wasTold) return;
   wasTold = true;
-  console.error(
+  tell(
     `${what}: WebGPURenderer draws no materials that are written in GLSL, with its WebGL 2 backend neither. Draw the scene with WebGLRenderer, from 'three'.`,
+    'error',
   );
 }

@@ -1,3 +1,4 @@
+import { tell } from '../mistakes/tell.js';
 import { isDefault } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from './facts/hatchingProperties.js';
@@ -17,7 +18,7 @@ export function warnOfUnused(parameters: HatchingMaterialParameters, technique: 
     if (isUsedBy(technique, property) || warned.has(key)) continue;
     if (isDefault(name as HatchingPropertyName, parameters[name as HatchingPropertyName], technique)) continue;
     warned.add(key);
-    console.warn(
+    tell(
       `HatchingMaterial: "${name}" is not used by the technique "${technique}", only by ${property.techniques?.join(' and ')}.`,
     );
   }

@@ -17,10 +17,12 @@ import {
 } from 'three';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/PulledVertices.js';
-import { canDeform, deforms } from '../material/deformation/bindVertices.js';
+import { canDeform, deforms } from '../material/deformation/canDeform.js';
 import { deformationOf } from '../material/deformation/deformationOf.js';
 import { writePictureOffset } from '../material/pictureOffset.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
+import { describeObject } from '../mistakes/describeObject.js';
+import { tell } from '../mistakes/tell.js';
 import { ContourList } from './ContourList.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { InstanceList } from './InstanceList.js';
@@ -172,7 +174,10 @@ export class HatchingOutlines extends Object3D {
     this.matrixWorld.copy(mesh.matrixWorld);
     const data = outlineDataOf(mesh.geometry);
     if (!data) {
-      this.reportMissingOutlines(mesh);
+      this.report(
+        mesh,
+        'has no outlines to draw. Give it the result of await prepareHatchingGeometry(geometry, { outlines: true }).',
+      );
       return;
     }
     if (mesh.frustumCulled && !isInFrustum(mesh, camera)) return;
@@ -199,12 +204,10 @@ export class HatchingOutlines extends Object3D {
     this.moveToCentre();
   };
 
-  private reportMissingOutlines({ geometry }: Mesh): void {
+  private report(mesh: Mesh, problem: string): void {
     if (this.hasReported) return;
     this.hasReported = true;
-    console.error(
-      `HatchingOutlines: geometry "${geometry.name || geometry.uuid}" has no outlines to draw; draw the result of await prepareHatchingGeometry(geometry, { outlines: true }) instead.`,
-    );
+    tell(`HatchingOutlines: the ${describeObject(mesh)} ${problem}`, 'error');
   }
 
   private prepareInstances(mesh: Mesh): void {
@@ -219,7 +222,13 @@ export class HatchingOutlines extends Object3D {
   private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
     const { geometry } = mesh;
     if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return false;
-    if (!canDeform(renderer, geometry, mesh)) return false;
+    if (!canDeform(renderer, mesh)) {
+      this.report(
+        mesh,
+        'has its outlines as at rest: this device cannot draw into float textures, or its instances have morph targets each of their own.',
+      );
+      return false;
+    }
     const vertices = pulledVerticesOf(geometry) ?? null;
     const deformation = deformationOf(renderer, camera, mesh, geometry, vertices, this.material);
     const { uniforms } = this.material;

@@ -3,7 +3,6 @@ import { type ReactElement, useEffect, useRef, useState } from 'react';
 import type { Group } from 'three';
 import { type HatchedProps, splitProps } from './HatchedProps.js';
 import { Hatcher } from './Hatcher.js';
-import { hintAtToneMapping } from './toneMappingHint.js';
 import { warnIfEmpty } from './warnIfEmpty.js';
 
 /**
@@ -34,7 +33,6 @@ export function Hatched({
   const { options, group } = splitProps(others);
   const content = useRef<Group>(null);
   const hatcher = useRef<Hatcher | null>(null);
-  const renderer = useThree(({ gl }) => gl);
   const invalidate = useThree((state) => state.invalidate);
   const [failure, setFailure] = useState<{ error: unknown } | null>(null);
   const latest = useRef({ onHatched, onError, showUnhatched });
@@ -47,7 +45,6 @@ export function Hatched({
     const root = content.current!;
     const made = new Hatcher(root, latest.current.showUnhatched, {
       onHatched: (hatched) => {
-        hintAtToneMapping(renderer, hatched);
         latest.current.onHatched?.(hatched);
         invalidate();
       },
@@ -63,7 +60,7 @@ export function Hatched({
       made.dispose();
       hatcher.current = null;
     };
-  }, [renderer, invalidate]);
+  }, [invalidate]);
 
   useEffect(() => hatcher.current?.update(options));
 

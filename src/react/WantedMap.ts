@@ -13,6 +13,11 @@ export class WantedMap {
 
   constructor(private readonly options: ApplyHatchingOptions) {
     const { tonalArtMap } = options;
+    if (tonalArtMap instanceof Promise) {
+      throw new TypeError(
+        '<Hatched>: tonalArtMap is a promise. Use useTonalArtMap(), or pass a function that returns it.',
+      );
+    }
     if (tonalArtMap instanceof TonalArtMap) this.map = tonalArtMap;
   }
 

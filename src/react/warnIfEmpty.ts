@@ -1,5 +1,6 @@
 import { Children, type ReactNode } from 'react';
 import type { Object3D } from 'three';
+import { HatchingMaterial } from 'three-hatching';
 
 let hasWarned = false;
 
@@ -7,6 +8,7 @@ let hasWarned = false;
 export function warnIfEmpty(object: Object3D | null | undefined, children: ReactNode): void {
   if (hasWarned || object !== undefined || Children.count(children) > 0) return;
   hasWarned = true;
+  if (HatchingMaterial.silent) return;
   console.warn(
     'three-hatching: <Hatched> has no children, and its object is undefined, so there is nothing to hatch. Pass gltf.scene or a node that the file has; pass null while it is being loaded.',
   );

@@ -1,5 +1,5 @@
 import type { Material, Mesh } from 'three';
-import { deforms } from '../material/deformation/bindVertices.js';
+import { deforms } from '../material/deformation/canDeform.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';

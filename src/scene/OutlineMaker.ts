@@ -1,7 +1,8 @@
 import type { Material, Mesh } from 'three';
-import { describeObject } from '../geometry/describeObject.js';
 import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
-import { deforms } from '../material/deformation/bindVertices.js';
+import { deforms } from '../material/deformation/canDeform.js';
+import { describeObject } from '../mistakes/describeObject.js';
+import { tell } from '../mistakes/tell.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import type { MeshLook } from './HatchedScene.js';
@@ -16,7 +17,7 @@ let hasWarned = false;
 function warnOfBatch(mesh: Mesh): void {
   if (hasWarned) return;
   hasWarned = true;
-  console.warn(
+  tell(
     `applyHatching: the ${describeObject(mesh)} is hatched without outlines, since a BatchedMesh has none. Use an InstancedMesh or single meshes where outlines are needed.`,
   );
 }

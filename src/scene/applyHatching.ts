@@ -1,11 +1,13 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
-import { describeObject } from '../geometry/describeObject.js';
 import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
-import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
+import { checkTonalArtMap, isPromise, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import { needsAdjacency, needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import { describeObject } from '../mistakes/describeObject.js';
+import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
+import { tell } from '../mistakes/tell.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { runSliced } from '../slices/runSliced.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
@@ -65,6 +67,9 @@ interface MadeLooks {
   followers: MaterialFollower[];
 }
 
+/** What users ask of a hatched scene first. */
+const ASKED_OF_SCENES = ['materials', 'outlines', 'skipped', 'restore', 'dispose'] as const;
+
 /** The default stroke scale: tiles of the map per radius of the scene. */
 const TILES_PER_RADIUS = 3;
 
@@ -106,21 +111,30 @@ const MAP_SHARE = 0.2;
  * - with the error of the map or of a parameter;
  * - with the signal's reason when aborted.
  */
-export async function applyHatching(
-  root: Object3D,
-  given: ApplyHatchingOptions | PresetName = {},
-): Promise<HatchedScene> {
+export function applyHatching(root: Object3D, options: ApplyHatchingOptions | PresetName = {}): Promise<HatchedScene> {
+  return mustBeAwaited(hatch(root, options), 'applyHatching()', ASKED_OF_SCENES);
+}
+
+async function hatch(root: Object3D, given: ApplyHatchingOptions | PresetName): Promise<HatchedScene> {
   const named: ApplyHatchingOptions = typeof given === 'string' ? { preset: given } : given;
   checkPrepareOptions('applyHatching', named, OWN_OPTIONS);
   const options = named.preset === undefined ? named : withPreset(named.preset, named);
   checkOwnOptions(options);
   options.signal?.throwIfAborted();
   if (!root?.isObject3D) {
-    throw new TypeError('applyHatching: expected a THREE.Object3D. For a loaded glTF pass gltf.scene.');
+    const remedy = isPromise(root) ? 'Write await before what loads it.' : 'For a loaded glTF pass gltf.scene.';
+    throw new TypeError(`applyHatching: expected a THREE.Object3D. ${remedy}`);
   }
   assertTree('applyHatching', root);
   const { replaces, signal } = options;
-  const choice = chooseMeshes(surfaceMeshes(root).filter(options.filter ?? (() => true)), replaces);
+  const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
+  // Whoever says what to replace, even if it is nothing, follows a scene that may be empty at first.
+  if (meshes.length === 0 && !('replaces' in options)) {
+    tell(
+      `applyHatching: there is no mesh to hatch in the ${describeObject(root)}. Call it once the model is loaded and added.`,
+    );
+  }
+  const choice = chooseMeshes(meshes, replaces);
   let releaseMeshes = claimMeshes(choice.chosen.filter((mesh) => !replaces?.holds(mesh)));
   const onAbort = (): void => releaseMeshes();
   // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as
@@ -302,7 +316,8 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
 
 /** Whether the map does not exist yet: these are options to generate it, or a function that resolves with it. */
 const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null> =>
-  typeof wanted === 'function' || (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted));
+  typeof wanted === 'function' ||
+  (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted) && !isPromise(wanted));
 
 /** Whether no material of a mesh needs triangle adjacency. */
 const needsNoAdjacency = (plan: PlannedMesh): boolean =>

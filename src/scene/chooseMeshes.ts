@@ -1,5 +1,5 @@
 import type { Mesh } from 'three';
-import { describeObject } from '../geometry/describeObject.js';
+import { describeObject } from '../mistakes/describeObject.js';
 import { isClaimed } from './claimMeshes.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import { leftAlone } from './leftAlone.js';

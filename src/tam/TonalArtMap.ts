@@ -75,7 +75,12 @@ export class TonalArtMap {
   private cachedThresholdTexture: ThresholdTexture | undefined;
   private cachedMoments: ThresholdMoments | undefined;
 
-  private constructor({ size, tones, levels, strokeTexels }: MapShape) {
+  private constructor(shape: MapShape) {
+    // That it is private only TypeScript knows.
+    if (!shape?.tones || !shape.levels) {
+      throw new TypeError('TonalArtMap: a map is not made with "new". Use draw(), fromHatchImages() or await load().');
+    }
+    const { size, tones, levels, strokeTexels } = shape;
     this.size = size;
     this.tones = tones;
     this.levels = levels;

@@ -6,6 +6,9 @@ import * as THREE from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry } from 'three-hatching';
 
+// Each scene shows one thing by itself, and is odd on purpose.
+HatchingMaterial.silent = true;
+
 const SIZE = 64;
 const GROUND = new THREE.Color(0x00ff00);
 

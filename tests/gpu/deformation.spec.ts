@@ -420,22 +420,26 @@ test('a device without float targets moves what deforms, hatched as at rest, and
   pageProblems,
 }) => {
   const [rest, bent] = await page.evaluate(async () => {
-    const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const { HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer, whenChecked } =
+      window.toolkit;
     const { tubeGeometry, onBones } = window.deforming;
+    HatchingMaterial.silent = false;
     const { prototype } = WebGL2RenderingContext;
     const getExtension = prototype.getExtension as (name: string) => unknown;
     Reflect.set(prototype, 'getExtension', function (this: WebGL2RenderingContext, name: string) {
       return name === 'EXT_color_buffer_float' ? null : getExtension.call(this, name);
     });
     const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
-    geometry.name = 'tube';
     const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
+    mesh.name = 'tube';
     try {
       const renderer = makeRenderer();
-      return [0, 1].map((angle) => {
+      const drawn = [0, 1].map((angle) => {
         mesh.skeleton.bones[1].rotation.z = angle;
         return pixelsOf(sceneOf(mesh, sun()), renderer);
       });
+      await whenChecked();
+      return drawn;
     } finally {
       Reflect.set(prototype, 'getExtension', getExtension);
     }
@@ -444,7 +448,9 @@ test('a device without float targets moves what deforms, hatched as at rest, and
   expect(differing(rest!, bent!, 8)).toBeGreaterThan(500);
   const problems = pageProblems.splice(0).filter((problem) => problem.includes('HatchingMaterial'));
   expect(problems).toHaveLength(1);
-  expect(problems[0]).toMatch(/geometry "tube" is lit and hatched as at rest: .*EXT_color_buffer_float.*'anchored'/);
+  expect(problems[0]).toMatch(
+    /the SkinnedMesh "tube".* is lit and hatched as at rest: .*EXT_color_buffer_float.*'anchored'/,
+  );
 });
 
 test('a layout that cannot deform, and instances that each morph, are named in the console, once', async ({
@@ -452,28 +458,40 @@ test('a layout that cannot deform, and instances that each morph, are named in t
   pageProblems,
 }) => {
   await page.evaluate(async () => {
-    const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
-      window.toolkit;
+    const {
+      THREE,
+      HatchingMaterial,
+      prepareHatchingGeometry,
+      greyMap,
+      sceneOf,
+      sun,
+      pixelsOf,
+      makeRenderer,
+      whenChecked,
+    } = window.toolkit;
     const { tubeGeometry, addMorphTargets, onBones } = window.deforming;
+    HatchingMaterial.silent = false;
     const renderer = makeRenderer();
     const material = new HatchingMaterial({ tonalArtMap: greyMap() });
     const corner = await prepareHatchingGeometry(tubeGeometry(), { layout: 'corner' });
-    corner.name = 'corner';
     const source = addMorphTargets(new THREE.CylinderGeometry(0.3, 0.3, 1), true);
-    source.name = 'instances';
     const instanced = new THREE.InstancedMesh(await prepareHatchingGeometry(source, { adjacency: true }), material, 2);
     for (const i of [0, 1]) {
       instanced.setMatrixAt(i, new THREE.Matrix4().makeTranslation(i, 0, 0));
       instanced.setMorphAt(i, { morphTargetInfluences: [i, 0] } as unknown as InstanceType<typeof THREE.Mesh>);
     }
-    const scene = sceneOf(onBones(corner, material), instanced, sun());
+    const bent = onBones(corner, material);
+    bent.name = 'bent';
+    instanced.name = 'instances';
+    const scene = sceneOf(bent, instanced, sun());
     pixelsOf(scene, renderer);
     pixelsOf(scene, renderer);
+    await whenChecked();
   });
   const problems = pageProblems.splice(0);
   expect(problems).toHaveLength(2);
-  expect(problems.join()).toMatch(/geometry "corner" is lit and hatched as at rest: its layout 'corner'/);
-  expect(problems.join()).toMatch(/geometry "instances" is lit and hatched as at rest: the instances/);
+  expect(problems.join()).toMatch(/the SkinnedMesh "bent".* is lit and hatched as at rest: its layout 'corner'/);
+  expect(problems.join()).toMatch(/the InstancedMesh "instances".* is lit and hatched as at rest: the instances/);
 });
 
 test('instances share the pose of their mesh', async ({ page }) => {

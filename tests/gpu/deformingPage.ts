@@ -5,4 +5,7 @@ export const test = testOnOnePage('tests/gpu/deforming.html', { freesContexts: t
 
 test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.deforming !== undefined);
+  await page.evaluate(() => {
+    window.toolkit.HatchingMaterial.silent = true;
+  });
 });

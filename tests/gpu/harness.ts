@@ -27,6 +27,9 @@ import type { ReferenceLight } from '../reference/hatchingReference.js';
 import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 
+// What is measured is one thing by itself, and not a scene that somebody would draw.
+HatchingMaterial.silent = true;
+
 const maps = new Map<AnalyticMapName, TonalArtMap>();
 
 function analyticMap(name: AnalyticMapName): TonalArtMap {

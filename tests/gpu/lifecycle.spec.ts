@@ -165,19 +165,21 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
   });
 }
 
-test('an unprepared geometry is named in the console, once', async ({ page, pageProblems }) => {
-  await page.evaluate(() => {
-    const { THREE, HatchingMaterial, greyMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
-    const geometry = new THREE.BoxGeometry();
-    geometry.name = 'crate';
+test('a mesh of an unprepared geometry is named in the console, once', async ({ page, pageProblems }) => {
+  await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, greyMap, sceneOf, sun, pixelsOf, makeRenderer, whenChecked } = window.toolkit;
+    HatchingMaterial.silent = false;
     const renderer = makeRenderer();
-    const scene = sceneOf(new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap: greyMap() })), sun());
+    const crate = new THREE.Mesh(new THREE.BoxGeometry(), new HatchingMaterial({ tonalArtMap: greyMap() }));
+    crate.name = 'crate';
+    const scene = sceneOf(crate, sun());
     pixelsOf(scene, renderer);
     pixelsOf(scene, renderer);
+    await whenChecked();
   });
   const problems = pageProblems.splice(0);
   expect(problems).toHaveLength(1);
-  expect(problems[0]).toContain('geometry "crate" has no triangle adjacency');
+  expect(problems[0]).toContain('the Mesh "crate" at Scene/crate has no triangle adjacency');
 });
 
 test('anchored draws a geometry that was never prepared, by its own normals', async ({ page }) => {

@@ -27,42 +27,56 @@ for (const technique of kindsOfTechnique) {
 
 test('geometry that is moved after the bake is named, once, with the remedy', async ({ page, pageProblems }) => {
   await page.evaluate(async () => {
-    const { THREE, prepareHatchingGeometry, HatchingMaterial, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const {
+      THREE,
+      prepareHatchingGeometry,
+      HatchingMaterial,
+      greyMap,
+      sceneOf,
+      sun,
+      pixelsOf,
+      makeRenderer,
+      whenChecked,
+    } = window.toolkit;
+    HatchingMaterial.silent = false;
     const renderer = makeRenderer();
-    const draw = (geometry: BufferGeometry, technique: 'adjacency' | 'anchored') => {
-      const mesh = new THREE.Mesh(geometry, new HatchingMaterial({ technique }));
+    const tonalArtMap = greyMap();
+    const draw = async (geometry: BufferGeometry, technique: 'adjacency' | 'anchored') => {
+      const mesh = new THREE.Mesh(geometry, new HatchingMaterial({ technique, tonalArtMap }));
+      mesh.name = geometry.name;
       pixelsOf(sceneOf(mesh, sun()), renderer);
       pixelsOf(sceneOf(mesh, sun()), renderer);
+      await whenChecked();
     };
     const prepare = async (name: string, layout: 'corner' | 'pull' | 'indexed') => {
       const geometry = await prepareHatchingGeometry(new THREE.BoxGeometry(), { layout });
       geometry.name = name;
       return geometry;
     };
-    draw(await prepare('untouched', 'corner'), 'adjacency');
+    await draw(await prepare('untouched', 'corner'), 'adjacency');
     const cloned = (await prepare('cloned', 'pull')).clone();
-    draw(cloned, 'adjacency');
-    draw(cloned.rotateX(1), 'adjacency');
-    draw((await prepare('moved', 'corner')).translate(0, 1, 0), 'adjacency');
+    await draw(cloned, 'adjacency');
+    await draw(cloned.rotateX(1), 'adjacency');
+    await draw((await prepare('moved', 'corner')).translate(0, 1, 0), 'adjacency');
     const sameAgain = await prepare('sameAgain', 'corner');
     sameAgain.setAttribute('position', sameAgain.getAttribute('position').clone());
-    draw(sameAgain, 'anchored');
+    await draw(sameAgain, 'anchored');
     const moved = () => new THREE.SphereGeometry().toNonIndexed().getAttribute('position');
     const replaced = await prepare('replaced', 'corner');
-    draw(replaced, 'anchored');
+    await draw(replaced, 'anchored');
     replaced.setAttribute('position', moved());
-    draw(replaced, 'anchored');
+    await draw(replaced, 'anchored');
     const replacedInClone = (await prepare('replacedInClone', 'pull')).clone();
     replacedInClone.setAttribute('position', moved());
-    draw(replacedInClone, 'adjacency');
+    await draw(replacedInClone, 'adjacency');
     const indexed = (await prepare('indexed', 'indexed')).scale(1, 2, 1);
-    draw(indexed, 'anchored');
+    await draw(indexed, 'anchored');
     const freed = (await prepare('freed', 'indexed')).center().deleteAttribute('hatchNormal');
-    draw(freed, 'anchored');
+    await draw(freed, 'anchored');
   });
   const problems = pageProblems.splice(0);
   const named = problems.map(
-    (problem) => /positions of geometry "(\w+)" have changed since it was prepared/.exec(problem)?.[1],
+    (problem) => /positions of the Mesh "(\w+)".* have changed since it was prepared/.exec(problem)?.[1],
   );
   expect(named).toEqual(['cloned', 'moved', 'replaced', 'replacedInClone', 'indexed']);
   for (const problem of problems.slice(0, 4)) expect(problem).toContain('Move the mesh instead of the geometry');
@@ -73,13 +87,18 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
   const merged = await page.evaluate(async () => {
     const { THREE, mergeGeometries, prepareHatchingGeometry, hatchedMesh, greyMap, HatchingMaterial, sceneOf, sun } =
       window.toolkit;
-    const { pixelsOf, makeRenderer } = window.toolkit;
+    const { pixelsOf, makeRenderer, whenChecked } = window.toolkit;
     const renderer = makeRenderer();
-    const draw = (geometry: BufferGeometry) =>
-      pixelsOf(sceneOf(new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap: greyMap() })), sun()), renderer);
+    HatchingMaterial.silent = false;
+    const draw = (geometry: BufferGeometry) => {
+      const mesh = new THREE.Mesh(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
+      mesh.name = geometry.name;
+      return pixelsOf(sceneOf(mesh, sun()), renderer);
+    };
     const indexed = await prepareHatchingGeometry(new THREE.BoxGeometry(), { layout: 'indexed' });
     indexed.name = 'indexed';
     draw(indexed);
+    await whenChecked();
     const halves = (layout: 'corner' | 'pull') =>
       Promise.all(
         [-0.7, 0.7].map((x) =>
@@ -89,6 +108,7 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
     const pulled = mergeGeometries(await halves('pull'));
     pulled.name = 'pulled';
     draw(pulled);
+    await whenChecked();
     const source = mergeGeometries([-0.7, 0.7].map((x) => new THREE.BoxGeometry(0.8, 0.8, 0.8).translate(x, 0, 0)));
     return {
       expected: pixelsOf(sceneOf(await hatchedMesh(source), sun()), renderer),
@@ -103,8 +123,8 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
   const problems = pageProblems.splice(0);
   const remedy = "Prepare it with { adjacency: true }, or use the technique 'anchored'.";
   expect(problems).toEqual([
-    expect.stringContaining(`geometry "indexed" was prepared without triangle adjacency. ${remedy}`),
-    expect.stringContaining('geometry "pulled" has lost its triangle adjacency'),
+    expect.stringContaining(`the Mesh "indexed" at Scene/indexed was prepared without triangle adjacency. ${remedy}`),
+    expect.stringContaining('the Mesh "pulled" at Scene/pulled has lost its triangle adjacency'),
   ]);
   expect(problems[1]).toContain(remedy);
 });

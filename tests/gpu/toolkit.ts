@@ -15,6 +15,9 @@ import {
   TonalArtMap,
 } from 'three-hatching';
 
+// Many of the scenes are odd on purpose. A test of what is said of mistakes breaks the silence.
+HatchingMaterial.silent = true;
+
 const SIZE = 96;
 
 /** Tones that are flat greys: every texel of image k has the darkness k / 4, so that pixels show only the tone. */
@@ -70,6 +73,12 @@ async function hatchedMesh(
     await prepareHatchingGeometry(geometry, { adjacency: true }),
     new HatchingMaterial({ tonalArtMap: greyMap(), ...parameters }),
   );
+}
+
+/** Resolves when all that was drawn has been checked for mistakes. */
+async function whenChecked(): Promise<void> {
+  await import('../../src/material/firstDraw/checkDraws.js');
+  await new Promise((go) => setTimeout(go));
 }
 
 /** Renders and returns RGBA, bottom row first. */
@@ -138,6 +147,7 @@ const toolkit = {
   sceneOf,
   hatchedMesh,
   pixelsOf,
+  whenChecked,
   wholePieces,
 };
 

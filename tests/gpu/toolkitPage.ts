@@ -5,4 +5,7 @@ export const test = testOnOnePage('tests/gpu/toolkit.html', { freesContexts: tru
 
 test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.toolkit !== undefined);
+  await page.evaluate(() => {
+    window.toolkit.HatchingMaterial.silent = true;
+  });
 });

@@ -17,14 +17,16 @@ export const ROOMS = {
   worker: ['slices', 'features', 'bake', 'occlusion', 'hatchImages'],
 
   // With three.js.
-  tam: ['strokes', 'hatchImages', 'mapFiles', 'worker'],
-  geometry: ['mesh', 'adjacency', 'features', 'bake', 'worker'],
-  material: ['bake', 'tam', 'geometry', '/shaders'],
+  mistakes: [],
+  tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
+  geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'bake', 'worker'],
+  material: ['mistakes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/facts': [],
   'material/shaders': ['facts'],
   'material/deformation': ['shaders'],
-  outlines: ['features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
-  scene: ['slices', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'outlines'],
+  'material/firstDraw': ['facts', 'deformation'],
+  outlines: ['mistakes', 'features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
+  scene: ['mistakes', 'slices', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'outlines'],
   'index.ts': ['strokes', 'hatchImages', 'mapFiles', 'worker', 'tam', 'geometry', 'material', 'outlines', 'scene'],
 
   // For Node: the presets are data.

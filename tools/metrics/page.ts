@@ -24,6 +24,9 @@ import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
 import type { Vector } from './measures/vector.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 
+// What is measured is one thing by itself, and not a scene that somebody would draw.
+HatchingMaterial.silent = true;
+
 /** The first technique. Where stroke spacing matters, the others are scaled to its spacing. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['anchored', { technique: 'anchored' }],

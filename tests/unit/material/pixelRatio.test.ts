@@ -9,6 +9,7 @@ const rendererOf = (pixelRatio: number): WebGLRenderer =>
     info: { render: { frame: 1 } },
     capabilities: { maxTextureSize: 4096 },
     getPixelRatio: () => pixelRatio,
+    getRenderTarget: () => null,
     getCurrentViewport: (target: Vector4) => target.set(0, 0, 100, 100),
   }) as unknown as WebGLRenderer;
 

@@ -7,6 +7,7 @@ const rendererAt = (frame: number): WebGLRenderer =>
     info: { render: { frame } },
     capabilities: { maxTextureSize: 4096 },
     getPixelRatio: () => 1,
+    getRenderTarget: () => null,
     getCurrentViewport: (target: Vector4) => target.set(0, 0, 100, 100),
   }) as unknown as WebGLRenderer;
 

@@ -196,14 +196,14 @@ describe('in a scene', () => {
     expect(outlines.geometry.drawRange.count).toBe(-1);
     const error = vi.mocked(console.error).mockImplementation(() => {});
     const plain = new Mesh(new BoxGeometry());
-    plain.geometry.name = 'crate';
+    plain.name = 'crate';
     plain.add(outlines);
     outlines.geometry.setDrawRange(0, 99);
     draw();
     draw();
     expect(outlines.geometry.drawRange.count).toBe(-1);
     expect(error.mock.calls).toEqual([
-      [expect.stringContaining('HatchingOutlines: geometry "crate" has no outlines to draw')],
+      [expect.stringContaining('HatchingOutlines: the Mesh "crate" has no outlines to draw')],
     ]);
     error.mockClear();
   });

@@ -1,6 +1,6 @@
 import { Group, Mesh, Scene } from 'three';
 import { expect, test } from 'vitest';
-import { describeObject } from '../../../src/geometry/describeObject.js';
+import { describeObject } from '../../../src/mistakes/describeObject.js';
 
 test('an object is named by its type, its name and its path', () => {
   const scene = new Scene();

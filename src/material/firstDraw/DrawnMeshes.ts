@@ -1,0 +1,46 @@
+import type { BufferGeometry, Camera, Object3D, WebGLRenderer } from 'three';
+import { isStale } from '../../geometry/staleGeometry.js';
+import { silence } from '../../mistakes/silence.js';
+import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
+
+/** What a mesh was drawn as when it was checked last. */
+interface Seen {
+  geometry: BufferGeometry;
+  technique: unknown;
+  isStale: boolean;
+}
+
+const waiting: FirstDraw[] = [];
+
+/** The checks and their sentences are loaded when there is something to check, and nobody waits for them. */
+async function check(): Promise<void> {
+  const { checkDraws } = await import('./checkDraws.js');
+  checkDraws(waiting.splice(0));
+}
+
+/** Knows which meshes one material has drawn, and has new ones checked for mistakes. */
+export class DrawnMeshes {
+  private readonly seen = new WeakMap<Object3D, Seen>();
+
+  /** Notes that the material draws a mesh. For one that was checked already this allocates nothing. */
+  note(
+    material: DrawnMaterial,
+    renderer: WebGLRenderer,
+    scene: Object3D,
+    camera: Camera,
+    geometry: BufferGeometry,
+    mesh: Object3D,
+    height: number,
+  ): void {
+    if (silence.isOn) return;
+    const stale = isStale(geometry);
+    const { technique } = material;
+    const last = this.seen.get(mesh);
+    if (last?.geometry === geometry && last.technique === technique && last.isStale === stale) return;
+    this.seen.set(mesh, { geometry, technique, isStale: stale });
+    const isOnScreen = renderer.getRenderTarget() === null;
+    waiting.push({ material, mesh, geometry, scene, camera, renderer, isOnScreen, height, isStale: stale });
+    // A page that cannot load the checks draws without them.
+    if (waiting.length === 1) check().catch(() => waiting.splice(0));
+  }
+}

@@ -1,0 +1,21 @@
+import type { BufferGeometry, Camera, Material, Object3D, WebGLRenderer } from 'three';
+import type { HatchingLook } from '../facts/lookFacts.js';
+
+/** A hatching material, as far as the checks look at it. */
+export type DrawnMaterial = Material & HatchingLook & { readonly lights: boolean };
+
+/** A mesh that is drawn for the first time: by this material, or by this material with another technique or geometry. */
+export interface FirstDraw {
+  readonly material: DrawnMaterial;
+  readonly mesh: Object3D;
+  readonly geometry: BufferGeometry;
+  readonly scene: Object3D;
+  readonly camera: Camera;
+  readonly renderer: WebGLRenderer;
+  /** Whether it is drawn to the screen, where alone three.js maps tones. */
+  readonly isOnScreen: boolean;
+  /** Of the picture, in pixels. */
+  readonly height: number;
+  /** Whether the geometry has changed since it was prepared. */
+  readonly isStale: boolean;
+}

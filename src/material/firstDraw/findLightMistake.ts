@@ -1,0 +1,43 @@
+import type { BufferAttribute, Color, Object3D } from 'three';
+import { hatchNormal } from '../../bake/hatchNormal.js';
+import { identityOf } from '../../geometry/identityOf.js';
+import type { FirstDraw } from './FirstDraw.js';
+import { lightOn, luminance } from './lightOn.js';
+import type { NoteMistake } from './NoteMistake.js';
+import { rounded } from './rounded.js';
+import { worldSphere } from './worldSphere.js';
+
+/** Sums of intensities below and above which nearly all is black or blank. A single light of intensity 1 is too dark. */
+const TOO_DARK = Math.PI / 3;
+const TOO_BRIGHT = 4 * Math.PI;
+
+/** Identities of scenes whose light was looked at. Meshes that come into view later may stand far from their lamps on purpose. */
+const judged = new WeakSet<object>();
+
+/** Finds what is wrong with the light of a scene, by the first of its meshes that are drawn together. */
+export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake): void {
+  const lit = draws.filter(({ material }) => material.lights);
+  if (lit.length === 0) return;
+  const [first] = lit;
+  const { scene, camera } = first;
+  if (judged.has(identityOf(scene))) return;
+  judged.add(identityOf(scene));
+  const sphere = worldSphere(lit.map(({ mesh }): Object3D => mesh));
+  const { least, most, hasForm } = lightOn(sphere, scene, camera);
+  if (least > TOO_BRIGHT) note('tooBright', first, scene, rounded(least));
+  else if (most >= TOO_DARK && hasForm) return;
+  else if (lit.some(hasOwnForm)) return;
+  else if (most === 0) note('noLight', first, scene);
+  else if (!hasForm) note('ambientOnly', first, scene);
+  else note('tooDark', first, scene, rounded(most));
+}
+
+/** Whether a mesh shows its form under any light: by textures of light, by what it gives off, or by baked occlusion. */
+function hasOwnForm({ material, geometry }: FirstDraw): boolean {
+  const { lightMap, aoMap, emissive, emissiveIntensity, occlusion } = material;
+  if (lightMap || aoMap || luminance(emissive as Color) * (emissiveIntensity as number) > 0) return true;
+  const normals = geometry.attributes[hatchNormal.name] as BufferAttribute | undefined;
+  if (occlusion === 0 || !normals?.array) return false;
+  for (let i = 0; i < normals.count; i++) if (normals.getW(i) !== 0) return true;
+  return false;
+}

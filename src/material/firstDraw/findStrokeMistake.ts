@@ -1,0 +1,76 @@
+import type { Object3D } from 'three';
+import type { TonalArtMap } from '../../tam/TonalArtMap.js';
+import { counts } from '../facts/lookFacts.js';
+import type { FirstDraw } from './FirstDraw.js';
+import type { NoteMistake } from './NoteMistake.js';
+import { rounded } from './rounded.js';
+import { worldSphere } from './worldSphere.js';
+
+/** In pixels of the drawing buffer. What is a little thinner than a pixel is a matter of taste, and so is what is very wide. */
+const TOO_THIN = 0.5;
+const WIDE = 32;
+/** Lengths of strokes, as shares of a tile. */
+const LONGEST_STROKE = 0.5;
+/** The unit of `lineSpacing` on the object, as a share of a tile. */
+const SPACING_UNIT = 1 / 256;
+/** What suits every model: tiles to its radius, strokes and distances of lines in pixels. */
+const SUITABLE = { tilesPerRadius: 3, strokeWidth: 1.5, lineSpacing: 5 };
+
+/** Finds strokes that are too small or too large to be seen as strokes. */
+export function findStrokeMistake(draw: FirstDraw, note: NoteMistake): void {
+  const { material } = draw;
+  const onScreen = counts(material, 'sizedOnScreen') ? material.sizedOnScreen : 0;
+  if (onScreen === 0) checkOnObject(draw, note);
+  else if (onScreen === 1) checkOnScreen(draw, note);
+}
+
+function checkOnObject(draw: FirstDraw, note: NoteMistake): void {
+  const { material, mesh } = draw;
+  const tilesPerUnit = material.tilesPerUnit as number;
+  const scale = mesh.matrixWorld.getMaxScaleOnAxis();
+  const tile = scale / tilesPerUnit;
+  const model = hatchedMeshes(draw.scene);
+  const say = (mistake: 'tooFine' | 'tooCoarse'): void => {
+    const suitable = (SUITABLE.tilesPerRadius / model.radius) * scale;
+    note(mistake, draw, material, 'tilesPerUnit', rounded(tilesPerUnit), rounded(suitable));
+  };
+  const length = counts(material, 'lineSpacing') ? (material.lineSpacing as number) * SPACING_UNIT : LONGEST_STROKE;
+  if (tile * length > 2 * model.radius) say('tooCoarse');
+  const map = material.tonalArtMap as TonalArtMap | null;
+  if (!map || !counts(material, 'tonalArtMap')) return;
+  // Levels of the map keep strokes as wide as they are drawn, down to the coarsest.
+  const coarsest = map.size >> (map.levels - 1);
+  if ((tile * pixelsPerUnit(draw) * map.strokeTexels) / coarsest < TOO_THIN) say('tooFine');
+}
+
+function checkOnScreen(draw: FirstDraw, note: NoteMistake): void {
+  const { material, mesh, renderer } = draw;
+  const property = counts(material, 'lineSpacing') ? 'lineSpacing' : 'strokeWidth';
+  const size = material[property] as number | null;
+  if (size === null) return;
+  const say = (mistake: 'tooFine' | 'tooCoarse'): void =>
+    note(mistake, draw, material, property, rounded(size), String(SUITABLE[property]));
+  const pixels = size * renderer.getPixelRatio();
+  if (pixels < TOO_THIN) say('tooFine');
+  else if (pixels > WIDE && pixels > 2 * worldSphere([mesh]).radius * pixelsPerUnit(draw)) say('tooCoarse');
+}
+
+/** How many pixels a unit of world space has where the mesh is nearest to the camera. */
+function pixelsPerUnit({ mesh, camera, height }: FirstDraw): number {
+  const { elements } = camera.projectionMatrix;
+  const pixels = (elements[5] * height) / 2;
+  if (elements[11] === 0) return pixels;
+  const { center, radius } = worldSphere([mesh]);
+  const depth = -center.clone().applyMatrix4(camera.matrixWorldInverse).z - radius;
+  return depth > 0 ? pixels / depth : Infinity;
+}
+
+/** A sphere around all that is hatched in a scene: strokes of one size are for the whole model, not for each of its parts. */
+function hatchedMeshes(scene: Object3D) {
+  const meshes: Object3D[] = [];
+  scene.traverseVisible((object) => {
+    const { material } = object as { material?: object };
+    if ([material].flat().some((one) => one && 'isHatchingMaterial' in one)) meshes.push(object);
+  });
+  return worldSphere(meshes);
+}

@@ -1,0 +1,34 @@
+import { NoToneMapping } from 'three';
+import { cornerLayout } from '../../bake/cornerLayout.js';
+import { hatchNormal } from '../../bake/hatchNormal.js';
+import { pulledVerticesOf } from '../../geometry/PulledVertices.js';
+import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
+import { needsAdjacency, needsMap } from '../facts/lookFacts.js';
+import type { FirstDraw } from './FirstDraw.js';
+import type { NoteMistake } from './NoteMistake.js';
+import { printsNothing } from './printsNothing.js';
+import type { Mistake } from './sentences.js';
+
+/** Finds what is wrong with the material and the geometry of a mesh. */
+export function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
+  const { material, geometry, renderer, isOnScreen, isStale } = draw;
+  if (material.tonalArtMap === null && needsMap(material) && !printsNothing(material)) note('noMap', draw, material);
+  const mistake = needsAdjacency(material) ? adjacencyMistake(draw) : undefined;
+  if (mistake) note(mistake, draw, geometry);
+  else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
+  if (isStale) note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
+  if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);
+}
+
+/** What keeps a geometry from being hatched by the strokes of its triangles and their neighbours, in its present pose. */
+function adjacencyMistake({ geometry, mesh, renderer }: FirstDraw): Mistake | undefined {
+  const { attributes, userData } = geometry;
+  if (!pulledVerticesOf(geometry)) {
+    if (attributes[cornerLayout[0].name]) return deforms(geometry, mesh) ? 'cornerAtRest' : undefined;
+    if (!attributes[hatchNormal.name]) return 'noAdjacency';
+    return userData.hatching?.layout === 'indexed' ? 'noneAsked' : 'lostAdjacency';
+  }
+  if (!deforms(geometry, mesh)) return undefined;
+  if (!hasFloatTargets(renderer)) return 'deviceAtRest';
+  return morphsEachInstance(mesh) ? 'instancesAtRest' : undefined;
+}

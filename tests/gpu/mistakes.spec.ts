@@ -1,0 +1,32 @@
+import { expect } from '../browser/test.js';
+import { test } from './toolkitPage.js';
+
+/** What the library says of mistakes, drawn by a real renderer; tests/unit/material/firstDraw has all of them. */
+
+test('an ordinary scene is drawn without a word, and mistakes are said once, whatever is drawn after', async ({
+  page,
+  pageProblems,
+}) => {
+  await page.evaluate(async () => {
+    const { THREE, HatchingMaterial, greyMap, sceneOf, sun, pixelsOf, makeRenderer, whenChecked } = window.toolkit;
+    HatchingMaterial.silent = false;
+    const renderer = makeRenderer();
+    const ball = (parameters = {}) => {
+      const material = new HatchingMaterial({ technique: 'anchored', tonalArtMap: greyMap(), ...parameters });
+      return Object.assign(new THREE.Mesh(new THREE.SphereGeometry(), material), { name: 'ball' });
+    };
+    pixelsOf(sceneOf(ball(), sun()), renderer);
+    await whenChecked();
+    const dark = sceneOf(ball({ tonalArtMap: null, toneMapped: true }), sun(0.5));
+    renderer.toneMapping = THREE.ACESFilmicToneMapping;
+    for (let frame = 0; frame < 3; frame++) {
+      pixelsOf(dark, renderer);
+      await whenChecked();
+    }
+  });
+  expect(pageProblems.splice(0)).toEqual([
+    expect.stringContaining('the Mesh "ball" at Scene/ball is drawn without strokes'),
+    expect.stringContaining('the Mesh "ball" at Scene/ball is drawn with the tone mapping of the renderer'),
+    expect.stringContaining('the Mesh "ball" at Scene/ball gets too little light: its lights add up to 0.5.'),
+  ]);
+});
