@@ -13,7 +13,8 @@ import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
 const told = new WeakMap<object, Set<Mistake>>();
 
 /** Says what is wrong with meshes that were drawn for the first time, each mistake in one sentence that names the first of them. */
-export function checkDraws(draws: readonly FirstDraw[]): void {
+export function checkDraws(given: readonly FirstDraw[]): void {
+  const draws = given.filter(isStillThere);
   const found = new Map<Mistake, { mesh: FirstDraw['mesh']; details: readonly string[]; others: number }>();
   const note: NoteMistake = (mistake, { mesh }, culprit, ...details) => {
     if (!isNews(mistake, culprit)) return;
@@ -30,6 +31,14 @@ export function checkDraws(draws: readonly FirstDraw[]): void {
     const name = `the ${describeObject(mesh)}${others > 0 ? ` and ${others} more` : ''}`;
     tell(`HatchingMaterial: ${sentence(name, ...details)}`, mistake === 'noAdjacency' ? 'error' : 'warn');
   }
+}
+
+/** While the checks were loaded a scene may have been taken apart, and then lacks more than it did. */
+function isStillThere({ mesh, scene }: FirstDraw): boolean {
+  let root: FirstDraw['mesh'] | null = mesh;
+  // One of them may be a proxy of the other.
+  while (root && root.id !== scene.id) root = root.parent;
+  return root !== null;
 }
 
 function isNews(mistake: Mistake, culprit: object): boolean {

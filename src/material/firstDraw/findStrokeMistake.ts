@@ -35,7 +35,8 @@ function checkOnObject(draw: FirstDraw, note: NoteMistake): void {
     note(mistake, draw, material, 'tilesPerUnit', rounded(tilesPerUnit), rounded(suitable));
   };
   const length = counts(material, 'lineSpacing') ? (material.lineSpacing as number) * SPACING_UNIT : LONGEST_STROKE;
-  if (tile * length > 2 * model.radius) say('tooCoarse');
+  // Strokes as long as the model are drawn on purpose, and those of twice its diameter by mistake.
+  if (tile * length > 4 * model.radius) say('tooCoarse');
   const map = material.tonalArtMap as TonalArtMap | null;
   if (!map || !counts(material, 'tonalArtMap')) return;
   // Levels of the map keep strokes as wide as they are drawn, down to the coarsest.

@@ -53,7 +53,12 @@ const sun = (intensity = Math.PI) => new DirectionalLight(0xffffff, intensity);
 
 /** Draws a mesh as the renderer does, and waits until it was checked. */
 async function draw(mesh: Mesh, { lights = [sun()], ...how }: Drawing = {}): Promise<string[]> {
-  const { scene = new Scene(), renderer = {}, target = null, camera = new PerspectiveCamera(40, 1, 0.1, 1e4) } = how;
+  const {
+    scene = (mesh.parent as Scene | null) ?? new Scene(),
+    renderer = {},
+    target = null,
+    camera = new PerspectiveCamera(40, 1, 0.1, 1e4),
+  } = how;
   if (mesh.parent === null) scene.add(mesh);
   for (const light of lights) scene.add(light);
   camera.position.z ||= 4;
@@ -131,6 +136,14 @@ describe('a sentence', () => {
     expect((await Promise.all(meshes.map((mesh) => draw(mesh, { scene })))).flat()).toEqual(
       about(/the Mesh "box 1" at Scene\/box 1 and 2 more/),
     );
+  });
+
+  test('is not said of a mesh that is no longer there when it is checked', async () => {
+    const scene = new Scene();
+    const mesh = ball(anchored({ tonalArtMap: null }));
+    const saying = draw(mesh, { scene });
+    scene.clear();
+    expect(await saying).toEqual([]);
   });
 
   test('is not said while the library is silent, and not made up for later', async () => {
