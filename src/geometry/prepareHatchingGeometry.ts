@@ -172,7 +172,7 @@ async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometr
     smoothingRadius: options.smoothingRadius,
     weldTolerance: options.weldTolerance,
     wantsNormals: repairs.computedNormals > 0,
-    outlines: lineRequest(options.outlines, range),
+    outlines: outlineRequest(options.outlines, range),
   };
   const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
   const isUnchanged = rememberSource(geometry);
@@ -235,7 +235,7 @@ function withWorker(prepared: BufferGeometry, { createWorker }: TaskOptions): Bu
   return prepared;
 }
 
-function lineRequest(outlines: PrepareHatchingGeometryOptions['outlines'], range: CornerRange): OutlineRequest | null {
+function outlineRequest(outlines: PrepareHatchingGeometryOptions['outlines'], range: CornerRange): OutlineRequest | null {
   if (!outlines) return null;
   return { ...(outlines === true ? {} : outlines), triangleGroups: triangleGroups(range) };
 }

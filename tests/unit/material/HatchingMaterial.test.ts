@@ -67,8 +67,8 @@ describe('HatchingMaterial', () => {
 
   test('warns of a parameter it does not know', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-    new HatchingMaterial({ strokeScales: 2 } as HatchingMaterialParameters);
-    expect(warn.mock.calls.flat().join(' ')).toContain('strokeScales');
+    new HatchingMaterial({ tilesPerUnits: 2 } as HatchingMaterialParameters);
+    expect(warn.mock.calls.flat().join(' ')).toContain('tilesPerUnits');
   });
 
   test.each([
