@@ -1,5 +1,6 @@
 import { Drawing } from './Drawing.js';
 import { elementStyle } from './elementStyle.js';
+import { warnOfMissingSource } from './missingSource.js';
 import { Painter } from './Painter.js';
 import { readControls, readLight, readPreset } from './readAttributes.js';
 import { type Arrangement, ViewControls } from './ViewControls.js';
@@ -68,6 +69,7 @@ export class HatchedModelElement extends Base {
   private isNear = false;
   private needsModel = true;
   private hasFailed = false;
+  private hadSource = false;
   private frame = 0;
 
   constructor() {
@@ -147,8 +149,10 @@ export class HatchedModelElement extends Base {
     try {
       if (!this.src) {
         this.clear();
+        warnOfMissingSource(this.hadSource);
         return;
       }
+      this.hadSource = true;
       const preset = readPreset(this.getAttribute('preset'));
       readLight(this.getAttribute('light'));
       this.painter ??= Painter.acquire(this.onRestored);

@@ -181,7 +181,7 @@ export class HatchingOutlines extends Object3D {
       return;
     }
     if (mesh.frustumCulled && !isInFrustum(mesh, camera)) return;
-    this.prepareInstances(mesh);
+    this.showInstances();
     const isDeformed = this.bindDeformation(renderer, camera, mesh);
     this.bindData(data);
     this.bindCamera(renderer, camera, mesh);
@@ -210,8 +210,10 @@ export class HatchingOutlines extends Object3D {
     tell(`HatchingOutlines: the ${describeObject(mesh)} ${problem}`, 'error');
   }
 
-  private prepareInstances(mesh: Mesh): void {
-    if (!('isInstancedMesh' in mesh)) return;
+  /** Has three.js see the instances of the mesh until the end of the draw, since they choose another program. @internal */
+  showInstances(): void {
+    const { mesh } = this;
+    if (!mesh || !('isInstancedMesh' in mesh)) return;
     const { instanceMatrix, count } = mesh as InstancedMesh;
     this.isInstancedMesh = true;
     this.instanceMatrix = instanceMatrix;

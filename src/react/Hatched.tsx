@@ -2,7 +2,7 @@ import { useFrame, useThree } from '@react-three/fiber';
 import { type ReactElement, useEffect, useRef, useState } from 'react';
 import type { Group } from 'three';
 import { type HatchedProps, splitProps } from './HatchedProps.js';
-import { Hatcher } from './Hatcher.js';
+import { Hatcher, type HatcherEvents } from './Hatcher.js';
 import { warnIfEmpty } from './warnIfEmpty.js';
 
 /**
@@ -34,6 +34,7 @@ export function Hatched({
   const content = useRef<Group>(null);
   const hatcher = useRef<Hatcher | null>(null);
   const invalidate = useThree((state) => state.invalidate);
+  const get = useThree((state) => state.get);
   const [failure, setFailure] = useState<{ error: unknown } | null>(null);
   const latest = useRef({ onHatched, onError, showUnhatched });
 
@@ -43,7 +44,7 @@ export function Hatched({
 
   useEffect(() => {
     const root = content.current!;
-    const made = new Hatcher(root, latest.current.showUnhatched, {
+    const events: HatcherEvents = {
       onHatched: (hatched) => {
         latest.current.onHatched?.(hatched);
         invalidate();
@@ -53,6 +54,10 @@ export function Hatched({
         else setFailure({ error });
         invalidate();
       },
+    };
+    const made = new Hatcher(root, latest.current.showUnhatched, events, () => {
+      const { gl: renderer, camera } = get();
+      return 'isWebGLRenderer' in renderer ? { renderer, camera } : {};
     });
     hatcher.current = made;
     root.visible = true;
@@ -60,7 +65,7 @@ export function Hatched({
       made.dispose();
       hatcher.current = null;
     };
-  }, [invalidate]);
+  }, [invalidate, get]);
 
   useEffect(() => hatcher.current?.update(options));
 

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import type { Object3D } from 'three';
 import type { ApplyHatchingOptions, HatchedScene } from 'three-hatching';
 
-type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces'>;
+type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces' | 'renderer' | 'camera'>;
 type GroupProps = Omit<ThreeElements['group'], keyof ApplyHatchingOptions | 'object' | 'onError' | 'children'>;
 
 /**

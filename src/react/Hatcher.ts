@@ -39,11 +39,15 @@ export class Hatcher {
   private readonly veil = new Veil();
   private isBusy = false;
 
-  /** @param showsUnhatched whether meshes are drawn with their own materials until they are hatched */
+  /**
+   * @param showsUnhatched whether meshes are drawn with their own materials until they are hatched
+   * @param drawnBy returns the renderer and the camera that draw the scene, if there are
+   */
   constructor(
     private readonly root: Object3D,
     private readonly showsUnhatched: boolean,
     private readonly events: HatcherEvents,
+    private readonly drawnBy: () => Pick<ApplyHatchingOptions, 'renderer' | 'camera'> = () => ({}),
   ) {}
 
   /** Hatches the scene with these options. Another function by itself changes nothing; the latest is called when it is needed. */
@@ -136,6 +140,7 @@ export class Hatcher {
     const isEmpty = meshesOf(this.root).length === 0;
     const hatched = await applyHatching(this.root, {
       ...options,
+      ...this.drawnBy(),
       tonalArtMap: map.source,
       // React may add a mesh before its geometry, and a helper before anything that is hatched.
       filter: (mesh) => !isEmpty && hasPositions(mesh) && filter(mesh),

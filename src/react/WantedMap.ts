@@ -1,9 +1,6 @@
 import { type ApplyHatchingOptions, type MapDrawing, TonalArtMap } from 'three-hatching';
 import { retainMap, sharedMap } from './sharedMaps.js';
 
-/** The share of the progress for the map. */
-const MAP_SHARE = 0.2;
-
 /** The map that the options ask for. A generated map is made when it is needed, and shared by all who ask for the same map. */
 export class WantedMap {
   /** The map, once it exists. */
@@ -24,26 +21,26 @@ export class WantedMap {
   /** The option `tonalArtMap` of `applyHatching`: the map if it exists, or a function that makes it. */
   get source(): ApplyHatchingOptions['tonalArtMap'] {
     const { tonalArtMap } = this.options;
-    return tonalArtMap === null || tonalArtMap instanceof TonalArtMap ? tonalArtMap : () => this.drawn();
+    return tonalArtMap === null || tonalArtMap instanceof TonalArtMap
+      ? tonalArtMap
+      : (onProgress) => this.drawn(onProgress);
   }
 
   /** Makes the map if it does not exist yet. Call this when the map is needed. */
   async take(): Promise<void> {
-    if (typeof this.source === 'function') await this.source();
+    const { onProgress = () => {} } = this.options;
+    if (typeof this.source === 'function') await this.source(onProgress);
   }
 
-  private async drawn(): Promise<TonalArtMap> {
+  private async drawn(onProgress: (progress: number) => void): Promise<TonalArtMap> {
     if (this.map) return this.map;
-    const { tonalArtMap, onProgress, createWorker } = this.options;
+    const { tonalArtMap, createWorker } = this.options;
     if (typeof tonalArtMap === 'function') {
-      this.map = await tonalArtMap();
+      this.map = await tonalArtMap(onProgress);
       return this.map;
     }
     const drawing = { ...tonalArtMap } as MapDrawing;
-    this.map = await sharedMap(drawing, {
-      createWorker,
-      onProgress: onProgress && ((progress) => onProgress(1 - MAP_SHARE + MAP_SHARE * progress)),
-    });
+    this.map = await sharedMap(drawing, { createWorker, onProgress });
     this.release = retainMap(drawing);
     return this.map;
   }

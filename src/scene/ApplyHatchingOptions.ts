@@ -1,4 +1,4 @@
-import type { Material, Mesh } from 'three';
+import type { Camera, Material, Mesh, WebGLRenderer } from 'three';
 import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
@@ -20,11 +20,16 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   replaces?: HatchedScene | undefined;
   /**
    * The tonal art map for those materials that need one and have none among their parameters: your own map, the options of
-   * `TonalArtMap.generate`, or a function that resolves with your own map and is called only if a material needs it. With `null`
-   * the meshes stay blank paper until you set a map. `dispose()` of the result frees a generated map, but not yours. Default: a
+   * `TonalArtMap.generate`, or a function that resolves with your own map: it is called only if a material needs one, with a
+   * listener of its progress, while geometries are prepared. With `null` the meshes stay blank paper until you set a map. `dispose()` of the result frees a generated map, but not yours. Default: a
    * map in the style `hatching` is generated.
    */
-  tonalArtMap?: TonalArtMap | MapDrawing | (() => Promise<TonalArtMap>) | null | undefined;
+  tonalArtMap?:
+    | TonalArtMap
+    | MapDrawing
+    | ((onProgress: (progress: number) => void) => Promise<TonalArtMap>)
+    | null
+    | undefined;
   /**
    * Parameters of the new materials. They override what is taken over from the old materials. A function is called once for every
    * new material, with the material that it replaces and the first mesh that uses it.
@@ -42,6 +47,14 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    * outlines.
    */
   outlines?: boolean | (OutlineOptions & HatchingOutlineParameters) | undefined;
+  /**
+   * The renderer that will draw the scene. With it and `camera` the promise, and its progress, include what the first frame would
+   * wait for: programs, which are compiled while geometries are prepared, and the upload. The root and the lights must be in the
+   * scene already. Default: the first frame does all that.
+   */
+  renderer?: WebGLRenderer | undefined;
+  /** The camera that will draw the scene with `renderer`: its layers say which lights count. */
+  camera?: Camera | undefined;
   /** Returns whether to hatch a mesh. Default: all meshes are hatched. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
   /** Called whenever a geometry is finished, with the number of finished geometries and of all. Several are baked at a time. */

@@ -49,6 +49,11 @@ export class OutlineMaker {
     this.made.push(outlines);
   }
 
+  /** Outlines without a mesh, to compile the program of outlines with. */
+  get samples(): readonly HatchingOutlines[] {
+    return [new HatchingOutlines(null, this.materialFor(false))];
+  }
+
   /** All outlines that were made. */
   get outlines(): readonly HatchingOutlines[] {
     return this.made;

@@ -18,6 +18,7 @@ import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes, sentencesOf } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
+import { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
@@ -25,6 +26,8 @@ import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
+import { progressParts } from './progressParts.js';
+import { sideBySide } from './sideBySide.js';
 import { isBatched, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { withPreset } from './withPreset.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
@@ -38,6 +41,8 @@ const OWN_OPTIONS = {
   onGeometry: true,
   preset: true,
   replaces: true,
+  renderer: true,
+  camera: true,
 } satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
 
 type WantedMap = NonNullable<ApplyHatchingOptions['tonalArtMap']> | null;
@@ -76,6 +81,9 @@ const TILES_PER_RADIUS = 3;
 /** The share of the progress for the map, if one is made. */
 const MAP_SHARE = 0.2;
 
+/** The share of the progress for the first frame, if a renderer is given. */
+const FRAME_SHARE = 0.1;
+
 /**
  * Hatches a whole scene, such as a loaded glTF. The geometry of every mesh at or below `root` is baked, a shared geometry only
  * once. Every material is replaced by a `HatchingMaterial` with the same colour, maps, opacity, sides and vertex colours.
@@ -84,7 +92,8 @@ const MAP_SHARE = 0.2;
  *
  *     await applyHatching(gltf.scene, 'pencil');
  *
- * Call `await renderer.compileAsync(scene, camera)` afterwards to compile every program before the first frame.
+ * With the options `renderer` and `camera` the promise also waits for the programs and the upload, so that the first frame is
+ * drawn at once: add `root` and the lights to the scene before. Without them call `renderer.compileAsync(scene, camera)` afterwards.
  *
  * - A material that meshes share becomes one shared material. If the meshes differ in scale, there is one material per scale,
  *   because `tilesPerUnit` refers to object space. Meshes that deform get a material of their own.
@@ -170,6 +179,8 @@ async function makeLooks(
   disposables: Disposable[],
 ): Promise<MadeLooks> {
   const { replaces, signal, outlines, tilesPerWorldUnit, onGeometry, onProgress, tonalArtMap: wanted = {} } = options;
+  const { renderer, camera } = options;
+  const firstFrame = renderer && camera ? new FirstFrame(renderer, camera, root) : null;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
   const replacer = new MaterialReplacer(options.material ?? {});
   disposables.push(replacer);
@@ -179,27 +190,34 @@ async function makeLooks(
   const withoutMap = replacer.materials.filter((material) => material.tonalArtMap === null && needsMap(material));
   const isMapMade = withoutMap.length > 0 && isToBeMade(wanted);
   const mapShare = isMapMade ? MAP_SHARE : 0;
+  const frameShare = firstFrame ? FRAME_SHARE : 0;
+  const [onBake, onMap, onFrame] = progressParts(onProgress, [1 - mapShare - frameShare, mapShare, frameShare]);
   const outlineMaker = outlines ? new OutlineMaker(outlines === true ? {} : outlines) : null;
-  const baked = await bakeGeometries(
-    layoutsFor(planned, options),
-    {
-      ...prepareOptions(options),
-      outlines: outlineMaker?.creases ?? false,
-      onProgress: onProgress && ((progress) => onProgress((1 - mapShare) * progress)),
-    },
-    { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
+  if (outlineMaker) disposables.push(outlineMaker);
+  const [baked, map] = await sideBySide(
+    signal,
+    (stop) =>
+      bakeGeometries(
+        layoutsFor(planned, options),
+        { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false, onProgress: onBake, signal: stop },
+        { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
+      ),
+    (stop) => makeMap(wanted, isMapMade, { ...options, onProgress: onMap, signal: stop }, disposables),
+    async () => asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false)),
   );
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
   skipped.push(...unreadable);
   if (looks.length === 0) assertNoFailure(skipped);
-
-  const onMapProgress = onProgress && ((progress: number) => onProgress(1 - mapShare + mapShare * progress));
-  const map = await makeMap(wanted, isMapMade, { ...options, onProgress: onMapProgress }, disposables);
   for (const material of withoutMap) material.tonalArtMap = map;
   signal?.throwIfAborted();
   const finishing = finish(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
-  if (outlineMaker) disposables.push(outlineMaker);
   const allOutlines = await runSliced(finishing, { signal });
+  if (firstFrame) {
+    firstFrame.compile(looks, allOutlines, true);
+    await runSliced(firstFrame.upload(looks), { signal, onProgress: onFrame });
+    await firstFrame.built(signal);
+    onFrame?.(1);
+  }
 
   const changed = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
   const kept = looks.filter(({ mesh }) => !changed.has(mesh));
@@ -230,6 +248,8 @@ function prepareOptions({
   tilesPerWorldUnit: _tilesPerWorldUnit,
   filter: _filter,
   onGeometry: _onGeometry,
+  renderer: _renderer,
+  camera: _camera,
   ...options
 }: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'outlines'> {
   return options;
@@ -244,7 +264,11 @@ async function makeMap(
 ): Promise<TonalArtMap | null> {
   if (!isToBeMade(wanted)) return wanted;
   if (!isNeeded) return null;
-  if (typeof wanted === 'function') return checkTonalArtMap(await wanted());
+  if (typeof wanted === 'function') {
+    const own = checkTonalArtMap(await wanted((progress) => onProgress?.(progress)));
+    onProgress?.(1);
+    return own;
+  }
   const map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress });
   disposables.push(map);
   return map;
@@ -288,8 +312,14 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
     tilesPerWorldUnit = 1,
     tonalArtMap = null,
   } = options;
+  const { renderer, camera } = options;
   if (replaces !== undefined && !(replaces instanceof HatchedScene)) {
     throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
+  }
+  if ((renderer === undefined) !== (camera === undefined) || (renderer && !('isWebGLRenderer' in renderer))) {
+    throw new TypeError(
+      'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both.',
+    );
   }
   if (filter !== undefined && typeof filter !== 'function') {
     throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');

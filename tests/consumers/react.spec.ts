@@ -94,9 +94,14 @@ test('40 mounts and unmounts leave nothing behind: no textures, geometries, prog
     return { ...memory, workers: page.workers().length };
   };
   await page.evaluate(() => window.page.show({ hatched: false, options: { preset: 'technical' } }));
-  const first = await toggle(1);
-  expect(first).toMatchObject({ geometries: 0, textures: 0, meshes: 0 });
-  for (let i = 0; i < 4; i++) expect(await toggle(10), `after ${10 * (i + 1)}`).toEqual(first);
+  const { workers: firstWorkers, ...firstOthers } = await toggle(1);
+  expect(firstOthers).toMatchObject({ geometries: 0, textures: 0, meshes: 0 });
+  for (let i = 0; i < 4; i++) {
+    const { workers, ...others } = await toggle(10);
+    expect(others, `after ${10 * (i + 1)}`).toEqual(firstOthers);
+    // The first time the map is drawn beside the geometry; later it is there already.
+    expect(workers).toBeLessThanOrEqual(firstWorkers);
+  }
 });
 
 test('hot reload: an edited component is hatched anew, and the page and what it shows stay', async ({ page }) => {

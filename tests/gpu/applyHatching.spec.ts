@@ -293,3 +293,61 @@ test('outlines that cannot be are refused before anything changes', async ({ pag
     expect.stringMatching(/outlines\.featureAngle is 7/),
   ]);
 });
+
+test('with a renderer and a camera nothing is left to compile or upload for the first frame', async ({
+  page,
+  pageProblems,
+}) => {
+  const result = await page.evaluate(async () => {
+    const { THREE, applyHatching, greyMap, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
+    const renderer = makeRenderer();
+    const camera = makeCamera();
+    const ball = new THREE.Mesh(new THREE.SphereGeometry(0.5, 64, 32), new THREE.MeshStandardMaterial());
+    // Lights below the root count once.
+    ball.add(new THREE.PointLight());
+    const boxes = new THREE.InstancedMesh(new THREE.BoxGeometry(0.2, 0.2, 0.2), new THREE.MeshStandardMaterial(), 2);
+    const root = new THREE.Group().add(ball, boxes);
+    const scene = sceneOf(root, sun());
+    scene.background = null;
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const calls: string[] = [];
+    const progress: number[] = [];
+    const { material } = ball;
+    const hatched = await applyHatching(root, {
+      renderer,
+      camera,
+      tonalArtMap: greyMap(),
+      material: { technique: 'anchored' },
+      outlines: true,
+      onProgress: (value) => {
+        progress.push(value);
+        // Nothing shows before everything is ready.
+        if (ball.material !== material) calls.push('changed early');
+      },
+    });
+    const programs = renderer.info.programs!.length;
+    const [link, upload] = [gl.linkProgram, gl.bufferData];
+    gl.linkProgram = (program) => {
+      calls.push('linkProgram');
+      link.call(gl, program);
+    };
+    gl.bufferData = ((target: number, data: ArrayBufferView<ArrayBuffer>, usage: number) => {
+      if (data?.byteLength > 4000) calls.push(`bufferData of ${data.byteLength}`);
+      upload.call(gl, target, data, usage, 0);
+    }) as typeof gl.bufferData;
+    const first = pixelsOf(scene, renderer, camera);
+    Object.assign(gl, { linkProgram: link, bufferData: upload });
+    const fresh = pixelsOf(scene, makeRenderer(), camera);
+    const differing = first.filter((value, i) => value !== fresh[i]).length;
+    const ink = first.filter((value, i) => i % 4 < 3 && value < 128 && first[i - (i % 4) + 3] > 0).length;
+    const used = programs > 0 && renderer.info.programs!.length === programs;
+    hatched.dispose();
+    return { calls, differing, ink, used, progress, programs: renderer.info.programs!.length };
+  });
+  expect(result).toMatchObject({ calls: [], differing: 0, used: true });
+  expect(result.ink).toBeGreaterThan(100);
+  expect(result.programs).toBeLessThanOrEqual(1);
+  expect(result.progress.at(-1)).toBeCloseTo(1);
+  expect(result.progress).toEqual([...result.progress].sort((a, b) => a - b));
+  expect(pageProblems.splice(0).filter((problem) => !/KHR_parallel_shader_compile/.test(problem))).toEqual([]);
+});

@@ -19,7 +19,7 @@ import {
   MeshBasicMaterial,
   MeshDepthMaterial,
   MeshStandardMaterial,
-  type Object3D,
+  Object3D,
   ObjectSpaceNormalMap,
   Plane,
   PlaneGeometry,
@@ -484,6 +484,34 @@ describe('options', () => {
   });
 });
 
+describe('side by side', () => {
+  const model = () => new Mesh(new SphereGeometry(1, 32, 16), new MeshBasicMaterial());
+
+  test('the map is drawn while geometries are prepared, and the progress is that of both', async () => {
+    const order: string[] = [];
+    const progress: number[] = [];
+    await applyHatching(model(), {
+      tonalArtMap: async () => {
+        order.push('map');
+        return tonalArtMap;
+      },
+      onGeometry: () => order.push('geometry'),
+      onProgress: (value) => progress.push(value),
+    });
+    expect(order).toEqual(['map', 'geometry']);
+    expect(progress).toEqual([...progress].sort((a, b) => a - b));
+  });
+
+  test('if the map fails, the bake stops, and everything is as before', async () => {
+    const mesh = model();
+    const { geometry } = mesh;
+    const failing = applyHatching(mesh, { tonalArtMap: () => Promise.reject(new Error('no such map')) });
+    await expect(failing).rejects.toThrow('no such map');
+    expect(mesh.geometry).toBe(geometry);
+    (await applyHatching(mesh, { tonalArtMap })).dispose();
+  });
+});
+
 describe('the way back', () => {
   test('restore brings the very objects back, once, and the scene can be hatched again', async () => {
     const root = new Group().add(
@@ -537,7 +565,7 @@ describe('when something is wrong', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, filter, onGeometry, preset, replaces, adjacency, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, filter, onGeometry, preset, replaces, renderer, camera, adjacency, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],
@@ -687,6 +715,8 @@ describe('when something is wrong', () => {
       { tilesPerWorldUnit: Number.NaN },
       /^applyHatching: tilesPerWorldUnit is NaN, but must be a positive/,
     ],
+    ['a camera without a renderer', { camera: new Object3D() }, /^applyHatching: renderer must be a WebGLRenderer/],
+    ['a renderer that is none', { renderer: {}, camera: new Object3D() }, /^applyHatching: renderer must be/],
     ['a map that is none', { tonalArtMap: 5 }, /tonalArtMap: 5 is no TonalArtMap/],
   ];
   test.each(misuses)('options that are none say so at once, and claim nothing: %s', async (_what, options, says) => {

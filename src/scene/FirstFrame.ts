@@ -1,0 +1,186 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  type Material,
+  Mesh,
+  Object3D,
+  RawShaderMaterial,
+  Scene,
+  type Texture,
+  type WebGLProgram as ThreeProgram,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../material/facts/hatchingProperties.js';
+import { needsAdjacency, usesThresholds } from '../material/facts/lookFacts.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import { isHatching, materialsOf } from './surfaceMeshes.js';
+
+const POLL_MILLISECONDS = 10;
+
+/** A mesh, with a geometry and a material that it does not have yet. */
+export interface CandidateLook {
+  mesh: Mesh;
+  geometry: BufferGeometry;
+  material: Material | Material[];
+}
+
+/**
+ * Does in advance what the first frame with new looks would wait for: it has programs built in the background, and uploads
+ * geometries and textures piece by piece. The scene stays as it is.
+ */
+export class FirstFrame {
+  private readonly awaited = new Set<ThreeProgram>();
+
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly camera: Camera,
+    private readonly root: Object3D,
+  ) {}
+
+  /**
+   * Starts to build the programs that draw these looks, with the lights of the scene that the root is in. Looks of techniques with
+   * adjacency are left out before they are prepared, because their programs depend on it.
+   */
+  compile(looks: readonly CandidateLook[], outlines: readonly HatchingOutlines[], arePrepared: boolean): void {
+    const drawn = arePrepared ? looks : looks.filter((look) => !materialsOf(look).some(dependsOnLayout));
+    const known = new Set(this.programs);
+    const list = new ObjectList([...drawn.map(({ mesh }) => mesh), ...outlines]);
+    wearing(drawn, () => {
+      for (const { mesh } of drawn) {
+        for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
+      }
+      for (const one of outlines) one.showInstances();
+      // Lights, fog and environment are read from what is at the top, scene or not.
+      this.renderer.compile(list, this.camera, topOf(this.root) as Scene);
+      for (const one of outlines) one.onAfterRender();
+    });
+    for (const program of this.programs) if (!known.has(program)) this.awaited.add(program);
+  }
+
+  /** Waits until the programs are built. */
+  async built(signal: AbortSignal | undefined): Promise<void> {
+    const gl = this.renderer.getContext();
+    const parallel = gl.getExtension('KHR_parallel_shader_compile');
+    const isBuilt = ({ program }: ThreeProgram): boolean =>
+      !parallel || gl.getProgramParameter(program as WebGLProgram, parallel.COMPLETION_STATUS_KHR);
+    for (;;) {
+      signal?.throwIfAborted();
+      const present = new Set(this.programs);
+      for (const program of this.awaited) {
+        if (!present.has(program) || gl.isContextLost()) this.awaited.delete(program);
+        else if (isBuilt(program)) {
+          // three.js asks for the uniforms of a program once. In the middle of a frame that would wait for what was drawn before.
+          program.getUniforms();
+          this.awaited.delete(program);
+        }
+      }
+      if (this.awaited.size === 0) return;
+      await new Promise((resume) => setTimeout(resume, POLL_MILLISECONDS));
+    }
+  }
+
+  /** Uploads the geometries and textures of prepared looks, and yields after each of them. */
+  *upload(looks: readonly CandidateLook[]): Generator<number, void, void> {
+    const geometries = [...new Set(looks.map(({ geometry }) => geometry))];
+    const textures = texturesOf(looks);
+    const count = geometries.length + textures.length;
+    const material = new RawShaderMaterial({
+      vertexShader: 'void main() { gl_Position = vec4(0.0); }',
+      fragmentShader: 'precision lowp float; void main() { gl_FragColor = vec4(0.0); }',
+    });
+    const target = new WebGLRenderTarget(1, 1);
+    const proxy = new Mesh(undefined, material);
+    const scene = new Scene().add(proxy);
+    proxy.frustumCulled = false;
+    try {
+      for (const [i, texture] of textures.entries()) {
+        this.renderer.initTexture(texture);
+        yield (i + 1) / count;
+      }
+      for (const [i, geometry] of geometries.entries()) {
+        proxy.geometry = geometry;
+        this.draw(scene, geometry, target);
+        yield (textures.length + i + 1) / count;
+      }
+    } finally {
+      material.dispose();
+      target.dispose();
+    }
+  }
+
+  /** Draws a scene that shows no vertex of a geometry: three.js uploads a geometry only when it draws it. */
+  private draw(scene: Scene, { drawRange }: BufferGeometry, target: WebGLRenderTarget): void {
+    const { renderer } = this;
+    const { count } = drawRange;
+    const present = renderer.getRenderTarget();
+    const [face, level] = [renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
+    const { enabled } = renderer.xr;
+    try {
+      drawRange.count = 0;
+      renderer.xr.enabled = false;
+      renderer.setRenderTarget(target);
+      renderer.render(scene, this.camera);
+    } finally {
+      drawRange.count = count;
+      renderer.xr.enabled = enabled;
+      renderer.setRenderTarget(present, face, level);
+    }
+  }
+
+  private get programs(): readonly ThreeProgram[] {
+    return this.renderer.info.programs ?? [];
+  }
+}
+
+/** Objects for the renderer to compile. They stay where they are in the scene, and their lights count there. */
+class ObjectList extends Object3D {
+  constructor(private readonly objects: readonly Object3D[]) {
+    super();
+  }
+
+  override traverse(callback: (object: Object3D) => void): void {
+    for (const object of this.objects) callback(object);
+  }
+
+  override traverseVisible(): void {}
+}
+
+/** Does some work while meshes have other looks. */
+function wearing(looks: readonly CandidateLook[], work: () => void): void {
+  const before = looks.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
+  for (const { mesh, geometry, material } of looks) Object.assign(mesh, { geometry, material });
+  try {
+    work();
+  } finally {
+    for (const { mesh, geometry, material } of before) Object.assign(mesh, { geometry, material });
+  }
+}
+
+const dependsOnLayout = (material: Material): boolean => !isHatching(material) || needsAdjacency(material);
+
+function topOf(object: Object3D): Object3D {
+  let top = object;
+  while (top.parent) top = top.parent;
+  return top;
+}
+
+/** The textures of materials that are there: those of files may still be on their way. */
+function texturesOf(looks: readonly CandidateLook[]): Texture[] {
+  const textures = new Set<Texture>();
+  for (const material of new Set(looks.flatMap(({ material }) => material))) {
+    if (material && isHatching(material)) for (const texture of texturesIn(material)) textures.add(texture);
+  }
+  return [...textures].filter(({ image }) => image);
+}
+
+function texturesIn(material: HatchingMaterial): Texture[] {
+  const { tonalArtMap } = material;
+  const names = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+  const maps = names
+    .filter((name) => HATCHING_PROPERTIES[name].kind === 'texture')
+    .map((name) => material[name] as Texture | null);
+  if (tonalArtMap?.isReady) maps.push(usesThresholds(material) ? tonalArtMap.thresholdTexture : tonalArtMap.texture);
+  return maps.filter((texture) => texture !== null);
+}
