@@ -1,8 +1,7 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
-import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
-import { checkTonalArtMap, isPromise, isTonalArtMap } from '../material/checkTonalArtMap.js';
+import { isPromise } from '../material/checkTonalArtMap.js';
 import { needsAdjacency, needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -10,10 +9,8 @@ import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
 import { tell } from '../mistakes/tell.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { runSliced } from '../slices/runSliced.js';
-import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
-import { TonalArtMap } from '../tam/TonalArtMap.js';
-import type { TaskOptions } from '../worker/TaskOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes, sentencesOf } from './chooseMeshes.js';
@@ -24,32 +21,13 @@ import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
+import { isToBeMade, makeMap } from './makeMap.js';
 import { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { progressParts } from './progressParts.js';
 import { sideBySide } from './sideBySide.js';
 import { isBatched, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
-import { withPreset } from './withPreset.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
-
-/** The names of the options that `prepareHatchingGeometry` does not have. */
-const OWN_OPTIONS = {
-  tonalArtMap: true,
-  material: true,
-  tilesPerWorldUnit: true,
-  filter: true,
-  onGeometry: true,
-  preset: true,
-  replaces: true,
-  renderer: true,
-  camera: true,
-} satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
-
-type WantedMap = NonNullable<ApplyHatchingOptions['tonalArtMap']> | null;
-
-interface Disposable {
-  dispose(): void;
-}
 
 /** A mesh to hatch, with its geometry and material before. */
 interface OldLook {
@@ -125,10 +103,7 @@ export function applyHatching(root: Object3D, options: ApplyHatchingOptions | Pr
 }
 
 async function hatch(root: Object3D, given: ApplyHatchingOptions | PresetName): Promise<HatchedScene> {
-  const named: ApplyHatchingOptions = typeof given === 'string' ? { preset: given } : given;
-  checkPrepareOptions('applyHatching', named, OWN_OPTIONS);
-  const options = named.preset === undefined ? named : withPreset(named.preset, named);
-  checkOwnOptions(options);
+  const options = resolveOptions(given);
   options.signal?.throwIfAborted();
   if (!root?.isObject3D) {
     const remedy = isPromise(root) ? 'Write await before what loads it.' : 'For a loaded glTF pass gltf.scene.';
@@ -149,7 +124,7 @@ async function hatch(root: Object3D, given: ApplyHatchingOptions | PresetName): 
   // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as
   // React's StrictMode does.
   signal?.addEventListener('abort', onAbort);
-  const disposables: Disposable[] = [];
+  const disposables: { dispose(): void }[] = [];
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
@@ -176,7 +151,7 @@ async function makeLooks(
   root: Object3D,
   { chosen, skipped: leftAlone, claimed }: ChosenMeshes,
   options: ApplyHatchingOptions,
-  disposables: Disposable[],
+  disposables: { dispose(): void }[],
 ): Promise<MadeLooks> {
   const { replaces, signal, outlines, tilesPerWorldUnit, onGeometry, onProgress, tonalArtMap: wanted = {} } = options;
   const { renderer, camera } = options;
@@ -239,41 +214,6 @@ function assertNoFailure(skipped: readonly SkippedMesh[]): void {
   throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
 }
 
-/** The options that `prepareHatchingGeometry` has too. */
-function prepareOptions({
-  preset: _preset,
-  replaces: _replaces,
-  tonalArtMap: _map,
-  material: _material,
-  tilesPerWorldUnit: _tilesPerWorldUnit,
-  filter: _filter,
-  onGeometry: _onGeometry,
-  renderer: _renderer,
-  camera: _camera,
-  ...options
-}: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'outlines'> {
-  return options;
-}
-
-/** Returns the map for the materials that need one. A generated map is added to `disposables`. */
-async function makeMap(
-  wanted: WantedMap,
-  isNeeded: boolean,
-  { signal, createWorker, onProgress }: TaskOptions,
-  disposables: Disposable[],
-): Promise<TonalArtMap | null> {
-  if (!isToBeMade(wanted)) return wanted;
-  if (!isNeeded) return null;
-  if (typeof wanted === 'function') {
-    const own = checkTonalArtMap(await wanted((progress) => onProgress?.(progress)));
-    onProgress?.(1);
-    return own;
-  }
-  const map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress });
-  disposables.push(map);
-  return map;
-}
-
 /** Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry. */
 function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable: SkippedMesh[] } {
   const seen: OldLook[] = [];
@@ -300,54 +240,6 @@ function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Gen
   }
   return planned;
 }
-
-/** Checks the options that only `applyHatching` has. Those of the geometry are checked by `prepareHatchingGeometry`. */
-function checkOwnOptions(options: ApplyHatchingOptions): void {
-  const {
-    filter,
-    outlines = false,
-    onGeometry,
-    material = {},
-    replaces,
-    tilesPerWorldUnit = 1,
-    tonalArtMap = null,
-  } = options;
-  const { renderer, camera } = options;
-  if (replaces !== undefined && !(replaces instanceof HatchedScene)) {
-    throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
-  }
-  if ((renderer === undefined) !== (camera === undefined) || (renderer && !('isWebGLRenderer' in renderer))) {
-    throw new TypeError(
-      'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both.',
-    );
-  }
-  if (filter !== undefined && typeof filter !== 'function') {
-    throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
-  }
-  if (onGeometry !== undefined && typeof onGeometry !== 'function') {
-    throw new TypeError('applyHatching: onGeometry must be a function of two numbers, or left out.');
-  }
-  if (typeof outlines !== 'boolean' && (typeof outlines !== 'object' || outlines === null)) {
-    throw new TypeError(
-      'applyHatching: outlines must be true, false or an object with options of creases and outlines.',
-    );
-  }
-  if (material === null || !['object', 'function'].includes(typeof material)) {
-    throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
-  }
-  if (!(tilesPerWorldUnit > 0 && tilesPerWorldUnit < Infinity)) {
-    throw new RangeError(
-      `applyHatching: tilesPerWorldUnit is ${tilesPerWorldUnit}, but must be a positive number of tiles per world unit, or left out.`,
-    );
-  }
-  if (!isToBeMade(tonalArtMap)) checkTonalArtMap(tonalArtMap);
-  else if (typeof tonalArtMap === 'object') checkHatchImageOptions('applyHatching: tonalArtMap', tonalArtMap);
-}
-
-/** Whether the map does not exist yet: these are options to generate it, or a function that resolves with it. */
-const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null> =>
-  typeof wanted === 'function' ||
-  (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted) && !isPromise(wanted));
 
 /** Whether no material of a mesh needs triangle adjacency. */
 const needsNoAdjacency = (plan: PlannedMesh): boolean =>

@@ -1,0 +1,93 @@
+import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
+import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
+import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { HatchedScene } from './HatchedScene.js';
+import { isToBeMade } from './makeMap.js';
+import type { PresetName } from './presets.js';
+import { withPreset } from './withPreset.js';
+
+/** The names of the options that `prepareHatchingGeometry` does not have. */
+const OWN_OPTIONS = {
+  tonalArtMap: true,
+  material: true,
+  tilesPerWorldUnit: true,
+  filter: true,
+  onGeometry: true,
+  preset: true,
+  replaces: true,
+  renderer: true,
+  camera: true,
+} satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
+
+/**
+ * The options of `applyHatching`, checked, with those of their preset.
+ *
+ * @throws RangeError or TypeError that names the wrong option
+ */
+export function resolveOptions(given: ApplyHatchingOptions | PresetName): ApplyHatchingOptions {
+  const named: ApplyHatchingOptions = typeof given === 'string' ? { preset: given } : given;
+  checkPrepareOptions('applyHatching', named, OWN_OPTIONS);
+  const options = named.preset === undefined ? named : withPreset(named.preset, named);
+  checkOwnOptions(options);
+  return options;
+}
+
+/** The options that `prepareHatchingGeometry` has too. */
+export function prepareOptions({
+  preset: _preset,
+  replaces: _replaces,
+  tonalArtMap: _map,
+  material: _material,
+  tilesPerWorldUnit: _tilesPerWorldUnit,
+  filter: _filter,
+  onGeometry: _onGeometry,
+  renderer: _renderer,
+  camera: _camera,
+  ...options
+}: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'outlines'> {
+  return options;
+}
+
+/** Checks the options that only `applyHatching` has. Those of the geometry are checked by `prepareHatchingGeometry`. */
+function checkOwnOptions(options: ApplyHatchingOptions): void {
+  const {
+    filter,
+    outlines = false,
+    onGeometry,
+    material = {},
+    replaces,
+    tilesPerWorldUnit = 1,
+    tonalArtMap = null,
+  } = options;
+  const { renderer, camera } = options;
+  if (replaces !== undefined && !(replaces instanceof HatchedScene)) {
+    throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
+  }
+  if ((renderer === undefined) !== (camera === undefined) || (renderer && !('isWebGLRenderer' in renderer))) {
+    throw new TypeError(
+      'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both.',
+    );
+  }
+  if (filter !== undefined && typeof filter !== 'function') {
+    throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
+  }
+  if (onGeometry !== undefined && typeof onGeometry !== 'function') {
+    throw new TypeError('applyHatching: onGeometry must be a function of two numbers, or left out.');
+  }
+  if (typeof outlines !== 'boolean' && (typeof outlines !== 'object' || outlines === null)) {
+    throw new TypeError(
+      'applyHatching: outlines must be true, false or an object with options of creases and outlines.',
+    );
+  }
+  if (material === null || !['object', 'function'].includes(typeof material)) {
+    throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
+  }
+  if (!(tilesPerWorldUnit > 0 && tilesPerWorldUnit < Infinity)) {
+    throw new RangeError(
+      `applyHatching: tilesPerWorldUnit is ${tilesPerWorldUnit}, but must be a positive number of tiles per world unit, or left out.`,
+    );
+  }
+  if (!isToBeMade(tonalArtMap)) checkTonalArtMap(tonalArtMap);
+  else if (typeof tonalArtMap === 'object') checkHatchImageOptions('applyHatching: tonalArtMap', tonalArtMap);
+}
