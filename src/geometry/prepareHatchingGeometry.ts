@@ -235,7 +235,10 @@ function withWorker(prepared: BufferGeometry, { createWorker }: TaskOptions): Bu
   return prepared;
 }
 
-function outlineRequest(outlines: PrepareHatchingGeometryOptions['outlines'], range: CornerRange): OutlineRequest | null {
+function outlineRequest(
+  outlines: PrepareHatchingGeometryOptions['outlines'],
+  range: CornerRange,
+): OutlineRequest | null {
   if (!outlines) return null;
   return { ...(outlines === true ? {} : outlines), triangleGroups: triangleGroups(range) };
 }
