@@ -116,8 +116,8 @@ const LOOKS: Record<string, Look> = {
   'crisp strokes of triangles': {
     material: { technique: 'adjacency', crisp: true, tilesPerUnit: 0.3, strokeWidth: 6 },
   },
-  'engraved outlines': { material: { technique: 'engraved', sizedOnScreen: 1, lineSpacing: 12, handmade: 0 } },
-  'engraved outlines sized half on the screen': {
+  'engraved lines': { material: { technique: 'engraved', sizedOnScreen: 1, lineSpacing: 12, handmade: 0 } },
+  'engraved lines sized half on the screen': {
     material: { technique: 'engraved', sizedOnScreen: 0.5, lineSpacing: 60, handmade: 0 },
   },
   dots: { material: { technique: 'anchored', medium: 'stipple', sizedOnScreen: 1, strokeWidth: 8 } },
@@ -129,7 +129,7 @@ const LOOKS: Record<string, Look> = {
 };
 
 /** Grain has no strokes, and outlines that are being born between others are thinner than a pixel. */
-const WITHOUT_WIDTH = ['grain', 'engraved outlines sized half on the screen'];
+const WITHOUT_WIDTH = ['grain', 'engraved lines sized half on the screen'];
 
 for (const [name, look] of Object.entries(LOOKS)) {
   test(`strokes stay where they are and as wide at another pixel ratio: ${name}`, async ({ page }) => {
