@@ -23,7 +23,9 @@ const wanted = process.argv.slice(2);
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
 const { HATCHING_PROPERTIES, presets } = await server.ssrLoadModule('/src/index.ts');
 const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
-const unknown = wanted.find((name) => !(name in PLANS) && !['hero', 'gallery', 'examples', 'show'].includes(name));
+const unknown = wanted.find(
+  (name) => !(name in PLANS) && !['hero', 'three-lines', 'gallery', 'examples', 'show'].includes(name),
+);
 if (unknown !== undefined) {
   await server.close();
   throw new Error(
@@ -58,6 +60,12 @@ try {
     const file = writePalettePng(sheetOf(drawings, columns));
     writeFileSync(join(root, `docs/${name}.png`), file);
     console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
+  }
+  if (wanted.length === 0 || wanted.includes('three-lines')) {
+    const address = await page.evaluate(() => window.drawThreeLines(420, 280));
+    const file = writePalettePng(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
+    writeFileSync(join(root, 'docs/three-lines.png'), file);
+    console.log(`three-lines: ${Math.round(file.length / 1000)} kB`);
   }
   if (wanted.length === 0 || wanted.includes('hero')) {
     const { picture, steps, quality, milliseconds } = movingHero();

@@ -188,6 +188,15 @@ describe('counts are those of the code', () => {
     expect(numbersIn('docs/outlines.md', /at most (\d+) million primitives/)).toEqual([MAX_SEARCHED / 1e6]);
   });
 
+  test('sizes in kB', () => {
+    const spec = readFileSync(`${root}tests/consumers/consumers.spec.ts`, 'utf8');
+    const limits = [/\bHatchingMaterial: ([\d_]+)/, /TonalArtMap': ([\d_]+)/, /MOST_BYTES_OF_WORKER = ([\d_]+)/].map(
+      (pattern) => Number(pattern.exec(spec)?.[1].replaceAll('_', '')) / 1000,
+    );
+    const told = numbersIn('README.md', /less than (\d+) kB .* less than (\d+) kB .* less than (\d+) kB/);
+    for (const [i, limit] of limits.entries()) expect(told[i]).toBeGreaterThanOrEqual(limit);
+  });
+
   test('versions', () => {
     const { peerDependencies, devEngines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'));
     const [three] = /\d+\.\d+/.exec(peerDependencies.three)!;
