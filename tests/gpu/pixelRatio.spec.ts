@@ -128,7 +128,7 @@ const LOOKS: Record<string, Look> = {
   },
 };
 
-/** Grain has no strokes, and outlines that are being born between others are thinner than a pixel. */
+/** Grain has no strokes, and lines that are being born between others are thinner than a pixel. */
 const WITHOUT_WIDTH = ['grain', 'engraved lines sized half on the screen'];
 
 for (const [name, look] of Object.entries(LOOKS)) {
