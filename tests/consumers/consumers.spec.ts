@@ -48,6 +48,7 @@ const PACKED = [
   ...[
     'addDecoders',
     'bake.worker',
+    'checkDraws',
     'command',
     'element',
     'elementShared',

@@ -1,9 +1,13 @@
+import { HatchingMaterial } from 'three-hatching';
 import { errorMessage } from '../files/common/errorMessage.js';
 import { setPageState } from '../page/setPageState.js';
 import { drawsInSoftware } from '../stage/drawsInSoftware.js';
 import { createPlayground } from './createPlayground.js';
 import { page } from './elements/page.js';
 import { Status } from './tasks/Status.js';
+
+// What a developer would do by mistake visitors choose: a weak light, strokes as wide as the model. And paper is shown until a map is drawn.
+HatchingMaterial.silent = true;
 
 const status = new Status(page.status);
 const context = page.canvas.getContext('webgl2', {
