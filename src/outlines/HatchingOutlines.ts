@@ -166,7 +166,7 @@ export class HatchingOutlines extends Object3D {
     const { geometry, mesh } = this;
     geometry.setDrawRange(0, NOTHING);
     // Helpers that light a scene step by step give every object another material for a moment.
-    if (!mesh || !(this.material instanceof HatchingOutlineMaterial)) return;
+    if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || isUnseen(mesh)) return;
     if ('isWebGPURenderer' in renderer) {
       tellOfRenderer('HatchingOutlines');
       return;
@@ -299,6 +299,10 @@ export class HatchingOutlines extends Object3D {
     return list;
   }
 }
+
+/** Whether the surface is not drawn, since no material of the mesh is visible: neither are its outlines then. */
+const isUnseen = ({ material }: Mesh): boolean =>
+  Array.isArray(material) ? !material.some((one) => one?.visible) : material?.visible === false;
 
 /** The bounding sphere by which three.js sorts and culls a mesh; null before it has been computed. */
 function boundsOf(mesh: Mesh): Sphere | null {

@@ -15,7 +15,7 @@ import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes, sentencesOf } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
-import { FirstFrame } from './FirstFrame.js';
+import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
@@ -154,13 +154,12 @@ async function makeLooks(
   disposables: { dispose(): void }[],
 ): Promise<MadeLooks> {
   const { replaces, signal, outlines, tilesPerWorldUnit, onGeometry, onProgress, tonalArtMap: wanted = {} } = options;
-  const { renderer, camera } = options;
-  const firstFrame = renderer && camera ? new FirstFrame(renderer, camera, root) : null;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
   const replacer = new MaterialReplacer(options.material ?? {});
   disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
   const planned = await runSliced(planMeshes(seen, replacer), { signal, around: asBefore });
+  const firstFrame = await firstFrameOf(root, options);
 
   const withoutMap = replacer.materials.filter((material) => material.tonalArtMap === null && needsMap(material));
   const isMapMade = withoutMap.length > 0 && isToBeMade(wanted);
@@ -206,6 +205,13 @@ async function makeLooks(
     skipped: [...leftAlone, ...skipped],
     followers: replacer.followers,
   };
+}
+
+/** What prepares the first frame, if there is a renderer for it. Pages that give none do not load it. */
+async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingOptions): Promise<FirstFrame | null> {
+  if (!renderer || !camera) return null;
+  const { FirstFrame } = await import('./FirstFrame.js');
+  return new FirstFrame(renderer, camera, root);
 }
 
 /** @throws TypeError that names the first meshes that could not be hatched */

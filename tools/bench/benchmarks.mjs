@@ -1,5 +1,6 @@
 import { bake } from './bake/bake.mjs';
 import { drop } from './drop/drop.mjs';
+import { firstPicture } from './firstPicture/firstPicture.mjs';
 import { frame } from './frame/frame.mjs';
 import { lines } from './lines/lines.mjs';
 import { media } from './media/media.mjs';
@@ -13,4 +14,4 @@ import { upload } from './upload/upload.mjs';
  * All benchmarks, in the order they run in. Each has a name, knows whether what it measures depends on who draws, runs in
  * a browser (`openBrowser`) to a result of plain data, and describes such a result in Markdown.
  */
-export const benchmarks = [frame, media, lines, shadows, bake, memory, occlusion, upload, tam, drop];
+export const benchmarks = [frame, media, lines, shadows, bake, memory, occlusion, upload, tam, firstPicture, drop];

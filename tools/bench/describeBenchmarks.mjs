@@ -16,6 +16,7 @@ const titles = {
   occlusion: 'Ambient occlusion',
   upload: 'Upload',
   tam: 'Maps',
+  firstPicture: 'To the first picture',
   drop: 'From drop to first frame',
 };
 
@@ -44,6 +45,8 @@ textures of the result, without lines.`,
   upload: `This is how much longer a frame takes if the geometry must be uploaded to the GPU: the cost of \`bufferData\` and \`texImage2D\`.
 Only one triangle is drawn.`,
   tam: '`TonalArtMap.generate` does this in a worker.',
+  firstPicture: `A loaded model is hatched with \`anchored\`, outlines and the default map, each time in a new page. In turn: \`applyHatching\` without a map, the
+map, \`compileAsync\`, the first frame. Together: \`applyHatching\` with \`renderer\` and \`camera\`, which does all but the frame side by side.`,
   drop: `A file is dropped on the built playground. \`first\` is the time until the first frame that shows it can be read, with its own normals if the bake takes
 long; \`baked\` is the time until it is shown baked, with its lines. Cold is the first file of a page, warm the following ones. The longest task is that of the
 main thread, including drawing, 0 if none took 50 ms. All are medians with their 95 % intervals.`,

@@ -136,6 +136,20 @@ test('with a material of others, as helpers give to every object for a moment, n
   outlines.material = own;
 });
 
+test('of a surface whose materials are invisible no outline is drawn', () => {
+  const mesh = createMesh();
+  const outlines = outlinesOf(mesh) as HatchingOutlines;
+  for (const material of [mesh.material, [mesh.material, new MeshBasicMaterial({ visible: false })]]) {
+    Object.assign(mesh, { material });
+    for (const one of [material].flat()) one.visible = false;
+    // A renderer that can do nothing: whatever is drawn with it throws.
+    outlines.onBeforeRender({} as WebGLRenderer, new Scene(), new PerspectiveCamera());
+    expect(outlines.geometry.drawRange.count).toBe(-1);
+    [material].flat()[0].visible = true;
+    expect(() => outlines.onBeforeRender({} as WebGLRenderer, new Scene(), new PerspectiveCamera())).toThrow();
+  }
+});
+
 test('an override material finds no colours and no morph targets of instances, which have none here', () => {
   // three.js compares with null.
   const { instanceColor, morphTexture } = new HatchingOutlines();
