@@ -101,6 +101,8 @@ export class FirstFrame {
       }
       for (const [i, geometry] of geometries.entries()) {
         proxy.geometry = geometry;
+        // three.js reads the weights of morph targets as it draws.
+        proxy.updateMorphTargets();
         this.draw(scene, geometry, target);
         yield (textures.length + i + 1) / count;
       }

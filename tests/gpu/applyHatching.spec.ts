@@ -294,6 +294,21 @@ test('outlines that cannot be are refused before anything changes', async ({ pag
   ]);
 });
 
+test('with a renderer, geometries with morph targets are uploaded ahead, too', async ({ page, pageProblems }) => {
+  const outcome = await page.evaluate(async () => {
+    const { THREE, applyHatching, greyMap, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
+    const geometry = new THREE.BoxGeometry();
+    geometry.morphAttributes.position = [geometry.getAttribute('position').clone()];
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial());
+    sceneOf(mesh, sun());
+    const options = { renderer: makeRenderer(), camera: makeCamera(), tonalArtMap: greyMap() };
+    const hatched = await applyHatching(mesh, { ...options, material: { technique: 'anchored' } });
+    return hatched.materials.length;
+  });
+  expect(outcome).toBe(1);
+  expect(pageProblems.splice(0).filter((problem) => !/KHR_parallel_shader_compile/.test(problem))).toEqual([]);
+});
+
 test('with a renderer and a camera nothing is left to compile or upload for the first frame', async ({
   page,
   pageProblems,
