@@ -9,6 +9,7 @@ export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
 export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
 export type { HatchImages } from './hatchImages/HatchImages.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
+export { defaultOf } from './material/facts/defaultOf.js';
 export type {
   HatchingCondition,
   HatchingFacts,
@@ -46,7 +47,7 @@ export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';
 export { withPreset } from './scene/withPreset.js';
-export type { StrokeStyleName } from './strokes/strokeStyles.js';
+export type { StrokeStyleName } from './strokes/strokeStyleNames.js';
 export type { MapDrawing, TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';
 export { disposeHatchingWorkers } from './worker/runTask.js';

@@ -1,7 +1,8 @@
 import { parseArgs } from 'node:util';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { type HatchingPreset, presets } from '../scene/presets.js';
-import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import { strokeStyles } from '../strokes/strokeStyles.js';
 
 /** A mistake in the command line, which is reported without a stack trace. */
 export class UsageError extends Error {}

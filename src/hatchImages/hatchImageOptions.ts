@@ -1,5 +1,6 @@
 import type { StrokeStyle } from '../strokes/StrokeStyle.js';
-import { type StrokeStyleName, strokeStyles } from '../strokes/strokeStyles.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import { strokeStyles } from '../strokes/strokeStyles.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 
 /** The options that determine a generated map. */

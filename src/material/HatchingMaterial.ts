@@ -17,6 +17,7 @@ import {
 } from 'three';
 import { silence } from '../mistakes/silence.js';
 import { stippleMap } from '../tam/stippleMap.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { toothMap } from '../tam/toothMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
@@ -29,14 +30,14 @@ import type { HatchingProperty } from './facts/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
-  HATCHING_TECHNIQUES,
   type HatchingPropertyName,
   type HatchingTechnique,
 } from './facts/hatchingProperties.js';
-import { isUsedBy, knowsChoice, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
+import { isUsedBy, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
+import type { PresetName } from './facts/presetMaterials.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
-import { fitToneCurve, type ToneCurve } from './fitToneCurve.js';
+import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
@@ -50,16 +51,13 @@ import {
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
+import { presetParameters } from './presetParameters.js';
+import { programDefines } from './programDefines.js';
 import { defineRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
 import { hatchingShaders } from './shaders/hatchingShaders.js';
-import {
-  CHANNEL_VARYINGS,
-  channelDefine,
-  TONE_CURVES,
-  VERTEX_LAYOUTS,
-  type VertexLayout,
-} from './shaders/shaderConventions.js';
+import { VERTEX_LAYOUTS, type VertexLayout } from './shaders/shaderConventions.js';
+import { mapIsReady, sharedMap } from './sharedMaps.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
 
@@ -90,7 +88,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
     technique: HATCHING_DEFAULTS.technique,
   };
-  private curve: ToneCurve = HATCHING_DEFAULTS.toneCurve;
+  /** The curve that was set; undefined leaves it to the technique. */
+  private curve: ToneCurve | undefined;
   /** The technique of the present shaders. They are set only when it changes, so that a user may replace them. */
   private shaderTechnique: HatchingTechnique | undefined;
   /** Whether the scene drawn last has an environment. */
@@ -126,6 +125,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.lights = true;
     this.fog = true;
     this.clipping = true;
+    // Ink and paper are the colours that were asked for, whatever the light of a scene is mapped to.
+    this.toneMapped = false;
     keepHooks(this, HatchingMaterial.prototype);
     // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
     this.forceSinglePass = false;
@@ -135,16 +136,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   override get toneCurve(): ToneCurve {
-    return this.curve;
+    return this.curve ?? (defaultOf('toneCurve', this.technique) as ToneCurve);
   }
 
   override set toneCurve(value: ToneCurve) {
-    if (value !== 'linear' && value !== 'perceptual') {
-      const { start, spans, cubics } = fitToneCurve(value);
-      this.uniforms.toneCurveStart.value = start;
-      this.uniforms.toneCurveSpans.value = spans;
-      this.uniforms.toneCurveCubics.value = cubics;
-    }
+    this.writeCurve(value);
     this.curve = value;
     this.writeProgram();
   }
@@ -155,17 +151,24 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    * @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range, before anything is set
    */
   override setValues(values?: HatchingMaterialParameters): void {
-    const { defines } = this;
-    if (values) checkValues(values);
-    super.setValues(values);
     if (!values) return;
+    const { defines } = this;
+    const { preset, ...own } = values;
+    const parameters = preset === undefined ? own : { ...presetParameters(preset), ...own };
+    checkValues(parameters);
+    super.setValues(parameters);
     if (this.defines !== defines) {
       // three.js has replaced the material's own defines by the given ones.
       this.defines = { ...defines, ...this.defines };
       this.needsUpdate = true;
       this.writeProgram();
     }
-    warnOfUnused(values, this.technique);
+    warnOfUnused(parameters, this.technique);
+  }
+
+  /** Sets all that a preset names, and gives what only other presets name its default. What is set afterwards overrides it. */
+  set preset(name: PresetName) {
+    this.setValues({ preset: name });
   }
 
   /**
@@ -183,6 +186,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /** A material from what `toJSON` wrote, with any version of three.js. See the method of the same name. */
   static fromJSON(json: HatchingMaterialJSON, textures: Readonly<Record<string, Texture>> = {}): HatchingMaterial {
     return new HatchingMaterial().fromJSON(json, textures);
+  }
+
+  /**
+   * Resolves when the map that the material draws with is ready, at once if it needs none. For a page that draws only when something
+   * changes: `material.ready.then(render)`. Rejects if the map cannot be drawn.
+   */
+  get ready(): Promise<void> {
+    return mapIsReady(this.drawsWithMap ? this.tonalArtMap : null);
   }
 
   /**
@@ -265,6 +276,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     if (needsAdjacency(this)) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
   }
 
+  private writeCurve(curve: ToneCurve): void {
+    const fitted = fittedCurve(curve);
+    if (!fitted) return;
+    this.uniforms.toneCurveStart.value = fitted.start;
+    this.uniforms.toneCurveSpans.value = fitted.spans;
+    this.uniforms.toneCurveCubics.value = fitted.cubics;
+  }
+
   private useEnvironment(isThere: boolean): void {
     if (isThere === this.hasEnvironment) return;
     this.hasEnvironment = isThere;
@@ -292,6 +311,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.hasEnvironment = source.hasEnvironment;
     this.defines = { ...source.defines };
     for (const name of propertyNames) this.copyProperty(name, source);
+    this.copyNumbers(source);
     this.writeProgram();
     this.writeUniforms();
     this.needsUpdate = true;
@@ -302,11 +322,13 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<ShaderMaterial['toJSON']> {
     // Not ShaderMaterial's: that writes the shaders and the uniforms, which follow from the properties.
     const json = Material.prototype.toJSON.call(this, meta);
-    return Object.assign(json, propertiesToJSON(this)) as unknown as ReturnType<ShaderMaterial['toJSON']>;
+    // three.js takes true for the default, and leaves it out.
+    const toneMapped = this.toneMapped ? { toneMapped: true } : {};
+    return Object.assign(json, toneMapped, propertiesToJSON(this)) as unknown as ReturnType<ShaderMaterial['toJSON']>;
   }
 
   protected override choice(name: HatchingPropertyName): string | boolean {
-    return this.chosen[name] ?? this.defaultChoice(name);
+    return this.chosen[name] ?? (defaultOf(name, this.technique) as string | boolean);
   }
 
   protected override choose(name: HatchingPropertyName, value: string | boolean): void {
@@ -316,10 +338,6 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     if (chosen === undefined) delete this.chosen[name];
     else this.chosen[name] = chosen;
     this.writeProgram();
-  }
-
-  private defaultChoice(name: HatchingPropertyName): string | boolean {
-    return defaultOf(name, this.technique) as string | boolean;
   }
 
   private copyProperty(name: HatchingPropertyName, source: this): void {
@@ -335,6 +353,12 @@ export class HatchingMaterial extends HatchingMaterialProperties {
         if (source.chosen[name] === undefined) delete this.chosen[name];
         else this.chosen[name] = source.chosen[name];
         break;
+      case 'curve':
+        this.writeCurve(source.toneCurve);
+        this.curve = source.curve;
+        break;
+      case 'number':
+        break; // copyNumbers
       default:
         Object.assign(this, { [name]: source[name] });
     }
@@ -344,11 +368,12 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private writeUniforms(pixelRatio = 1, maxTextureSize = Infinity): void {
     const u = this.uniforms;
     const isOfThresholds = usesThresholds(this);
-    const map = fittingMap(this.tonalArtMap, isOfThresholds, maxTextureSize);
+    const chosen = this.drawsWithMap ? this.mapInUse() : null;
+    const map = fittingMap(chosen, isOfThresholds, maxTextureSize);
     writePropertyUniforms(this, u);
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
-    writeSizeUniforms(this, pixelRatio, u);
+    writeSizeUniforms(this, chosen, pixelRatio, u);
     if (this.medium === 'dry') u.toothMap.value = toothMap();
     if (this.medium === 'stipple') u.stippleMap.value = stippleMap();
     writeMapUniforms(map, isOfThresholds, u);
@@ -356,46 +381,31 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     writeComputedUniforms(this, u);
   }
 
-  /**
-   * Brings choices to the shaders: the technique chooses the chunks, the others are defines. A choice that does not count for the
-   * technique stays at its default, so that it builds no other program.
-   */
+  /** The map to draw with, if it is there. That of a style is asked for once a renderer draws or compiles, and not before. */
+  private mapInUse(): TonalArtMap | null {
+    const { tonalArtMap } = this;
+    if (typeof tonalArtMap !== 'string') return tonalArtMap;
+    return this.isWithWebGL ? sharedMap(tonalArtMap) : null;
+  }
+
+  /** Brings choices to the shaders: the technique chooses the chunks, the others are defines. */
   private writeProgram(): void {
     const { technique } = this;
     let hasChanged = this.shaderTechnique !== technique;
     if (hasChanged) {
       this.shaderTechnique = technique;
       Object.assign(this, hatchingShaders(technique));
+      this.writeCurve(this.toneCurve);
     }
-    const write = (define: string, value: number | string | undefined): void => {
-      if (this.defines[define] === value) return;
+    const defines = programDefines(this);
+    defines.ENVIRONMENT = this.hasEnvironment ? '' : undefined;
+    defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(this) ? this.vertexLayout : 'corner');
+    for (const [define, value] of Object.entries(defines)) {
+      if (this.defines[define] === value) continue;
       hasChanged = true;
       if (value === undefined) delete this.defines[define];
       else this.defines[define] = value;
-    };
-    let usesFirstChannel = false;
-    for (const name of propertyNames) {
-      const property = propertyOf(name);
-      if (property.kind === 'texture') {
-        const texture = this[name] as Texture | null;
-        write(channelDefine(property), texture ? CHANNEL_VARYINGS[texture.channel] : undefined);
-        usesFirstChannel ||= texture?.channel === 0;
-      }
-      if (!('define' in property) || property.define === undefined) continue;
-      const wanted = this.choice(name);
-      const isUsed = isUsedBy(technique, property) && knowsChoice(technique, property, wanted);
-      const value = isUsed ? wanted : this.defaultChoice(name);
-      if (property.kind === 'choice') write(property.define, property.choices.indexOf(value as string));
-      else write(property.define, value ? '' : undefined);
     }
-    write('TONE_CURVE', TONE_CURVES.indexOf(typeof this.curve === 'string' ? this.curve : 'points'));
-    // three.js itself defines USE_UV1 to USE_UV3.
-    write('USE_UV0', usesFirstChannel ? '' : undefined);
-    // Strokes that are sized on the object alone need one lattice, and no code for a second.
-    const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];
-    write('SIZED_ON_SCREEN', hasProgramForObject && this.sizedOnScreen > 0 ? '' : undefined);
-    write('ENVIRONMENT', this.hasEnvironment ? '' : undefined);
-    write('VERTEX_LAYOUT', VERTEX_LAYOUTS.indexOf(needsAdjacency(this) ? this.vertexLayout : 'corner'));
     this.drawsWithMap = needsMap(this);
     if (hasChanged) this.needsUpdate = true;
   }

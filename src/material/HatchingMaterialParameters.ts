@@ -1,9 +1,12 @@
 import type { MaterialParameters } from 'three';
+import type { PresetName } from './facts/presetMaterials.js';
 import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
 
 /** What `new HatchingMaterial()` and `setValues()` take. */
 export type HatchingMaterialParameters = MaterialParameters &
   Partial<HatchingMaterialOptions> & {
+    /** The preset to start from, by its name. The other parameters override it one by one, and what it does not name is at its default. */
+    preset?: PresetName | undefined;
     /** Defines of your own, beside the material's. */
     defines?: Record<string, unknown> | undefined;
     fog?: boolean | undefined;

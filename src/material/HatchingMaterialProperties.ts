@@ -1,8 +1,8 @@
 // Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
 import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { checkNumber } from './checkNumber.js';
-import { checkTonalArtMap } from './checkTonalArtMap.js';
+import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
+import { defaultOf } from './facts/defaultOf.js';
 import {
   type DebugView,
   HATCHING_DEFAULTS,
@@ -24,12 +24,13 @@ import type { ToneCurve } from './fitToneCurve.js';
 /** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
 export interface HatchingMaterialOptions {
   /**
-   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one, and
-   * until it is ready, the surface is blank paper. Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
-   * `medium` `'ink'` or `'dry'`.
+   * The hatch images: a map, which materials may share and which you dispose of yourself; or the name of a style, whose
+   * map all materials share (`TonalArtMap.shared`), drawn with the first frame that needs it. Until a map is ready the
+   * surface is blank paper, and with `null` it stays so. Default `'hatching'`. Only `'triangle'`, `'adjacency'`,
+   * `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
-  tonalArtMap: TonalArtMap | null;
-  /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
+  tonalArtMap: HatchingMap;
+  /** How strokes are laid on the surface. Default `'anchored'`. Another value builds another program. */
   technique: HatchingTechnique;
   /**
    * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
@@ -39,8 +40,8 @@ export interface HatchingMaterialOptions {
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
-   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `medium` `'ink'` or `'dry'` or `'woodcut'`.
+   * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
+   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -61,14 +62,14 @@ export interface HatchingMaterialOptions {
   /**
    * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
    * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
-   * which is cheaper. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   * which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
    */
   sizedOnScreen: number;
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
-   * choose them by derivatives. `null`: as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels
-   * in (0, ∞). Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule`
-   * `'depth'`.
+   * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
+   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'anchored'` `1.5`.
+   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
    */
   strokeWidth: number | null;
   /**
@@ -79,7 +80,7 @@ export interface HatchingMaterialOptions {
   edgePixels: number;
   /**
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
-   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   anchorSpacing: number;
   /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
@@ -87,7 +88,7 @@ export interface HatchingMaterialOptions {
   /**
    * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
    * new ones are born between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in (0,
-   * ∞). Default `5`. Only `'engraved'`.
+   * ∞). Default `4.5`. Only `'engraved'`.
    */
   lineSpacing: number;
   /**
@@ -97,14 +98,14 @@ export interface HatchingMaterialOptions {
    */
   finestSpacing: number;
   /**
-   * How many layers of strokes there are. Default `'single'`. Only `'triangle'`, `'adjacency'`, `'anchored'`. Another
-   * value builds another program.
+   * How many layers of strokes there are. Default `'single'`, for `'anchored'` `'tone'`. Only `'triangle'`,
+   * `'adjacency'`, `'anchored'`. Another value builds another program.
    */
-  strokeLayers: StrokeLayers;
+  strokeLayers: StrokeLayers | 'auto';
   /**
    * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
-   * 1 none do. Tone in [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `strokeLayers` `'tone'`.
+   * 1 none do. Tone in [0, 1]. Default `0.52`, for `'anchored'` `0.6`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
+   * `'engraved'`, with `strokeLayers` `'tone'`.
    */
   crossFrom: number;
   /**
@@ -169,14 +170,16 @@ export interface HatchingMaterialOptions {
   toneNormal: ToneNormal | 'auto';
   /**
    * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
-   * covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points
+   * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that
+   * of printed line drawings, whose lights stay blank, and in whose deepest shade some paper shows. Or 2 to 8 points
    * `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other
-   * points need no other program. Default `'linear'`.
+   * points need no other program. Default `'linear'`, for `'anchored'` `'printed'`, for `'engraved'` `'printed'`.
    */
   toneCurve: ToneCurve;
   /**
    * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. Share in [0, 1]. Default `0`.
+   * shade is darkest at the terminator, as engravers draw it. Share in [0, 1]. Default `0`, for `'anchored'` `0.35`,
+   * for `'engraved'` `0.4`.
    */
   reflectedLight: number;
   /**
@@ -259,17 +262,17 @@ export interface HatchingMaterialOptions {
 
 /** The properties of `HatchingMaterial` as fields. What setting a choice does is up to the material. */
 export abstract class HatchingMaterialProperties extends ShaderMaterial {
-  private hatchImages: TonalArtMap | null = null;
+  private hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   private readonly numbers = {
     tilesPerUnit: HATCHING_DEFAULTS.tilesPerUnit as number,
-    strokeRotation: HATCHING_DEFAULTS.strokeRotation as number,
+    strokeRotation: undefined as number | undefined,
     sizedOnScreen: HATCHING_DEFAULTS.sizedOnScreen as number,
-    strokeWidth: HATCHING_DEFAULTS.strokeWidth as number | null,
+    strokeWidth: undefined as number | null | undefined,
     edgePixels: HATCHING_DEFAULTS.edgePixels as number,
     anchorSpacing: HATCHING_DEFAULTS.anchorSpacing as number,
     lineSpacing: HATCHING_DEFAULTS.lineSpacing as number,
     finestSpacing: HATCHING_DEFAULTS.finestSpacing as number,
-    crossFrom: HATCHING_DEFAULTS.crossFrom as number,
+    crossFrom: undefined as number | undefined,
     crossAngle: HATCHING_DEFAULTS.crossAngle as number,
     handmade: HATCHING_DEFAULTS.handmade as number,
     blendAngle: HATCHING_DEFAULTS.blendAngle as number,
@@ -279,7 +282,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
     smudge: HATCHING_DEFAULTS.smudge as number,
     toneSteps: HATCHING_DEFAULTS.toneSteps as number,
     shininess: HATCHING_DEFAULTS.shininess as number,
-    reflectedLight: HATCHING_DEFAULTS.reflectedLight as number,
+    reflectedLight: undefined as number | undefined,
     occlusion: HATCHING_DEFAULTS.occlusion as number,
     highlightTone: HATCHING_DEFAULTS.highlightTone as number,
     highlightSoftness: HATCHING_DEFAULTS.highlightSoftness as number,
@@ -291,19 +294,20 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   };
 
   /**
-   * The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one, and
-   * until it is ready, the surface is blank paper. Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with
-   * `medium` `'ink'` or `'dry'`.
+   * The hatch images: a map, which materials may share and which you dispose of yourself; or the name of a style, whose
+   * map all materials share (`TonalArtMap.shared`), drawn with the first frame that needs it. Until a map is ready the
+   * surface is blank paper, and with `null` it stays so. Default `'hatching'`. Only `'triangle'`, `'adjacency'`,
+   * `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
-  get tonalArtMap(): TonalArtMap | null {
+  get tonalArtMap(): HatchingMap {
     return this.hatchImages;
   }
 
-  set tonalArtMap(value: TonalArtMap | null) {
-    this.hatchImages = checkTonalArtMap(value);
+  set tonalArtMap(value: HatchingMap) {
+    this.hatchImages = checkHatchingMap(value);
   }
 
-  /** How strokes are laid on the surface. Default `'adjacency'`. Another value builds another program. */
+  /** How strokes are laid on the surface. Default `'anchored'`. Another value builds another program. */
   get technique(): HatchingTechnique {
     return this.choice('technique') as HatchingTechnique;
   }
@@ -327,11 +331,11 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
-   * 'light'` is `'towards'`. Radians. Default `0`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `medium` `'ink'` or `'dry'` or `'woodcut'`.
+   * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
+   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'`.
    */
   get strokeRotation(): number {
-    return this.numbers.strokeRotation;
+    return this.numbers.strokeRotation ?? (defaultOf('strokeRotation', this.technique) as number);
   }
 
   set strokeRotation(value: number) {
@@ -378,7 +382,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
    * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
-   * which is cheaper. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   * which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
    */
   get sizedOnScreen(): number {
     return this.numbers.sizedOnScreen;
@@ -390,12 +394,12 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
-   * choose them by derivatives. `null`: as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels
-   * in (0, ∞). Default `null`. Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule`
-   * `'depth'`.
+   * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
+   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'anchored'` `1.5`.
+   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
    */
   get strokeWidth(): number | null {
-    return this.numbers.strokeWidth;
+    return this.numbers.strokeWidth ?? (defaultOf('strokeWidth', this.technique) as number | null);
   }
 
   set strokeWidth(value: number | null) {
@@ -418,7 +422,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
-   * strokes. Tiles in (0, ∞). Default `0.45`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   get anchorSpacing(): number {
     return this.numbers.anchorSpacing;
@@ -440,7 +444,7 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
    * new ones are born between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in (0,
-   * ∞). Default `5`. Only `'engraved'`.
+   * ∞). Default `4.5`. Only `'engraved'`.
    */
   get lineSpacing(): number {
     return this.numbers.lineSpacing;
@@ -464,24 +468,24 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
   }
 
   /**
-   * How many layers of strokes there are. Default `'single'`. Only `'triangle'`, `'adjacency'`, `'anchored'`. Another
-   * value builds another program.
+   * How many layers of strokes there are. Default `'single'`, for `'anchored'` `'tone'`. Only `'triangle'`,
+   * `'adjacency'`, `'anchored'`. Another value builds another program.
    */
   get strokeLayers(): StrokeLayers {
     return this.choice('strokeLayers') as StrokeLayers;
   }
 
-  set strokeLayers(value: StrokeLayers) {
+  set strokeLayers(value: StrokeLayers | 'auto') {
     this.choose('strokeLayers', value);
   }
 
   /**
    * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
-   * 1 none do. Tone in [0, 1]. Default `0.52`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `strokeLayers` `'tone'`.
+   * 1 none do. Tone in [0, 1]. Default `0.52`, for `'anchored'` `0.6`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
+   * `'engraved'`, with `strokeLayers` `'tone'`.
    */
   get crossFrom(): number {
-    return this.numbers.crossFrom;
+    return this.numbers.crossFrom ?? (defaultOf('crossFrom', this.technique) as number);
   }
 
   set crossFrom(value: number) {
@@ -641,18 +645,20 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
-   * covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points
+   * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that
+   * of printed line drawings, whose lights stay blank, and in whose deepest shade some paper shows. Or 2 to 8 points
    * `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other
-   * points need no other program. Default `'linear'`.
+   * points need no other program. Default `'linear'`, for `'anchored'` `'printed'`, for `'engraved'` `'printed'`.
    */
   abstract toneCurve: ToneCurve;
 
   /**
    * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. Share in [0, 1]. Default `0`.
+   * shade is darkest at the terminator, as engravers draw it. Share in [0, 1]. Default `0`, for `'anchored'` `0.35`,
+   * for `'engraved'` `0.4`.
    */
   get reflectedLight(): number {
-    return this.numbers.reflectedLight;
+    return this.numbers.reflectedLight ?? (defaultOf('reflectedLight', this.technique) as number);
   }
 
   set reflectedLight(value: number) {
@@ -834,6 +840,11 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   set debugView(value: DebugView) {
     this.choose('debugView', value);
+  }
+
+  /** Numbers that were never set stay so, and follow the technique. */
+  protected copyNumbers({ numbers }: HatchingMaterialProperties): void {
+    Object.assign(this.numbers, numbers);
   }
 
   /** The choice in force. */

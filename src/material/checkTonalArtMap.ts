@@ -1,3 +1,4 @@
+import { STROKE_STYLE_NAMES, type StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 
 /** Whether a value is a TonalArtMap, also one from another copy of the library. */
@@ -7,6 +8,18 @@ export const isTonalArtMap = (value: unknown): value is TonalArtMap =>
 /** Whether an `await` is missing. */
 export const isPromise = (value: unknown): boolean =>
   typeof (value as Partial<Promise<unknown>> | null | undefined)?.then === 'function';
+
+/** A map, the style of the shared map that is drawn with, or null for none. */
+export type HatchingMap = TonalArtMap | StrokeStyleName | null;
+
+/** @throws TypeError unless `value` is a TonalArtMap, the name of a style, or null */
+export function checkHatchingMap(value: HatchingMap): HatchingMap {
+  if (STROKE_STYLE_NAMES.includes(value as StrokeStyleName)) return value;
+  if (typeof value !== 'string') return checkTonalArtMap(value);
+  throw new TypeError(
+    `HatchingMaterial.tonalArtMap: "${value}" is no style; use one of ${STROKE_STYLE_NAMES.join(', ')}, or a TonalArtMap.`,
+  );
+}
 
 /** @throws TypeError unless `value` is a TonalArtMap or null */
 export function checkTonalArtMap(value: TonalArtMap | null): TonalArtMap | null {

@@ -1,9 +1,9 @@
 import { Color, type Texture, type Vector2 } from 'three';
 import { checkNumber } from './checkNumber.js';
-import { checkTonalArtMap } from './checkTonalArtMap.js';
+import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
-import { fitToneCurve, type ToneCurvePoint } from './fitToneCurve.js';
+import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 
 /**
@@ -44,10 +44,10 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
       check(name, isVector(value), 'a THREE.Vector2 of finite numbers');
       break;
     case 'curve':
-      if (value !== 'linear' && value !== 'perceptual') fitToneCurve(value as readonly ToneCurvePoint[]);
+      fittedCurve(value as ToneCurve);
       break;
     case 'tonalArtMap':
-      checkTonalArtMap(value as Parameters<typeof checkTonalArtMap>[0]);
+      checkHatchingMap(value as HatchingMap);
   }
 }
 

@@ -4,7 +4,25 @@ import { TONE_CURVE_SPANS } from './shaders/shaderConventions.js';
 export type ToneCurvePoint = readonly [light: number, printed: number];
 
 /** See `HatchingMaterial.toneCurve`. */
-export type ToneCurve = 'linear' | 'perceptual' | readonly ToneCurvePoint[];
+export type ToneCurve = 'linear' | 'perceptual' | 'printed' | readonly ToneCurvePoint[];
+
+/** The curve `'printed'`. */
+const PRINTED: readonly ToneCurvePoint[] = [
+  [0, 0],
+  [0.15, 0],
+  [0.3, 0.06],
+  [0.45, 0.22],
+  [0.6, 0.44],
+  [0.75, 0.65],
+  [0.9, 0.8],
+  [1, 0.86],
+];
+
+/** The points of a curve; none for those that the shader computes. */
+function pointsOf(curve: ToneCurve): readonly ToneCurvePoint[] | undefined {
+  if (curve === 'printed') return PRINTED;
+  return curve === 'linear' || curve === 'perceptual' ? undefined : curve;
+}
 
 /** A tone curve as a sum: `start`, and a cubic for each span. Spans that are not in use add nothing. */
 export interface FittedToneCurve {
@@ -40,6 +58,16 @@ export function fitToneCurve(points: readonly ToneCurvePoint[]): FittedToneCurve
   return { start: points[0][1], spans, cubics };
 }
 
+/**
+ * A curve as the shader takes it; undefined for one that it computes.
+ *
+ * @throws Error if it is none
+ */
+export function fittedCurve(curve: ToneCurve): FittedToneCurve | undefined {
+  const points = pointsOf(curve);
+  return points && fitToneCurve(points);
+}
+
 /** The slope at a point between two spans: a harmonic mean, with which the curve overshoots in neither; 0 at a turning point. */
 function slopeBetween(before = Number.NaN, after = Number.NaN, widthBefore = 0, widthAfter = 0): number {
   if (Number.isNaN(before)) return after;
@@ -56,7 +84,7 @@ function checkPoints(points: readonly ToneCurvePoint[]): void {
     throw new Error(`HatchingMaterial.toneCurve: ${what}; give 2 to ${TONE_CURVE_SPANS + 1} pairs [light, printed].`);
   };
   if (!Array.isArray(points))
-    fail(`${JSON.stringify(points)} is neither 'linear' nor 'perceptual' nor a list of points`);
+    fail(`${JSON.stringify(points)} is neither 'linear' nor 'perceptual' nor 'printed' nor a list of points`);
   if (points.length < 2 || points.length > TONE_CURVE_SPANS + 1) fail(`${points.length} points are not a curve`);
   points.forEach((point, i) => {
     const isPair = Array.isArray(point) && point.length === 2 && point.every((x) => x >= 0 && x <= 1);

@@ -1,4 +1,5 @@
 import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
+import { isTonalArtMap } from './checkTonalArtMap.js';
 import { isDefault } from './facts/defaultOf.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { plainValue } from './facts/plainValue.js';
@@ -10,13 +11,14 @@ export type HatchingMaterialJSON = ReturnType<Material['toJSON']>;
 
 /**
  * The properties of a material that are not at their defaults, as JSON: colours as numbers, vectors as arrays. Textures are
- * left to three's own `Material.toJSON`; the tonal art map is left out.
+ * left to three's own `Material.toJSON`; a tonal art map is left out, but not the name of its style.
  */
 export function propertiesToJSON(material: HatchingMaterialProperties): Record<string, unknown> {
   const json: Record<string, unknown> = {};
   for (const [name, { kind }] of Object.entries(HATCHING_PROPERTIES)) {
-    if (kind === 'texture' || kind === 'tonalArtMap') continue;
+    if (kind === 'texture') continue;
     const value = plainValue(material[name as HatchingPropertyName]);
+    if (isTonalArtMap(value)) continue;
     if (!isDefault(name as HatchingPropertyName, value, material.technique)) json[name] = value;
   }
   return json;
@@ -38,7 +40,6 @@ export function setFromJSON(
     if (name === 'clippingPlanes') values[name] = planesFrom(value);
     else if (Object.hasOwn(HATCHING_PROPERTIES, name)) {
       const { kind } = HATCHING_PROPERTIES[name as HatchingPropertyName];
-      if (kind === 'tonalArtMap') continue;
       if (kind === 'texture') values[name] = textureFrom(name, value, textures);
       else values[name] = kind === 'vector2' && Array.isArray(value) ? new Vector2().fromArray(value) : value;
     } else if (plain.has(name)) {

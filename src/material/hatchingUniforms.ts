@@ -97,10 +97,16 @@ const LEAST_SPACING = 2;
 /**
  * Writes the sizes, which shaders measure in pixels of what is drawn to. Allocates nothing.
  *
+ * @param map the one that is drawn with, ready or not
  * @param pixelRatio these pixels to a CSS pixel
  */
-export function writeSizeUniforms(material: HatchingMaterialProperties, pixelRatio: number, u: Uniforms): void {
-  const strokeTexels = material.tonalArtMap?.strokeTexels ?? 1;
+export function writeSizeUniforms(
+  material: HatchingMaterialProperties,
+  map: TonalArtMap | null,
+  pixelRatio: number,
+  u: Uniforms,
+): void {
+  const strokeTexels = map?.strokeTexels ?? 1;
   u.dotPixels.value = pixelRatio * (material.strokeWidth ?? strokeTexels);
   u.texelPixels.value = u.dotPixels.value / strokeTexels;
   u.toothSize.value = pixelRatio * material.toothSize;

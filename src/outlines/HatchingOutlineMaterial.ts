@@ -86,6 +86,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     this.clipping = true;
     this.transparent = true;
     this.depthWrite = false;
+    this.toneMapped = false;
     this.side = DoubleSide;
     this.setValues(parameters);
     this.writeUniforms(false, false);

@@ -129,7 +129,10 @@ export class Hatcher {
   private restyled(options: ApplyHatchingOptions, map: TonalArtMap | null): boolean {
     if (!this.hatched || !this.applied || this.snapshot.differs(this.root)) return false;
     if (!restyle(this.hatched, this.applied, options)) return false;
-    for (const material of this.hatched.materials) if (material.tonalArtMap === this.map) material.tonalArtMap = map;
+    for (const material of this.hatched.materials) {
+      const { tonalArtMap } = material;
+      if (tonalArtMap === this.map || typeof tonalArtMap === 'string') material.tonalArtMap = map;
+    }
     return true;
   }
 

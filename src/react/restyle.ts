@@ -1,10 +1,12 @@
 import { MeshStandardMaterial } from 'three';
 import {
   type ApplyHatchingOptions,
+  defaultOf,
   HATCHING_DEFAULTS,
   HATCHING_OUTLINE_DEFAULTS,
   type HatchedScene,
   type HatchingMaterialParameters,
+  type HatchingPropertyName,
   needsAdjacency,
 } from 'three-hatching';
 import { namesOf, sameValue } from './sameValue.js';
@@ -37,7 +39,10 @@ export function restyle(hatched: HatchedScene, from: ApplyHatchingOptions, to: A
 }
 
 function materialChanges(from: object, to: object): HatchingMaterialParameters | null {
-  const changes = changed(from as Values, to as Values, HATCHING_DEFAULTS);
+  const { technique = HATCHING_DEFAULTS.technique } = to as HatchingMaterialParameters;
+  const changes = changed(from as Values, to as Values, (name) =>
+    name in HATCHING_DEFAULTS ? defaultOf(name as HatchingPropertyName, technique) : undefined,
+  );
   if (!changes || 'tilesPerUnit' in changes) return null;
   if (!('technique' in changes)) return changes;
   // Techniques with adjacency need a geometry that was prepared for them.
@@ -45,7 +50,11 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
 }
 
 function lineChanges(from: boolean | object, to: boolean | object): Values | null {
-  const changes = changed(Object(from) as Values, Object(to) as Values, HATCHING_OUTLINE_DEFAULTS);
+  const changes = changed(
+    Object(from) as Values,
+    Object(to) as Values,
+    (name) => (HATCHING_OUTLINE_DEFAULTS as Values)[name],
+  );
   return changes && Object.keys(changes).some((name) => BAKED_OUTLINE_OPTIONS.includes(name)) ? null : changes;
 }
 
@@ -53,13 +62,16 @@ function lineChanges(from: boolean | object, to: boolean | object): Values | nul
  * The values to set to get from `from` to `to`. A value that `to` no longer has gets its default. Returns `null` if that is unknown,
  * because the property was taken over from the scene's own material.
  */
-function changed(from: Values, to: Values, defaults: Values): Values | null {
+function changed(from: Values, to: Values, defaultFor: (name: string) => unknown): Values | null {
   const changes: Record<string, unknown> = {};
   for (const name of namesOf(from, to)) {
     if (sameValue(from[name], to[name])) continue;
     if (to[name] !== undefined) changes[name] = to[name];
-    else if (name in defaults && !(name in takenOver())) changes[name] = defaults[name];
-    else return null;
+    else {
+      const fallback = name in takenOver() ? undefined : defaultFor(name);
+      if (fallback === undefined) return null;
+      changes[name] = fallback;
+    }
   }
   return changes;
 }

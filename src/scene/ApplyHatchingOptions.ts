@@ -22,7 +22,7 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    * The tonal art map for those materials that need one and have none among their parameters: your own map, the options of
    * `TonalArtMap.generate`, or a function that resolves with your own map: it is called only if a material needs one, with a
    * listener of its progress, while geometries are prepared. With `null` the meshes stay blank paper until you set a map. `dispose()` of the result frees a generated map, but not yours. Default: a
-   * map in the style `hatching` is generated.
+   * map is generated in the style that the material names, which is `hatching` unless its parameters name another.
    */
   tonalArtMap?:
     | TonalArtMap

@@ -183,6 +183,7 @@ function texturesIn(material: HatchingMaterial): Texture[] {
   const maps = names
     .filter((name) => HATCHING_PROPERTIES[name].kind === 'texture')
     .map((name) => material[name] as Texture | null);
-  if (tonalArtMap?.isReady) maps.push(usesThresholds(material) ? tonalArtMap.thresholdTexture : tonalArtMap.texture);
+  if (typeof tonalArtMap === 'object' && tonalArtMap?.isReady)
+    maps.push(usesThresholds(material) ? tonalArtMap.thresholdTexture : tonalArtMap.texture);
   return maps.filter((texture) => texture !== null);
 }

@@ -9,6 +9,7 @@ import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
 import { tell } from '../mistakes/tell.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { runSliced } from '../slices/runSliced.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
@@ -153,7 +154,7 @@ async function makeLooks(
   options: ApplyHatchingOptions,
   disposables: { dispose(): void }[],
 ): Promise<MadeLooks> {
-  const { replaces, signal, outlines, tilesPerWorldUnit, onGeometry, onProgress, tonalArtMap: wanted = {} } = options;
+  const { replaces, signal, outlines, tilesPerWorldUnit, onGeometry, onProgress } = options;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
   const replacer = new MaterialReplacer(options.material ?? {});
   disposables.push(replacer);
@@ -161,7 +162,12 @@ async function makeLooks(
   const planned = await runSliced(planMeshes(seen, replacer), { signal, around: asBefore });
   const firstFrame = await firstFrameOf(root, options);
 
-  const withoutMap = replacer.materials.filter((material) => material.tonalArtMap === null && needsMap(material));
+  const named = replacer.materials.filter((material) => typeof material.tonalArtMap === 'string' && needsMap(material));
+  // Without a map of the caller, one is made in the style that the first names; those of other styles draw with the shared ones.
+  const { tonalArtMap: wanted = { style: named[0]?.tonalArtMap as StrokeStyleName | undefined } } = options;
+  const withoutMap = named.filter(
+    ({ tonalArtMap }) => options.tonalArtMap !== undefined || tonalArtMap === named[0].tonalArtMap,
+  );
   const isMapMade = withoutMap.length > 0 && isToBeMade(wanted);
   const mapShare = isMapMade ? MAP_SHARE : 0;
   const frameShare = firstFrame ? FRAME_SHARE : 0;

@@ -59,6 +59,7 @@ export function hatchingMaterialFrom(source: Material, parameters: HatchingMater
   const material = new HatchingMaterial();
   // Material.copy clones user data through JSON, which loses some values.
   Material.prototype.copy.call(material, Object.create(source, { userData: { value: {} } }));
+  material.toneMapped = false;
   material.userData = { ...source.userData };
   // The planes are shared, so that moving them keeps clipping both materials.
   material.clippingPlanes = source.clippingPlanes;

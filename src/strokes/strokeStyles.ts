@@ -1,4 +1,5 @@
 import type { StrokeLayer, StrokeStyle } from './StrokeStyle.js';
+import type { StrokeStyleName } from './strokeStyleNames.js';
 
 const along: StrokeLayer = { across: false, slope: 0, from: 0, thresholdsFrom: 0 };
 
@@ -152,10 +153,7 @@ const makeStyles = () =>
       proposals: 300,
       thresholds: { maxInk: 0.46, swell: 0.3, proposals: 300 },
     },
-  }) as const satisfies Record<string, StrokeStyle>;
+  }) as const satisfies Record<StrokeStyleName, StrokeStyle>;
 
 /** The styles that the generator can draw. */
 export const strokeStyles = /* @__PURE__ */ makeStyles();
-
-/** The names of the styles. */
-export type StrokeStyleName = keyof typeof strokeStyles;

@@ -4,6 +4,7 @@ import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThre
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../hatchImages/HatchImages.js';
 import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import type { TonalArtMapSource } from '../mapFiles/readSource.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
@@ -26,6 +27,9 @@ export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
 
 /** The names of the properties that `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeTexels: true } satisfies Record<keyof HatchImages, true>;
+
+/** The maps of `TonalArtMap.shared`. */
+const sharedMaps = /* @__PURE__ */ new Map<StrokeStyleName, TonalArtMap>();
 
 /** What is known of a map before it is drawn. */
 interface MapShape {
@@ -114,6 +118,27 @@ export class TonalArtMap {
    */
   static async generate(options: TonalArtMapOptions = {}): Promise<TonalArtMap> {
     return TonalArtMap.begin('TonalArtMap.generate', options).ready;
+  }
+
+  /**
+   * The map of a style that all materials share which have none of their own, with the default seed and sizes. It is drawn when it is
+   * first asked for, here or by a material's first frame, and stays for as long as the page does.
+   *
+   * ```ts
+   * TonalArtMap.shared().ready.then(render); // for a page that does not draw all the time
+   * ```
+   *
+   * @param options how it is drawn, for the first call
+   * @throws RangeError or TypeError if there is no such style, or an option is unknown
+   */
+  static shared(style: StrokeStyleName = 'hatching', options: TaskOptions = {}): TonalArtMap {
+    const known = sharedMaps.get(style);
+    if (known) return known;
+    const map = TonalArtMap.begin('TonalArtMap.shared', { ...options, style });
+    sharedMaps.set(style, map);
+    // Whoever asks next has it drawn anew.
+    map.drawn?.catch(() => sharedMaps.delete(style));
+    return map;
   }
 
   private static begin(caller: string, options: TonalArtMapOptions): TonalArtMap {

@@ -138,7 +138,7 @@ test('the parts by hand: map, geometry, material and lines; what is taken away i
       return {
         ink: material.ink.getHexString(),
         offset: material.strokeOffset.x,
-        map: material.tonalArtMap?.size,
+        map: (material.tonalArtMap as import('three-hatching').TonalArtMap).size,
         outlineWidth: lines.material.outlineWidth,
         wobble: lines.material.wobble,
       };

@@ -98,7 +98,7 @@ test('a mirrored object is lit and covered as one modelled mirrored', async ({ p
     const model = new THREE.Mesh(geometry, mirror.material);
     const pictures: number[][] = [];
     for (const mesh of [mirror, model]) {
-      await applyHatching(mesh, { tonalArtMap: greyMap() });
+      await applyHatching(mesh, { tonalArtMap: greyMap(), material: { technique: 'adjacency' } });
       pictures.push(pixelsOf(sceneOf(mesh, sun())));
     }
     return pictures;
@@ -154,8 +154,8 @@ for (const technique of kindsOfTechnique) {
       const before = pixelsOf(scene, renderer);
       const memory = [use()];
       // On so small a picture outlines sized on the object would fade into their tone.
-      const sizedOnScreen = technique === 'engraved' ? 1 : 0;
-      const handle = await applyHatching(root, { material: { technique, sizedOnScreen } });
+      const sized = technique === 'anchored' ? { sizedOnScreen: 0 } : {};
+      const handle = await applyHatching(root, { material: { technique, ...sized } });
       const hatched = pixelsOf(scene, renderer);
       memory.push(use());
       handle.restore();

@@ -5,6 +5,7 @@
 import * as THREE from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry } from 'three-hatching';
+import { plainLook } from '../../tools/plainLook.js';
 
 // Each scene shows one thing by itself, and is odd on purpose.
 HatchingMaterial.silent = true;
@@ -378,14 +379,16 @@ function tinted<Light extends THREE.Light>(light: Light, color: number): Light {
 function dressedIn(technique: HatchingTechnique, isPaper: boolean): Stage['dress'] {
   return async (geometry, parameters = {}) => {
     const { color, emissive, ...rest } = parameters;
-    const material = new HatchingMaterial({
-      technique,
-      toneNormal: parameters.flatShading ? 'face' : 'smooth',
-      ...(isPaper ? {} : { debugView: 'tone' }),
-      // Neighbours would blend a tone of their own into it.
-      ...(technique === 'adjacency' ? { blendAngle: 0 } : {}),
-      ...rest,
-    });
+    const material = new HatchingMaterial(
+      plainLook({
+        technique,
+        toneNormal: parameters.flatShading ? 'face' : 'smooth',
+        ...(isPaper ? {} : { debugView: 'tone' }),
+        // Neighbours would blend a tone of their own into it.
+        ...(technique === 'adjacency' ? { blendAngle: 0 } : {}),
+        ...rest,
+      }),
+    );
     if (color !== undefined) material.color.set(color as THREE.ColorRepresentation);
     if (emissive !== undefined) material.emissive.set(emissive as THREE.ColorRepresentation);
     return new THREE.Mesh(await prepareHatchingGeometry(geometry, { adjacency: true }), material as THREE.Material);

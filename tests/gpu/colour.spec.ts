@@ -28,6 +28,7 @@ for (const [inkBlend, color] of Object.entries(blends)) {
         const geometry = new THREE.PlaneGeometry(2, 2);
         const hatched = await hatchedMesh(geometry, {
           inkBlend,
+          toneMapped: true,
           ink: new THREE.Color(0.2, 0.4, 1),
           paper: new THREE.Color(1, 0.8, 0.6),
           color: new THREE.Color(0.5, 1, 0.5),
@@ -72,6 +73,7 @@ for (const premultipliedAlpha of [false, true]) {
           transparent: true,
           premultipliedAlpha,
           paperOpacity,
+          toneMapped: true,
           ink: new THREE.Color(0.2, 0.4, 1),
           paper: new THREE.Color(1, 0.8, 0.6),
           color: new THREE.Color(0.5, 1, 0.5),

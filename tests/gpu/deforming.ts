@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { HatchingMaterial, HatchingMaterialParameters } from 'three-hatching';
 import { pulledVerticesOf } from '../../src/geometry/PulledVertices.js';
+import { plainLook } from '../../tools/plainLook.js';
 import { reactive } from '../unit/geometry/reactive.js';
 
 export interface DeformedVertex {
@@ -83,7 +84,7 @@ async function hatchedModel(content: string, clip: number, parameters: HatchingM
   });
   for (const mesh of meshes) {
     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { adjacency: true });
-    mesh.material = new HatchingMaterial({ tonalArtMap: greyMap(), ...parameters });
+    mesh.material = new HatchingMaterial(plainLook({ tonalArtMap: greyMap(), ...parameters }));
     mesh.frustumCulled = false;
   }
   const mixer = new THREE.AnimationMixer(root);

@@ -205,7 +205,8 @@ for (const depth of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) 
 test('colour space and tone mapping are the renderer’s', async ({ page }) => {
   const [linear, srgb, mapped, target] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, makeCamera, SIZE } = window.toolkit;
-    const scene = sceneOf(await hatchedMesh(new THREE.PlaneGeometry(2, 2)), sun(Math.PI / 2, [0, 0, 1]));
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2), { toneMapped: true });
+    const scene = sceneOf(mesh, sun(Math.PI / 2, [0, 0, 1]));
     const renderer = makeRenderer();
     const linear = pixelsOf(scene, renderer);
     renderer.outputColorSpace = THREE.SRGBColorSpace;

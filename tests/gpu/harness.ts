@@ -23,6 +23,7 @@ import {
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { pairThresholdLevels } from '../../src/tam/pairThresholdLevels.js';
 import { ThresholdTexture } from '../../src/tam/ThresholdTexture.js';
+import { plainLook } from '../../tools/plainLook.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
@@ -124,12 +125,14 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
 
   const takesThresholds = technique === 'anchored' || spec.material.crisp;
   const { ink, paper, color, strokeOffset, strokeRotation, ...material } = spec.material;
-  const hatching = new HatchingMaterial({
-    ...material,
-    ...(technique !== 'engraved' && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
-    ...spec.lines,
-    side: spec.doubleSided ? DoubleSide : FrontSide,
-  });
+  const hatching = new HatchingMaterial(
+    plainLook({
+      ...material,
+      ...(technique !== 'engraved' && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
+      ...spec.lines,
+      side: spec.doubleSided ? DoubleSide : FrontSide,
+    }),
+  );
   // They are set separately: among the parameters, those that the technique does not use would cause a warning.
   hatching.strokeOffset.set(...strokeOffset);
   hatching.strokeRotation = strokeRotation;

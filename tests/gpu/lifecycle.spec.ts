@@ -68,7 +68,7 @@ test('dispose gives everything back', async ({ page }) => {
     ];
     const during = count();
     mesh.geometry.dispose();
-    mesh.material.tonalArtMap!.dispose();
+    (mesh.material.tonalArtMap as import('three-hatching').TonalArtMap).dispose();
     mesh.material.dispose();
     return [during, count()];
   });
@@ -185,7 +185,12 @@ test('a mesh of an unprepared geometry is named in the console, once', async ({ 
 test('anchored draws a geometry that was never prepared, by its own normals', async ({ page }) => {
   const [plain, grey] = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
-    const material = new HatchingMaterial({ tonalArtMap: stripedMap(), technique: 'anchored', edgePixels: 0 });
+    const material = new HatchingMaterial({
+      tonalArtMap: stripedMap(),
+      technique: 'anchored',
+      edgePixels: 0,
+      tilesPerUnit: 2,
+    });
     const pixels = pixelsOf(sceneOf(new THREE.Mesh(new THREE.SphereGeometry(1, 32, 24), material), sun()));
     let inked = 0;
     let grey = 0;

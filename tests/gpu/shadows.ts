@@ -8,6 +8,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
+import { plainLook } from '../../tools/plainLook.js';
 
 export type LightKind = 'directional' | 'spot' | 'point' | 'point over a seam' | 'sun';
 export type Filter = 'Basic' | 'PCF' | 'VSM';
@@ -142,11 +143,13 @@ async function ground(
 ): Promise<THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>> {
   const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2.4, 2.4, 5, 5), { adjacency: true });
   const tonalArtMap = isGrey ? window.toolkit.greyMap() : await strokeMap();
-  const material = new HatchingMaterial({
-    technique,
-    ...(technique === 'engraved' ? { sizedOnScreen: 1, lineSpacing: 6 } : { tonalArtMap, tilesPerUnit: 1 }),
-    ...parameters,
-  });
+  const material = new HatchingMaterial(
+    plainLook({
+      technique,
+      ...(technique === 'engraved' ? { sizedOnScreen: 1, lineSpacing: 6 } : { tonalArtMap, tilesPerUnit: 1 }),
+      ...parameters,
+    }),
+  );
   const mesh = new THREE.Mesh(geometry, material);
   mesh.receiveShadow = true;
   return mesh;

@@ -1,4 +1,5 @@
-import { type StrokeStyleName, strokeStyles } from '../../src/strokes/strokeStyles.js';
+import type { StrokeStyleName } from '../../src/strokes/strokeStyleNames.js';
+import { strokeStyles } from '../../src/strokes/strokeStyles.js';
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 

@@ -14,6 +14,14 @@ import {
   scaledSizes,
   TonalArtMap,
 } from 'three-hatching';
+import { plainLook } from '../../tools/plainLook.js';
+
+/** A material whose strokes are plain unless a test says otherwise; `UsersMaterial` is the material as users make it. */
+class PlainMaterial extends HatchingMaterial {
+  constructor(parameters: HatchingMaterialParameters = {}) {
+    super(plainLook(parameters));
+  }
+}
 
 // Many of the scenes are odd on purpose. A test of what is said of mistakes breaks the silence.
 HatchingMaterial.silent = true;
@@ -71,7 +79,7 @@ async function hatchedMesh(
 ): Promise<THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>> {
   return new THREE.Mesh(
     await prepareHatchingGeometry(geometry, { adjacency: true }),
-    new HatchingMaterial({ tonalArtMap: greyMap(), ...parameters }),
+    new PlainMaterial({ tonalArtMap: greyMap(), ...parameters }),
   );
 }
 
@@ -133,7 +141,8 @@ const toolkit = {
   RoomEnvironment,
   applyHatching,
   bakeOcclusion,
-  HatchingMaterial,
+  HatchingMaterial: PlainMaterial,
+  UsersMaterial: HatchingMaterial,
   AdaptiveResolution,
   scaledSizes,
   prepareHatchingGeometry,

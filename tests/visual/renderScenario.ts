@@ -10,6 +10,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { plainLook } from '../../tools/plainLook.js';
 import { loadScenarioModel } from './scenarioModels.js';
 import type { Scenario, ScenarioLight } from './scenarios.js';
 import { widenStrokes } from './widenStrokes.js';
@@ -48,7 +49,7 @@ window.renderScenario = async (scenario, deviation = {}) => {
     outlines: scenario.outlines !== undefined,
   });
   tonalArtMap.texture.anisotropy = scenario.anisotropy ?? 1;
-  const material = new HatchingMaterial({ tonalArtMap, ...scenario.material });
+  const material = new HatchingMaterial(plainLook({ tonalArtMap, ...scenario.material }));
   const mesh = new Mesh(geometry, material);
   mesh.rotation.fromArray([...(scenario.modelRotation ?? [0, 0, 0])]);
 

@@ -20,13 +20,13 @@ export const ROOMS = {
   mistakes: [],
   tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
   geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'bake', 'worker'],
-  material: ['mistakes', 'bake', 'tam', 'geometry', '/shaders'],
+  material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/facts': [],
   'material/shaders': ['facts'],
   'material/deformation': ['shaders'],
   'material/firstDraw': ['facts', 'deformation'],
   outlines: ['mistakes', 'features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
-  scene: ['mistakes', 'slices', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'outlines'],
+  scene: ['mistakes', 'slices', 'strokes', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'outlines'],
   'index.ts': ['strokes', 'hatchImages', 'mapFiles', 'worker', 'tam', 'geometry', 'material', 'outlines', 'scene'],
 
   // For Node: the presets are data.

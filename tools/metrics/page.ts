@@ -9,6 +9,7 @@ import {
   TonalArtMap,
 } from 'three-hatching';
 import { HATCHING_TECHNIQUES } from '../../src/material/facts/hatchingProperties.js';
+import { plainLook } from '../plainLook.js';
 import { loadModel, type ModelName } from './loadModel.js';
 import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
 import { greyness } from './measures/greyness.js';
@@ -111,9 +112,11 @@ window.measureModel = async (name, plan, text) => {
   let wantedSpacing: number | undefined;
   for (const [technique, parameters] of TECHNIQUES) {
     const material = new HatchingMaterial(
-      HATCHING_TECHNIQUES[parameters.technique!].map === 'none'
-        ? parameters
-        : { ...parameters, tonalArtMap, edgePixels: 0 },
+      plainLook(
+        HATCHING_TECHNIQUES[parameters.technique!].map === 'none'
+          ? parameters
+          : { ...parameters, tonalArtMap, edgePixels: 0 },
+      ),
     );
     const still = new SurfaceCamera(renderer, SIZE, geometry, material);
     const measured: TechniqueMetrics = {

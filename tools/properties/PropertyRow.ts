@@ -1,4 +1,5 @@
 import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/material/facts/HatchingProperty.js';
+import type { StrokeStyleName } from '../../src/strokes/strokeStyleNames.js';
 
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
@@ -20,6 +21,8 @@ export interface NumberRow extends BaseRow {
   kind: 'number';
   /** `null`: no number is asked for, and null may be set. */
   default: number | null;
+  /** The default under a technique that has another. */
+  defaultFor?: Readonly<Record<string, number>>;
   /** How the default is written where digits would hide what it is. */
   defaultSource?: string;
   measure: HatchingMeasure;
@@ -55,7 +58,8 @@ export interface TextureRow extends BaseRow {
 
 export interface MapRow extends BaseRow {
   kind: 'tonalArtMap';
-  default: null;
+  /** The style of the shared map. */
+  default: StrokeStyleName;
 }
 
 /** One of several names: a define, so another choice builds another program. */
@@ -85,4 +89,6 @@ export interface SwitchRow extends BaseRow {
 export interface CurveRow extends BaseRow {
   kind: 'curve';
   default: 'linear';
+  /** The default under a technique that has another. */
+  defaultFor?: Readonly<Record<string, 'printed'>>;
 }

@@ -31,21 +31,33 @@ export function describe(row: PropertyRow): PropertyDescription {
 
 function describeDefault(row: PropertyRow): string {
   switch (row.kind) {
-    case 'number':
-      return `\`${row.defaultSource ?? row.default}\``;
+    case 'number': {
+      const words = (value: number | null): string => (value === Math.PI / 2 ? 'Math.PI / 2' : `${value}`);
+      return withOthers(row.defaultSource ?? words(row.default), row.defaultFor, words);
+    }
     case 'vector2':
       return `\`(${row.default.join(', ')})\``;
     case 'color':
       return row.defaultWords;
-    case 'choice': {
-      const others = Object.entries(row.defaultFor ?? {}).filter(([, value]) => value !== row.default);
-      return [`\`'${row.default}'\``, ...others.map(([name, value]) => `for \`'${name}'\` \`'${value}'\``)].join(', ');
-    }
+    case 'choice':
     case 'curve':
+      return withOthers(`'${row.default}'`, row.defaultFor, (value) => `'${value}'`);
+    case 'tonalArtMap':
       return `\`'${row.default}'\``;
     default:
       return `\`${row.default}\``;
   }
+}
+
+/** A default, and those that techniques have in its place. */
+function withOthers<Value>(
+  fallback: string,
+  others: Readonly<Record<string, Value>> = {},
+  words: (value: Value) => string,
+): string {
+  const named = Object.entries(others).map(([name, value]) => [name, words(value)] as const);
+  const different = named.filter(([, value]) => value !== fallback);
+  return [`\`${fallback}\``, ...different.map(([name, value]) => `for \`'${name}'\` \`${value}\``)].join(', ');
 }
 
 function describeMeasure(row: PropertyRow): string {

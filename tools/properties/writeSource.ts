@@ -62,9 +62,9 @@ export function writePropertyFields(table: Table): string {
   const rows = Object.entries(table);
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
   return `${HEADER}import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { checkNumber } from './checkNumber.js';
-import { checkTonalArtMap } from './checkTonalArtMap.js';
+import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
+import { defaultOf } from './facts/defaultOf.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './facts/hatchingProperties.js';
 
@@ -75,12 +75,17 @@ ${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'C
 
 /** The properties of \`HatchingMaterial\` as fields. What setting a choice does is up to the material. */
 export abstract class HatchingMaterialProperties extends ShaderMaterial {
-  private hatchImages: TonalArtMap | null = null;
+  private hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   private readonly numbers = {
-    ${rows.flatMap(([name, row]) => (row.kind === 'number' ? [`${name}: HATCHING_DEFAULTS.${name} as ${valueType(row)}`] : [])).join(',\n')},
+    ${rows.flatMap(([name, row]) => (row.kind === 'number' ? [row.defaultFor ? `${name}: undefined as ${valueType(row)} | undefined` : `${name}: HATCHING_DEFAULTS.${name} as ${valueType(row)}`] : [])).join(',\n')},
   };
 
 ${rows.map(([name, row]) => `${jsDoc(row)}\n${field(name, row)}`).join('\n\n')}
+
+  /** Numbers that were never set stay so, and follow the technique. */
+  protected copyNumbers({ numbers }: HatchingMaterialProperties): void {
+    Object.assign(this.numbers, numbers);
+  }
 
   /** The choice in force. */
   protected abstract choice(name: HatchingPropertyName): string | boolean;
@@ -114,14 +119,17 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
   if (row.kind === 'choice') {
     fields.push(`choices: ${list(Object.keys(row.choices))}`);
     if (row.choicesFor) fields.push(`choicesFor: ${JSON.stringify(row.choicesFor)}`);
-    if (row.defaultFor) fields.push(`defaultFor: ${JSON.stringify(row.defaultFor)}`);
   }
+  if ('defaultFor' in row && row.defaultFor) fields.push(`defaultFor: ${defaultForSource(row.defaultFor)}`);
   if (row.kind === 'number') {
     if (row.range) fields.push(`range: ${rangeSource(row.range)}`);
   }
   if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
   return fields;
 }
+
+const defaultForSource = (defaults: Readonly<Record<string, unknown>>): string =>
+  JSON.stringify(defaults).replaceAll(`${Math.PI / 2}`, 'Math.PI / 2');
 
 const rangeSource = (range: NumberRange): string => JSON.stringify(range).replace(`${Math.PI}`, 'Math.PI');
 
@@ -149,7 +157,7 @@ function valueType(row: PropertyRow): string {
     case 'texture':
       return 'Texture | null';
     case 'tonalArtMap':
-      return 'TonalArtMap | null';
+      return 'HatchingMap';
     case 'choice':
       return row.type;
     case 'switch':
@@ -187,11 +195,11 @@ set ${name}(value: ${setType(row)}) {
 }
 
 set ${name}(value: ${valueType(row)}) {
-  this.hatchImages = checkTonalArtMap(value);
+  this.hatchImages = checkHatchingMap(value);
 }`;
     case 'number':
       return `get ${name}(): ${valueType(row)} {
-  return this.numbers.${name};
+  return ${row.defaultFor ? `this.numbers.${name} ?? (defaultOf('${name}', this.technique) as ${valueType(row)})` : `this.numbers.${name}`};
 }
 
 set ${name}(value: ${valueType(row)}) {

@@ -1,7 +1,12 @@
+import { Color, type ColorRepresentation } from 'three';
 import {
   counts,
+  defaultOf,
   HATCHING_OUTLINE_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingMaterialParameters,
   type HatchingPropertyName,
+  type HatchingTechnique,
   needsAdjacency,
   needsMap,
   pixelPower,
@@ -39,15 +44,18 @@ export function materialParameters(settings: Settings, isScene: boolean, factor?
   const rotation = { along: '0', towards: 'Math.PI / 2', angle: inRadians(settings.strokeAngle) };
   if (countsFor(look, 'strokeDirection')) parameters.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
   if (shiftsStrokes(settings)) parameters.push(`strokeOffset: new Vector2(${settings.offsetU}, ${settings.offsetV})`);
-  if (settings.toneCurve !== 'linear') parameters.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
+  if (!isDefault(look, 'toneCurve')) parameters.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
   for (const twin of TWINS) {
     const { key, property } = twin;
-    const { owner, libraryDefault }: Setting = SETTINGS[key];
+    const { owner }: Setting = SETTINGS[key];
     if (OF_THE_MODEL.includes(property) || owner !== 'hand' || !counts(look, property)) continue;
     // With one light, strokes for each light are one layer.
-    if (property === 'strokeLayers' && settings.strokeLayers === 'lights' && settings.secondLight === 'none') continue;
+    if (property === 'strokeLayers' && settings.strokeLayers === 'lights' && settings.secondLight === 'none') {
+      if (!isDefault({ ...look, strokeLayers: 'single' }, property)) parameters.push("strokeLayers: 'single'");
+      continue;
+    }
     if (isSize(twin)) parameters.push(sizeSource(settings, twin, factor));
-    else if (settings[key] !== libraryDefault) parameters.push(`${property}: ${valueSource(settings, twin)}`);
+    else if (!isDefault(look, property)) parameters.push(`${property}: ${valueSource(settings, twin)}`);
   }
   if (!isScene) {
     parameters.push(
@@ -56,6 +64,16 @@ export function materialParameters(settings: Settings, isScene: boolean, factor?
     );
   } else if (settings.surfaceColors === 'paper') parameters.push(`color: 'white'`, 'map: null', 'vertexColors: false');
   return parameters;
+}
+
+/** Whether the technique of a look has the value of a property by itself. Colours are compared as colours. */
+function isDefault(look: HatchingMaterialParameters, property: HatchingPropertyName): boolean {
+  const fallback = defaultOf(property, look.technique as HatchingTechnique);
+  const value = look[property];
+  const isColor = HATCHING_PROPERTIES[property].kind === 'color';
+  return isColor
+    ? new Color(value as ColorRepresentation).getHex() === fallback
+    : value === fallback || value === 'auto';
 }
 
 /** Properties that materials of a loaded scene take from the scene. */

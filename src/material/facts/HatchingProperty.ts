@@ -10,6 +10,8 @@ export type HatchingProperty =
 /** What the material brings to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
   kind: 'tonalArtMap' | 'curve';
+  /** The default under a technique that has another. */
+  defaultFor?: Readonly<Record<string, string>>;
 }
 
 interface UsedByTechniques {
@@ -29,6 +31,8 @@ export interface HatchingNumber extends UsedByTechniques {
   kind: 'number';
   uniform?: string;
   range?: NumberRange;
+  /** The default under a technique that has another. */
+  defaultFor?: Readonly<Record<string, number>>;
 }
 
 /** Above a bound or from it on, and up to another. */

@@ -10,7 +10,7 @@ import { plainValue } from './plainValue.js';
 /** The default of a property; some techniques have one of their own. Colours are numbers, vectors arrays. */
 export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
-  const ofTechnique = property.kind === 'choice' ? property.defaultFor?.[technique] : undefined;
+  const ofTechnique = 'defaultFor' in property ? property.defaultFor?.[technique] : undefined;
   return ofTechnique ?? HATCHING_DEFAULTS[name];
 }
 

@@ -29,23 +29,90 @@ describe('HatchingMaterial', () => {
     expect(material.isHatchingMaterial).toBe(true);
     expect(material.type).toBe('HatchingMaterial');
     expect(material).toMatchObject({
-      technique: 'adjacency',
+      technique: 'anchored',
+      sizedOnScreen: 1,
+      strokeWidth: 1.5,
       toneModel: 'lambert',
-      toneNormal: 'face',
+      toneNormal: 'smooth',
       debugView: 'none',
       strokeAnchor: 'rest',
       tilesPerUnit: 3,
-      strokeRotation: 0,
-      tonalArtMap: null,
-      toneCurve: 'linear',
-      reflectedLight: 0,
-      strokeLayers: 'single',
+      strokeRotation: Math.PI / 2,
+      tonalArtMap: 'hatching',
+      toneCurve: 'printed',
+      reflectedLight: 0.35,
+      strokeLayers: 'tone',
+      toneMapped: false,
       levelRule: 'derivatives',
       inkBlend: 'cover',
       paperOpacity: 1,
     });
     expect(material.paper.getHex()).toBe(0xffffff);
     expect(material.ink.getHex()).toBe(0x000000);
+  });
+
+  test.each([
+    ['triangle', {}],
+    ['adjacency', { blendAngle: Math.PI / 2 }],
+  ] as const)('%s alone draws the equations of Suarez et al.', (technique, more) => {
+    expect(new HatchingMaterial({ technique })).toMatchObject({
+      ...{ toneNormal: 'face', toneCurve: 'linear', reflectedLight: 0, strokeLayers: 'single', crossFrom: 0.52 },
+      ...{ strokeRotation: 0, strokeWidth: null, crisp: false, levelRule: 'derivatives', tilesPerUnit: 3 },
+      ...more,
+    });
+  });
+
+  test('numbers that were never set follow the technique, in clones too', () => {
+    const material = new HatchingMaterial({ crossFrom: 0.3 });
+    for (const one of [material, material.clone()]) {
+      one.technique = 'adjacency';
+      expect([one.crossFrom, one.reflectedLight, one.strokeWidth, one.toneCurve]).toEqual([0.3, 0, null, 'linear']);
+      one.technique = 'anchored';
+      expect([one.crossFrom, one.reflectedLight, one.strokeWidth, one.toneCurve]).toEqual([0.3, 0.35, 1.5, 'printed']);
+    }
+  });
+
+  describe('a preset by its name', () => {
+    const looks = ({ technique, medium, strokeLayers, ink, tonalArtMap }: HatchingMaterial) => [
+      ...[technique, medium, strokeLayers, `#${ink.getHexString()}`, tonalArtMap],
+    ];
+
+    test('is that of the presets, overridden by the other parameters, wherever it stands among them', () => {
+      const given = new HatchingMaterial({ ink: '#000080', preset: 'stipple' });
+      expect(looks(given)).toEqual(['anchored', 'stipple', 'single', '#000080', 'hatching']);
+      expect(looks(new HatchingMaterial({ preset: 'crossHatching' }))[4]).toBe('contours');
+    });
+
+    test('leaves nothing of the one before', () => {
+      const material = new HatchingMaterial({ preset: 'charcoal' });
+      material.preset = 'woodcut';
+      material.preset = 'pen';
+      expect(looks(material)).toEqual(looks(new HatchingMaterial({ preset: 'pen' })));
+      expect(material.defines).toEqual(new HatchingMaterial({ preset: 'pen' }).defines);
+    });
+
+    test('has to be one', () => {
+      expect(() => new HatchingMaterial({ preset: 'etching' as 'pen' })).toThrow(
+        'HatchingMaterial: there is no preset "etching". Use one of pen, crossHatching, ',
+      );
+    });
+  });
+
+  test('no map is asked for before a renderer draws; null stays blank paper', async () => {
+    const shared = vi.spyOn(TonalArtMap, 'shared');
+    const material = new HatchingMaterial();
+    const { tonalArtMap } = HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(material.clone().toJSON())));
+    expect([tonalArtMap, material.tonalArtMap]).toEqual(['hatching', 'hatching']);
+    const blank = new HatchingMaterial({ tonalArtMap: null });
+    expect(HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(blank.toJSON()))).tonalArtMap).toBe(null);
+    await blank.ready;
+    await new HatchingMaterial({ technique: 'engraved' }).ready;
+    await new HatchingMaterial({ medium: 'stipple' }).ready;
+    expect(shared).not.toHaveBeenCalled();
+    expect(() => {
+      material.tonalArtMap = 'hachures' as 'hatching';
+    }).toThrow('HatchingMaterial.tonalArtMap: "hachures" is no style; use one of hatching, ');
+    shared.mockRestore();
   });
 
   test('takes parameters the way three does', () => {
@@ -90,7 +157,7 @@ describe('HatchingMaterial', () => {
   });
 
   test('asks for another program only where the shader changes', () => {
-    const material = new HatchingMaterial({ tonalArtMap: map });
+    const material = new HatchingMaterial({ tonalArtMap: map, technique: 'adjacency' });
     const { version } = material;
     material.tilesPerUnit = 7;
     material.strokeRotation = 1;
@@ -115,7 +182,7 @@ describe('HatchingMaterial', () => {
   });
 
   test('another tone curve is another program only where it is another kind of curve', () => {
-    const material = new HatchingMaterial();
+    const material = new HatchingMaterial({ toneCurve: 'linear' });
     const { version } = material;
     material.toneCurve = [
       [0, 0],
@@ -157,7 +224,7 @@ describe('HatchingMaterial', () => {
   });
 
   test('crisp is another program, and only when it changes', () => {
-    const material = new HatchingMaterial();
+    const material = new HatchingMaterial({ technique: 'adjacency' });
     const { version } = material;
     material.crisp = false;
     expect(material.version).toBe(version);
@@ -179,12 +246,12 @@ describe('HatchingMaterial', () => {
     expect(definesAt(0.5)).toEqual(definesAt(1));
     expect(definesAt(0)).toEqual(onObject);
     expect(programSwitches(Object.assign(material, { sizedOnScreen: 0.4 }))).not.toBe(
-      programSwitches(new HatchingMaterial({ technique: 'anchored' })),
+      programSwitches(new HatchingMaterial({ technique: 'anchored', sizedOnScreen: 0 })),
     );
   });
 
   test('reads thresholds only where they are drawn', () => {
-    const material = new HatchingMaterial({ tonalArtMap: map });
+    const material = new HatchingMaterial({ tonalArtMap: map, technique: 'adjacency' });
     expect(material.uniforms.thresholdMap.value).toBe(null);
     const anchored = new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' });
     expect(anchored.uniforms.thresholdMap.value).toBe(map.thresholdTexture);

@@ -76,7 +76,7 @@ describe('fitToneCurve', () => {
   test.each([
     ['one point', [[0, 0]], '1 points are not a curve'],
     ['nine points', Array.from({ length: 9 }, (_, i) => [i / 8, i / 8]), '9 points are not a curve'],
-    ['no list', 'dark', `"dark" is neither 'linear' nor 'perceptual' nor a list of points`],
+    ['no list', 'dark', `"dark" is neither 'linear' nor 'perceptual' nor 'printed' nor a list of points`],
     ['no pair', [[0, 0], [1]], 'point 1, [1], is not a pair of tones in [0, 1]'],
     [
       'a tone out of range',

@@ -17,12 +17,12 @@ describe('JSON of a material, from anywhere', () => {
       "dispose": "no function", "onBeforeCompile": 1, "customProgramCacheKey": null, "setValues": {}, "constructor": 5,
       "isMaterial": false, "isHatchingMaterial": false, "type": "Other", "version": -1, "needsUpdate": false,
       "vertexShader": "", "fragmentShader": "", "uniforms": {}, "defines": { "MINE": 1 }, "extensions": 1,
-      "tonalArtMap": "none", "roughness": 1, "tilesPerUnit": 7, "opacity": 0.5
+      "tonalArtMap": "contours", "roughness": 1, "tilesPerUnit": 7, "opacity": 0.5
     }`);
     expect(Object.getPrototypeOf(material)).toBe(HatchingMaterial.prototype);
     expect(material).toMatchObject({ isMaterial: true, isHatchingMaterial: true, type: 'HatchingMaterial' });
     expect(Object.keys(material)).toEqual(Object.keys(new HatchingMaterial()));
-    expect(material).toMatchObject({ tilesPerUnit: 7, opacity: 0.5, tonalArtMap: null });
+    expect(material).toMatchObject({ tilesPerUnit: 7, opacity: 0.5, tonalArtMap: 'contours' });
     const { defines, vertexShader, fragmentShader } = new HatchingMaterial();
     expect(material).toMatchObject({ defines, vertexShader, fragmentShader });
     for (const name of ['dispose', 'onBeforeCompile', 'customProgramCacheKey', 'setValues', 'constructor'] as const) {

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { Color, DoubleSide, MaterialLoader, Texture, Vector2 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
+import { defaultOf } from '../../../src/material/facts/defaultOf.js';
 import type { NumberRange } from '../../../src/material/facts/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
@@ -72,7 +73,7 @@ describe('the table of properties', () => {
 describe('every property', () => {
   test('has its default', () => {
     const material = new HatchingMaterial();
-    for (const name of names) expect(plain(material[name]), name).toEqual(HATCHING_DEFAULTS[name]);
+    for (const name of names) expect(plain(material[name]), name).toEqual(defaultOf(name, 'anchored'));
   });
 
   test('is copied', () => {
@@ -108,7 +109,7 @@ describe('every property', () => {
     };
     for (const [name, row] of rows) {
       // Without a highlight its softness is nothing.
-      const base = { ...(row.techniques && { technique: row.techniques[0] }), highlightTone: 0.1 };
+      const base = { technique: row.techniques?.[0] ?? 'adjacency', highlightTone: 0.1 };
       const parameters = { ...base, tonalArtMap: changed.tonalArtMap, [name]: anotherValue(name, row) };
       const before = new HatchingMaterial({
         ...base,
@@ -173,7 +174,7 @@ describe('a value out of range', () => {
       const set = (): unknown => Object.assign(material, { [name]: value });
       expect(set, String(value)).toThrow(`HatchingMaterial.${name}: ${value} is not a number`);
     }
-    expect(material[name]).toBe(HATCHING_DEFAULTS[name]);
+    expect(material[name]).toBe(defaultOf(name, material.technique));
     for (const value of [range?.from, range?.to].filter((bound) => bound !== undefined)) {
       Object.assign(material, { [name]: value });
       expect(material[name]).toBe(value);
@@ -183,7 +184,7 @@ describe('a value out of range', () => {
   test.each([5, 'map', {}, undefined])('tonalArtMap is refused: %j', (value) => {
     const material = new HatchingMaterial();
     expect(() => Object.assign(material, { tonalArtMap: value })).toThrow('HatchingMaterial.tonalArtMap: ');
-    expect(material.tonalArtMap).toBe(null);
+    expect(material.tonalArtMap).toBe('hatching');
   });
 });
 
@@ -199,7 +200,7 @@ describe('the width of strokes on the screen', () => {
   });
 
   test('is that of the map where none is asked for', () => {
-    const material = new HatchingMaterial({ tonalArtMap: map(2) });
+    const material = new HatchingMaterial({ tonalArtMap: map(2), technique: 'adjacency' });
     expect(material.strokeWidth).toBe(null);
     expect(material.uniforms.texelPixels.value).toBe(1);
     expect(material.uniforms.dotPixels.value).toBe(2);
@@ -245,7 +246,7 @@ describe('what belongs to the user', () => {
   });
 
   test('shaders stay as they were changed until the technique changes', () => {
-    const material = new HatchingMaterial();
+    const material = new HatchingMaterial({ technique: 'adjacency' });
     const own = material.fragmentShader;
     material.fragmentShader = own.replace('void main', '// mine\nvoid main');
     material.toneModel = 'toon';

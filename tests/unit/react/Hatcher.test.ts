@@ -98,7 +98,7 @@ test('a map is drawn once something is drawn with it', async () => {
   const options = { tonalArtMap, onProgress: (share: number) => void progress.push(share) };
   const { mesh, hatcher, errors, next } = atWork({ ...options, material: { technique: 'engraved' } });
   await next();
-  expect(materialOf(mesh)).toMatchObject({ technique: 'engraved', tonalArtMap: null });
+  expect(materialOf(mesh)).toMatchObject({ technique: 'engraved', tonalArtMap: 'hatching' });
   expect(progress.at(-1)).toBe(1);
   // Where geometry serves both it is set in place, and else with the geometry.
   hatcher.update({ ...options, material: () => ({ technique: 'engraved', ink: 'navy' }) });
@@ -124,7 +124,7 @@ test('a map is drawn once something is drawn with it', async () => {
 test('one map serves all who ask for the same, and leaves the graphics card with the last of them', async () => {
   const [one, other] = [1, 2].map(() => atWork({ tonalArtMap: { ...SMALL_MAP, seed: 3 } }));
   await Promise.all([one.next(), other.next()]);
-  const map = materialOf(one.mesh).tonalArtMap!;
+  const map = materialOf(one.mesh).tonalArtMap as TonalArtMap;
   expect(materialOf(other.mesh).tonalArtMap).toBe(map);
   let freed = 0;
   map.texture.addEventListener('dispose', () => freed++);

@@ -100,8 +100,8 @@ describe('what it makes of a scene', () => {
     expect(hatched(a).tonalArtMap).toBe(tonalArtMap);
     expect(b.geometry).toBe(a.geometry);
     expect(a.geometry).not.toBe(box);
-    expect(a.geometry.userData.hatching).toMatchObject({ triangles: 12, layout: 'corner' });
-    expect(c.geometry.userData.hatching).toMatchObject({ layout: 'corner' });
+    expect(a.geometry.userData.hatching).toMatchObject({ triangles: 12, layout: 'indexed' });
+    expect(c.geometry.userData.hatching).toMatchObject({ layout: 'indexed' });
   });
 
   test('a material keeps everything that has a meaning on paper', async () => {
@@ -268,7 +268,10 @@ describe('what it makes of a scene', () => {
       Mesh,
     ];
     moving.geometry.morphAttributes.position = [moving.geometry.attributes.position.clone()];
-    await applyHatching(new Group().add(still, alsoStill, moving), { tonalArtMap });
+    await applyHatching(new Group().add(still, alsoStill, moving), {
+      tonalArtMap,
+      material: { technique: 'adjacency' },
+    });
     expect(alsoStill.material).toBe(still.material);
     expect(moving.material).not.toBe(still.material);
     expect(moving.geometry.userData.hatching.layout).toBe('pull');
@@ -286,7 +289,9 @@ describe('what it makes of a scene', () => {
     await applyHatching(anchored, { tonalArtMap, material: { technique: 'anchored' } });
     expect(anchored.geometry).toBe(geometry);
     hatched(anchored);
-    await expect(applyHatching(make(), { tonalArtMap })).rejects.toThrow(/BatchedMesh .* has no triangle adjacency/);
+    await expect(applyHatching(make(), { tonalArtMap, material: { technique: 'adjacency' } })).rejects.toThrow(
+      /BatchedMesh .* has no triangle adjacency/,
+    );
   });
 
   test('geometries that only anchored draws are baked without corners, unless a layout is asked for', async () => {
@@ -417,7 +422,7 @@ describe('options', () => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     const progress: number[] = [];
     const scene = await applyHatching(mesh, { onProgress: (value) => progress.push(value) });
-    const map = hatched(mesh).tonalArtMap!;
+    const map = hatched(mesh).tonalArtMap as TonalArtMap;
     expect(map.tones).toBeGreaterThan(2);
     expect([...progress].sort((a, b) => a - b)).toEqual(progress);
     expect(progress.at(-1)).toBe(1);
@@ -451,7 +456,9 @@ describe('options', () => {
     const generate = vi.spyOn(TonalArtMap, 'generate').mockResolvedValue(drawn);
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const hatched = await applyHatching(new Mesh(new BoxGeometry(), new MeshBasicMaterial()), options);
-    expect(hatched.materials.map(({ tonalArtMap }) => tonalArtMap)).toEqual([isDrawn ? drawn : null]);
+    expect(hatched.materials.map(({ tonalArtMap }) => tonalArtMap)).toEqual([
+      isDrawn ? drawn : options.tonalArtMap === null ? null : 'hatching',
+    ]);
     expect(generate).toHaveBeenCalledTimes(Number(isDrawn));
     hatched.dispose();
     generate.mockRestore();

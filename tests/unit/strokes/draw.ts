@@ -3,7 +3,8 @@ import type { HatchImages } from '../../../src/hatchImages/HatchImages.js';
 import type { HatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
-import { type StrokeStyleName, strokeStyles } from '../../../src/strokes/strokeStyles.js';
+import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';
+import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 
 /** The styles, for test matrices. */
 export const styleNames = Object.keys(strokeStyles) as StrokeStyleName[];

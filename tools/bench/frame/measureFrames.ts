@@ -1,5 +1,6 @@
 import { type BufferGeometry, Mesh, MeshPhongMaterial } from 'three';
 import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { plainLook } from '../../plainLook.js';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
@@ -17,7 +18,7 @@ export async function measureFrames(model: string, turns: number, size: number):
   const indexed = await prepareHatchingGeometry(plain, { layout: 'indexed' });
   const tonalArtMap = await TonalArtMap.generate();
   const hatched = (technique: HatchingTechnique, geometry: BufferGeometry): Mesh =>
-    new Mesh(geometry, new HatchingMaterial({ tonalArtMap, technique }));
+    new Mesh(geometry, new HatchingMaterial(plainLook({ tonalArtMap, technique })));
   const meshes: Record<string, Mesh> = {
     'phong corner': new Mesh(corner, new MeshPhongMaterial()),
     'phong indexed': new Mesh(plain, new MeshPhongMaterial()),

@@ -10,6 +10,7 @@ import {
   Uint16BufferAttribute,
 } from 'three';
 import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { plainLook } from '../../plainLook.js';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
@@ -36,7 +37,9 @@ export interface LineTimes {
 export async function measureLines(model: string, turns: number, size: number, isMoving: boolean): Promise<LineTimes> {
   const plain = await loadModel(model);
   const geometry = await prepareHatchingGeometry(plain, { layout: 'indexed', outlines: true });
-  const material = new HatchingMaterial({ tonalArtMap: await TonalArtMap.generate(), technique: 'anchored' });
+  const material = new HatchingMaterial(
+    plainLook({ tonalArtMap: await TonalArtMap.generate(), technique: 'anchored' }),
+  );
   const hatched = new Mesh(geometry, material);
   const lined = withOutlines(new Mesh(geometry, material));
   const tested = withOutlines(new Mesh(geometry, material));

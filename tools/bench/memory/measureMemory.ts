@@ -6,6 +6,7 @@ import {
   type PrepareHatchingGeometryOptions,
   prepareHatchingGeometry,
 } from 'three-hatching';
+import { plainLook } from '../../plainLook.js';
 import { Stage } from '../Stage.js';
 
 const SIZE = 128;
@@ -39,7 +40,7 @@ export async function measureMemory({ triangles, technique, layout, outlines = f
   await pause();
   tasks.disconnect();
   stage = new Stage(SIZE);
-  mesh = new Mesh(geometry, new HatchingMaterial({ technique }));
+  mesh = new Mesh(geometry, new HatchingMaterial(plainLook({ technique })));
   if (outlines) mesh.add(new HatchingOutlines(mesh));
   await stage.timeFrame(mesh);
   const sourceBytes = source.attributes.position!.array.byteLength + source.index!.array.byteLength;

@@ -6,6 +6,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
+import { plainLook } from '../../plainLook.js';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 
@@ -46,7 +47,7 @@ export async function measureOcclusion(
     const [open, occluded] = await Promise.all(
       [0, 1].map(async () => new Mesh(await prepareHatchingGeometry(plain, { layout }))),
     );
-    open.material = occluded.material = new HatchingMaterial({ tonalArtMap, technique });
+    open.material = occluded.material = new HatchingMaterial(plainLook({ tonalArtMap, technique }));
     observer.observe({ entryTypes: ['longtask'] });
     for (let i = 0; i < (technique === 'adjacency' ? repeats : 1); i++) {
       const reached: number[] = [];

@@ -6,6 +6,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
+import { plainLook } from '../../plainLook.js';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
@@ -27,7 +28,7 @@ export async function measureShadows(model: string, turns: number, size: number)
   const tonalArtMap = await TonalArtMap.generate();
   const hatched = (technique: HatchingTechnique, parameters: HatchingMaterialParameters): Mesh => {
     const geometry = technique === 'adjacency' ? corner : indexed;
-    const mesh = new Mesh(geometry, new HatchingMaterial({ tonalArtMap, technique, ...parameters }));
+    const mesh = new Mesh(geometry, new HatchingMaterial(plainLook({ tonalArtMap, technique, ...parameters })));
     mesh.castShadow = true;
     mesh.receiveShadow = true;
     return mesh;
@@ -43,7 +44,9 @@ export async function measureShadows(model: string, turns: number, size: number)
     const name = `${technique} tone, ground`;
     const ground = new Mesh(
       await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2), { layout: 'corner' }),
-      new HatchingMaterial({ tonalArtMap, technique, toneModel: 'shadow', paperOpacity: 0, transparent: true }),
+      new HatchingMaterial(
+        plainLook({ tonalArtMap, technique, toneModel: 'shadow', paperOpacity: 0, transparent: true }),
+      ),
     );
     ground.position.y = -0.7;
     ground.receiveShadow = true;

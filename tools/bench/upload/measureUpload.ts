@@ -1,5 +1,6 @@
 import { Mesh, TorusGeometry } from 'three';
 import { HatchingMaterial, type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
+import { plainLook } from '../../plainLook.js';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 
@@ -15,7 +16,7 @@ export async function measureUpload(
   repeats: number,
 ): Promise<{ bytes: number; times: number[] }> {
   const stage = new Stage(SIZE);
-  const material = new HatchingMaterial({ technique: 'anchored' });
+  const material = new HatchingMaterial(plainLook({ technique: 'anchored' }));
   stage.drawFrame(new Mesh(await prepareHatchingGeometry(new TorusGeometry(), { layout }), material));
   const geometry = await prepareHatchingGeometry(await loadModel(model), { layout });
   geometry.setDrawRange(0, 3);

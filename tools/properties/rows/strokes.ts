@@ -6,11 +6,11 @@ export const STROKES = {
   tonalArtMap: {
     kind: 'tonalArtMap',
     group: 'Strokes',
-    default: null,
+    default: 'hatching',
     techniques: WITH_MAP,
     when: { medium: ['ink', 'dry'] },
     sentence:
-      'The hatch images. Materials may share it. The material does not own it: dispose of it yourself. Without one, and until it is ready, the surface is blank paper.',
+      'The hatch images: a map, which materials may share and which you dispose of yourself; or the name of a style, whose map all materials share (`TonalArtMap.shared`), drawn with the first frame that needs it. Until a map is ready the surface is blank paper, and with `null` it stays so.',
   },
   technique: {
     kind: 'choice',
@@ -19,7 +19,7 @@ export const STROKES = {
     typeSentence: 'How strokes are laid on the surface.',
     choices: ofTechniques(({ sentence }) => sentence),
     isDefine: false,
-    default: 'adjacency',
+    default: 'anchored',
     sentence: 'How strokes are laid on the surface.',
   },
   tilesPerUnit: {
@@ -35,6 +35,7 @@ export const STROKES = {
     kind: 'number',
     group: 'Strokes',
     default: 0,
+    defaultFor: { anchored: Math.PI / 2 },
     measure: 'radians',
     uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
@@ -89,7 +90,7 @@ export const STROKES = {
   sizedOnScreen: {
     kind: 'number',
     group: 'Strokes',
-    default: 0,
+    default: 1,
     measure: 'share',
     range: { from: 0, to: 1 },
     techniques: ['anchored', 'engraved'],
@@ -100,13 +101,14 @@ export const STROKES = {
     kind: 'number',
     group: 'Strokes',
     default: null,
+    defaultFor: { anchored: 1.5 },
     measure: 'pixels',
     range: { above: 0 },
     uniform: false,
     techniques: WITH_MAP,
     when: [{ crisp: [true] }, { levelRule: ['depth'] }],
     sentence:
-      'Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys choose them by derivatives. `null`: as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels.',
+      'Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels.',
   },
   edgePixels: {
     kind: 'number',
@@ -122,7 +124,7 @@ export const STROKES = {
   anchorSpacing: {
     kind: 'number',
     group: 'Strokes',
-    default: 0.45,
+    default: 0.4,
     measure: 'tiles',
     range: { above: 0 },
     techniques: ['anchored'],
@@ -149,7 +151,7 @@ export const STROKES = {
   lineSpacing: {
     kind: 'number',
     group: 'Strokes',
-    default: 5,
+    default: 4.5,
     measure: 'tileParts',
     measureOnScreen: 'pixels',
     range: { above: 0 },
@@ -179,6 +181,7 @@ export const STROKES = {
       tone: 'a second above the tone `crossFrom`, turned by `crossAngle`, and half way from there to 1 a third, turned into the wider of the two angles between them: the other way at 60°, diagonally at 90°.',
     },
     default: 'single',
+    defaultFor: { anchored: 'tone' },
     techniques: WITH_MAP,
     sentence: 'How many layers of strokes there are.',
   },
@@ -186,6 +189,7 @@ export const STROKES = {
     kind: 'number',
     group: 'Strokes',
     default: 0.52,
+    defaultFor: { anchored: 0.6 },
     measure: 'tone',
     range: { from: 0, to: 1 },
     techniques: [...WITH_MAP, 'engraved'],

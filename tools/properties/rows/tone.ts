@@ -55,13 +55,15 @@ export const TONE = {
     kind: 'curve',
     group: 'Tone',
     default: 'linear',
+    defaultFor: { anchored: 'printed', engraved: 'printed' },
     sentence:
-      "From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is covered where the light looks half as light as white (CIE lightness), which opens up the shade. Or 2 to 8 points `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other points need no other program.",
+      "From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that of printed line drawings, whose lights stay blank, and in whose deepest shade some paper shows. Or 2 to 8 points `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other points need no other program.",
   },
   reflectedLight: {
     kind: 'number',
     group: 'Tone',
     default: 0,
+    defaultFor: { anchored: 0.35, engraved: 0.4 },
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:

@@ -5,8 +5,6 @@ interface RowBase<Value> {
   default: Value;
   /** The property of the material that the setting is, in another unit perhaps. */
   property?: HatchingPropertyName;
-  /** What the material has where nothing is set, in the unit of the setting. */
-  libraryDefault?: Value;
   /** The property of the material that several settings are together. */
   partOf?: HatchingPropertyName;
   /** A property that takes the place of the setting where it counts itself. */

@@ -13,7 +13,7 @@ type OfKind<Kind> = {
 }[HatchingPropertyName];
 
 /** What the table of properties knows of every row. */
-type Known = 'kind' | 'unit' | 'property' | 'libraryDefault';
+type Known = 'kind' | 'unit' | 'property';
 
 /** What the page adds to a row: all that the table does not know, and what it wants otherwise. */
 type Added<Row extends SettingRow, Derived extends keyof Row = never> = Partial<Pick<Row, Derived | 'default'>> &
@@ -32,14 +32,12 @@ export function numberOf(
     throw new Error(`numberOf: the range of ${property} has no end; give its row a min and a max.`);
   }
   const fallback = HATCHING_DEFAULTS[property];
-  const libraryDefault = fallback === null ? Number.NaN : toSetting(fallback);
   return {
     kind: 'number',
     property,
     unit: name,
     step,
-    libraryDefault,
-    default: libraryDefault,
+    default: fallback === null ? Number.NaN : toSetting(fallback),
     ...added,
     min: least,
     max: most,
@@ -59,12 +57,12 @@ export function choiceOf<
   property: Name,
   { leftOut: _leftOut, ...added }: Added<ChoiceRow> & { choices: Choices; leftOut?: readonly LeftOut[] },
 ): ChoiceRow & { choices: Choices } {
-  const libraryDefault = 'auto' in added.choices ? 'auto' : HATCHING_DEFAULTS[property];
-  return { kind: 'choice', property, libraryDefault, default: libraryDefault, ...added };
+  const fallback = 'auto' in added.choices ? 'auto' : HATCHING_DEFAULTS[property];
+  return { kind: 'choice', property, default: fallback, ...added };
 }
 
 /** A colour of the material. */
 export function colorOf(property: OfKind<'color'>, added: Added<ColorRow>): ColorRow {
-  const libraryDefault = `#${HATCHING_DEFAULTS[property].toString(16).padStart(6, '0')}`;
-  return { kind: 'color', property, libraryDefault, default: libraryDefault, ...added };
+  const fallback = `#${HATCHING_DEFAULTS[property].toString(16).padStart(6, '0')}`;
+  return { kind: 'color', property, default: fallback, ...added };
 }

@@ -15,7 +15,11 @@ const offset = (label: string) =>
 
 /** What strokes are like, and the map that they come from. */
 export const STROKE_SETTINGS = inGroup('More', 'hand', {
-  sizedOnScreen: numberOf('sizedOnScreen', { label: 'Stroke size', ends: ['on the object', 'on the screen'] }),
+  sizedOnScreen: numberOf('sizedOnScreen', {
+    label: 'Stroke size',
+    default: 0,
+    ends: ['on the object', 'on the screen'],
+  }),
   strokeWidth: numberOf('strokeWidth', { label: 'Stroke width', default: 1.5, min: 0.5, max: 8 }),
   tilesPerUnit: numberOf('tilesPerUnit', {
     label: 'Stroke scale',
@@ -29,6 +33,7 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
     label: 'Layers',
     default: 'lights',
     choices: { single: 'One', lights: 'Where lights cross', tone: 'More in the darks' },
+    leftOut: ['auto'],
   }),
   crossFrom: numberOf('crossFrom', { label: 'Crossing from' }),
   crossAngle: numberOf('crossAngle', { label: 'Crossing at', min: 10 }),

@@ -16,7 +16,7 @@ import {
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
 import type { Setting } from '../../../../src/demo/settings/table/Setting.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/material/facts/hatchingProperties.js';
-import { isUsedBy } from '../../../../src/material/facts/lookFacts.js';
+import { counts } from '../../../../src/material/facts/lookFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/outlines/HatchingOutlineMaterial.js';
 import { OUTLINE_NUMBER_NAMES } from '../../../../src/outlines/outlineProperties.js';
@@ -50,7 +50,7 @@ describe('the presets of the page', () => {
       if (property === 'tilesPerUnit' || property === 'tonalArtMap') continue;
       // Belongs to the light of the page, which bakes it only when asked.
       if (property === 'occlusion') continue;
-      if (!isUsedBy(expected.technique, HATCHING_PROPERTIES[property])) continue;
+      if (!counts(expected, property)) continue;
       const [got, want] = [made[property], expected[property]] as unknown[];
       if (typeof want === 'number') expect(got, property).toBeCloseTo(want, 6);
       else expect(got, property).toEqual(want);

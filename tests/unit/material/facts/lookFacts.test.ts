@@ -17,14 +17,14 @@ import { TECHNIQUES } from '../../../../tools/properties/techniques.js';
 
 describe('what follows from a look', () => {
   test.each([
-    [{}, true, true],
+    [{}, true, false],
     [{ technique: 'triangle' }, true, true],
     [{ technique: 'adjacency', medium: 'stipple' }, true, true],
     [{ technique: 'adjacency', crisp: true }, true, true],
     [{ technique: 'anchored' }, true, false],
     [{ technique: 'anchored', medium: 'dry' }, true, false],
     [{ technique: 'anchored', medium: 'stipple' }, false, false],
-    [{ medium: 'stipple' }, true, true],
+    [{ medium: 'stipple' }, false, false],
     [{ technique: 'engraved' }, false, false],
     [{ technique: 'engraved', medium: 'dry' }, false, false],
   ] as const)('%j: a map is needed: %s, adjacency: %s', (look, map, adjacency) => {
@@ -34,8 +34,9 @@ describe('what follows from a look', () => {
   });
 
   test.each([
-    [{}, false],
-    [{ crisp: true }, true],
+    [{}, true],
+    [{ technique: 'adjacency' }, false],
+    [{ technique: 'adjacency', crisp: true }, true],
     [{ technique: 'anchored' }, true],
     [{ technique: 'anchored', medium: 'stipple' }, true],
     // The crispness of another technique.
@@ -53,7 +54,9 @@ describe('what follows from a look', () => {
     ['edgePixels', { technique: 'anchored', medium: 'dry' }, false],
     ['edgePixels', { technique: 'adjacency' }, false],
     ['edgePixels', { technique: 'adjacency', crisp: true, medium: 'dry' }, true],
-    ['crossFrom', { technique: 'anchored' }, false],
+    ['crossFrom', { technique: 'anchored' }, true],
+    ['crossFrom', { technique: 'anchored', strokeLayers: 'single' }, false],
+    ['crossFrom', { technique: 'adjacency' }, false],
     ['crossFrom', { technique: 'anchored', strokeLayers: 'tone' }, true],
     // Engraved lines cross whatever the layers of strokes.
     ['crossFrom', { technique: 'engraved' }, true],
@@ -64,9 +67,9 @@ describe('what follows from a look', () => {
     ['lineSpacing', { technique: 'engraved' }, true],
     ['lineSpacing', {}, false],
     // Greys whose level follows from derivatives have the width that the map draws.
-    ['strokeWidth', {}, false],
-    ['strokeWidth', { levelRule: 'depth' }, true],
-    ['strokeWidth', { crisp: true }, true],
+    ['strokeWidth', { technique: 'adjacency' }, false],
+    ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
+    ['strokeWidth', { technique: 'adjacency', crisp: true }, true],
     ['strokeWidth', { technique: 'anchored' }, true],
     ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
     ['anchorSpacing', { technique: 'anchored', medium: 'stipple' }, false],
@@ -78,10 +81,11 @@ describe('what follows from a look', () => {
     ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 0.9 }, true],
     ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 1 }, false],
     // Strokes of triangles are sized on the object, whatever the others are.
-    ['tilesPerUnit', { sizedOnScreen: 1 }, true],
+    ['tilesPerUnit', { technique: 'triangle', sizedOnScreen: 1 }, true],
     ['bumpScale', {}, false],
     ['bumpScale', { bumpMap: {}, toneNormal: 'smooth' }, true],
-    ['bumpScale', { bumpMap: {} }, false],
+    ['bumpScale', { bumpMap: {} }, true],
+    ['bumpScale', { technique: 'adjacency', bumpMap: {} }, false],
     ['bumpMap', { bumpMap: {}, normalMap: {}, toneNormal: 'smooth' }, false],
     ['normalMap', { technique: 'anchored', toneNormal: 'auto' }, true],
     ['normalMap', { technique: 'anchored', toneNormal: 'face' }, false],
@@ -113,7 +117,8 @@ test.each([
   ['strokeWidth', {}, 'pixels'],
   ['edgePixels', {}, 'gridPixels'],
   ['handmade', {}, 'share'],
-  ['lineSpacing', {}, 'tileParts'],
+  ['lineSpacing', {}, 'pixels'],
+  ['lineSpacing', { sizedOnScreen: 0 }, 'tileParts'],
   ['lineSpacing', { sizedOnScreen: 1 }, 'pixels'],
   // A mean of the two.
   ['lineSpacing', { sizedOnScreen: 0.5 }, undefined],
@@ -126,7 +131,8 @@ describe('sizes for a picture of more pixels', () => {
   test.each([
     ['strokeWidth', {}, 1],
     ['toothSize', { sizedOnScreen: 0 }, 1],
-    ['lineSpacing', {}, 0],
+    ['lineSpacing', {}, 1],
+    ['lineSpacing', { sizedOnScreen: 0 }, 0],
     ['lineSpacing', { sizedOnScreen: 0.25 }, 0.25],
     ['lineSpacing', { sizedOnScreen: 1 }, 1],
     ['edgePixels', {}, 0],
@@ -137,7 +143,15 @@ describe('sizes for a picture of more pixels', () => {
   });
 
   test('are those that are given and measured in pixels', () => {
-    const look = { strokeWidth: 2, tilesPerUnit: 3, edgePixels: 1, anchorSpacing: 0.4, ink: 'navy', lineSpacing: 4 };
+    const look = {
+      sizedOnScreen: 0,
+      strokeWidth: 2,
+      tilesPerUnit: 3,
+      edgePixels: 1,
+      anchorSpacing: 0.4,
+      ink: 'navy',
+      lineSpacing: 4,
+    };
     expect(scaledSizes(look, 4)).toEqual({ strokeWidth: 8 });
     expect(scaledSizes({ ...look, sizedOnScreen: 1 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16 });
     expect(scaledSizes({ ...look, sizedOnScreen: 0.5 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8 });
@@ -151,6 +165,7 @@ describe('sizes for a picture of more pixels', () => {
     for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
       const look: HatchingLook = new HatchingMaterial({ technique, sizedOnScreen: technique === 'engraved' ? 1 : 0 });
       const expected = technique === 'engraved' ? sizes : sizes.slice(1);
+      if (technique === 'anchored') expected.push('strokeWidth');
       expect(Object.keys(scaledSizes(look, 2)).sort()).toEqual([...expected].sort());
     }
   });

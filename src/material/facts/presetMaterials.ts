@@ -1,0 +1,182 @@
+/** The material part of the presets: plain data, which the material takes by a preset's name. */
+
+/** The tone curve of a woodcut: blank paper or solid ink, and little in between. */
+const CUT = [
+  [0, 0],
+  [0.25, 0],
+  [0.45, 0.2],
+  [0.65, 0.7],
+  [0.85, 0.95],
+  [1, 1],
+] as const;
+
+/** The tone curve of pencil and charcoal: the tooth of the paper takes a little grey even in the lights. */
+const RUBBED = [
+  [0, 0.04],
+  [0.2, 0.08],
+  [0.5, 0.4],
+  [0.8, 0.8],
+  [1, 0.95],
+] as const;
+
+/** The tone curve of chalk on dark paper, which draws the lights and leaves the shade blank. */
+const CHALKED = [
+  [0, 0.95],
+  [0.2, 0.8],
+  [0.55, 0.25],
+  [0.85, 0.02],
+  [1, 0],
+] as const;
+
+const BLACK = '#1c1a17';
+const WHITE = '#f7f3e8';
+
+// biome-ignore lint/complexity/noExcessiveLinesPerFunction: it is a table.
+const makeMaterials = () =>
+  ({
+    pen: {
+      technique: 'anchored',
+      sizedOnScreen: 1,
+      anchorSpacing: 0.4,
+      strokeWidth: 1.5,
+      strokeRotation: Math.PI / 2,
+      strokeLayers: 'tone',
+      crossFrom: 0.6,
+      crossAngle: Math.PI / 3,
+      toneCurve: 'printed',
+      reflectedLight: 0.35,
+      ink: BLACK,
+      paper: WHITE,
+    },
+    crossHatching: {
+      technique: 'anchored',
+      sizedOnScreen: 1,
+      anchorSpacing: 0.4,
+      strokeWidth: 1.2,
+      strokeRotation: Math.PI / 4,
+      strokeLayers: 'tone',
+      crossFrom: 0.15,
+      crossAngle: Math.PI / 2,
+      toneCurve: 'printed',
+      reflectedLight: 0.25,
+      ink: BLACK,
+      paper: WHITE,
+      tonalArtMap: 'contours',
+    },
+    engraving: {
+      technique: 'engraved',
+      sizedOnScreen: 1,
+      lineField: 'light',
+      lineSpacing: 4.5,
+      crossFrom: 0.52,
+      crossAngle: Math.PI / 3,
+      handmade: 0.4,
+      toneCurve: 'printed',
+      reflectedLight: 0.4,
+      ink: BLACK,
+      paper: WHITE,
+    },
+    technical: {
+      technique: 'engraved',
+      sizedOnScreen: 1,
+      lineField: 'y',
+      lineSpacing: 5,
+      crossFrom: 1,
+      handmade: 0,
+      toneCurve: 'printed',
+      reflectedLight: 0.25,
+      ink: BLACK,
+      paper: WHITE,
+    },
+    woodcut: {
+      technique: 'engraved',
+      medium: 'woodcut',
+      sizedOnScreen: 1,
+      lineField: 'towards',
+      lineSpacing: 7,
+      crossFrom: 1,
+      handmade: 0.6,
+      toneCurve: CUT,
+      reflectedLight: 0.15,
+      ink: '#120e0a',
+      paper: '#ece0c4',
+    },
+    stipple: {
+      technique: 'anchored',
+      sizedOnScreen: 1,
+      anchorSpacing: 0.4,
+      strokeWidth: 2.6,
+      strokeRotation: Math.PI / 2,
+      medium: 'stipple',
+      strokeLayers: 'single',
+      toneCurve: 'printed',
+      reflectedLight: 0.3,
+      ink: BLACK,
+      paper: WHITE,
+    },
+    pencil: {
+      technique: 'anchored',
+      sizedOnScreen: 1,
+      anchorSpacing: 0.5,
+      strokeWidth: 2,
+      strokeRotation: 0.75 * Math.PI,
+      strokeLayers: 'tone',
+      crossFrom: 0.45,
+      crossAngle: Math.PI / 6,
+      medium: 'dry',
+      tooth: 0.4,
+      toothSize: 1.6,
+      softness: 0.9,
+      smudge: 0.2,
+      toneCurve: RUBBED,
+      reflectedLight: 0.4,
+      ink: '#34343a',
+      paper: '#fbfaf6',
+    },
+    charcoal: {
+      technique: 'anchored',
+      sizedOnScreen: 1,
+      anchorSpacing: 0.5,
+      strokeWidth: 6,
+      strokeRotation: Math.PI / 4,
+      strokeLayers: 'single',
+      medium: 'dry',
+      tooth: 0.6,
+      toothSize: 2,
+      softness: 0.9,
+      smudge: 0.5,
+      toneCurve: RUBBED,
+      reflectedLight: 0.3,
+      ink: '#1d1a19',
+      paper: '#e6dccb',
+    },
+    chalk: {
+      technique: 'anchored',
+      sizedOnScreen: 1,
+      anchorSpacing: 0.5,
+      strokeWidth: 7,
+      strokeRotation: 0,
+      strokeLayers: 'single',
+      medium: 'dry',
+      tooth: 0.55,
+      toothSize: 2,
+      softness: 0.7,
+      smudge: 0.25,
+      toneCurve: CHALKED,
+      reflectedLight: 0,
+      ink: '#f4f1e6',
+      paper: '#2f3a38',
+    },
+  }) as const;
+
+/** The parameters of the material of every preset, ink and paper among them. */
+export const PRESET_MATERIALS = /* @__PURE__ */ frozen(/* @__PURE__ */ makeMaterials());
+
+/** The names of the presets. */
+export type PresetName = keyof typeof PRESET_MATERIALS;
+
+/** A value that cannot be changed, nor anything in it. */
+export function frozen<Value>(value: Value): Value {
+  if (typeof value === 'object' && value !== null) for (const part of Object.values(value)) frozen(part);
+  return Object.freeze(value);
+}

@@ -1,0 +1,45 @@
+import type { Texture } from 'three';
+import { defaultOf } from './facts/defaultOf.js';
+import type { HatchingProperty } from './facts/HatchingProperty.js';
+import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import { isUsedBy, knowsChoice } from './facts/lookFacts.js';
+import type { ToneCurve } from './fitToneCurve.js';
+import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import { CHANNEL_VARYINGS, channelDefine, TONE_CURVES } from './shaders/shaderConventions.js';
+
+const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+
+/** How the shader knows a curve. */
+const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
+  curve === 'linear' || curve === 'perceptual' ? curve : 'points';
+
+/**
+ * The defines by which the program of a material follows from its properties; those that are undefined are not there. A choice that does
+ * not count for the technique is at its default, so that it builds no other program.
+ */
+export function programDefines(material: HatchingMaterialProperties): Record<string, number | string | undefined> {
+  const { technique, toneCurve, sizedOnScreen } = material;
+  const defines: Record<string, number | string | undefined> = {};
+  let usesFirstChannel = false;
+  for (const name of propertyNames) {
+    const property: HatchingProperty = HATCHING_PROPERTIES[name];
+    if (property.kind === 'texture') {
+      const texture = material[name] as Texture | null;
+      defines[channelDefine(property)] = texture ? CHANNEL_VARYINGS[texture.channel] : undefined;
+      usesFirstChannel ||= texture?.channel === 0;
+    }
+    if (!('define' in property) || property.define === undefined) continue;
+    const wanted = material[name];
+    const isUsed = isUsedBy(technique, property) && knowsChoice(technique, property, wanted);
+    const value = isUsed ? wanted : defaultOf(name, technique);
+    if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
+    else defines[property.define] = value ? '' : undefined;
+  }
+  defines.TONE_CURVE = TONE_CURVES.indexOf(curveKind(toneCurve));
+  // three.js itself defines USE_UV1 to USE_UV3.
+  defines.USE_UV0 = usesFirstChannel ? '' : undefined;
+  // Strokes that are sized on the object alone need one lattice, and no code for a second.
+  const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];
+  defines.SIZED_ON_SCREEN = hasProgramForObject && sizedOnScreen > 0 ? '' : undefined;
+  return defines;
+}

@@ -1,0 +1,30 @@
+import type { HatchingMaterialParameters, TonalArtMap } from 'three-hatching';
+
+/** What all techniques draw plainly: tone as the light has it, in one layer, tangent to the light. */
+const PLAIN: HatchingMaterialParameters = {
+  toneCurve: 'linear',
+  reflectedLight: 0,
+  crossFrom: 0.52,
+};
+
+/**
+ * A look without the choices of a hand that the material has where nothing is set: what a test or a benchmark measures is then what
+ * it names. Strokes lie on the object, a texel of their map to a pixel at most.
+ *
+ * @param look all that is not plain; the technique `adjacency`, unless it names another
+ */
+export function plainLook(look: HatchingMaterialParameters = {}): HatchingMaterialParameters {
+  const { technique = 'adjacency', tonalArtMap = null } = look;
+  const plain = { ...PLAIN, technique, tonalArtMap };
+  if (technique === 'engraved') return { ...plain, sizedOnScreen: 0, lineSpacing: 5, ...look };
+  if (technique !== 'anchored') return { ...plain, ...look };
+  return {
+    ...plain,
+    sizedOnScreen: 0,
+    anchorSpacing: 0.45,
+    strokeRotation: 0,
+    strokeLayers: 'single',
+    strokeWidth: (tonalArtMap as TonalArtMap | null)?.strokeTexels ?? 1,
+    ...look,
+  };
+}
