@@ -18,7 +18,7 @@ import { figure, table, withInterval } from './table.mjs';
 const TECHNIQUES = {
   corner: ['triangle', 'adjacency', 'anchored'],
   pull: ['triangle', 'adjacency', 'anchored'],
-  indexed: ['anchored'],
+  indexed: ['anchored', 'engraved'],
 };
 const MAPS = ['hatching', 'stippling'];
 

@@ -1,4 +1,4 @@
-type Library = typeof import('three-hatching');
+export type Library = typeof import('three-hatching');
 
 /** The built libraries that are compared; `buildLibrary.mjs` has put them there. Both draw with the same three. */
 export async function loadLibraries(): Promise<Record<'old' | 'new', Library>> {
