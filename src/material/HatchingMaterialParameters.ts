@@ -1,4 +1,4 @@
-import type { MaterialParameters } from 'three';
+import type { MaterialParameters, NormalMapTypes } from 'three';
 import type { PresetName } from './facts/presetMaterials.js';
 import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
 
@@ -9,6 +9,8 @@ export type HatchingMaterialParameters = MaterialParameters &
     preset?: PresetName | undefined;
     /** Defines of your own, beside the material's. */
     defines?: Record<string, unknown> | undefined;
+    /** The space of `normalMap`: `TangentSpaceNormalMap`, the default, or `ObjectSpaceNormalMap`. */
+    normalMapType?: NormalMapTypes | undefined;
     fog?: boolean | undefined;
     wireframe?: boolean | undefined;
     clipping?: boolean | undefined;

@@ -24,7 +24,7 @@ import { createOutlineUniforms } from './outlineUniforms.js';
 export type HatchingOutlineParameters = MaterialParameters &
   Partial<Pick<HatchingOutlineMaterial, OutlineNumberName>> & {
     ink?: ColorRepresentation | undefined;
-    /** The weights on the lit side and in the shade. */
+    /** The weights on the lit side and in the shade, each 0 or more. */
     shadeWeights?: Vector2 | readonly [number, number] | undefined;
     fog?: boolean | undefined;
     clipping?: boolean | undefined;
@@ -42,17 +42,17 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
 
   /** Width of an outline of weight 1, in CSS pixels, above 0. In print, see `millimetresToPixels`. Default 1.8. */
   declare outlineWidth: number;
-  /** Weight of contours, along which the surface turns away from the eye; 0 draws none. Default 1. */
+  /** Weight of contours, along which the surface turns away from the eye, 0 or more; 0 draws none. Default 1. */
   declare contours: number;
-  /** Weight of borders, where the surface ends; 0 draws none. Default 1. */
+  /** Weight of borders, where the surface ends, 0 or more; 0 draws none. Default 1. */
   declare borders: number;
-  /** Weight of creases: sharp edges with both sides visible; 0 draws none. Default 0.6. */
+  /** Weight of creases, sharp edges with both sides visible, 0 or more; 0 draws none. Default 0.6. */
   declare creases: number;
-  /** Weight of edges between groups of a geometry, on meshes with several materials; 0 draws none. Default 0.6. */
+  /** Weight of edges between groups of a geometry, on meshes with several materials, 0 or more; 0 draws none. Default 0.6. */
   declare materialBorders: number;
   /**
-   * Weight of suggestive contours, where a contour would appear if the eye moved a little (DeCarlo et al., 2003); 0 draws
-   * none. Every triangle is tested for them. Default 0; try 0.6.
+   * Weight of suggestive contours, where a contour would appear if the eye moved a little (DeCarlo et al., 2003), 0 or
+   * more; 0 draws none. Every triangle is tested for them. Default 0; try 0.6.
    */
   declare suggestiveContours: number;
   /**
@@ -71,7 +71,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   declare toothSize: number;
   /** Colour of the outlines. Default black. */
   ink: Color = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
-  /** Weights on the lit side and in the shade, under all lights of the scene. Default (0.5, 1.4). */
+  /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.5, 1.4). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
