@@ -3,52 +3,38 @@
  *
  * @module three-hatching
  */
+export type { EdgeCounts } from './adjacency/EdgeCounts.js';
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
+export type { Repairs } from './geometry/repairValues.js';
 export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
 export type { HatchImages } from './hatchImages/HatchImages.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
-export { defaultOf } from './material/facts/defaultOf.js';
-export type {
-  HatchingCondition,
-  HatchingFacts,
-  HatchingMeasure,
-  HatchingProperty,
-} from './material/facts/HatchingProperty.js';
-export { HATCHING_FACTS } from './material/facts/hatchingFacts.js';
 // The types of all choices.
 export type * from './material/facts/hatchingProperties.js';
-export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchingProperties.js';
-export {
-  counts,
-  type HatchingLook,
-  measureOf,
-  needsAdjacency,
-  needsMap,
-  pixelPower,
-  scaledSizes,
-} from './material/facts/lookFacts.js';
 export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
 export type { HatchingMaterialOptions } from './material/HatchingMaterialProperties.js';
+export type { HatchingMaterialJSON } from './material/hatchingJSON.js';
 export { HatchingOutlineMaterial, type HatchingOutlineParameters } from './outlines/HatchingOutlineMaterial.js';
 export { HatchingOutlines } from './outlines/HatchingOutlines.js';
 export { millimetresToPixels } from './outlines/millimetresToPixels.js';
-export { HATCHING_OUTLINE_DEFAULTS } from './outlines/outlineProperties.js';
 export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/AdaptiveResolution.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
-export { leftAlone } from './scene/leftAlone.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';
 export { withPreset } from './scene/withPreset.js';
 export type { StrokeStyleName } from './strokes/strokeStyleNames.js';
+export type { ThresholdMoments } from './tam/measureThresholdMoments.js';
+export type { ThresholdTexture } from './tam/ThresholdTexture.js';
 export type { MapDrawing, TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';
+export type { TonalArtMapTexture } from './tam/TonalArtMapTexture.js';
 export { disposeHatchingWorkers } from './worker/runTask.js';
 export type { TaskOptions } from './worker/TaskOptions.js';

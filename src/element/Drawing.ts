@@ -11,14 +11,8 @@ import {
   Scene,
   Vector3,
 } from 'three';
-import {
-  applyHatching,
-  type HatchedScene,
-  type HatchingPreset,
-  type MapDrawing,
-  needsMap,
-  TonalArtMap,
-} from 'three-hatching';
+import { applyHatching, type HatchedScene, type HatchingPreset, type MapDrawing, TonalArtMap } from 'three-hatching';
+import { needsMap } from 'three-hatching/facts';
 import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';

@@ -3,10 +3,10 @@ import {
   type ApplyHatchingOptions,
   applyHatching,
   type HatchedScene,
-  needsMap,
   type TonalArtMap,
   withPreset,
 } from 'three-hatching';
+import { needsMap } from 'three-hatching/facts';
 import { restyle } from './restyle.js';
 import { meshesOf, SceneSnapshot } from './SceneSnapshot.js';
 import { sameValue } from './sameValue.js';

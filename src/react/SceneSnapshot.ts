@@ -1,5 +1,5 @@
 import type { Material, Mesh, Object3D } from 'three';
-import { leftAlone } from 'three-hatching';
+import { leftAlone } from 'three-hatching/facts';
 
 /** Remembers the meshes of a scene that are to be hatched, in order, with their geometries and materials, to notice when the scene changes. */
 export class SceneSnapshot {

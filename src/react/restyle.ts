@@ -1,14 +1,11 @@
 import { MeshStandardMaterial } from 'three';
-import {
-  type ApplyHatchingOptions,
-  defaultOf,
-  HATCHING_DEFAULTS,
-  HATCHING_OUTLINE_DEFAULTS,
-  type HatchedScene,
-  type HatchingMaterialParameters,
-  type HatchingPropertyName,
-  needsAdjacency,
+import type {
+  ApplyHatchingOptions,
+  HatchedScene,
+  HatchingMaterialParameters,
+  HatchingPropertyName,
 } from 'three-hatching';
+import { defaultOf, HATCHING_DEFAULTS, HATCHING_OUTLINE_DEFAULTS, needsAdjacency } from 'three-hatching/facts';
 import { namesOf, sameValue } from './sameValue.js';
 
 type Values = Readonly<Record<string, unknown>>;

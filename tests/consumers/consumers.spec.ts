@@ -46,12 +46,14 @@ const LIKE = 0.9;
 const PACKED = [
   ...['LICENSE', 'README.md'],
   ...[
+    'FirstFrame',
     'addDecoders',
     'bake.worker',
     'checkDraws',
     'command',
     'element',
     'elementShared',
+    'facts',
     'index',
     'inlineWorker',
     'react',
@@ -84,7 +86,7 @@ test.describe('the tarball', () => {
     const declared = files.filter((file) => file.endsWith('.d.ts'));
     for (const file of declared) expect(existsSync(sourceOf(file)), file).toBe(true);
     expect(declared.filter((file) => /demo|command/.test(file))).toEqual([]);
-    const scripts = ['index.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'].flatMap((name) =>
+    const scripts = ['index.js', 'facts.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'].flatMap((name) =>
       withImports(name),
     );
     expect(PACKED.filter((file) => file.endsWith('.js'))).toEqual(
@@ -119,7 +121,14 @@ test.describe('the tarball', () => {
     const imported = withImports('index.js').flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
-    const ofReact = ['@react-three/fiber', 'react', 'react/jsx-runtime', 'three', 'three-hatching'];
+    const ofReact = [
+      '@react-three/fiber',
+      'react',
+      'react/jsx-runtime',
+      'three',
+      'three-hatching',
+      'three-hatching/facts',
+    ];
     expect(importsOf('react.js').sort()).toEqual(ofReact);
     expect(readFileSync(join(libraryFolder, 'dist/react.js'), 'utf8')).toMatch(/^["']use client["'];\n/);
     for (const name of importsOf('command.js')) expect(name).toMatch(/^node:/);
@@ -163,7 +172,7 @@ test.describe('the tarball', () => {
   });
 
   test('is small: the web component, whose decoders come when they are needed', async () => {
-    const others = /^three($|\/)|dist\/index\.js$/;
+    const others = /^three($|\/)|dist\/(index|facts)\.js$/;
     const chunks = await bundle(`export * from '${libraryFolder}/dist/element.js';`, others);
     const atOnce = loadedAtOnce(chunks);
     const bytes = sizeOf(atOnce);

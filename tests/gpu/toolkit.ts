@@ -11,9 +11,9 @@ import {
   HatchingMaterial,
   type HatchingMaterialParameters,
   prepareHatchingGeometry,
-  scaledSizes,
   TonalArtMap,
 } from 'three-hatching';
+import { scaledSizes } from 'three-hatching/facts';
 import { plainLook } from '../../tools/plainLook.js';
 
 /** A material whose strokes are plain unless a test says otherwise; `UsersMaterial` is the material as users make it. */

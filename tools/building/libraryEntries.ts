@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 /** Names of the library's entries that the pages import, and the files they stand for. */
 const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching$/, 'index', 'index'],
+  [/^three-hatching\/facts$/, 'facts', 'facts'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
   [/^three-hatching\/element$/, 'element/element', 'element'],
   // A query tells Vite how to load the file.

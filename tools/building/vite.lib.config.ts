@@ -40,18 +40,20 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? { index: 'src/index.ts' },
+        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts' },
         formats: ['es'],
       },
       rolldownOptions: {
-        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', 'three-hatching'],
+        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', /^three-hatching($|\/facts$)/],
         // Chunks that are loaded when they are needed keep their names; code that several files need has a chunk of its own.
         output: {
           chunkFileNames: '[name].js',
           // Tells frameworks that run components on the server that these run in the browser.
           ...(mode === 'react' && { banner: "'use client';" }),
           // So a page without a bundler needs no entry in its import map for the library.
-          ...(mode === 'element' && { paths: { 'three-hatching': './index.js' } }),
+          ...(mode === 'element' && {
+            paths: { 'three-hatching': './index.js', 'three-hatching/facts': './facts.js' },
+          }),
           // Passes lie in one folder: each names what its files share after itself.
           codeSplitting: { groups: [{ name: mode in ENTRIES ? `${mode}Shared` : 'shared', minShareCount: 2 }] },
         },

@@ -27,7 +27,19 @@ export const ROOMS = {
   'material/firstDraw': ['facts', 'deformation'],
   outlines: ['mistakes', 'features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
   scene: ['mistakes', 'slices', 'strokes', 'bake', 'occlusion', 'worker', 'tam', 'geometry', 'material', 'outlines'],
-  'index.ts': ['strokes', 'hatchImages', 'mapFiles', 'worker', 'tam', 'geometry', 'material', 'outlines', 'scene'],
+  'index.ts': [
+    'adjacency',
+    'strokes',
+    'hatchImages',
+    'mapFiles',
+    'worker',
+    'tam',
+    'geometry',
+    'material',
+    'outlines',
+    'scene',
+  ],
+  'facts.ts': ['material', 'outlines', 'scene'],
 
   // For Node: the presets are data.
   command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts'],

@@ -1,13 +1,12 @@
 /** The page of the metrics: measures one model with every technique. */
 import { type BufferGeometry, PlaneGeometry, Vector3, WebGLRenderer } from 'three';
 import {
-  counts,
   HatchingMaterial,
   type HatchingMaterialParameters,
-  needsMap,
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
+import { counts, needsMap } from 'three-hatching/facts';
 import { HATCHING_TECHNIQUES } from '../../src/material/facts/hatchingProperties.js';
 import { plainLook } from '../plainLook.js';
 import { loadModel, type ModelName } from './loadModel.js';

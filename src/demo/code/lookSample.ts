@@ -1,16 +1,14 @@
 import { Color, type ColorRepresentation } from 'three';
+import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique } from 'three-hatching';
 import {
   counts,
   defaultOf,
   HATCHING_OUTLINE_DEFAULTS,
   HATCHING_PROPERTIES,
-  type HatchingMaterialParameters,
-  type HatchingPropertyName,
-  type HatchingTechnique,
   needsAdjacency,
   needsMap,
   pixelPower,
-} from 'three-hatching';
+} from 'three-hatching/facts';
 import { countsFor } from '../settings/effects.js';
 import { isSize, materialLook, TWINS, type Twin } from '../settings/materialLook.js';
 import { outlineLook } from '../settings/outlineLook.js';

@@ -1,10 +1,6 @@
 import { type Color, type ColorRepresentation, Vector2 } from 'three';
-import {
-  HATCHING_PROPERTIES,
-  type HatchingMaterial,
-  type HatchingMaterialParameters,
-  type HatchingPropertyName,
-} from 'three-hatching';
+import type { HatchingMaterial, HatchingMaterialParameters, HatchingPropertyName } from 'three-hatching';
+import { HATCHING_PROPERTIES } from 'three-hatching/facts';
 
 /**
  * Sets parameters of materials, one material after the other. `setValues` would warn of what the technique does not use, which the

@@ -1,4 +1,5 @@
-import { HATCHING_DEFAULTS, type HatchingMaterialParameters, scaledSizes } from 'three-hatching';
+import type { HatchingMaterialParameters } from 'three-hatching';
+import { HATCHING_DEFAULTS, scaledSizes } from 'three-hatching/facts';
 import type { Look } from '../settings/lookOf.js';
 
 const { finestSpacing } = HATCHING_DEFAULTS;

@@ -4,12 +4,12 @@ import {
   HatchingOutlines,
   type HatchingPreset,
   type HatchingTechnique,
-  needsMap,
   presets,
   type StrokeStyleName,
   scalePreset,
   TonalArtMap,
 } from 'three-hatching';
+import { needsMap } from 'three-hatching/facts';
 import { createCamera } from '../stage/view/createCamera.js';
 import { fitCamera } from '../stage/view/framing.js';
 import { figureModel } from './figureModels.js';

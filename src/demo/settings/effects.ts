@@ -5,7 +5,7 @@ import {
   type HatchingLook,
   type HatchingProperty,
   measureOf,
-} from 'three-hatching';
+} from 'three-hatching/facts';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { looksOf } from './settingValues.js';
 import type { Setting } from './table/Setting.js';

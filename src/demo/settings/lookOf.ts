@@ -1,4 +1,5 @@
-import { type HatchingMaterialParameters, needsMap } from 'three-hatching';
+import type { HatchingMaterialParameters } from 'three-hatching';
+import { needsMap } from 'three-hatching/facts';
 import { drawnSettings } from './drawnSettings.js';
 import { type Lighting, lightingOf } from './lighting.js';
 import { materialLook, materialSizes } from './materialLook.js';

@@ -1,12 +1,6 @@
 import { MathUtils, Vector2 } from 'three';
-import {
-  counts,
-  HATCHING_PROPERTIES,
-  type HatchingMaterialParameters,
-  type HatchingPropertyName,
-  type HatchingTechnique,
-  pixelPower,
-} from 'three-hatching';
+import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique } from 'three-hatching';
+import { counts, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import type { Setting } from './table/Setting.js';
 import { unitOf } from './table/units.js';

@@ -1,4 +1,5 @@
-import { counts, HATCHING_OUTLINE_DEFAULTS, type HatchingOutlineParameters } from 'three-hatching';
+import type { HatchingOutlineParameters } from 'three-hatching';
+import { counts, HATCHING_OUTLINE_DEFAULTS } from 'three-hatching/facts';
 import { techniqueOf } from './materialLook.js';
 import type { Settings } from './settings.js';
 

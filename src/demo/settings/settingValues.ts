@@ -1,5 +1,5 @@
 import { MathUtils } from 'three';
-import { type HatchingLook, needsAdjacency, needsMap } from 'three-hatching';
+import { type HatchingLook, needsAdjacency, needsMap } from 'three-hatching/facts';
 import { materialLook } from './materialLook.js';
 import type { Settings } from './settings.js';
 

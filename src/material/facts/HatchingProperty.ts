@@ -14,7 +14,8 @@ export interface HatchingOther extends UsedByTechniques {
   defaultFor?: Readonly<Record<string, string>>;
 }
 
-interface UsedByTechniques {
+/** What every property has. */
+export interface UsedByTechniques {
   /** The techniques that read it. Left out: all. */
   techniques?: readonly string[];
 }
@@ -93,7 +94,8 @@ export interface HatchingFacts {
  */
 export type HatchingCondition = Readonly<Record<string, readonly PlainValue[] | { readonly not: PlainValue }>>;
 
-type PlainValue = string | number | boolean | null;
+/** A value of a property as data has it. */
+export type PlainValue = string | number | boolean | null;
 
 /** What a number measures. */
 export type HatchingMeasure =

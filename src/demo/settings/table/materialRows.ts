@@ -1,9 +1,5 @@
-import {
-  HATCHING_DEFAULTS,
-  HATCHING_PROPERTIES,
-  type HatchingMaterialOptions,
-  type HatchingPropertyName,
-} from 'three-hatching';
+import type { HatchingMaterialOptions, HatchingPropertyName } from 'three-hatching';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from 'three-hatching/facts';
 import type { ChoiceRow, ColorRow, NumberRow, SettingRow } from './Setting.js';
 import { unitOf } from './units.js';
 

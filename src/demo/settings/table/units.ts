@@ -1,5 +1,6 @@
 import { MathUtils } from 'three';
-import { HATCHING_FACTS, type HatchingMeasure, type HatchingPropertyName } from 'three-hatching';
+import type { HatchingPropertyName } from 'three-hatching';
+import { HATCHING_FACTS, type HatchingMeasure } from 'three-hatching/facts';
 
 /** How the page shows a number of the material. */
 export interface Unit {

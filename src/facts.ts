@@ -1,0 +1,35 @@
+/**
+ * What the library knows of its own properties and of what it draws, as data: for editors with a control for each property, and for
+ * components that hatch. Nobody else needs it.
+ *
+ * @module three-hatching/facts
+ */
+export { defaultOf } from './material/facts/defaultOf.js';
+export type {
+  HatchingChoice,
+  HatchingCondition,
+  HatchingFacts,
+  HatchingMeasure,
+  HatchingNumber,
+  HatchingOther,
+  HatchingProperty,
+  HatchingSwitch,
+  HatchingTechniqueData,
+  HatchingTexture,
+  HatchingValue,
+  NumberRange,
+  PlainValue,
+} from './material/facts/HatchingProperty.js';
+export { HATCHING_FACTS } from './material/facts/hatchingFacts.js';
+export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchingProperties.js';
+export {
+  counts,
+  type HatchingLook,
+  measureOf,
+  needsAdjacency,
+  needsMap,
+  pixelPower,
+  scaledSizes,
+} from './material/facts/lookFacts.js';
+export { HATCHING_OUTLINE_DEFAULTS } from './outlines/outlineProperties.js';
+export { leftAlone } from './scene/leftAlone.js';
