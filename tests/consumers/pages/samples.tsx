@@ -121,10 +121,8 @@ async function runSample(name: string, { html, hasCanvas, isLit }: SampleFacts):
   }
   if (document.body.childElementCount > 0) return;
   document.body.append(renderer.domElement);
-  renderer.render(scene, camera);
-  // Lists of contours are made meanwhile.
-  await new Promise((resolve) => setTimeout(resolve));
-  renderer.render(scene, camera);
+  // Again and again: maps and lists of contours come later.
+  renderer.setAnimationLoop(() => renderer.render(scene, camera));
 }
 
 /** Shows a component, in a canvas if it makes none. */
