@@ -16,12 +16,12 @@ const FORMER_NAMES: Readonly<Record<string, string | null>> = { sizedOnScreen: '
 
 /** The plain look of a technique, in the names that a library knows: defaults differ from commit to commit. */
 function lookOf(
-  { HATCHING_PROPERTIES }: Library,
+  { HatchingMaterial: Material }: Library,
   technique: HatchingTechnique,
   { tonalArtMap }: HatchingMaterial,
 ): HatchingMaterialParameters {
   const look = plainLook({ technique, tonalArtMap });
-  const isFormer = !('sizedOnScreen' in HATCHING_PROPERTIES);
+  const isFormer = !('sizedOnScreen' in Material.prototype);
   const named = Object.entries(look).flatMap(([name, value]) => {
     const known = isFormer && name in FORMER_NAMES ? FORMER_NAMES[name] : name;
     return known === null ? [] : [[known, value]];
