@@ -361,7 +361,7 @@ const FEATURES: readonly Feature[] = [
     show: async (stage) => {
       stage.renderer.toneMapping = THREE.ACESFilmicToneMapping;
       stage.renderer.outputColorSpace = THREE.SRGBColorSpace;
-      await papered(() => ({ color: 0x88aaff, map: greys() }))(stage);
+      await papered(() => ({ color: 0x88aaff, map: greys(), toneMapped: true }))(stage);
     },
   },
 ];

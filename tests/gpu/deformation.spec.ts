@@ -430,13 +430,14 @@ test('a device without float targets moves what deforms, hatched as at rest, and
       return name === 'EXT_color_buffer_float' ? null : getExtension.call(this, name);
     });
     const geometry = await prepareHatchingGeometry(tubeGeometry(), { adjacency: true });
-    const mesh = onBones(geometry, new HatchingMaterial({ tonalArtMap: greyMap() }));
+    const mesh = onBones(geometry, new HatchingMaterial({ technique: 'adjacency', tonalArtMap: greyMap() }));
     mesh.name = 'tube';
     try {
       const renderer = makeRenderer();
+      const scene = sceneOf(mesh, sun());
       const drawn = [0, 1].map((angle) => {
         mesh.skeleton.bones[1].rotation.z = angle;
-        return pixelsOf(sceneOf(mesh, sun()), renderer);
+        return pixelsOf(scene, renderer);
       });
       await whenChecked();
       return drawn;

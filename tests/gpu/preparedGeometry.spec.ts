@@ -44,8 +44,9 @@ test('geometry that is moved after the bake is named, once, with the remedy', as
     const draw = async (geometry: BufferGeometry, technique: 'adjacency' | 'anchored') => {
       const mesh = new THREE.Mesh(geometry, new HatchingMaterial({ technique, tonalArtMap }));
       mesh.name = geometry.name;
-      pixelsOf(sceneOf(mesh, sun()), renderer);
-      pixelsOf(sceneOf(mesh, sun()), renderer);
+      const scene = sceneOf(mesh, sun());
+      pixelsOf(scene, renderer);
+      pixelsOf(scene, renderer);
       await whenChecked();
     };
     const prepare = async (name: string, layout: 'corner' | 'pull' | 'indexed') => {

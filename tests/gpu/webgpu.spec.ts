@@ -1,7 +1,7 @@
 import { expect, test } from '../browser/test.js';
 
 const THREES = [
-  /Material "Hatching(Line)?Material" is not compatible/,
+  /Material "Hatching(Outline)?Material" is not compatible/,
   // Of the material that three.js draws in the place of that of outlines.
   /Vertex attribute "position" not found on geometry/,
 ];

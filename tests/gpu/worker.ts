@@ -12,7 +12,12 @@ import {
   TorusGeometry,
   WebGLRenderer,
 } from 'three';
-import { applyHatching, type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
+import {
+  applyHatching,
+  HatchingMaterial,
+  type PrepareHatchingGeometryOptions,
+  prepareHatchingGeometry,
+} from 'three-hatching';
 import BakeWorker from '../../src/worker/bake.worker.js?worker';
 import { disposeHatchingWorkers, runTask } from '../../src/worker/runTask.js';
 import ClosingWorker from './workerClosing.js?worker';
@@ -65,6 +70,9 @@ async function prepareAndDigest(options?: PrepareHatchingGeometryOptions, geomet
   const prepared = await prepareHatchingGeometry(geometry, options);
   return { digest: await digest(prepared), statistics: prepared.userData.hatching, bounds: prepared.boundingSphere };
 }
+
+// What is drawn here is of no interest, and has neither maps nor enough light.
+HatchingMaterial.silent = true;
 
 const largeTorus = () => new TorusGeometry(1, 0.4, 300, 300);
 
@@ -133,10 +141,10 @@ const workerTests = {
   },
 
   async bunny() {
-    const inWorker = await prepareAndDigest();
+    const inWorker = await prepareAndDigest({ adjacency: true });
     const workersForWorker = workersMade;
-    const inOwnWorker = await prepareAndDigest({ createWorker: () => new BakeWorker() });
-    const onMainThread = await withoutWorkers(() => prepareAndDigest());
+    const inOwnWorker = await prepareAndDigest({ createWorker: () => new BakeWorker(), adjacency: true });
+    const onMainThread = await withoutWorkers(() => prepareAndDigest({ adjacency: true }));
     return { inWorker, workersForWorker, inOwnWorker, onMainThread, workersMade };
   },
 
