@@ -74,7 +74,9 @@ scene.add(stones);
 scene.traverse((object) => {
   object.castShadow = object.receiveShadow = true;
 });
-await applyHatching(scene, presets.pen);
+await applyHatching(scene, { ...presets.pen, filter: (mesh) => mesh !== stones });
+// A batch has no outlines.
+await applyHatching(stones, { ...presets.pen, outlines: false });
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-6, 6, 2);

@@ -10,6 +10,28 @@ const ENTRIES: Record<string, Record<string, string>> = {
   element: { element: 'src/element/element.ts' },
 };
 
+/**
+ * What pages use alone. Bundlers move whole files between what a page loads at once and what it loads later, so that each of these has
+ * files of its own, without what only the others need.
+ */
+const SEPARATE: Record<string, string> = {
+  'separate/material': 'src/material/HatchingMaterial.ts',
+  'separate/geometry': 'src/geometry/prepareHatchingGeometry.ts',
+  'separate/scene': 'src/scene/applyHatching.ts',
+};
+
+/** Leaves out the files of those entries themselves, which only pass on what `index` passes on too. */
+const withoutSeparateEntries: Plugin = {
+  name: 'without-separate-entries',
+  generateBundle(_options, bundle) {
+    for (const [file, chunk] of Object.entries(bundle)) {
+      if (chunk.type !== 'chunk' || !(chunk.name in SEPARATE)) continue;
+      if (chunk.moduleIds.length > 0) this.error(`${file} has code of its own: ${chunk.moduleIds.join(', ')}.`);
+      delete bundle[file];
+    }
+  },
+};
+
 /** Fails a build that bundles code of others, so that users of the library have nobody else to credit. */
 const nothingOfOthers: Plugin = {
   name: 'nothing-of-others',
@@ -31,7 +53,7 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // The default base would turn the worker's address into an absolute one, broken for every consumer.
     base: './',
-    plugins: [shortShaders, bundledWorker(() => [nothingOfOthers]), nothingOfOthers],
+    plugins: [shortShaders, bundledWorker(() => [nothingOfOthers]), nothingOfOthers, withoutSeparateEntries],
     publicDir: false,
     build: {
       target: 'es2022',
@@ -40,7 +62,7 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts' },
+        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts', ...SEPARATE },
         formats: ['es'],
       },
       rolldownOptions: {
@@ -54,8 +76,8 @@ export default defineConfig(
           ...(mode === 'element' && {
             paths: { 'three-hatching': './index.js', 'three-hatching/facts': './facts.js' },
           }),
-          // Passes lie in one folder: each names what its files share after itself.
-          codeSplitting: { groups: [{ name: mode in ENTRIES ? `${mode}Shared` : 'shared', minShareCount: 2 }] },
+          // Passes lie in one folder: each further one names what its files share after itself.
+          ...(mode in ENTRIES && { codeSplitting: { groups: [{ name: `${mode}Shared`, minShareCount: 2 }] } }),
         },
       },
     },

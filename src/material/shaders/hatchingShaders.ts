@@ -11,8 +11,8 @@ export interface Shaders {
   fragmentShader: string;
 }
 
-/** Every file of shaders/ but those of lines, as text. */
-const files: Readonly<Record<string, string>> = import.meta.glob(['./**', '!./lines/**'], {
+/** Every file of shaders/ but those of outlines, as text. */
+const files: Readonly<Record<string, string>> = import.meta.glob(['./**', '!./outlines/**'], {
   base: '../../../shaders',
   query: '?raw',
   import: 'default',
