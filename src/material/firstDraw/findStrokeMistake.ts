@@ -30,18 +30,19 @@ function checkOnObject(draw: FirstDraw, note: NoteMistake): void {
   const scale = mesh.matrixWorld.getMaxScaleOnAxis();
   const tile = scale / tilesPerUnit;
   const model = hatchedMeshes(draw.scene);
-  const say = (mistake: 'tooFine' | 'tooCoarse'): void => {
-    const suitable = (SUITABLE.tilesPerRadius / model.radius) * scale;
+  const forModel = (SUITABLE.tilesPerRadius / model.radius) * scale;
+  const say = (mistake: 'tooFine' | 'tooCoarse', suitable: number): void =>
     note(mistake, draw, material, 'tilesPerUnit', rounded(tilesPerUnit), rounded(suitable));
-  };
   const length = counts(material, 'lineSpacing') ? (material.lineSpacing as number) * SPACING_UNIT : LONGEST_STROKE;
   // Strokes as long as the model are drawn on purpose, and those of twice its diameter by mistake.
-  if (tile * length > 4 * model.radius) say('tooCoarse');
-  const map = material.tonalArtMap as TonalArtMap | null;
-  if (!map || !counts(material, 'tonalArtMap')) return;
+  if (tile * length > 4 * model.radius) say('tooCoarse', forModel);
+  const map = material.tonalArtMap as TonalArtMap | string | null;
+  if (!map || typeof map === 'string' || !counts(material, 'tonalArtMap')) return;
   // Levels of the map keep strokes as wide as they are drawn, down to the coarsest.
   const coarsest = map.size >> (map.levels - 1);
-  if ((tile * pixelsPerUnit(draw) * map.strokeTexels) / coarsest < TOO_THIN) say('tooFine');
+  const width = (tile * pixelsPerUnit(draw) * map.strokeTexels) / coarsest;
+  // A model that is far away needs larger strokes than one that fills the picture.
+  if (width < TOO_THIN) say('tooFine', Math.min(forModel, (tilesPerUnit * width) / SUITABLE.strokeWidth));
 }
 
 function checkOnScreen(draw: FirstDraw, note: NoteMistake): void {

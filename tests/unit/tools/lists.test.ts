@@ -25,6 +25,7 @@ const LISTS: Record<string, Kept> = {
       'src/demo/settings/table/drawingSettings.ts',
       // What is measured: a technique with a layout or as a look.
       'tools/bench/frame/measureFrames.ts',
+      'tools/bench/compare.mjs',
       'tools/metrics/page.ts',
       'tools/metrics/describeMetrics.mjs',
     ],

@@ -301,6 +301,16 @@ describe('strokes', () => {
     expect(await draw(mesh, { camera })).toEqual(about(sentence));
   });
 
+  test('of a model far away are to be larger than those of one that fills the picture', async () => {
+    const camera = new PerspectiveCamera(40, 1, 0.1, 1e5);
+    camera.position.z = 300;
+    const [sentence] = await draw(ball(anchored({ sizedOnScreen: 0, tilesPerUnit: 3 })), { camera });
+    const advised = Number(/tilesPerUnit is 3\. Set it to about ([\d.]+)\./.exec(sentence)?.[1]);
+    expect(advised).toBeGreaterThan(0);
+    expect(advised).toBeLessThan(1);
+    expect(await draw(ball(anchored({ sizedOnScreen: 0, tilesPerUnit: advised })), { camera })).toEqual([]);
+  });
+
   test('of a small part are for the whole model', async () => {
     const scene = new Scene().add(ball(anchored({ sizedOnScreen: 0 })));
     scene.traverse((object) => (object as Mesh).geometry?.computeBoundingSphere());
