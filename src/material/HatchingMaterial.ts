@@ -60,6 +60,7 @@ import { VERTEX_LAYOUTS, type VertexLayout } from './shaders/shaderConventions.j
 import { mapIsReady, sharedMap } from './sharedMaps.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
+import { withVectors } from './vectorValues.js';
 
 const viewport = /* @__PURE__ */ new Vector4();
 
@@ -156,7 +157,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const { preset, ...own } = values;
     const parameters = preset === undefined ? own : { ...presetParameters(preset), ...own };
     checkValues(parameters);
-    super.setValues(parameters);
+    super.setValues(withVectors(parameters));
     if (this.defines !== defines) {
       // three.js has replaced the material's own defines by the given ones.
       this.defines = { ...defines, ...this.defines };

@@ -20,6 +20,7 @@ import {
   type ToneNormal,
 } from './facts/hatchingProperties.js';
 import type { ToneCurve } from './fitToneCurve.js';
+import type { Vector2Like } from './vectorValues.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
 export interface HatchingMaterialOptions {
@@ -45,7 +46,7 @@ export interface HatchingMaterialOptions {
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
-  strokeOffset: Vector2;
+  strokeOffset: Vector2Like;
   /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
   strokeAnchor: StrokeAnchor;
   /**
@@ -206,7 +207,7 @@ export interface HatchingMaterialOptions {
    * How far the normal map turns the normal, along x and y. Factor. Default `(1, 1)`. Only with `toneNormal` `'smooth'`
    * and `normalMap` other than `null`.
    */
-  normalScale: Vector2;
+  normalScale: Vector2Like;
   /**
    * Heights that turn the smooth tone normal, where there is no normal map; face normals stay those of the triangles.
    * Default `null`. Only with `toneNormal` `'smooth'` and `normalMap` `null`.

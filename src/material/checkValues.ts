@@ -1,10 +1,11 @@
-import { Color, type Texture, type Vector2 } from 'three';
+import { Color, type Texture } from 'three';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
+import { isVector2Like } from './vectorValues.js';
 
 /**
  * Checks parameters before any of them is set, so that a wrong one changes nothing. Those that any material has are left to three.
@@ -41,7 +42,7 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
       check(name, value === null || (value as Partial<Texture>).isTexture === true, 'a THREE.Texture or null');
       break;
     case 'vector2':
-      check(name, isVector(value), 'a THREE.Vector2 of finite numbers');
+      check(name, isVector2Like(value), 'a THREE.Vector2 or an array of two finite numbers');
       break;
     case 'curve':
       fittedCurve(value as ToneCurve);
@@ -81,9 +82,4 @@ function isColor(value: unknown): boolean {
   // three.js leaves a colour as it is where it cannot read another.
   const { r } = Object.assign(new Color(), { r: Number.NaN }).set(value);
   return Number.isFinite(r);
-}
-
-function isVector(value: unknown): boolean {
-  const { x, y } = (value ?? {}) as Partial<Vector2>;
-  return Number.isFinite(x) && Number.isFinite(y);
 }

@@ -9,6 +9,7 @@ import {
 } from 'three';
 import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
+import type { Vector2Like } from '../material/vectorValues.js';
 import { toothMap } from '../tam/toothMap.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
@@ -25,7 +26,7 @@ export type HatchingOutlineParameters = MaterialParameters &
   Partial<Pick<HatchingOutlineMaterial, OutlineNumberName>> & {
     ink?: ColorRepresentation | undefined;
     /** The weights on the lit side and in the shade, each 0 or more. */
-    shadeWeights?: Vector2 | readonly [number, number] | undefined;
+    shadeWeights?: Vector2Like | undefined;
     fog?: boolean | undefined;
     clipping?: boolean | undefined;
   };

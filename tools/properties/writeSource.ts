@@ -67,6 +67,7 @@ import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import { defaultOf } from './facts/defaultOf.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './facts/hatchingProperties.js';
+import type { Vector2Like } from './vectorValues.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
 export interface HatchingMaterialOptions {
@@ -168,8 +169,10 @@ function valueType(row: PropertyRow): string {
 }
 
 /** What may be set, where that is more than is read. */
-const setType = (row: PropertyRow): string =>
-  row.kind === 'choice' && row.defaultFor ? `${valueType(row)} | 'auto'` : valueType(row);
+function setType(row: PropertyRow): string {
+  if (row.kind === 'vector2') return 'Vector2Like';
+  return row.kind === 'choice' && row.defaultFor ? `${valueType(row)} | 'auto'` : valueType(row);
+}
 
 function field(name: string, row: PropertyRow): string {
   const fallback = `HATCHING_DEFAULTS.${name}`;

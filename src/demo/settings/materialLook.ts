@@ -1,5 +1,5 @@
 import { MathUtils, Vector2 } from 'three';
-import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique } from 'three-hatching';
+import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique, Vector2Like } from 'three-hatching';
 import { counts, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import type { Setting } from './table/Setting.js';
@@ -79,10 +79,15 @@ export function settingsOfMaterial(parameters: HatchingMaterialParameters): Part
   return {
     ...(technique && { technique: technique === 'adjacency' && crisp ? 'adjacencyCrisp' : technique }),
     ...(strokeRotation !== undefined && directionOf(strokeRotation)),
-    ...(strokeOffset && { offsetU: strokeOffset.x, offsetV: strokeOffset.y }),
+    ...(strokeOffset && offsetOf(strokeOffset)),
     ...(toneCurve && { toneCurve: nameOfCurve(toneCurve) }),
     ...Object.fromEntries(given.map(({ key, property }) => [key, toSetting(property, parameters[property])])),
   };
+}
+
+function offsetOf(offset: Vector2Like): Partial<Settings> {
+  const [offsetU, offsetV] = offset;
+  return { offsetU, offsetV };
 }
 
 function directionOf(strokeRotation: number): Partial<Settings> {

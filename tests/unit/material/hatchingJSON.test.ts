@@ -34,8 +34,14 @@ describe('JSON of a material, from anywhere', () => {
   test.each([
     ['{ "ink": "nonsense" }', 'HatchingMaterial.ink: expected a THREE.Color'],
     ['{ "strokeWidth": "1.9" }', 'HatchingMaterial.strokeWidth: 1.9 is not a number'],
-    ['{ "strokeOffset": 3 }', 'HatchingMaterial.strokeOffset: expected a THREE.Vector2 of finite numbers.'],
-    ['{ "strokeOffset": [1, "2"] }', 'HatchingMaterial.strokeOffset: expected a THREE.Vector2 of finite numbers.'],
+    [
+      '{ "strokeOffset": 3 }',
+      'HatchingMaterial.strokeOffset: expected a THREE.Vector2 or an array of two finite numbers.',
+    ],
+    [
+      '{ "strokeOffset": [1, "2"] }',
+      'HatchingMaterial.strokeOffset: expected a THREE.Vector2 or an array of two finite numbers.',
+    ],
     ['{ "technique": "toString" }', 'HatchingMaterial.technique: "toString" is not known'],
     ['{ "crisp": 1 }', 'HatchingMaterial.crisp: expected true or false.'],
     ['{ "map": 5 }', 'HatchingMaterial.fromJSON: map is 5, but must be a uuid of a texture.'],

@@ -188,6 +188,19 @@ describe('a value out of range', () => {
   });
 });
 
+test('vectors may be given as arrays, and stay vectors of their own', () => {
+  const given = [0.2, 0.4] as const;
+  const material = new HatchingMaterial({ strokeOffset: given, normalScale: [2, 3] });
+  const { strokeOffset } = material;
+  expect([strokeOffset, material.normalScale]).toEqual([new Vector2(0.2, 0.4), new Vector2(2, 3)]);
+  material.setValues({ strokeOffset: [0, 1] });
+  expect(material.strokeOffset).toBe(strokeOffset);
+  expect(strokeOffset.toArray()).toEqual([0, 1]);
+  for (const wrong of [[1], [1, 2, 3], [1, '2'], [Number.NaN, 0]]) {
+    expect(() => material.setValues({ strokeOffset: wrong as unknown as [number, number] })).toThrow('array of two');
+  }
+});
+
 describe('the width of strokes on the screen', () => {
   const map = (strokeTexels: number) =>
     TonalArtMap.fromHatchImages({ size: 1, strokeTexels, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
