@@ -90,8 +90,13 @@ async function usePage(
  *
  * @param options.freesContexts whether the graphics contexts that a test makes are taken away when it ends, for pages whose tests
  *   make their own: browsers keep sixteen
+ * @param options.begin brings the page into the state that each test begins with. A hook would do so for one file alone, since a
+ *   worker loads the module that it stands in once
  */
-export const testOnOnePage = (address: string, { freesContexts = false } = {}) =>
+export const testOnOnePage = (
+  address: string,
+  { freesContexts = false, begin }: { freesContexts?: boolean; begin?: (page: Page) => Promise<unknown> } = {},
+) =>
   test.extend<object, { onePage: Page }>({
     onePage: [
       async ({ browser, site }, use) => {
@@ -105,6 +110,7 @@ export const testOnOnePage = (address: string, { freesContexts = false } = {}) =
     ],
     page: async ({ onePage, pageProblems, checkGlErrors }, use) => {
       try {
+        await begin?.(onePage);
         await usePage(onePage, pageProblems, checkGlErrors, use);
       } finally {
         if (freesContexts) await onePage.evaluate(freeContexts);
