@@ -21,7 +21,8 @@ const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES
 
 const wanted = process.argv.slice(2);
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
-const { HATCHING_PROPERTIES, presets } = await server.ssrLoadModule('/src/index.ts');
+const { presets } = await server.ssrLoadModule('/src/index.ts');
+const { HATCHING_PROPERTIES } = await server.ssrLoadModule('/src/facts.ts');
 const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
 const unknown = wanted.find(
   (name) => !(name in PLANS) && !['hero', 'three-lines', 'gallery', 'examples', 'show'].includes(name),
