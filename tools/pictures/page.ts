@@ -91,7 +91,6 @@ async function drawThreeLines(width: number, height: number): Promise<string> {
   camera.updateProjectionMatrix();
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setClearColor(presets.pen.material.paper ?? 'white');
-  renderer.setPixelRatio(2);
   renderer.setSize(width, height);
   scene.add(new DirectionalLight(0xffffff, Math.PI));
   await applyHatching(scene, 'pen');

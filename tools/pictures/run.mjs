@@ -63,7 +63,7 @@ try {
     console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
   }
   if (wanted.length === 0 || wanted.includes('three-lines')) {
-    const address = await page.evaluate(() => window.drawThreeLines(420, 280));
+    const address = await page.evaluate(() => window.drawThreeLines(840, 560));
     const file = writePalettePng(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
     writeFileSync(join(root, 'docs/three-lines.png'), file);
     console.log(`three-lines: ${Math.round(file.length / 1000)} kB`);
