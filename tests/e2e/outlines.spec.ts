@@ -58,7 +58,7 @@ test('a link without outlines opens without them; undo brings back what was swit
   expect(changedShare(without, await readDrawing(page))).toBe(0);
   await expect.poll(() => page.url()).toContain('outlines=off');
   await page.getByRole('button', { name: 'Undo' }).click();
-  expect(changedShare(drawn, await readDrawing(page))).toBe(0);
+  await expect.poll(async () => changedShare(drawn, await readDrawing(page))).toBe(0);
 });
 
 test('width, weights and hand of the outlines have labels and change the drawing', async ({ page }) => {
