@@ -25,6 +25,7 @@ export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchin
 export {
   counts,
   type HatchingLook,
+  knowsChoice,
   measureOf,
   needsAdjacency,
   needsMap,

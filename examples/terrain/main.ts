@@ -8,7 +8,7 @@ const renderer = new WebGLRenderer({ canvas, antialias: true });
 renderer.setClearColor('#f7f3e8');
 renderer.setPixelRatio(devicePixelRatio);
 
-/** The tone curve, from light to ink: outlines are thin even in full light. */
+/** The tone curve, from light to ink: lines are thin even in full light. */
 const TONES: ToneCurve = [
   [0, 0.1],
   [0.4, 0.16],
@@ -30,7 +30,7 @@ const { position } = ground.attributes;
 for (let i = 0; i < position.count; i++) position.setY(i, heightAt(position.getX(i), position.getZ(i)));
 ground.computeVertexNormals();
 
-// With 'y', outlines follow the height, as contour outlines on a map do. They need no tonal art map.
+// With 'y', lines follow the height, as contour lines on a map do. They need no tonal art map.
 const { material, outlines } = presets.engraving;
 const mesh = new Mesh(
   await prepareHatchingGeometry(ground, { outlines: true }),

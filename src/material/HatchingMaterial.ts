@@ -108,6 +108,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /** Meshes announced before the first program was built. */
   private announced: Mesh[] = [];
   private readonly drawn = new DrawnMeshes();
+  private isSettingValues = false;
 
   /** Whether the library says nothing on the console of the mistakes that it finds (docs/troubleshooting.md). Default: false. */
   static get silent(): boolean {
@@ -157,13 +158,18 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const { preset, ...own } = values;
     const parameters = preset === undefined ? own : { ...presetParameters(preset), ...own };
     checkValues(parameters);
-    super.setValues(withVectors(parameters));
+    this.isSettingValues = true;
+    try {
+      super.setValues(withVectors(parameters));
+    } finally {
+      this.isSettingValues = false;
+    }
     if (this.defines !== defines) {
       // three.js has replaced the material's own defines by the given ones.
       this.defines = { ...defines, ...this.defines };
       this.needsUpdate = true;
-      this.writeProgram();
     }
+    this.writeProgram();
     warnOfUnused(parameters, this.technique);
   }
 
@@ -389,8 +395,9 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     return this.isWithWebGL ? sharedMap(tonalArtMap) : null;
   }
 
-  /** Brings choices to the shaders: the technique chooses the chunks, the others are defines. */
+  /** Brings choices to the shaders, those that are set together at once: the technique chooses the chunks, the others are defines. */
   private writeProgram(): void {
+    if (this.isSettingValues) return;
     const { technique } = this;
     let hasChanged = this.shaderTechnique !== technique;
     if (hasChanged) {

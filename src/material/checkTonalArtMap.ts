@@ -1,13 +1,10 @@
+import { isPromise } from '../mistakes/isPromise.js';
 import { STROKE_STYLE_NAMES, type StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 
 /** Whether a value is a TonalArtMap, also one from another copy of the library. */
 export const isTonalArtMap = (value: unknown): value is TonalArtMap =>
   (value as Partial<TonalArtMap> | null | undefined)?.isTonalArtMap === true;
-
-/** Whether an `await` is missing. */
-export const isPromise = (value: unknown): boolean =>
-  typeof (value as Partial<Promise<unknown>> | null | undefined)?.then === 'function';
 
 /** A map, the style of the shared map that is drawn with, or null for none. */
 export type HatchingMap = TonalArtMap | StrokeStyleName | null;

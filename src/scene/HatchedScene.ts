@@ -14,7 +14,7 @@ export interface SkippedMesh {
   error?: Error | undefined;
 }
 
-/** The geometry and material of a mesh, and the frame of its outlines. */
+/** The geometry and material of a mesh, and the frame of its engraved lines. */
 export interface MeshLook {
   mesh: Mesh;
   geometry: BufferGeometry;

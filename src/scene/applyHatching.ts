@@ -1,10 +1,10 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
-import { isPromise } from '../material/checkTonalArtMap.js';
 import { needsAdjacency, needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
+import { isPromise } from '../mistakes/isPromise.js';
 import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
 import { tell } from '../mistakes/tell.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
@@ -83,9 +83,9 @@ const FRAME_SHARE = 0.1;
  *   that are hatched already, so that after meshes were added another call hatches them; and, with an `error`, those whose
  *   geometry cannot be baked or whose geometry or material was replaced during the call.
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
- *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate outlines.
- * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it. No map is generated for
- *   materials that need none.
+ *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines.
+ * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it.
+ *   No map is generated for materials that need none.
  * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
  *   it was filled with prepared geometries.

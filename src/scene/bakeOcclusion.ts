@@ -51,7 +51,7 @@ const START_SHARE = 0.05;
  * worker. The meshes get a first result soon, and finer ones until the promise resolves.
  *
  * - Every mesh at or below `root` whose geometry comes from `prepareHatchingGeometry` or `applyHatching` receives occlusion. All
- *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones. Instances, batches, outlines
+ *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones. Instances, batches, lines
  *   and points take no part.
  * - Meshes are baked where they are at the time of the call, skins and morph targets at rest. Bake again after a change.
  * - Meshes that share a geometry each get a clone of it, which shares all but eight bytes per vertex. A mesh elsewhere with the

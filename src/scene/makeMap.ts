@@ -1,4 +1,5 @@
-import { checkTonalArtMap, isPromise, isTonalArtMap } from '../material/checkTonalArtMap.js';
+import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
+import { isPromise } from '../mistakes/isPromise.js';
 import { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';

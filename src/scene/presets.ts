@@ -1,7 +1,10 @@
 import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
+import { HATCHING_DEFAULTS } from '../material/facts/hatchingProperties.js';
+import { needsMap } from '../material/facts/lookFacts.js';
 import { frozen, PRESET_MATERIALS, type PresetName } from '../material/facts/presetMaterials.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { MapDrawing } from '../tam/TonalArtMap.js';
 
 export type { PresetName };
@@ -18,54 +21,32 @@ export interface HatchingPreset {
 
 const BLACK = '#1c1a17';
 
-const makePresets = () =>
-  ({
-    pen: {
-      material: PRESET_MATERIALS.pen,
-      outlines: { outlineWidth: 1.8, wobble: 1, ink: BLACK },
-      tonalArtMap: { style: 'hatching' },
-    },
-    crossHatching: {
-      material: PRESET_MATERIALS.crossHatching,
-      outlines: { outlineWidth: 1.4, wobble: 1, ink: BLACK },
-      tonalArtMap: { style: 'contours' },
-    },
-    engraving: {
-      material: PRESET_MATERIALS.engraving,
-      outlines: { outlineWidth: 1.5, ink: BLACK },
-      tonalArtMap: null,
-    },
-    technical: {
-      material: PRESET_MATERIALS.technical,
-      outlines: { outlineWidth: 1.6, creases: 1, materialBorders: 1, shadeWeights: [1, 1], ink: BLACK },
-      tonalArtMap: null,
-    },
-    woodcut: {
-      material: PRESET_MATERIALS.woodcut,
-      outlines: { outlineWidth: 3.2, ink: '#120e0a' },
-      tonalArtMap: null,
-    },
-    stipple: {
-      material: PRESET_MATERIALS.stipple,
-      outlines: { outlineWidth: 1, ink: BLACK },
-      tonalArtMap: null,
-    },
-    pencil: {
-      material: PRESET_MATERIALS.pencil,
-      outlines: { outlineWidth: 1.3, wobble: 1, tooth: 0.4, toothSize: 1.6, ink: '#34343a' },
-      tonalArtMap: { style: 'hatching' },
-    },
-    charcoal: {
-      material: PRESET_MATERIALS.charcoal,
-      outlines: { outlineWidth: 4, wobble: 1, tooth: 0.6, toothSize: 2, ink: '#1d1a19' },
-      tonalArtMap: { style: 'hatching' },
-    },
-    chalk: {
-      material: PRESET_MATERIALS.chalk,
-      outlines: { outlineWidth: 2.6, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
-      tonalArtMap: { style: 'hatching' },
-    },
-  }) as const satisfies Record<PresetName, HatchingPreset>;
+/** The outlines of the presets. */
+const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
+  pen: { outlineWidth: 1.8, wobble: 1, ink: BLACK },
+  crossHatching: { outlineWidth: 1.4, wobble: 1, ink: BLACK },
+  engraving: { outlineWidth: 1.5, ink: BLACK },
+  technical: { outlineWidth: 1.6, creases: 1, materialBorders: 1, shadeWeights: [1, 1], ink: BLACK },
+  woodcut: { outlineWidth: 3.2, ink: '#120e0a' },
+  stipple: { outlineWidth: 1, ink: BLACK },
+  pencil: { outlineWidth: 1.3, wobble: 1, tooth: 0.4, toothSize: 1.6, ink: '#34343a' },
+  charcoal: { outlineWidth: 4, wobble: 1, tooth: 0.6, toothSize: 2, ink: '#1d1a19' },
+  chalk: { outlineWidth: 2.6, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
+});
+
+/** The map that a material names, or draws with if it names none. */
+function mapOf(material: HatchingMaterialParameters): HatchingPreset['tonalArtMap'] {
+  if (!needsMap(material)) return null;
+  return { style: (material.tonalArtMap ?? HATCHING_DEFAULTS.tonalArtMap) as StrokeStyleName };
+}
+
+function makePresets(): Record<PresetName, HatchingPreset> {
+  const entries = Object.entries(makeOutlines()).map(([name, outlines]) => {
+    const material: HatchingMaterialParameters = PRESET_MATERIALS[name as PresetName];
+    return [name, { material, outlines, tonalArtMap: mapOf(material) }];
+  });
+  return Object.fromEntries(entries);
+}
 
 /**
  * The presets: looks to start from, each with material, outlines and map.

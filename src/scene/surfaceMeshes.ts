@@ -2,7 +2,7 @@ import type { BatchedMesh, Material, Mesh, Object3D } from 'three';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
 /**
- * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, and so are outlines
+ * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, and so are lines
  * that three.js builds from meshes (`Line2`) and meshes that only show shadows (`ShadowMaterial`).
  */
 export function surfaceMeshes(root: Object3D): Mesh[] {

@@ -14,6 +14,7 @@ import { file, type TestFile } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { likeness, meanInk, WHOLE } from '../e2e/pictures.js';
 import { installPackedLibrary, libraryFolder, projectFolder, root, threeFolder } from './packedLibrary.js';
+import { viteBuild } from './viteBuild.js';
 
 declare global {
   interface Window {
@@ -415,25 +416,6 @@ function compilerOutput(compile: () => string): string {
   } catch (error) {
     return (error as { stdout: string }).stdout;
   }
-}
-
-/** Builds a page and returns its folder. */
-async function viteBuild(name: string): Promise<string> {
-  const outDir = join(projectFolder, `dist-${name}`);
-  await build({
-    configFile: false,
-    root: projectFolder,
-    base: './',
-    logLevel: 'error',
-    worker: { format: 'es' },
-    build: {
-      outDir,
-      emptyOutDir: true,
-      chunkSizeWarningLimit: 2000,
-      rolldownOptions: { input: join(projectFolder, `${name}.html`) },
-    },
-  });
-  return outDir;
 }
 
 /** The picture of the page, once the page has also fetched what comes after its first drawing. */

@@ -2,12 +2,12 @@ import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { build } from 'vite';
 import { serveFolders } from '../../tools/browser/serveFolders.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import { expect, test } from '../browser/test.js';
 import { SAMPLES } from '../unit/docs/sampleList.js';
 import { installPackedLibrary, projectFolder, root } from './packedLibrary.js';
+import { viteBuild } from './viteBuild.js';
 
 /** The pictures of the samples, to be looked at. */
 const pictures = join(root, 'tests/output/samplePictures');
@@ -62,23 +62,7 @@ async function buildSamples(): Promise<string> {
   const folder = join(projectFolder, 'samples');
   mkdirSync(folder, { recursive: true });
   for (const { name, kind, code } of SAMPLES) if (kind !== 'html') writeFileSync(join(folder, `${name}.${kind}`), code);
-  const outDir = join(projectFolder, 'dist-samples');
-  await build({
-    configFile: false,
-    root: projectFolder,
-    base: './',
-    logLevel: 'error',
-    worker: { format: 'es' },
-    build: {
-      outDir,
-      emptyOutDir: true,
-      target: 'es2022',
-      minify: false,
-      chunkSizeWarningLimit: 4000,
-      rolldownOptions: { input: join(projectFolder, 'samples.html') },
-    },
-  });
-  return outDir;
+  return viteBuild('samples', { target: 'es2022', minify: false });
 }
 
 /** Answers for the files that samples load: models, and the images of a map, of which those in the dark have more ink. */

@@ -51,7 +51,7 @@ for (const technique of kindsOfTechnique) {
       const pictures: number[][] = [];
       for (const root of [separate, instanced]) {
         await applyHatching(root, options);
-        // Engraved lines run on from mesh to mesh; instances have outlines of their own, and here the meshes shall too.
+        // Engraved lines run on from mesh to mesh; instances have lines of their own, and here the meshes shall too.
         root.traverse(({ userData }) => delete userData.hatchingField);
         pictures.push(pixelsOf(sceneOf(sun(), root)));
       }
@@ -153,7 +153,7 @@ for (const technique of kindsOfTechnique) {
       const use = () => ({ ...renderer.info.memory, programs: renderer.info.programs!.length });
       const before = pixelsOf(scene, renderer);
       const memory = [use()];
-      // On so small a picture outlines sized on the object would fade into their tone.
+      // On so small a picture lines sized on the object would fade into their tone.
       const sized = technique === 'anchored' ? { sizedOnScreen: 0 } : {};
       const handle = await applyHatching(root, { material: { technique, ...sized } });
       const hatched = pixelsOf(scene, renderer);

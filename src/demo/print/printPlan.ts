@@ -106,7 +106,7 @@ function placeAt({ width, height }: Size, view: Size, fit: number): Omit<PrintPl
     ...{ width, height, viewWidth, viewHeight },
     left: -Math.round((width - viewWidth) / 2),
     top: -Math.round((height - viewHeight) / 2),
-    scale: tilesPerUnit(fit, { width: viewWidth, height: viewHeight }, view),
+    scale: strokeScale(fit, { width: viewWidth, height: viewHeight }, view),
   };
 }
 
@@ -117,7 +117,7 @@ function placeAt({ width, height }: Size, view: Size, fit: number): Omit<PrintPl
  * @param fit pixels of the picture per CSS pixel of the page
  * @param shown the drawing in pixels of the picture
  */
-export const tilesPerUnit = (fit: number, shown: Size, view: Size): number =>
+export const strokeScale = (fit: number, shown: Size, view: Size): number =>
   Math.max(fit, strokeShare(shown.width, shown.height) / strokeShare(view.width, view.height));
 
 /** A small version of a picture, in which the drawing is looked for. @param most pixels of its longer side */

@@ -1,9 +1,10 @@
+import type { HatchingTechnique } from 'three-hatching';
 import {
   counts,
   HATCHING_FACTS,
   HATCHING_PROPERTIES,
   type HatchingLook,
-  type HatchingProperty,
+  knowsChoice,
   measureOf,
 } from 'three-hatching/facts';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
@@ -39,9 +40,8 @@ export function countsFor(look: HatchingLook, key: SettingKey): boolean {
 export function isChoiceKnown(key: SettingKey, value: string, looks: readonly HatchingLook[]): boolean {
   const { property }: Setting = SETTINGS[key];
   if (property === undefined) return true;
-  const row: HatchingProperty = HATCHING_PROPERTIES[property];
-  const choicesFor = row.kind === 'choice' ? row.choicesFor : undefined;
-  return looks.some(({ technique }) => choicesFor?.[String(technique)]?.includes(value) ?? true);
+  const row = HATCHING_PROPERTIES[property];
+  return looks.some(({ technique }) => knowsChoice(technique as HatchingTechnique, row, value));
 }
 
 /** The unit that the number of a setting has at present; none where it is a mean of two. */

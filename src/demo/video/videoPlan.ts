@@ -1,4 +1,4 @@
-import { type PrintPlan, placeView, type Size, tilesPerUnit } from '../print/printPlan.js';
+import { type PrintPlan, placeView, type Size, strokeScale } from '../print/printPlan.js';
 import type { Settings } from '../settings/settings.js';
 import type { FramePose } from './FramePoser.js';
 
@@ -62,6 +62,6 @@ export function placeOnFrame(plan: VideoPlan, view: Size, isFramed: boolean): Om
   if (!isFramed) return placeView(plan, view);
   const { width, height } = plan;
   const fit = Math.min(width / view.width, height / view.height);
-  const scale = tilesPerUnit(fit, plan, view);
+  const scale = strokeScale(fit, plan, view);
   return { width, height, viewWidth: width, viewHeight: height, left: 0, top: 0, scale };
 }

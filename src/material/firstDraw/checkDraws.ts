@@ -3,7 +3,7 @@ import { describeObject } from '../../mistakes/describeObject.js';
 import { tell } from '../../mistakes/tell.js';
 import type { FirstDraw } from './FirstDraw.js';
 import { findLightMistake } from './findLightMistake.js';
-import { findStrokeMistake } from './findStrokeMistake.js';
+import { findStrokeMistakes } from './findStrokeMistakes.js';
 import { findSurfaceMistakes } from './findSurfaceMistakes.js';
 import type { NoteMistake } from './NoteMistake.js';
 import { printsNothing } from './printsNothing.js';
@@ -24,8 +24,10 @@ export function checkDraws(given: readonly FirstDraw[]): void {
   };
   for (const draw of draws) findSurfaceMistakes(draw, note);
   const inked = draws.filter(({ material }) => !printsNothing(material));
-  for (const draw of inked) findStrokeMistake(draw, note);
-  for (const ofScene of groupBy(inked, ({ scene }) => scene)) findLightMistake(ofScene, note);
+  for (const ofScene of groupBy(inked, ({ scene }) => scene)) {
+    findStrokeMistakes(ofScene, note);
+    findLightMistake(ofScene, note);
+  }
   for (const [mistake, { mesh, details, others }] of found) {
     const sentence: Sentence = SENTENCES[mistake];
     const name = `the ${describeObject(mesh)}${others > 0 ? ` and ${others} more` : ''}`;

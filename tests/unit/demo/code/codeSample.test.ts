@@ -227,7 +227,7 @@ describe('codeSample', () => {
     [100, 'lineSpacing: 4 * share,'],
     [50, 'lineSpacing: 4 * share ** 0.5,'],
     [0, 'lineSpacing: 4,'],
-  ])('spaces outlines on a small sheet as far as they are on the screen: %d %%', (sizedOnScreen, expected) => {
+  ])('spaces lines on a small sheet as far as they are on the screen: %d %%', (sizedOnScreen, expected) => {
     const settings: Settings = { ...defaultSettings(), technique: 'engraved', lineSpacing: 4, sizedOnScreen };
     expect(materialParameters(settings, true, 'share').join(',\n')).toContain(expected);
     expect(codeSample(settings, undefined)).toContain('lineSpacing: 4,');

@@ -7,7 +7,7 @@ import {
   planPrint,
   type Size,
   sheetOnView,
-  tilesPerUnit,
+  strokeScale,
   toMillimetres,
 } from '../../../../src/demo/print/printPlan.js';
 import { defaultSettings, SETTINGS, type Settings } from '../../../../src/demo/settings/settings.js';
@@ -87,7 +87,7 @@ describe('planPrint', () => {
     const share = strokeShare(small.width, small.height);
     expect(scaleOf('600', small)).toBeCloseTo(4724 / 360, 6);
     expect(scaleOf('150', small) * share).toBeCloseTo((1181 / 360) * share, 6);
-    expect(tilesPerUnit(1.2, { width: 1280, height: 720 }, small) * share).toBeCloseTo(1, 6);
+    expect(strokeScale(1.2, { width: 1280, height: 720 }, small) * share).toBeCloseTo(1, 6);
   });
 
   test('is cut to the drawing, and looked at in coarse, without moving it', () => {

@@ -319,6 +319,16 @@ describe('strokes', () => {
     expect(await draw(eye, { scene })).toEqual([]);
   });
 
+  test('of many meshes are measured by one model, for which the scene is walked through once', async () => {
+    const scene = new Scene();
+    const balls = Array.from({ length: 20 }, () => ball(anchored({ sizedOnScreen: 0 })));
+    scene.add(...balls);
+    const walk = vi.spyOn(scene, 'traverseVisible');
+    await Promise.all(balls.map((mesh) => draw(mesh, { scene })));
+    // Once more for its lights.
+    expect(walk).toHaveBeenCalledTimes(2);
+  });
+
   test('of a scaled mesh are measured as they are drawn', async () => {
     const mesh = ball(anchored({ sizedOnScreen: 0, tilesPerUnit: 300 }));
     mesh.geometry = new SphereGeometry(0.01);

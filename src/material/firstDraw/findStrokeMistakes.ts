@@ -1,4 +1,4 @@
-import type { Object3D } from 'three';
+import type { Object3D, Sphere } from 'three';
 import type { TonalArtMap } from '../../tam/TonalArtMap.js';
 import { counts } from '../facts/lookFacts.js';
 import type { FirstDraw } from './FirstDraw.js';
@@ -16,20 +16,25 @@ const SPACING_UNIT = 1 / 256;
 /** What suits every model: tiles to its radius, strokes and distances of lines in pixels. */
 const SUITABLE = { tilesPerRadius: 3, strokeWidth: 1.5, lineSpacing: 5 };
 
-/** Finds strokes that are too small or too large to be seen as strokes. */
-export function findStrokeMistake(draw: FirstDraw, note: NoteMistake): void {
-  const { material } = draw;
-  const onScreen = counts(material, 'sizedOnScreen') ? material.sizedOnScreen : 0;
-  if (onScreen === 0) checkOnObject(draw, note);
-  else if (onScreen === 1) checkOnScreen(draw, note);
+/** Finds strokes that are too small or too large to be seen as strokes, among the meshes of a scene that are drawn together. */
+export function findStrokeMistakes(draws: readonly FirstDraw[], note: NoteMistake): void {
+  // All that is hatched in the scene is one model, which is measured once, and only if strokes are sized on it.
+  let model: Sphere | undefined;
+  for (const draw of draws) {
+    const { material, scene } = draw;
+    const onScreen = counts(material, 'sizedOnScreen') ? material.sizedOnScreen : 0;
+    if (onScreen === 0) {
+      model ??= hatchedMeshes(scene);
+      checkOnObject(draw, model, note);
+    } else if (onScreen === 1) checkOnScreen(draw, note);
+  }
 }
 
-function checkOnObject(draw: FirstDraw, note: NoteMistake): void {
+function checkOnObject(draw: FirstDraw, model: Sphere, note: NoteMistake): void {
   const { material, mesh } = draw;
   const tilesPerUnit = material.tilesPerUnit as number;
   const scale = mesh.matrixWorld.getMaxScaleOnAxis();
   const tile = scale / tilesPerUnit;
-  const model = hatchedMeshes(draw.scene);
   const forModel = (SUITABLE.tilesPerRadius / model.radius) * scale;
   const say = (mistake: 'tooFine' | 'tooCoarse', suitable: number): void =>
     note(mistake, draw, material, 'tilesPerUnit', rounded(tilesPerUnit), rounded(suitable));
@@ -68,7 +73,7 @@ function pixelsPerUnit({ mesh, camera, height }: FirstDraw): number {
 }
 
 /** A sphere around all that is hatched in a scene: strokes of one size are for the whole model, not for each of its parts. */
-function hatchedMeshes(scene: Object3D) {
+function hatchedMeshes(scene: Object3D): Sphere {
   const meshes: Object3D[] = [];
   scene.traverseVisible((object) => {
     const { material } = object as { material?: object };
