@@ -30,6 +30,8 @@ export default defineConfig<object, ThreeOptions>({
   // Software rendering uses every core, but pages and compilers one at a time: two browsers at once take two thirds of the time.
   workers: Math.min(2, availableParallelism()),
   retries: 0,
+  // What breaks everything shall not take hours to say so.
+  maxFailures: process.env.CI ? 40 : 0,
   timeout: 120_000,
   expect: { timeout: 15_000 },
   reporter: [['list'], ['json', { outputFile: 'tests/output/playwright.json' }]],

@@ -59,6 +59,16 @@ export const test = base.extend<PageChecks, ThreeOptions & Site>({
   },
 });
 
+/** Lets `goto` fail at once where the server cannot answer, for instance because the playground could not be built: no test waits for such a page. */
+function failOnServerErrors(page: Page): void {
+  const goto = page.goto.bind(page);
+  page.goto = async (url, options) => {
+    const answer = await goto(url, options);
+    if (answer && answer.status() >= 500) throw new Error(`${url}: the server answered ${answer.status()}.`);
+    return answer;
+  };
+}
+
 /** Lends a page, on which {@link recordContexts} has run, and fails if anything goes wrong on it meanwhile. */
 async function usePage(
   page: Page,
@@ -74,6 +84,7 @@ async function usePage(
   const onError = (error: Error): void => void problems.push(`uncaught error: ${error.stack ?? error.message}`);
   const onCrash = (): void => void problems.push('the page crashed');
   page.on('console', onConsole).on('pageerror', onError).on('crash', onCrash);
+  failOnServerErrors(page);
   await use(page);
   if (!page.isClosed()) {
     // Asked even when it is not wanted: messages still under way arrive before the answer.
