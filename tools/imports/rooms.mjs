@@ -9,17 +9,18 @@ export const ROOMS = {
   adjacency: ['slices', 'mesh'],
   normals: ['slices', 'mesh', 'adjacency'],
   features: ['slices', 'mesh', 'adjacency', 'normals'],
-  bake: ['slices', 'mesh', 'adjacency', 'normals', 'features'],
+  form: ['slices', 'mesh', 'adjacency', 'normals', 'features'],
+  bake: ['slices', 'mesh', 'adjacency', 'normals', 'features', 'form'],
   occlusion: ['slices', 'mesh'],
   strokes: [],
   hatchImages: ['slices', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
-  worker: ['slices', 'features', 'bake', 'occlusion', 'hatchImages'],
+  worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'hatchImages'],
 
   // With three.js.
   mistakes: [],
   tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
-  geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'bake', 'worker'],
+  geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker'],
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/facts': [],
   'material/shaders': ['facts'],
@@ -93,6 +94,6 @@ export const ROOMS = {
 
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
-  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'bake', 'occlusion'],
+  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion'],
   ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command'],
 ];
