@@ -1,0 +1,144 @@
+import { CapsuleGeometry, CylinderGeometry } from 'three';
+import { describe, expect, test } from 'vitest';
+import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
+import { dot, meshFrom, moebius, scaled, turned, unit } from '../features/surfaces.js';
+import { book, fan, meshOf } from '../mesh/meshes.js';
+import { cube, patch, sphere, torus } from '../mesh/shapes.js';
+import { facesOf, frontOf, singularPoints } from './fronts.js';
+
+const degrees = (cosine: number) => (Math.acos(Math.min(1, Math.abs(cosine))) * 180) / Math.PI;
+
+const capsule = () => meshFrom(new CapsuleGeometry(0.4, 1.4, 16, 48, 24));
+
+const insideOut = ({ positions, indices }: TriangleMesh): TriangleMesh => {
+  const reversed = indices.slice();
+  for (let i = 0; i < indices.length; i += 3) reversed.subarray(i, i + 2).reverse();
+  return { positions, indices: reversed };
+};
+
+/** A bump with several singular points around it. */
+const bumpy = () => {
+  const mesh = sphere(24);
+  for (let i = 0; i < mesh.positions.length; i += 3) {
+    const [x, y, z] = mesh.positions.subarray(i, i + 3);
+    const radius = 1 + 0.3 * Math.sin(3 * x + 1) * Math.cos(2.5 * y) + 0.2 * Math.sin(4 * z + y);
+    mesh.positions.set([radius * x, 1.3 * radius * y, radius * z], i);
+  }
+  return mesh;
+};
+
+describe('lines run', () => {
+  test('around a cylinder', () => {
+    const front = frontOf(meshFrom(new CylinderGeometry(0.5, 0.5, 2, 48, 24, true)));
+    for (const { across } of facesOf(front)) expect(degrees(across[1])).toBeLessThan(0.5);
+  });
+
+  test('around a capsule, wherever up is', () => {
+    for (const up of [
+      [0, 1, 0],
+      [1, 0, 0],
+      [0, 0, 0],
+    ] as const) {
+      const shaft = facesOf(frontOf(capsule(), { up })).filter(({ middle }) => Math.abs(middle[1]) < 0.5);
+      expect(shaft.length).toBeGreaterThan(1000);
+      for (const { across } of shaft) expect(degrees(across[1])).toBeLessThan(1);
+    }
+  });
+
+  test('around the tube of a torus', () => {
+    const errors = facesOf(frontOf(torus(64, 32))).map(({ middle, across }) =>
+      degrees(dot(across, unit([-middle[1], middle[0], 0]))),
+    );
+    expect(errors.reduce((sum, error) => sum + error, 0) / errors.length).toBeLessThan(2);
+    expect(Math.max(...errors)).toBeLessThan(8);
+  });
+
+  test('across up on a plane', () => {
+    const plane = patch(12, 12, (u, v) => [u, v, 0]);
+    for (const { across } of facesOf(frontOf(plane))) expect(degrees(across[1])).toBeLessThan(0.05);
+    const tilted = facesOf(frontOf(plane, { up: [3, 4, 0] }));
+    for (const { across } of tilted) expect(degrees(dot(across, [0.6, 0.8, 0]))).toBeLessThan(0.05);
+  });
+
+  test('alike on a mesh that is wound inside out', () => {
+    const faces = facesOf(frontOf(capsule()));
+    const reversed = facesOf(frontOf(insideOut(capsule())));
+    for (const [i, { across, middle }] of faces.entries()) {
+      if (Math.abs(middle[1]) < 0.6) expect(degrees(dot(across, reversed[i].across))).toBeLessThan(0.5);
+    }
+  });
+});
+
+describe('directions are the same', () => {
+  test('to the bit, a second time', () => {
+    const [first, second] = [frontOf(bumpy()), frontOf(bumpy())];
+    expect(first.field).toEqual(second.field);
+    expect(first.directions).toEqual(second.directions);
+    expect(first.seam).toEqual(second.seam);
+  });
+
+  test('on a mesh a thousand times as large, elsewhere', () => {
+    const mesh = bumpy();
+    const front = frontOf(mesh);
+    const moved = scaled(mesh, 1024);
+    for (let i = 0; i < moved.positions.length; i++) moved.positions[i] += [4096, -2048, 1024][i % 3];
+    const other = frontOf(moved);
+    expect(singularPoints(other)).toHaveLength(singularPoints(front).length);
+    const faces = facesOf(other);
+    const errors = facesOf(front).map(({ across }, i) => degrees(dot(across, faces[i].across)));
+    expect(errors.filter((error) => error > 2).length).toBeLessThan(0.01 * errors.length);
+  });
+
+  test('on a mesh that is turned together with its up', () => {
+    const mesh = bumpy();
+    const front = frontOf(mesh);
+    const quaternion = [0.3, -0.5, 0.2, 0.8];
+    const turn = (row: readonly number[]) => [...turned(meshOf([row], []), quaternion).positions];
+    const other = frontOf(turned(mesh, quaternion), { up: turn([0, 1, 0]) as [number, number, number] });
+    expect(singularPoints(other)).toHaveLength(singularPoints(front).length);
+    const faces = facesOf(other);
+    const errors = facesOf(front).map(({ across }, i) => degrees(dot(turn(across), faces[i].across)));
+    expect(errors.filter((error) => error > 2).length).toBeLessThan(0.01 * errors.length);
+  });
+});
+
+test('no damage makes a direction that is none', () => {
+  const flat = meshOf(
+    [
+      [0, 0, 0],
+      [1, 0, 0],
+      [2, 0, 0],
+      [0, 0, 0],
+    ],
+    [
+      [0, 1, 2],
+      [1, 2, 3],
+      [0, 0, 0],
+    ],
+  );
+  const doubled = meshOf(
+    [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 0],
+    ],
+    [
+      [0, 1, 2],
+      [2, 1, 0],
+    ],
+  );
+  const needle = scaled(cube(3), 1);
+  for (let i = 0; i < needle.positions.length; i += 3) needle.positions[i] *= 1e-7;
+  const damaged = [meshOf([], []), flat, doubled, needle, book(5), fan(3), fan(3000), moebius(20, 4), cube(1)];
+  for (const mesh of [
+    ...damaged,
+    ...damaged.map((mesh) => scaled(mesh, 1e-18)),
+    ...damaged.map((mesh) => scaled(mesh, 1e15)),
+  ]) {
+    const { directions, field } = frontOf(mesh);
+    for (const values of [directions.across, directions.normals]) {
+      for (let i = 0; i < values.length; i += 3) expect(Math.hypot(...values.subarray(i, i + 3))).toBeCloseTo(1, 4);
+    }
+    expect(field.lines.every(Number.isFinite)).toBe(true);
+  }
+});

@@ -1,0 +1,81 @@
+import { buildTriangleAdjacency } from '../../../src/adjacency/buildTriangleAdjacency.js';
+import { consistentTwins } from '../../../src/adjacency/consistentTwins.js';
+import { nearnessOf } from '../../../src/bake/bakeSurface.js';
+import { cutForm, type FormSeam } from '../../../src/form/cutForm.js';
+import { directionField } from '../../../src/form/directionField.js';
+import { FORM_DEFAULTS, type FormOptions } from '../../../src/form/FormOptions.js';
+import { type FormSurface, formSurface } from '../../../src/form/FormSurface.js';
+import { faceDirections } from '../../../src/form/faceDirections.js';
+import { triangleOf } from '../../../src/mesh/corners.js';
+import { disjointSets, join, rootOf } from '../../../src/mesh/disjointSets.js';
+import { measureBounds } from '../../../src/mesh/measureBounds.js';
+import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
+import { finish } from '../mesh/meshes.js';
+
+/** All of a form field that comes before its phase. */
+export function frontOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}) {
+  const all = { ...FORM_DEFAULTS, ...options };
+  const bounds = finish(measureBounds(mesh));
+  const adjacency = finish(buildTriangleAdjacency(mesh, nearnessOf(bounds)));
+  const surface = finish(formSurface(mesh, adjacency, finish(consistentTwins(adjacency)), bounds.radius, all));
+  const field = finish(directionField(surface, all));
+  const directions = finish(faceDirections(surface, field));
+  return { mesh, surface, field, directions, seam: finish(cutForm(surface, directions)) };
+}
+
+/** A connected piece of a surface. */
+interface Piece {
+  faces: number;
+  /** Vertices − edges + faces. */
+  euler: number;
+  /** The sum of the indices of its singular points. */
+  index: number;
+  isClosed: boolean;
+}
+
+/** The pieces of a surface, with the two sides of the theorem of Poincaré and Hopf. */
+export function piecesOf({ twins, fans }: FormSurface, { halfTurns }: FormSeam): Piece[] {
+  const parents = disjointSets(twins.length / 3);
+  for (const [corner, twin] of twins.entries()) if (twin > corner) join(parents, triangleOf(corner), triangleOf(twin));
+  const pieces = new Map<number, Piece>();
+  const seen = new Set<number>();
+  for (const [corner, twin] of twins.entries()) {
+    const root = rootOf(parents, triangleOf(corner));
+    const piece = pieces.get(root) ?? { faces: 0, euler: 0, index: 0, isClosed: true };
+    pieces.set(root, piece);
+    if (corner % 3 === 0) {
+      piece.faces++;
+      piece.euler++;
+    }
+    if (twin < corner) piece.euler--;
+    if (twin < 0) piece.isClosed = false;
+    const fan = fans.ofCorner[corner];
+    if (seen.has(fan)) continue;
+    seen.add(fan);
+    piece.euler++;
+    piece.index += halfTurns[fan] / 2;
+  }
+  return [...pieces.values()];
+}
+
+/** The position of each singular point. */
+export function singularPoints({ mesh, surface, seam }: ReturnType<typeof frontOf>): number[][] {
+  const points = new Map<number, number[]>();
+  for (const [corner, fan] of surface.fans.ofCorner.entries()) {
+    if (seam.halfTurns[fan] === 0) continue;
+    const i = 3 * mesh.indices[corner];
+    points.set(fan, [...mesh.positions.subarray(i, i + 3)]);
+  }
+  return [...points.values()];
+}
+
+/** For each face its middle and its direction. */
+export function facesOf({ mesh: { positions, indices }, directions: { across } }: ReturnType<typeof frontOf>) {
+  return Array.from({ length: indices.length / 3 }, (_, face) => {
+    const corners = [...indices.subarray(3 * face, 3 * face + 3)].map((i) => positions.subarray(3 * i, 3 * i + 3));
+    return {
+      middle: [0, 1, 2].map((axis) => (corners[0][axis] + corners[1][axis] + corners[2][axis]) / 3),
+      across: [...across.subarray(3 * face, 3 * face + 3)],
+    };
+  });
+}
