@@ -46,7 +46,7 @@ describe('lines run', () => {
   });
 
   test('around the tube of a torus', () => {
-    const errors = facesOf(frontOf(torus(64, 32))).map(({ middle, across }) =>
+    const errors = facesOf(frontOf(torus(64, 32), { up: [0, 0, 0] })).map(({ middle, across }) =>
       degrees(dot(across, unit([-middle[1], middle[0], 0]))),
     );
     expect(errors.reduce((sum, error) => sum + error, 0) / errors.length).toBeLessThan(2);
