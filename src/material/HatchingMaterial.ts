@@ -35,6 +35,7 @@ import {
 } from './facts/hatchingProperties.js';
 import { isUsedBy, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
 import type { PresetName } from './facts/presetMaterials.js';
+import { spelledOut } from './facts/presetParameters.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
@@ -51,7 +52,6 @@ import {
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
-import { presetParameters } from './presetParameters.js';
 import { programDefines } from './programDefines.js';
 import { defineRigid, type ProgramParameters } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
@@ -155,8 +155,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   override setValues(values?: HatchingMaterialParameters): void {
     if (!values) return;
     const { defines } = this;
-    const { preset, ...own } = values;
-    const parameters = preset === undefined ? own : { ...presetParameters(preset), ...own };
+    const parameters = spelledOut(values);
     checkValues(parameters);
     this.isSettingValues = true;
     try {

@@ -8,13 +8,17 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from './hatchingProperties.js';
+import type { PresetName } from './presetMaterials.js';
+import { spelledOut } from './presetParameters.js';
 
 /**
  * What follows from the properties of a look, by the tables of properties and techniques. Whoever has to know asks here.
  *
- * A look is a `HatchingMaterial` or parameters of one; what is left out is at its default.
+ * A look is a `HatchingMaterial` or parameters of one; what is left out is as in the preset that they name, or at its default.
  */
-export type HatchingLook = { readonly [Name in HatchingPropertyName]?: unknown };
+export type HatchingLook = { readonly [Name in HatchingPropertyName]?: unknown } & {
+  readonly preset?: PresetName | undefined;
+};
 
 const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
@@ -31,7 +35,8 @@ export const knowsChoice = (technique: HatchingTechnique, property: HatchingProp
   property.kind !== 'choice' || (property.choicesFor?.[technique]?.includes(value as string) ?? true);
 
 /** Whether a property counts for a look: its technique reads it, and so do its medium and what else it depends on. */
-export function counts(look: HatchingLook, name: HatchingPropertyName): boolean {
+export function counts(given: HatchingLook, name: HatchingPropertyName): boolean {
+  const look = spelledOut(given);
   if (!isUsedBy(techniqueOf(look), propertyOf(name))) return false;
   const { when = {} } = factsOf(name);
   return [when].flat().some((condition) => holds(look, condition));
@@ -49,7 +54,8 @@ const holds = (look: HatchingLook, condition: HatchingCondition): boolean =>
 export const needsMap = (look: HatchingLook): boolean => counts(look, 'tonalArtMap');
 
 /** Whether a look decides ink from the thresholds of its map, and not from the greys of its strokes. Allocates nothing. */
-export function usesThresholds(look: HatchingLook): boolean {
+export function usesThresholds(given: HatchingLook): boolean {
+  const look = spelledOut(given);
   const technique = techniqueOf(look);
   if (HATCHING_TECHNIQUES[technique].map === 'thresholdMap') return true;
   return look.crisp === true && isUsedBy(technique, HATCHING_PROPERTIES.crisp);
@@ -57,7 +63,7 @@ export function usesThresholds(look: HatchingLook): boolean {
 
 /** Whether a look draws only geometries that were prepared with triangle adjacency. */
 export const needsAdjacency = (look: HatchingLook): boolean =>
-  HATCHING_TECHNIQUES[techniqueOf(look)].vertexData === 'adjacency';
+  HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].vertexData === 'adjacency';
 
 /**
  * What a number or a vector measures in a look; undefined for other properties, and for one that is a mean of two measures, as far as
@@ -65,7 +71,7 @@ export const needsAdjacency = (look: HatchingLook): boolean =>
  */
 export function measureOf(look: HatchingLook, name: HatchingPropertyName): HatchingMeasure | undefined {
   const { measure, measureOnScreen = measure } = factsOf(name);
-  const onScreen = Number(valueIn(look, 'sizedOnScreen'));
+  const onScreen = Number(valueIn(spelledOut(look), 'sizedOnScreen'));
   if (measure === measureOnScreen || onScreen === 0) return measure;
   return onScreen === 1 ? measureOnScreen : undefined;
 }
@@ -77,7 +83,7 @@ export function measureOf(look: HatchingLook, name: HatchingPropertyName): Hatch
 export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
   const { measure, measureOnScreen } = factsOf(name);
   if (measure === 'pixels') return 1;
-  return measureOnScreen === 'pixels' ? Number(valueIn(look, 'sizedOnScreen')) : 0;
+  return measureOnScreen === 'pixels' ? Number(valueIn(spelledOut(look), 'sizedOnScreen')) : 0;
 }
 
 /**
@@ -86,7 +92,8 @@ export function pixelPower(look: HatchingLook, name: HatchingPropertyName): numb
  *
  * @param factor the width of that picture, divided by that of the one that the sizes are for, both at the same pixel ratio
  */
-export function scaledSizes<Look extends HatchingLook>(look: Look, factor: number): Partial<Look> {
+export function scaledSizes<Look extends HatchingLook>(given: Look, factor: number): Partial<Look> {
+  const look = spelledOut(given);
   const sizes: Partial<Record<HatchingPropertyName, number>> = {};
   for (const name of NAMES) {
     const value = look[name];

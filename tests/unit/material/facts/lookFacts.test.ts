@@ -27,6 +27,10 @@ describe('what follows from a look', () => {
     [{ medium: 'stipple' }, false, false],
     [{ technique: 'engraved' }, false, false],
     [{ technique: 'engraved', medium: 'dry' }, false, false],
+    [{ preset: 'pen' }, true, false],
+    [{ preset: 'stipple' }, false, false],
+    [{ preset: 'engraving' }, false, false],
+    [{ preset: 'engraving', technique: 'adjacency' }, true, true],
   ] as const)('%j: a map is needed: %s, adjacency: %s', (look, map, adjacency) => {
     expect([needsMap(look), needsAdjacency(look)]).toEqual([map, adjacency]);
     const material = new HatchingMaterial(look as { medium?: Medium });
@@ -158,6 +162,12 @@ describe('sizes for a picture of more pixels', () => {
     expect(scaledSizes({ strokeWidth: null, toothSize: 2 }, 0.5)).toEqual({ toothSize: 1 });
     // Never below its range: lines of less than two pixels cannot be told apart.
     expect(scaledSizes({ finestSpacing: 3 }, 0.5)).toEqual({ finestSpacing: 2 });
+  });
+
+  test('are those of the preset too, unless the look has its own', () => {
+    expect(scaledSizes({ preset: 'pen' }, 2)).toMatchObject({ strokeWidth: 3 });
+    expect(scaledSizes({ preset: 'pen', strokeWidth: 1 }, 2)).toMatchObject({ strokeWidth: 2 });
+    expect(scaledSizes({ preset: 'engraving' }, 2)).toMatchObject({ lineSpacing: 9 });
   });
 
   test('a material has every one of them, whatever its technique', () => {
