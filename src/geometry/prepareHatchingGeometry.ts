@@ -2,6 +2,7 @@ import type { BufferGeometry } from 'three';
 import type { BakeRequest } from '../bake/bakeCorners.js';
 import type { OutlineRequest } from '../bake/bakeOutlines.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
+import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../material/facts/hatchingProperties.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
@@ -28,6 +29,8 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * by every technique. Default: false, for `anchored` and `engraved`, which draw the source's own vertices.
    */
   adjacency?: boolean | undefined;
+  /** The technique that will draw the geometry, which says whether that needs adjacency. Default: `adjacency` says so. */
+  technique?: HatchingTechnique | undefined;
   /**
    * The vertex layout, for who wants to decide it: how the adjacency is stored. Default: `'auto'` with `adjacency`, `'indexed'` without.
    *
@@ -92,7 +95,7 @@ const PREPARE_OPTIONS = {
   smoothingRadius: true,
   weldTolerance: true,
   outlines: true,
-} satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions>, true>;
+} satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions | 'technique'>, true>;
 
 /**
  * Checks the names of the options, and the values of those that all tasks have in common.
@@ -155,7 +158,7 @@ export function prepareHatchingGeometry(
 }
 
 async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometryOptions): Promise<BufferGeometry> {
-  checkPrepareOptions('prepareHatchingGeometry', options);
+  checkPrepareOptions('prepareHatchingGeometry', options, { technique: true });
   options.signal?.throwIfAborted();
   const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;
   checkValues(options, creaseAngle);
@@ -246,29 +249,30 @@ function outlineRequest(
 function chooseLayout(
   { attributes, morphAttributes }: BufferGeometry,
   triangleCount: number,
-  { adjacency = false, layout = adjacency ? 'auto' : 'indexed' }: PrepareHatchingGeometryOptions,
+  options: PrepareHatchingGeometryOptions,
 ): HatchingStatistics['layout'] {
+  const { layout = wantsAdjacency(options) ? 'auto' : 'indexed' } = options;
   if (layout !== 'auto') return layout;
   const deforms = attributes.skinIndex || morphAttributes.position || morphAttributes.normal;
   return deforms || triangleCount > MANY_TRIANGLES ? 'pull' : 'corner';
 }
 
-function checkValues(
-  {
-    adjacency = false,
-    layout = 'auto',
-    smoothingRadius = 0,
-    weldTolerance = 0,
-    outlines,
-  }: PrepareHatchingGeometryOptions,
-  creaseAngle: number,
-): void {
+const wantsAdjacency = ({ adjacency = false, technique }: PrepareHatchingGeometryOptions): boolean =>
+  adjacency || (technique !== undefined && HATCHING_TECHNIQUES[technique].vertexData === 'adjacency');
+
+function checkValues(options: PrepareHatchingGeometryOptions, creaseAngle: number): void {
+  const { adjacency = false, technique, layout = 'auto', smoothingRadius = 0, weldTolerance = 0, outlines } = options;
   if (typeof adjacency !== 'boolean') {
     throw new TypeError(
       `prepareHatchingGeometry: adjacency is ${String(adjacency)}. Pass true or false, or leave the option out.`,
     );
   }
-  if (adjacency && layout === 'indexed') {
+  if (technique !== undefined && !Object.hasOwn(HATCHING_TECHNIQUES, technique)) {
+    throw new RangeError(
+      `prepareHatchingGeometry: unknown technique '${technique}'. Use one of ${Object.keys(HATCHING_TECHNIQUES).join(', ')}.`,
+    );
+  }
+  if (wantsAdjacency(options) && layout === 'indexed') {
     throw new RangeError(
       "prepareHatchingGeometry: the layout 'indexed' has no adjacency. Leave out one of the two options.",
     );

@@ -7,7 +7,7 @@ import type { HatchedScene } from './HatchedScene.js';
 import type { HatchingPreset, PresetName } from './presets.js';
 
 /** Options of `applyHatching`. Those of `prepareHatchingGeometry` are among them, and apply to every mesh. */
-export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'outlines'> {
+export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'outlines' | 'technique'> {
   /**
    * The preset to start from, by its name or as an object: material, outlines and map. The other options override it; the
    * parameters in `material` and `outlines` do so one by one. Default: no preset.

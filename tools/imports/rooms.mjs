@@ -20,9 +20,9 @@ export const ROOMS = {
   // With three.js.
   mistakes: [],
   tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
-  geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker'],
-  material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/facts': [],
+  geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker', 'material/facts'],
+  material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],
   'material/deformation': ['shaders'],
   'material/firstDraw': ['facts', 'deformation'],

@@ -113,6 +113,16 @@ describe('the prepared geometry', () => {
     expect(prepared.userData).toEqual({ mine: { a: 1 }, hatching: statistics });
   });
 
+  test.each([
+    [{ technique: 'triangle' }, 'corner'],
+    [{ technique: 'adjacency' }, 'corner'],
+    [{ technique: 'anchored' }, 'indexed'],
+    [{ technique: 'engraved' }, 'indexed'],
+    [{ technique: 'engraved', adjacency: true }, 'corner'],
+  ] as const)('has what the technique needs: %j', async (options, layout) => {
+    expect((await prepareHatchingGeometry(quad(), options)).userData.hatching.layout).toBe(layout);
+  });
+
   test('can be prepared again with the same result', async () => {
     const once = await prepareHatchingGeometry(new BoxGeometry(), { adjacency: true });
     const twice = await prepareHatchingGeometry(once, { adjacency: true });
@@ -567,8 +577,13 @@ describe('bad input is rejected', () => {
     [{ smoothingRadius: -1 }, /smoothingRadius is -1\. Pass a length/],
     [{ smoothingRadius: Infinity }, /smoothingRadius is Infinity/],
     [{ smoothingRadius: Number.NaN }, /smoothingRadius is NaN/],
-    [{ layot: 'pull' }, /^prepareHatchingGeometry: unknown option "layot"\. The known ones are adjacency, layout, /],
+    [
+      { layot: 'pull' },
+      /^prepareHatchingGeometry: unknown option "layot"\. The known ones are technique, adjacency, layout, /,
+    ],
     [{ adjacency: 'yes' }, /^prepareHatchingGeometry: adjacency is yes\./],
+    [{ technique: 'adjacent' }, /unknown technique 'adjacent'\. Use one of triangle, adjacency, anchored, engraved\./],
+    [{ technique: 'triangle', layout: 'indexed' }, /^prepareHatchingGeometry: the layout 'indexed' has no adjacency\./],
     [{ adjacency: true, layout: 'indexed' }, /^prepareHatchingGeometry: the layout 'indexed' has no adjacency\./],
     [null, /^prepareHatchingGeometry: the options are null\. Pass an object/],
     ['pull', /^prepareHatchingGeometry: the options are pull\. Pass an object/],
