@@ -26,13 +26,13 @@ describe('the indices of singular points sum to the Euler characteristic', () =>
     ['a torus', () => torus(48, 24), 0],
     ['a knot', knot, 0],
   ])('%s', (_, shape, euler) => {
-    const { surface, seam } = frontOf(shape());
+    const { surface, seam } = frontOf(shape(), {}, false);
     const [largest] = piecesOf(surface, seam).sort((a, b) => b.faces - a.faces);
     expect(largest).toMatchObject({ euler, index: euler, isClosed: true });
   });
 
   test('of each piece of a mesh', () => {
-    const { surface, seam } = frontOf(together(sphere(12), lying(torus(40, 20), 3), lying(cube(5), -3)));
+    const { surface, seam } = frontOf(together(sphere(12), lying(torus(40, 20), 3), lying(cube(5), -3)), {}, false);
     expect(piecesOf(surface, seam).map(({ euler, index }) => [euler, index])).toEqual([
       [2, 2],
       [0, 0],
@@ -44,7 +44,7 @@ describe('the indices of singular points sum to the Euler characteristic', () =>
   test.each(['spot.obj', 'nefertiti_lowres.obj'])('of the scan %s', (name) => {
     const file = new URL(name, folder);
     if (!existsSync(file)) return console.log(`skipped: ../shared/models/${name} is not there`);
-    const { surface, seam } = frontOf(readObj(readFileSync(file, 'utf8')));
+    const { surface, seam } = frontOf(readObj(readFileSync(file, 'utf8')), {}, false);
     for (const { euler, index, isClosed } of piecesOf(surface, seam)) {
       expect(isClosed).toBe(true);
       expect(index).toBe(euler);

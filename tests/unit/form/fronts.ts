@@ -6,18 +6,31 @@ import { directionField } from '../../../src/form/directionField.js';
 import { FORM_DEFAULTS, type FormOptions } from '../../../src/form/FormOptions.js';
 import { type FormSurface, formSurface } from '../../../src/form/FormSurface.js';
 import { faceDirections } from '../../../src/form/faceDirections.js';
+import { formTwins } from '../../../src/form/formTwins.js';
 import { triangleOf } from '../../../src/mesh/corners.js';
 import { disjointSets, join, rootOf } from '../../../src/mesh/disjointSets.js';
 import { measureBounds } from '../../../src/mesh/measureBounds.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
+import { cutSharpEdges } from '../../../src/normals/cutSharpEdges.js';
+import { findPatches } from '../../../src/normals/findPatches.js';
 import { finish } from '../mesh/meshes.js';
 
-/** All of a form field that comes before its phase. */
-export function frontOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}) {
+/** The twins of a mesh: all of them, and less those at creases that are borders of the field. */
+export function twinsOf(mesh: TriangleMesh) {
+  const { radius, ...bounds } = finish(measureBounds(mesh));
+  const adjacency = finish(buildTriangleAdjacency(mesh, nearnessOf({ radius, ...bounds })));
+  const whole = finish(consistentTwins(adjacency));
+  const sharp = whole.slice();
+  finish(cutSharpEdges(sharp, adjacency.areaNormals));
+  const patches = finish(findPatches({ twins: sharp, areaNormals: adjacency.areaNormals }));
+  return { adjacency, radius, whole, sharp, twins: finish(formTwins(whole, sharp, patches, radius)) };
+}
+
+/** All of a form field that comes before its phase. Without `creases` the surface is whole. */
+export function frontOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, creases = true) {
   const all = { ...FORM_DEFAULTS, ...options };
-  const bounds = finish(measureBounds(mesh));
-  const adjacency = finish(buildTriangleAdjacency(mesh, nearnessOf(bounds)));
-  const surface = finish(formSurface(mesh, adjacency, finish(consistentTwins(adjacency)), bounds.radius, all));
+  const { adjacency, radius, whole, twins } = twinsOf(mesh);
+  const surface = finish(formSurface(mesh, adjacency, creases ? twins : whole, radius, all));
   const field = finish(directionField(surface, all));
   const directions = finish(faceDirections(surface, field));
   return { mesh, surface, field, directions, seam: finish(cutForm(surface, directions)) };

@@ -1,0 +1,48 @@
+import { NO_TWIN, triangleOf } from '../mesh/corners.js';
+import type { Patches } from '../normals/findPatches.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
+
+/** A patch smaller than a disc of this radius has no lines of its own. A share of the bounding radius. */
+const SMALLEST_RADIUS = 0.04;
+
+/**
+ * Chooses the creases that are borders of the field: the sharp edges that divide two patches, both large enough for lines of
+ * their own. Lines run on across all others: creases that end within a patch, such as the corner of a mouth, and the small patches
+ * of scans.
+ *
+ * @param twins of `consistentTwins`
+ * @param sharpTwins the same after `cutSharpEdges`
+ * @param patches of `sharpTwins`
+ * @param radius the bounding radius of the mesh
+ * @returns a copy of `twins` with NO_TWIN at these creases
+ */
+export function* formTwins(
+  twins: Int32Array<ArrayBuffer>,
+  sharpTwins: Int32Array,
+  { ofTriangle, areas }: Patches,
+  radius: number,
+): Generator<number, Int32Array<ArrayBuffer>, void> {
+  const smallest = Math.PI * (SMALLEST_RADIUS * radius) ** 2;
+  const isLarge = Uint8Array.from(areas, (area) => Number(area >= smallest));
+  const cut = twins.slice();
+  yield* forEachChunk(twins.length, (start, end) => cutRange(sharpTwins, ofTriangle, isLarge, cut, start, end));
+  return cut;
+}
+
+/** Each half-edge is judged by itself. The two halves of an edge always get the same result. */
+function cutRange(
+  sharpTwins: Int32Array,
+  ofTriangle: Uint32Array,
+  isLarge: Uint8Array,
+  cut: Int32Array,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const twin = cut[corner];
+    if (twin === NO_TWIN || sharpTwins[corner] !== NO_TWIN) continue;
+    const a = ofTriangle[triangleOf(corner)];
+    const b = ofTriangle[triangleOf(twin)];
+    if (a !== b && isLarge[a] === 1 && isLarge[b] === 1) cut[corner] = NO_TWIN;
+  }
+}
