@@ -45,9 +45,9 @@ describe('lines run on', () => {
   });
 
   test('across creases around what is too small for lines of its own', () => {
-    const spiked = patch(80, 80, (u, v) => {
-      const inside = Math.max(Math.abs(u - 0.5), Math.abs(v - 0.5)) < 0.013;
-      return [u - 0.5, v - 0.5, inside ? 0.03 : 0];
+    const spiked = patch(120, 120, (u, v) => {
+      const inside = Math.max(Math.abs(u - 0.5), Math.abs(v - 0.5)) < 0.009;
+      return [u - 0.5, v - 0.5, inside ? 0.02 : 0];
     });
     const { whole, sharp, twins } = twinsOf(spiked);
     expect(countOf(sharp)).toBeGreaterThan(countOf(whole));
