@@ -10,6 +10,7 @@ import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FormOptions } from './FormOptions.js';
+import { formTwins } from './formTwins.js';
 
 /** The surface that a form field is computed on. Creases are borders here: lines on one side know nothing of the other. */
 export interface FormSurface {
@@ -31,15 +32,29 @@ export interface FormSurface {
   radius: number;
 }
 
+type Adjacency = Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>;
+
 /**
- * Prepares the surface of a mesh for a form field.
+ * Prepares the surface of a mesh for a form field, with the creases as borders that `formTwins` chooses.
  *
- * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`) and wherever lines shall not run on
+ * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`)
  * @param radius the bounding radius of the mesh
  */
 export function* formSurface(
   mesh: TriangleMesh,
-  { canonicalCorners, areaNormals }: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
+  adjacency: Adjacency,
+  twins: Int32Array<ArrayBuffer>,
+  radius: number,
+  options: FormOptions,
+): Generator<number, FormSurface, void> {
+  const cut = yield* asPhase(formTwins(twins, adjacency.areaNormals, radius), 0, 0.15);
+  return yield* asPhase(surfaceWithin(mesh, adjacency, cut, radius, options), 0.15, 1);
+}
+
+/** Prepares the surface with no borders but those of `twins`. */
+export function* surfaceWithin(
+  mesh: TriangleMesh,
+  { canonicalCorners, areaNormals }: Adjacency,
   twins: Int32Array<ArrayBuffer>,
   radius: number,
   { smoothing }: FormOptions,

@@ -1,5 +1,7 @@
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
-import type { Patches } from '../normals/findPatches.js';
+import { cutSharpEdges } from '../normals/cutSharpEdges.js';
+import { findPatches } from '../normals/findPatches.js';
+import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
 /** A patch smaller than a disc of this radius has no lines of its own. A share of the bounding radius. */
@@ -10,22 +12,27 @@ const SMALLEST_RADIUS = 0.04;
  * their own. Lines run on across all others: creases that end within a patch, such as the corner of a mouth, and the small patches
  * of scans.
  *
- * @param twins of `consistentTwins`
- * @param sharpTwins the same after `cutSharpEdges`
- * @param patches of `sharpTwins`
+ * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`)
  * @param radius the bounding radius of the mesh
  * @returns a copy of `twins` with NO_TWIN at these creases
  */
 export function* formTwins(
   twins: Int32Array<ArrayBuffer>,
-  sharpTwins: Int32Array,
-  { ofTriangle, areas }: Patches,
+  areaNormals: Float64Array<ArrayBuffer>,
   radius: number,
 ): Generator<number, Int32Array<ArrayBuffer>, void> {
+  const sharpTwins = twins.slice();
+  yield* asPhase(cutSharpEdges(sharpTwins, areaNormals), 0, 0.7);
+  const { ofTriangle, areas } = yield* asPhase(findPatches({ twins: sharpTwins, areaNormals }), 0.7, 0.9);
   const smallest = Math.PI * (SMALLEST_RADIUS * radius) ** 2;
-  const isLarge = Uint8Array.from(areas, (area) => Number(area >= smallest));
+  const isLarge = new Uint8Array(areas.length);
+  for (const [patch, area] of areas.entries()) isLarge[patch] = Number(area >= smallest);
   const cut = twins.slice();
-  yield* forEachChunk(twins.length, (start, end) => cutRange(sharpTwins, ofTriangle, isLarge, cut, start, end));
+  yield* asPhase(
+    forEachChunk(twins.length, (start, end) => cutRange(sharpTwins, ofTriangle, isLarge, cut, start, end)),
+    0.9,
+    1,
+  );
   return cut;
 }
 

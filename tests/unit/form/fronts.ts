@@ -4,7 +4,7 @@ import { nearnessOf } from '../../../src/bake/bakeSurface.js';
 import { cutForm, type FormSeam } from '../../../src/form/cutForm.js';
 import { directionField } from '../../../src/form/directionField.js';
 import { FORM_DEFAULTS, type FormOptions } from '../../../src/form/FormOptions.js';
-import { type FormSurface, formSurface } from '../../../src/form/FormSurface.js';
+import { type FormSurface, formSurface, surfaceWithin } from '../../../src/form/FormSurface.js';
 import { faceDirections } from '../../../src/form/faceDirections.js';
 import { formTwins } from '../../../src/form/formTwins.js';
 import { triangleOf } from '../../../src/mesh/corners.js';
@@ -12,25 +12,24 @@ import { disjointSets, join, rootOf } from '../../../src/mesh/disjointSets.js';
 import { measureBounds } from '../../../src/mesh/measureBounds.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { cutSharpEdges } from '../../../src/normals/cutSharpEdges.js';
-import { findPatches } from '../../../src/normals/findPatches.js';
 import { finish } from '../mesh/meshes.js';
 
-/** The twins of a mesh: all of them, and less those at creases that are borders of the field. */
+/** The twins of a mesh: all of them, those less the sharp edges, and those less the creases that are borders of the field. */
 export function twinsOf(mesh: TriangleMesh) {
-  const { radius, ...bounds } = finish(measureBounds(mesh));
-  const adjacency = finish(buildTriangleAdjacency(mesh, nearnessOf({ radius, ...bounds })));
+  const bounds = finish(measureBounds(mesh));
+  const adjacency = finish(buildTriangleAdjacency(mesh, nearnessOf(bounds)));
   const whole = finish(consistentTwins(adjacency));
   const sharp = whole.slice();
   finish(cutSharpEdges(sharp, adjacency.areaNormals));
-  const patches = finish(findPatches({ twins: sharp, areaNormals: adjacency.areaNormals }));
-  return { adjacency, radius, whole, sharp, twins: finish(formTwins(whole, sharp, patches, radius)) };
+  const twins = finish(formTwins(whole, adjacency.areaNormals, bounds.radius));
+  return { adjacency, radius: bounds.radius, whole, sharp, twins };
 }
 
 /** All of a form field that comes before its phase. Without `creases` the surface is whole. */
 export function frontOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, creases = true) {
   const all = { ...FORM_DEFAULTS, ...options };
-  const { adjacency, radius, whole, twins } = twinsOf(mesh);
-  const surface = finish(formSurface(mesh, adjacency, creases ? twins : whole, radius, all));
+  const { adjacency, radius, whole } = twinsOf(mesh);
+  const surface = finish((creases ? formSurface : surfaceWithin)(mesh, adjacency, whole, radius, all));
   const field = finish(directionField(surface, all));
   const directions = finish(faceDirections(surface, field));
   return { mesh, surface, field, directions, seam: finish(cutForm(surface, directions)) };
