@@ -11,12 +11,10 @@ import {
   Scene,
   Vector3,
 } from 'three';
-import { applyHatching, type HatchedScene, type HatchingPreset, type MapDrawing, TonalArtMap } from 'three-hatching';
-import { needsMap } from 'three-hatching/facts';
+import { applyHatching, type HatchedScene, type HatchingPreset } from 'three-hatching';
 import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
-import { SharedResources } from './SharedResources.js';
 
 /** The distance of the light, in radii of the model: outside of everything that casts shadows. */
 const LIGHT_DISTANCE = 3;
@@ -28,14 +26,6 @@ const FILL = 0.94;
 const box = new Box3();
 const place = new Vector3();
 const before = new Vector3();
-
-/** The maps of presets. The keys are their options: presets are frozen, so these are always the same objects. */
-const maps = new SharedResources<Readonly<MapDrawing>, TonalArtMap>();
-const DEFAULT_MAP: Readonly<MapDrawing> = {};
-
-/** The options of the map for a preset; null if it needs none. */
-const mapOf = ({ material, tonalArtMap }: HatchingPreset): Readonly<MapDrawing> | null =>
-  needsMap(material) ? (tonalArtMap ?? DEFAULT_MAP) : null;
 
 /** A hatched model with its light and camera. It is scaled to a radius of 1 around the origin. */
 export class Drawing {
@@ -68,19 +58,14 @@ export class Drawing {
    */
   static async load(source: ModelSource, preset: HatchingPreset, signal: AbortSignal): Promise<Drawing> {
     const model = await loadModel(source);
-    const strokes = mapOf(preset);
-    let borrowed = false;
     try {
       signal.throwIfAborted();
       model.traverse((object) => {
         object.castShadow = object.receiveShadow = true;
       });
-      borrowed = strokes !== null;
-      const tonalArtMap = strokes && (await maps.borrow(strokes, () => TonalArtMap.generate(strokes)));
-      const hatched = await applyHatching(model, { ...preset, tonalArtMap, signal });
+      const hatched = await applyHatching(model, { ...preset, signal });
       return new Drawing(model, preset, hatched);
     } catch (error) {
-      if (borrowed) maps.giveBack(strokes!);
       disposeModel(model);
       throw error;
     }
@@ -125,8 +110,6 @@ export class Drawing {
 
   dispose(): void {
     this.hatched.dispose();
-    const strokes = mapOf(this.preset);
-    if (strokes) maps.giveBack(strokes);
     disposeModel(this.model);
     this.light.dispose();
   }

@@ -1,4 +1,4 @@
-import { type ApplyHatchingOptions, type MapDrawing, TonalArtMap } from 'three-hatching';
+import { type ApplyHatchingOptions, type StrokeStyleName, TonalArtMap } from 'three-hatching';
 import { retainMap, sharedMap } from './sharedMaps.js';
 
 /** The map that the options ask for. A generated map is made when it is needed, and shared by all who ask for the same map. */
@@ -39,9 +39,14 @@ export class WantedMap {
       this.map = await tonalArtMap(onProgress);
       return this.map;
     }
-    const drawing = { ...tonalArtMap } as MapDrawing;
-    this.map = await sharedMap(drawing, { createWorker, onProgress });
-    this.release = retainMap(drawing);
+    this.map = await sharedMap({ style: namedStyle(this.options), ...tonalArtMap }, { createWorker, onProgress });
+    this.release = retainMap(this.map);
     return this.map;
   }
+}
+
+/** The style that the parameters of the material name. */
+function namedStyle({ material }: ApplyHatchingOptions): StrokeStyleName | undefined {
+  const { tonalArtMap } = typeof material === 'object' ? material : {};
+  return typeof tonalArtMap === 'string' ? tonalArtMap : undefined;
 }

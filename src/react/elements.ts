@@ -1,5 +1,6 @@
 import { extend, type ThreeElement } from '@react-three/fiber';
-import { HatchingMaterial, HatchingOutlineMaterial, HatchingOutlines } from 'three-hatching';
+import { type HatchingMaterial, HatchingOutlineMaterial, HatchingOutlines } from 'three-hatching';
+import { FollowedMaterial } from './FollowedMaterial.js';
 
 declare module '@react-three/fiber' {
   interface ThreeElements {
@@ -12,4 +13,4 @@ declare module '@react-three/fiber' {
   }
 }
 
-extend({ HatchingMaterial, HatchingOutlines, HatchingOutlineMaterial });
+extend({ HatchingMaterial: FollowedMaterial, HatchingOutlines, HatchingOutlineMaterial });

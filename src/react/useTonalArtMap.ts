@@ -1,6 +1,13 @@
 import { use, useEffect } from 'react';
 import type { TonalArtMap } from 'three-hatching';
-import { forgetMap, retainMap, type SharedMapOptions, type SharedMapSource, sharedMap } from './sharedMaps.js';
+import {
+  forgetMap,
+  type MapAddress,
+  retainMap,
+  type SharedMapOptions,
+  type SharedMapSource,
+  sharedMap,
+} from './sharedMaps.js';
 import { useStable } from './useStable.js';
 
 /**
@@ -18,7 +25,7 @@ import { useStable } from './useStable.js';
 export function useTonalArtMap(source: SharedMapSource = {}, options: SharedMapOptions = {}): TonalArtMap {
   const stable = useStable(source);
   const map = use(sharedMap(stable, options));
-  useEffect(() => retainMap(stable), [stable]);
+  useEffect(() => retainMap(map), [map]);
   return map;
 }
 
@@ -27,5 +34,5 @@ useTonalArtMap.preload = (source: SharedMapSource = {}, options: SharedMapOption
   sharedMap(source, options).catch(() => {});
 };
 
-/** Forgets a map, or all maps, so that the next component makes it again. */
-useTonalArtMap.clear = (source?: SharedMapSource): void => forgetMap(source);
+/** Forgets a loaded map, or all of them, so that the next component loads it again. */
+useTonalArtMap.clear = (address?: MapAddress): void => forgetMap(address);

@@ -20,9 +20,10 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   replaces?: HatchedScene | undefined;
   /**
    * The tonal art map for those materials that need one and have none among their parameters: your own map, the options of
-   * `TonalArtMap.generate`, or a function that resolves with your own map: it is called only if a material needs one, with a
-   * listener of its progress, while geometries are prepared. With `null` the meshes stay blank paper until you set a map. `dispose()` of the result frees a generated map, but not yours. Default: a
-   * map is generated in the style that the material names, which is `hatching` unless its parameters name another.
+   * `TonalArtMap.generate`, or a function that resolves with your own map: it is called only if a material needs one, with a listener
+   * of its progress, while geometries are prepared. With `null` the meshes stay blank paper until you set a map. Default: the map of
+   * the style that the material names, `hatching` unless its parameters name another. All who ask for a style and nothing else share
+   * its map (`TonalArtMap.shared`); one that is generated for you alone is freed by `dispose()` of the result.
    */
   tonalArtMap?:
     | TonalArtMap

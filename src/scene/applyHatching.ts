@@ -22,7 +22,7 @@ import { fieldFrames } from './fieldFrames.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
-import { isToBeMade, makeMap } from './makeMap.js';
+import { isToBeMade, makeMaps } from './makeMaps.js';
 import { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { progressParts } from './progressParts.js';
@@ -85,7 +85,7 @@ const FRAME_SHARE = 0.1;
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
  *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines.
  * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it.
- *   No map is generated for materials that need none.
+ *   No map is drawn for materials that need none.
  * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
  *   it was filled with prepared geometries.
@@ -163,18 +163,14 @@ async function makeLooks(
   const firstFrame = await firstFrameOf(root, options);
 
   const named = replacer.materials.filter((material) => typeof material.tonalArtMap === 'string' && needsMap(material));
-  // Without a map of the caller, one is made in the style that the first names; those of other styles draw with the shared ones.
-  const { tonalArtMap: wanted = { style: named[0]?.tonalArtMap as StrokeStyleName | undefined } } = options;
-  const withoutMap = named.filter(
-    ({ tonalArtMap }) => options.tonalArtMap !== undefined || tonalArtMap === named[0].tonalArtMap,
-  );
-  const isMapMade = withoutMap.length > 0 && isToBeMade(wanted);
+  const styles = [...new Set(named.map(({ tonalArtMap }) => tonalArtMap as StrokeStyleName))];
+  const isMapMade = styles.length > 0 && (options.tonalArtMap === undefined || isToBeMade(options.tonalArtMap));
   const mapShare = isMapMade ? MAP_SHARE : 0;
   const frameShare = firstFrame ? FRAME_SHARE : 0;
   const [onBake, onMap, onFrame] = progressParts(onProgress, [1 - mapShare - frameShare, mapShare, frameShare]);
   const outlineMaker = outlines ? new OutlineMaker(outlines === true ? {} : outlines) : null;
   if (outlineMaker) disposables.push(outlineMaker);
-  const [baked, map] = await sideBySide(
+  const [baked, maps] = await sideBySide(
     signal,
     (stop) =>
       bakeGeometries(
@@ -182,13 +178,13 @@ async function makeLooks(
         { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false, onProgress: onBake, signal: stop },
         { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
       ),
-    (stop) => makeMap(wanted, isMapMade, { ...options, onProgress: onMap, signal: stop }, disposables),
+    (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
     async () => asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false)),
   );
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
   skipped.push(...unreadable);
   if (looks.length === 0) assertNoFailure(skipped);
-  for (const material of withoutMap) material.tonalArtMap = map;
+  for (const material of named) material.tonalArtMap = maps.get(material.tonalArtMap as StrokeStyleName) ?? null;
   signal?.throwIfAborted();
   const finishing = finish(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
   const allOutlines = await runSliced(finishing, { signal });

@@ -3,7 +3,7 @@ import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { HatchedScene } from './HatchedScene.js';
-import { isToBeMade } from './makeMap.js';
+import { isToBeMade } from './makeMaps.js';
 import type { PresetName } from './presets.js';
 import { withPreset } from './withPreset.js';
 

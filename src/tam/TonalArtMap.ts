@@ -28,8 +28,8 @@ export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
 /** The names of the properties that `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeTexels: true } satisfies Record<keyof HatchImages, true>;
 
-/** The maps of `TonalArtMap.shared`. */
-const sharedMaps = /* @__PURE__ */ new Map<StrokeStyleName, TonalArtMap>();
+/** The maps of `TonalArtMap.shared`, by what determines them. */
+const sharedMaps = /* @__PURE__ */ new Map<string, TonalArtMap>();
 
 /** What is known of a map before it is drawn. */
 interface MapShape {
@@ -121,23 +121,26 @@ export class TonalArtMap {
   }
 
   /**
-   * The map of a style that all materials share which have none of their own, with the default seed and sizes. It is drawn when it is
-   * first asked for, here or by a material's first frame, and stays for as long as the page does.
+   * One map for all who ask for the same, such as materials that name its style. It is drawn when it is first asked for, here or by a
+   * material's first frame, and stays for as long as the page does. One that could not be drawn is drawn anew for the next who asks.
    *
    * ```ts
    * TonalArtMap.shared().ready.then(render); // for a page that does not draw all the time
    * ```
    *
+   * @param drawing the style, `hatching` by default, or the options that determine the map
    * @param options how it is drawn, for the first call
-   * @throws RangeError or TypeError if there is no such style, or an option is unknown
+   * @throws RangeError or TypeError if an option is out of its range or unknown
    */
-  static shared(style: StrokeStyleName = 'hatching', options: TaskOptions = {}): TonalArtMap {
-    const known = sharedMaps.get(style);
+  static shared(drawing: StrokeStyleName | MapDrawing = {}, options: TaskOptions = {}): TonalArtMap {
+    const { style = 'hatching', ...others } = typeof drawing === 'string' ? { style: drawing } : drawing;
+    const given = Object.entries(others).filter(([, value]) => value !== undefined);
+    const key = JSON.stringify([style, ...given.sort(([a], [b]) => (a < b ? -1 : 1))]);
+    const known = sharedMaps.get(key);
     if (known) return known;
-    const map = TonalArtMap.begin('TonalArtMap.shared', { ...options, style });
-    sharedMaps.set(style, map);
-    // Whoever asks next has it drawn anew.
-    map.drawn?.catch(() => sharedMaps.delete(style));
+    const map = TonalArtMap.begin('TonalArtMap.shared', { ...options, ...others, style });
+    sharedMaps.set(key, map);
+    map.drawn?.catch(() => sharedMaps.delete(key));
     return map;
   }
 

@@ -138,7 +138,7 @@ for (const technique of kindsOfTechnique) {
     page,
   }) => {
     const { before, hatched, restored, memory } = await page.evaluate(async (technique) => {
-      const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const { THREE, TonalArtMap, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
       const renderer = makeRenderer();
       const map = new THREE.DataTexture(new Uint8Array([200, 100, 100, 255]), 1, 1);
       map.needsUpdate = true;
@@ -161,6 +161,8 @@ for (const technique of kindsOfTechnique) {
       handle.restore();
       const restored = pixelsOf(scene, renderer);
       handle.dispose();
+      // The map of the style, which is everybody's.
+      TonalArtMap.shared().dispose();
       memory.push(use());
       return { before, hatched, restored, memory };
     }, technique);

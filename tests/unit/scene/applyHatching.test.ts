@@ -418,14 +418,37 @@ describe('options', () => {
     expect([...progress].sort((a, b) => a - b)).toEqual(progress);
   });
 
-  test('without a map one is generated, and is freed with the rest', async () => {
-    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+  test('without a map the one of the style is drawn, which all share and nobody frees', async () => {
+    const [mesh, other] = [1, 2].map(() => new Mesh(new BoxGeometry(), new MeshBasicMaterial()));
     const progress: number[] = [];
     const scene = await applyHatching(mesh, { onProgress: (value) => progress.push(value) });
-    const map = hatched(mesh).tonalArtMap as TonalArtMap;
-    expect(map.tones).toBeGreaterThan(2);
+    const map = hatched(mesh).tonalArtMap;
+    expect(map).toBe(TonalArtMap.shared());
+    expect((map as TonalArtMap).isReady).toBe(true);
     expect([...progress].sort((a, b) => a - b)).toEqual(progress);
     expect(progress.at(-1)).toBe(1);
+    await applyHatching(other, 'pen');
+    expect(hatched(other).tonalArtMap).toBe(map);
+    const gone = disposals();
+    gone.watch([TonalArtMap.shared().texture]);
+    scene.dispose();
+    expect(gone.count).toBe(0);
+  });
+
+  test('every style that materials name has its shared map', async () => {
+    const names = ['dashes', 'hatching'] as const;
+    const meshes = names.map((name) => new Mesh(new BoxGeometry(), new MeshBasicMaterial({ name })));
+    await applyHatching(new Group().add(...meshes), {
+      material: ({ name }) => ({ tonalArtMap: name as (typeof names)[number] }),
+    });
+    expect(meshes.map((mesh) => hatched(mesh).tonalArtMap)).toEqual(names.map((name) => TonalArtMap.shared(name)));
+  });
+
+  test('a map that is drawn for one scene alone is freed with the rest', async () => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
+    const scene = await applyHatching(mesh, { tonalArtMap: { size: 64, tones: 4 } });
+    const map = hatched(mesh).tonalArtMap as TonalArtMap;
+    expect(map.tones).toBe(4);
     const gone = disposals();
     gone.watch([map.texture]);
     scene.dispose();
@@ -433,11 +456,11 @@ describe('options', () => {
   });
 
   test('no map is generated where none is wanted', async () => {
-    const generate = vi.spyOn(TonalArtMap, 'generate');
+    const shared = vi.spyOn(TonalArtMap, 'shared');
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     await applyHatching(mesh, { tonalArtMap: null });
     expect(hatched(mesh).tonalArtMap).toBe(null);
-    expect(generate).not.toHaveBeenCalled();
+    expect(shared).not.toHaveBeenCalled();
     vi.restoreAllMocks();
   });
 
@@ -453,15 +476,15 @@ describe('options', () => {
     [{ preset: 'engraving', material: { technique: 'anchored' }, tonalArtMap: null }, false],
   ])('a map is made where the look is drawn with one, and only there: %j', async (options, isDrawn) => {
     const drawn = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
-    const generate = vi.spyOn(TonalArtMap, 'generate').mockResolvedValue(drawn);
+    const shared = vi.spyOn(TonalArtMap, 'shared').mockReturnValue(drawn);
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const hatched = await applyHatching(new Mesh(new BoxGeometry(), new MeshBasicMaterial()), options);
     expect(hatched.materials.map(({ tonalArtMap }) => tonalArtMap)).toEqual([
       isDrawn ? drawn : options.tonalArtMap === null ? null : 'hatching',
     ]);
-    expect(generate).toHaveBeenCalledTimes(Number(isDrawn));
+    expect(shared).toHaveBeenCalledTimes(Number(isDrawn));
     hatched.dispose();
-    generate.mockRestore();
+    shared.mockRestore();
   });
 
   test('a function is asked for a map only if a material needs one, which is not freed', async () => {

@@ -231,3 +231,25 @@ describe('TonalArtMap.strokeTexels', () => {
     }
   });
 });
+
+describe('a shared map', () => {
+  it('is one for all who ask for the same, in whatever words', () => {
+    const map = TonalArtMap.shared();
+    expect(TonalArtMap.shared('hatching')).toBe(map);
+    expect(TonalArtMap.shared({ style: undefined, seed: undefined })).toBe(map);
+    const small = TonalArtMap.shared({ size: 64, tones: 4 });
+    expect(small).not.toBe(map);
+    expect(TonalArtMap.shared({ tones: 4, size: 64, style: 'hatching' })).toBe(small);
+  });
+
+  it('is drawn anew for the next who asks if it could not be drawn', async () => {
+    const options = { size: 64, tones: 4, seed: 11 } as const;
+    const stop = new AbortController();
+    const map = TonalArtMap.shared(options, { signal: stop.signal });
+    stop.abort(new Error('no pen'));
+    await expect(map.ready).rejects.toThrow('no pen');
+    const next = TonalArtMap.shared(options);
+    expect(next).not.toBe(map);
+    expect((await next.ready).isReady).toBe(true);
+  });
+});

@@ -1,0 +1,71 @@
+import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
+import { isPromise } from '../mistakes/isPromise.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import { type MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
+import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { progressParts } from './progressParts.js';
+
+/** What the option `tonalArtMap` asks for. */
+export type WantedMap = ApplyHatchingOptions['tonalArtMap'];
+
+/**
+ * Returns the map for each style that materials name: what the option asks for, for all of them, or else the shared map of the style. A
+ * map that only this caller has is added to `disposables`.
+ */
+export async function makeMaps(
+  wanted: WantedMap,
+  styles: readonly StrokeStyleName[],
+  options: TaskOptions,
+  disposables: { dispose(): void }[],
+): Promise<ReadonlyMap<StrokeStyleName, TonalArtMap | null>> {
+  if (styles.length === 0) return new Map();
+  if (wanted !== undefined) {
+    const map = await makeMap(wanted, options, disposables);
+    return new Map(styles.map((style) => [style, map]));
+  }
+  const listeners = progressParts(
+    options.onProgress,
+    styles.map(() => 1 / styles.length),
+  );
+  const maps = styles.map((style, i) => sharedMap({ style }, { ...options, onProgress: listeners[i] }));
+  return new Map((await Promise.all(maps)).map((map, i) => [styles[i], map]));
+}
+
+async function makeMap(
+  wanted: NonNullable<WantedMap> | null,
+  options: TaskOptions,
+  disposables: { dispose(): void }[],
+): Promise<TonalArtMap | null> {
+  if (!isToBeMade(wanted)) return wanted;
+  const { signal, createWorker, onProgress } = options;
+  if (typeof wanted === 'function') {
+    const own = checkTonalArtMap(await wanted((progress) => onProgress?.(progress)));
+    onProgress?.(1);
+    return own;
+  }
+  if (namesStyleAlone(wanted)) return sharedMap(wanted, options);
+  const map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress });
+  disposables.push(map);
+  return map;
+}
+
+const namesStyleAlone = (drawing: MapDrawing): boolean =>
+  Object.entries(drawing).every(([name, value]) => name === 'style' || value === undefined);
+
+/** The shared map when it is ready. An abort ends the waiting, and not the drawing, which others may wait for, too. */
+async function sharedMap(drawing: MapDrawing, { signal, createWorker, onProgress }: TaskOptions): Promise<TonalArtMap> {
+  signal?.throwIfAborted();
+  const { ready } = TonalArtMap.shared(drawing, { createWorker, onProgress });
+  const aborted = new Promise<never>((_, reject) => {
+    signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
+  });
+  const map = await Promise.race([ready, aborted]);
+  onProgress?.(1);
+  return map;
+}
+
+/** Whether the map does not exist yet: these are options to draw it, or a function that resolves with it. */
+export const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null | undefined> =>
+  typeof wanted === 'function' ||
+  (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted) && !isPromise(wanted));

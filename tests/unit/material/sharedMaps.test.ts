@@ -1,0 +1,38 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { mapIsReady, sharedMap } from '../../../src/material/sharedMaps.js';
+import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+
+const drawn = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
+const failing = (): TonalArtMap =>
+  Object.assign(Object.create(TonalArtMap.prototype), { drawn: Promise.reject(new Error('no pen')) });
+
+beforeEach(() => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.restoreAllMocks();
+});
+
+test('a map that could not be drawn is told of, and tried again by a frame some seconds later', async () => {
+  const told = vi.spyOn(console, 'error').mockImplementation(() => {});
+  const shared = vi.spyOn(TonalArtMap, 'shared').mockImplementation(failing);
+  expect(sharedMap('dashes')).toBe(null);
+  await vi.waitFor(() => expect(told).toHaveBeenCalledOnce());
+  expect(told.mock.calls[0][0]).toMatch(/the map of the style "dashes" could not be drawn \(no pen\)/);
+  sharedMap('dashes');
+  expect(shared).toHaveBeenCalledOnce();
+  shared.mockReturnValue(drawn);
+  vi.advanceTimersByTime(5000);
+  sharedMap('dashes');
+  await vi.waitFor(() => expect(sharedMap('dashes')).toBe(drawn));
+  expect([shared.mock.calls.length, told.mock.calls.length]).toEqual([2, 1]);
+});
+
+test('whoever waits for a map is told by a rejection, and tries it again', async () => {
+  const shared = vi.spyOn(TonalArtMap, 'shared').mockImplementationOnce(failing).mockReturnValueOnce(drawn);
+  await expect(mapIsReady('ruled')).rejects.toThrow('no pen');
+  await mapIsReady('ruled');
+  expect(shared).toHaveBeenCalledTimes(2);
+  await mapIsReady(null);
+});
