@@ -1,5 +1,7 @@
 import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
+import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { bendSigns } from './bendSigns.js';
 import type { FormOptions } from './FormOptions.js';
 import type { FormSurface } from './FormSurface.js';
 import { FRAME_FLOATS } from './tangentFrames.js';
@@ -22,14 +24,21 @@ const HALF_ANISOTROPY = 1;
 /** How much `up` counts, beside curvature that is decided. */
 const UP_WEIGHT = 0.2;
 
+/** How much the level axis counts on what is flat and faces up or down, such as lids. */
+const LEVEL_WEIGHT = 0.5;
+
+/** The curvature, times the bounding radius, at which a surface is no longer flat. */
+const FLAT_CURVATURE = 0.3;
+
 /**
  * Measures where lines should run: along the most convex direction, the more decidedly the further the principal curvatures lie
- * apart, and weakly across `up`. Ridges and grooves cancel each other, so that noise says nothing.
+ * apart, and weakly across `up`. Ridges and grooves cancel each other, so that noise says nothing. Flat lids, on which neither
+ * says anything, are ruled along one axis, the horizontal one in the picture as seen from the front.
  */
 export function* curvatureLines(
   surface: FormSurface,
   frames: Float32Array,
-  { up, reach }: FormOptions,
+  { up, front, reach }: FormOptions,
 ): Generator<number, LineTargets, void> {
   const count = surface.fans.count;
   const targets: LineTargets = {
@@ -38,36 +47,51 @@ export function* curvatureLines(
     curved: new Float64Array(2 * count),
     anisotropy: new Float32Array(count),
   };
-  const scale = surface.radius * outwards(surface);
+  const signs = yield* asPhase(bendSigns(surface), 0, 0.4);
   const perMass = 1 / (reach * surface.radius) ** 2;
-  const length = Math.hypot(...up) || 1;
-  const axis = [up[0] / length, up[1] / length, up[2] / length] as const;
-  yield* forEachChunk(count, (start, end) => measureRange(surface, frames, scale, perMass, axis, targets, start, end));
+  const axis = normalized(up);
+  const level = levelAxis(axis, front);
+  yield* asPhase(
+    forEachChunk(count, (start, end) =>
+      measureRange(surface, frames, signs, perMass, axis, level, targets, start, end),
+    ),
+    0.4,
+    1,
+  );
   return targets;
 }
 
-/** −1 if the surface is wound inside out, so that it is hollow in the mean, otherwise 1. */
-function outwards({ masses, tensors }: FormSurface): number {
-  let bend = 0;
-  for (let fan = 0; fan < masses.length; fan++) {
-    const i = TENSOR_FLOATS * fan;
-    bend += masses[fan] * (tensors[i] + tensors[i + 3] + tensors[i + 5]);
-  }
-  return bend < 0 ? -1 : 1;
+type Vector = readonly [x: number, y: number, z: number];
+
+function normalized([x, y, z]: Vector): Vector {
+  const length = Math.hypot(x, y, z) || 1;
+  return [x / length, y / length, z / length];
 }
 
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/** The axis across `up` and `front`; where there is no front, across `up` and the first of z and y that leans away from it. */
+const levelAxis = (up: Vector, front: Vector = Math.abs(up[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0]): Vector =>
+  normalized(cross(up, front));
+
 function measureRange(
-  { masses, tensors }: FormSurface,
+  { masses, tensors, radius }: FormSurface,
   frames: Float32Array,
-  scale: number,
+  signs: Int8Array,
   perMass: number,
-  axis: readonly [number, number, number],
+  axis: Vector,
+  levelAxis: Vector,
   { weights, right, curved, anisotropy }: LineTargets,
   start: number,
   end: number,
 ): void {
   for (let fan = start; fan < end; fan++) {
     const i = FRAME_FLOATS * fan;
+    const scale = signs[fan] * radius;
     const ux = frames[i];
     const uy = frames[i + 1];
     const uz = frames[i + 2];
@@ -96,12 +120,18 @@ function measureRange(
     // The tangent across the axis, as long as the axis' part in the tangent plane.
     const hx = -(axis[0] * vx + axis[1] * vy + axis[2] * vz);
     const hy = axis[0] * ux + axis[1] * uy + axis[2] * uz;
-    const level = UP_WEIGHT * mass;
+    const steepness = hx * hx + hy * hy;
+    const bend = scale * scale * (xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz));
+    const flatness = (FLAT_CURVATURE ** 2 / (FLAT_CURVATURE ** 2 + bend)) ** 2;
+    const lx = levelAxis[0] * ux + levelAxis[1] * uy + levelAxis[2] * uz;
+    const ly = levelAxis[0] * vx + levelAxis[1] * vy + levelAxis[2] * vz;
+    const across = UP_WEIGHT * mass;
+    const along = LEVEL_WEIGHT * mass * flatness * Math.max(0, 1 - steepness);
     anisotropy[fan] = length;
-    weights[fan] = decided * length + level * (hx * hx + hy * hy);
+    weights[fan] = decided * length + across * steepness + along * (lx * lx + ly * ly);
     curved[2 * fan] = decided * qx;
     curved[2 * fan + 1] = decided * qy;
-    right[2 * fan] = decided * qx + level * (hx * hx - hy * hy);
-    right[2 * fan + 1] = decided * qy + level * 2 * hx * hy;
+    right[2 * fan] = decided * qx + across * (hx * hx - hy * hy) + along * (lx * lx - ly * ly);
+    right[2 * fan + 1] = decided * qy + across * 2 * hx * hy + along * 2 * lx * ly;
   }
 }

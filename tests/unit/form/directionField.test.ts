@@ -1,5 +1,6 @@
-import { CapsuleGeometry, CylinderGeometry } from 'three';
+import { CapsuleGeometry, CylinderGeometry, LatheGeometry, Vector2 } from 'three';
 import { describe, expect, test } from 'vitest';
+import type { FormOptions } from '../../../src/form/FormOptions.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { dot, meshFrom, moebius, scaled, turned, unit } from '../features/surfaces.js';
 import { book, fan, meshOf } from '../mesh/meshes.js';
@@ -58,6 +59,36 @@ describe('lines run', () => {
     for (const { across } of facesOf(frontOf(plane))) expect(degrees(across[1])).toBeLessThan(0.05);
     const tilted = facesOf(frontOf(plane, { up: [3, 4, 0] }));
     for (const { across } of tilted) expect(degrees(dot(across, [0.6, 0.8, 0]))).toBeLessThan(0.05);
+  });
+
+  test('along one axis on lids, across the front', () => {
+    const cylinder = meshFrom(new CylinderGeometry(0.5, 0.5, 2, 48, 24));
+    const lids = (front?: FormOptions['front']) =>
+      facesOf(frontOf(cylinder, { front })).filter(({ middle }) => Math.abs(middle[1]) > 0.99);
+    expect(lids().length).toBeGreaterThan(50);
+    for (const { across } of lids()) expect(degrees(across[2])).toBeLessThan(0.5);
+    for (const { across } of lids([2, 0, 0])) expect(degrees(across[0])).toBeLessThan(0.5);
+  });
+
+  test('around a beaker with a wall, outside and inside', () => {
+    const profile = [
+      [0, 0],
+      [0.5, 0],
+      [0.6, 1.5],
+      [0.5, 1.5],
+      [0.4, 0.1],
+      [0, 0.1],
+    ];
+    const points = profile.slice(1).flatMap(([r, y], i) => {
+      const [r0, y0] = profile[i];
+      return Array.from({ length: 12 }, (_, k) => new Vector2(r0 + ((r - r0) * k) / 12, y0 + ((y - y0) * k) / 12));
+    });
+    const walls = facesOf(frontOf(meshFrom(new LatheGeometry(points, 64)))).filter(
+      ({ middle: [x, y, z] }) => Math.hypot(x, z) > 0.3 && y > 0.3 && y < 1.3,
+    );
+    const inside = walls.filter(({ middle: [x, y, z] }) => Math.hypot(x, z) < 0.45 + 0.1 * (y / 1.5)).length;
+    expect(inside / walls.length).toBeCloseTo(0.5, 1);
+    for (const { across } of walls) expect(Math.abs(across[1])).toBeGreaterThan(0.98);
   });
 
   test('alike on a mesh that is wound inside out', () => {
