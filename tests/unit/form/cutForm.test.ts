@@ -4,9 +4,9 @@ import { describe, expect, test } from 'vitest';
 import { NO_TWIN, nextCorner, triangleOf } from '../../../src/mesh/corners.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { meshFrom, moebius } from '../features/surfaces.js';
-import { meshOf } from '../mesh/meshes.js';
 import { cube, patch, sphere, together, torus } from '../mesh/shapes.js';
 import { frontOf, piecesOf, singularPoints } from './fronts.js';
+import { readObj } from './readObj.js';
 
 const knot = () => meshFrom(new TorusKnotGeometry(0.7, 0.24, 160, 24, 2, 3));
 const icosahedron = () => meshFrom(new IcosahedronGeometry(1, 12));
@@ -51,20 +51,6 @@ describe('the indices of singular points sum to the Euler characteristic', () =>
     }
   });
 });
-
-/** Vertices and faces of an OBJ file. */
-function readObj(text: string): TriangleMesh {
-  const vertices: number[][] = [];
-  const triangles: number[][] = [];
-  for (const line of text.split('\n')) {
-    const [kind, ...words] = line.trim().split(/\s+/);
-    if (kind === 'v') vertices.push(words.slice(0, 3).map(Number));
-    if (kind !== 'f') continue;
-    const face = words.map((word) => Number.parseInt(word, 10) - 1);
-    for (let k = 2; k < face.length; k++) triangles.push([face[0], face[k - 1], face[k]]);
-  }
-  return meshOf(vertices, triangles);
-}
 
 describe('singular points', () => {
   test('are none on a torus', () => expect(singularPoints(frontOf(torus(48, 24)))).toEqual([]));
