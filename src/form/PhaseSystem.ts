@@ -1,0 +1,131 @@
+import type { PhaseLevel } from './phaseLevels.js';
+import type { SeamEdges } from './phaseMatrix.js';
+import { multiply, pullNodes, pullOffsets } from './phaseOperator.js';
+import { jumpPulls, offsetsOf, type SeamRelations } from './seamRelations.js';
+
+/** The unknowns of both families of lines, or what pulls at them: two values for each node and for each free jump. */
+export interface PhaseVector {
+  nodes: Float64Array;
+  jumps: Float64Array;
+}
+
+/** The equations of φ, and what they are solved with. */
+export interface PhaseSystem {
+  levels: readonly PhaseLevel[];
+  buffers: readonly LevelBuffers[];
+  relations: SeamRelations;
+  seamBuffers: SeamBuffers;
+  /** For each free jump how strongly it is held. */
+  jumpDiagonal: Float64Array;
+  /** The last level factorised, or null if it is too large for that. */
+  lastLevel: LastLevel | null;
+  /** The level whose equations are solved. */
+  level: number;
+  /** Whether jumps are unknowns too, or given. */
+  isFree: boolean;
+}
+
+/** The Cholesky factor L of the last level, nodes before jumps: matrix = L·Lᵀ. Its first rows are the factor for given jumps. */
+export interface LastLevel {
+  size: number;
+  nodeCount: number;
+  /** Row by row. */
+  factor: Float64Array;
+  /** For each unknown 1 over its diagonal, or 0 where nothing holds the unknown, which is 0 then. */
+  inverses: Float64Array;
+}
+
+/** Vectors of one level. */
+export interface LevelBuffers {
+  forces: PhaseVector;
+  values: PhaseVector;
+  rest: PhaseVector;
+}
+
+/** Vectors of the cut, two values each. */
+export interface SeamBuffers {
+  segments: Float64Array;
+  offsets: Float64Array;
+  pulls: Float64Array;
+}
+
+/** The system without a factorised last level. */
+export function phaseSystem(relations: SeamRelations, levels: readonly PhaseLevel[]): PhaseSystem {
+  const { segmentCount, origins, jumps } = relations;
+  const vectorOf = ({ fans }: PhaseLevel): PhaseVector => ({
+    nodes: new Float64Array(2 * fans.length),
+    jumps: new Float64Array(2 * jumps.free.length),
+  });
+  return {
+    levels,
+    buffers: levels.map((level) => ({ forces: vectorOf(level), values: vectorOf(level), rest: vectorOf(level) })),
+    relations,
+    seamBuffers: {
+      segments: new Float64Array(2 * segmentCount),
+      offsets: new Float64Array(2 * origins.length),
+      pulls: new Float64Array(2 * origins.length),
+    },
+    jumpDiagonal: jumpDiagonal(relations, levels[0].matrix.seam),
+    lastLevel: null,
+    level: levels.length - 1,
+    isFree: true,
+  };
+}
+
+/** Multiplies the matrix of the system with a vector. */
+export function* applySystem(
+  system: PhaseSystem,
+  { nodes, jumps }: PhaseVector,
+  product: PhaseVector,
+): Generator<number, void, void> {
+  const { matrix } = system.levels[system.level];
+  yield* multiply(matrix, nodes, product.nodes);
+  if (!system.isFree) return;
+  const { offsets, pulls } = system.seamBuffers;
+  spreadJumps(system, jumps);
+  pullNodes(matrix.seam, offsets, 1, product.nodes);
+  pullOffsets(matrix.seam, nodes, offsets, pulls);
+  gatherJumps(system, product.jumps);
+}
+
+/** Writes the offsets that follow from the free jumps. */
+export function spreadJumps({ relations, seamBuffers: { segments, offsets } }: PhaseSystem, jumps: Float64Array): void {
+  const { free } = relations.jumps;
+  for (let i = 0; i < free.length; i++) {
+    segments[2 * free[i]] = jumps[2 * i];
+    segments[2 * free[i] + 1] = jumps[2 * i + 1];
+  }
+  offsetsOf(relations, segments, offsets);
+}
+
+/** Sums up what pulls at the offsets to what pulls at the free jumps. Overwrites what pulls. */
+export function gatherJumps({ relations, seamBuffers: { segments, pulls } }: PhaseSystem, jumps: Float64Array): void {
+  const { free } = relations.jumps;
+  jumpPulls(relations, pulls, segments);
+  for (let i = 0; i < free.length; i++) {
+    jumps[2 * i] = segments[2 * free[i]];
+    jumps[2 * i + 1] = segments[2 * free[i] + 1];
+  }
+}
+
+/** Sums up, for each free jump, the weights of all edges that it moves: a bound on how strongly it is held. */
+function jumpDiagonal(relations: SeamRelations, seam: SeamEdges): Float64Array {
+  const { origins, starts, segments, factors, jumps } = relations;
+  const weights = new Float64Array(origins.length);
+  for (let end = 0; end < seam.offsets.length; end++) {
+    if (seam.offsets[end] >= 0) weights[seam.offsets[end]] += Math.abs(seam.weights[end >> 1]);
+  }
+  const ofSegment = new Float64Array(relations.segmentCount);
+  for (let i = origins.length - 1; i >= 0; i--) {
+    if (origins[i] >= 0) weights[origins[i]] += weights[i];
+    for (let term = starts[i]; term < starts[i + 1]; term++) {
+      ofSegment[segments[term]] += Math.abs(factors[term]) * weights[i];
+    }
+  }
+  for (let i = jumps.bound.length - 1; i >= 0; i--) {
+    for (let term = jumps.starts[i]; term < jumps.starts[i + 1]; term++) {
+      ofSegment[jumps.segments[term]] += Math.abs(jumps.factors[term]) * ofSegment[jumps.bound[i]];
+    }
+  }
+  return Float64Array.from(jumps.free, (segment) => ofSegment[segment] || 1);
+}

@@ -1,0 +1,60 @@
+import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
+import type { TriangleMesh } from '../mesh/TriangleMesh.js';
+import { asPhase } from '../slices/asPhase.js';
+import { cutForm, type FormSeam } from './cutForm.js';
+import { directionField } from './directionField.js';
+import type { FormField } from './FormField.js';
+import type { FormOptions } from './FormOptions.js';
+import { type FormSurface, formSurface } from './FormSurface.js';
+import { type FaceDirections, faceDirections } from './faceDirections.js';
+import { formVertices } from './formVertices.js';
+import { phaseLevels } from './phaseLevels.js';
+import { phaseMatrix } from './phaseMatrix.js';
+import { phaseSource } from './phaseSource.js';
+import { seamRelations } from './seamRelations.js';
+import { solvePhase } from './solvePhase.js';
+
+/** Lines per bounding radius where φ rises as it shall. More lines come from octaves of φ, in powers of two. */
+export const LINES_PER_RADIUS = 16;
+
+/**
+ * Bakes the field of lines that follow the form. It depends on the shape alone: on no scale, no place, no chance. φ does not depend
+ * on `crossAngle`, to the last bit.
+ *
+ * @param twins of `formTwins`: with NO_TWIN where lines shall not run on
+ * @param radius the bounding radius of the mesh
+ */
+export function* bakeForm(
+  mesh: TriangleMesh,
+  adjacency: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
+  twins: Int32Array<ArrayBuffer>,
+  radius: number,
+  options: FormOptions,
+): Generator<number, FormField, void> {
+  const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
+  const field = yield* asPhase(directionField(surface, options), 0.3, 0.65);
+  const directions = yield* asPhase(faceDirections(surface, field), 0.65, 0.68);
+  const seam = yield* asPhase(cutForm(surface, directions), 0.68, 0.72);
+  return yield* asPhase(combedField(surface, directions, seam, options.crossAngle), 0.72, 1);
+}
+
+/** Finds φ and φ₂ on a surface that is cut so that directions can be combed. */
+export function* combedField(
+  surface: FormSurface,
+  directions: FaceDirections,
+  seam: FormSeam,
+  crossAngle: number,
+): Generator<number, FormField, void> {
+  const relations = yield* asPhase(seamRelations(surface, seam), 0, 0.05);
+  const { matrix, shares } = yield* asPhase(phaseMatrix(surface, seam, relations), 0.05, 0.15);
+  const levels = yield* asPhase(phaseLevels(matrix), 0.15, 0.25);
+  // A mesh without extent has no lines.
+  const slope = surface.radius > 0 ? LINES_PER_RADIUS / surface.radius : 0;
+  const source = yield* asPhase(
+    phaseSource(surface, directions, seam, relations, shares, { slope, crossAngle }),
+    0.25,
+    0.3,
+  );
+  const phase = yield* asPhase(solvePhase(surface, seam, relations, levels, source), 0.3, 0.85);
+  return yield* asPhase(formVertices(surface, seam, relations, phase), 0.85, 1);
+}
