@@ -19,6 +19,7 @@ export type {
   HatchingValue,
   NumberRange,
   PlainValue,
+  UsedByTechniques,
 } from './material/facts/HatchingProperty.js';
 export { HATCHING_FACTS } from './material/facts/hatchingFacts.js';
 export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchingProperties.js';

@@ -2,7 +2,7 @@
 import process from 'node:process';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import type { MapFile } from '../mapFiles/mapFiles.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runSliced } from '../slices/runSliced.js';
@@ -42,7 +42,7 @@ try {
   process.exitCode = reportError(error);
 }
 
-async function draw(map: HatchImageOptions): Promise<MapFile[]> {
+async function draw(map: MapDrawing): Promise<MapFile[]> {
   const { signal } = abort;
   const images = await runSliced(generateHatchImages(map), {
     signal,
@@ -60,7 +60,7 @@ async function draw(map: HatchImageOptions): Promise<MapFile[]> {
 }
 
 /** The largest possible size of the files of a map, in bytes: that of its images and thresholds without compression. */
-function maxBytes(map: HatchImageOptions): number {
+function maxBytes(map: MapDrawing): number {
   const { size, tones } = resolveHatchImageOptions(map);
   return Math.ceil((4 / 3) * size ** 2 * (tones + 3));
 }

@@ -1,5 +1,5 @@
 import { parseArgs } from 'node:util';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
@@ -11,7 +11,7 @@ export class UsageError extends Error {}
 export type Request =
   | { action: 'help' }
   | { action: 'list' }
-  | { action: 'draw'; map: HatchImageOptions; out: string; force: boolean };
+  | { action: 'draw'; map: MapDrawing; out: string; force: boolean };
 
 const OPTIONS = {
   style: { type: 'string' },
@@ -61,7 +61,7 @@ export function parseArguments(args: readonly string[]): Request {
   if (rest.length > 0) throw new UsageError(`"${rest[0]}" is an unexpected argument; name the folder after --out.`);
   if (values.list) return { action: 'list' };
   if (!values.out) throw new UsageError('--out is missing; name the folder to write the map to.');
-  const map: HatchImageOptions = {
+  const map: MapDrawing = {
     ...mapOfPreset(values),
     ...(values.style !== undefined && { style: values.style as StrokeStyleName }),
     size: wholeNumber('size', values.size),
@@ -81,7 +81,7 @@ export function parseArguments(args: readonly string[]): Request {
 }
 
 /** The options of the map of a preset. */
-function mapOfPreset({ preset, style }: { preset?: string; style?: string }): HatchImageOptions {
+function mapOfPreset({ preset, style }: { preset?: string; style?: string }): MapDrawing {
   if (preset === undefined) return {};
   if (style !== undefined) throw new UsageError('--preset and --style exclude each other; pass only one of them.');
   const drawn = Object.entries<HatchingPreset>(presets).filter(([, { tonalArtMap }]) => tonalArtMap !== null);

@@ -4,7 +4,7 @@ import { strokeStyles } from '../strokes/strokeStyles.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 
 /** The options that determine a generated map. */
-export interface HatchImageOptions {
+export interface MapDrawing {
   /** The style of the strokes. Default `'hatching'`. */
   style?: StrokeStyleName | undefined;
   /** A whole number. Each seed places the strokes differently; the same seed gives the same bytes. Default 1. */
@@ -37,11 +37,8 @@ export interface HatchImageRequest {
  * @param caller the function that is named in the error
  * @throws RangeError that names the option and its range
  */
-export function resolveHatchImageOptions(
-  options: HatchImageOptions = {},
-  caller = 'TonalArtMap.generate',
-): HatchImageRequest {
-  const fail = (option: keyof HatchImageOptions, value: unknown, allowed: string): never => {
+export function resolveHatchImageOptions(options: MapDrawing = {}, caller = 'TonalArtMap.generate'): HatchImageRequest {
+  const fail = (option: keyof MapDrawing, value: unknown, allowed: string): never => {
     throw new RangeError(`${caller}: ${option} is ${String(value)}, but must be ${allowed}.`);
   };
   const { style: name = 'hatching', seed = 1, size = 256, tones = 8 } = options;

@@ -13,6 +13,7 @@ import {
   type Texture,
   type Vector2,
   Vector4,
+  type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three';
 import { silence } from '../mistakes/silence.js';
@@ -53,7 +54,7 @@ import {
 import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
 import { programDefines } from './programDefines.js';
-import { defineRigid, type ProgramParameters } from './programParameters.js';
+import { defineRigid } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
 import { hatchingShaders } from './shaders/hatchingShaders.js';
 import { VERTEX_LAYOUTS, type VertexLayout } from './shaders/shaderConventions.js';
@@ -240,7 +241,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    * Called by the renderer. Defines in both shaders what three defines in the vertex shader alone. Also builds the programs of the
    * pre-pass and of the environment's blur, which otherwise only drawing would do.
    */
-  override onBeforeCompile(shader: ProgramParameters, renderer: WebGLRenderer): void {
+  override onBeforeCompile(shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer): void {
     this.isWithWebGL = true;
     defineRigid(shader);
     for (const mesh of this.announced.splice(0)) {

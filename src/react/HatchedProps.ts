@@ -3,8 +3,13 @@ import type { ReactNode } from 'react';
 import type { Object3D } from 'three';
 import type { ApplyHatchingOptions, HatchedScene } from 'three-hatching';
 
-type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces' | 'renderer' | 'camera'>;
-type GroupProps = Omit<ThreeElements['group'], keyof ApplyHatchingOptions | 'object' | 'onError' | 'children'>;
+/** The options of `applyHatching` that are props of `<Hatched>`; it sees to the others itself. */
+export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces' | 'renderer' | 'camera'>;
+/** The props of the group that `<Hatched>` is. */
+export type HatchedGroupProps = Omit<
+  ThreeElements['group'],
+  keyof ApplyHatchingOptions | 'object' | 'onError' | 'children'
+>;
 
 /**
  * The props of `<Hatched>`: the options of `applyHatching`, those below, and all props of a group.
@@ -13,7 +18,7 @@ type GroupProps = Omit<ThreeElements['group'], keyof ApplyHatchingOptions | 'obj
  * must be prepared again, the last look is drawn until it is ready. Passing another function does not by itself change anything: the
  * latest function is called when it is needed.
  */
-export interface HatchedProps extends HatchedOptions, GroupProps {
+export interface HatchedProps extends HatchedOptions, HatchedGroupProps {
   children?: ReactNode;
   /**
    * A loaded scene, such as `gltf.scene`, besides the children or instead of them. It is not disposed of. Pass `null` while it is being
@@ -46,7 +51,10 @@ const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
 };
 
 /** Separates the options of hatching from the props of the group. */
-export function splitProps(props: HatchedOptions & GroupProps): { options: HatchedOptions; group: GroupProps } {
+export function splitProps(props: HatchedOptions & HatchedGroupProps): {
+  options: HatchedOptions;
+  group: HatchedGroupProps;
+} {
   const options: Record<string, unknown> = {};
   const group: Record<string, unknown> = {};
   for (const [name, value] of Object.entries(props)) (name in OPTION_NAMES ? options : group)[name] = value;

@@ -4,9 +4,9 @@
  * @module three-hatching/react
  */
 export { Hatched } from './Hatched.js';
-export type { HatchedProps } from './HatchedProps.js';
+export type { HatchedGroupProps, HatchedOptions, HatchedProps } from './HatchedProps.js';
 export { HatchingOutlines, type HatchingOutlinesProps } from './HatchingOutlines.js';
-export type { SharedMapOptions, SharedMapSource } from './sharedMaps.js';
+export type { MapAddress, SharedMapOptions, SharedMapSource } from './sharedMaps.js';
 export { type HatchingGeometryOptions, useHatchingGeometry } from './useHatchingGeometry.js';
 export { useTonalArtMap } from './useTonalArtMap.js';
 

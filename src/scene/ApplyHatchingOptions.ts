@@ -1,8 +1,9 @@
 import type { Camera, Material, Mesh, WebGLRenderer } from 'three';
 import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
-import type { MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { HatchedScene } from './HatchedScene.js';
 import type { HatchingPreset, PresetName } from './presets.js';
 

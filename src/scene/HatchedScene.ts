@@ -38,6 +38,7 @@ export class HatchedScene {
    * @param followers take over what changes in the materials that were replaced
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called when the meshes are restored
+   * @internal
    */
   constructor(
     looks: readonly MeshLook[],

@@ -1,7 +1,8 @@
+import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import { isPromise } from '../mistakes/isPromise.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import { type MapDrawing, TonalArtMap } from '../tam/TonalArtMap.js';
+import { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { progressParts } from './progressParts.js';

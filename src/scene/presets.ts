@@ -1,11 +1,11 @@
 import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { HATCHING_DEFAULTS } from '../material/facts/hatchingProperties.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import { frozen, PRESET_MATERIALS, type PresetName } from '../material/facts/presetMaterials.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import type { MapDrawing } from '../tam/TonalArtMap.js';
 
 export type { PresetName };
 

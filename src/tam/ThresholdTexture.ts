@@ -7,6 +7,7 @@ import type { ThresholdPair } from './pairThresholdLevels.js';
  * place. All levels lie side by side (see {@link packThresholds}).
  */
 export class ThresholdTexture extends DataTexture {
+  /** @internal */
   constructor(pairs: readonly ThresholdPair[]) {
     const { data, width, height } = packThresholds(pairs);
     super(data, width, height, RGFormat, UnsignedByteType);

@@ -2,7 +2,7 @@ import { assertHatchImages, checkHatchImages, type HatchImageReport } from '../h
 import { deriveThresholds } from '../hatchImages/deriveThresholds.js';
 import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../hatchImages/HatchImages.js';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import type { TonalArtMapSource } from '../mapFiles/readSource.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
@@ -19,11 +19,8 @@ import { TonalArtMapTexture } from './TonalArtMapTexture.js';
 /** The share of the progress of `load` for reading the files. */
 const READING_SHARE = 0.5;
 
-/** The options that determine a generated map. */
-export type MapDrawing = HatchImageOptions;
-
 /** Options of `TonalArtMap.draw` and `generate`: those that determine the map, and those of the task. */
-export interface TonalArtMapOptions extends HatchImageOptions, TaskOptions {}
+export interface TonalArtMapOptions extends MapDrawing, TaskOptions {}
 
 /** The names of the properties that `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeTexels: true } satisfies Record<keyof HatchImages, true>;
@@ -147,7 +144,7 @@ export class TonalArtMap {
   private static begin(caller: string, options: TonalArtMapOptions): TonalArtMap {
     checkOptions(caller, options, HATCH_IMAGE_OPTIONS);
     const { style, seed, size, tones, levels, strokeTexels, ...taskOptions } = options;
-    const drawing: HatchImageOptions = { style, seed, size, tones, levels, strokeTexels };
+    const drawing: MapDrawing = { style, seed, size, tones, levels, strokeTexels };
     const { style: strokes, ...shape } = resolveHatchImageOptions(drawing, caller);
     const map = new TonalArtMap({ ...shape, strokeTexels: strokes.width });
     map.drawn = drawHatchImages(drawing, taskOptions).then(({ images, thresholds }) =>

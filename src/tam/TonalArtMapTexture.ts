@@ -42,7 +42,11 @@ export class TonalArtMapTexture extends CompressedArrayTexture {
     this.anisotropy = 1;
   }
 
-  /** Gives the texture its images, which the renderer uploads with the next frame that draws with them. */
+  /**
+   * Gives the texture its images, which the renderer uploads with the next frame that draws with them.
+   *
+   * @internal
+   */
   fill(levels: readonly PackedLevel[]): void {
     this.mipmaps = levels.map(({ data, size }) => ({ data, width: size, height: size }));
     this.needsUpdate = true;

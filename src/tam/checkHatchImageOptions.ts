@@ -1,4 +1,4 @@
-import { type HatchImageOptions, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
 import { checkNames } from '../worker/checkOptions.js';
 
 /** The names of the options that determine a generated map. */
@@ -9,7 +9,7 @@ export const HATCH_IMAGE_OPTIONS = {
   tones: true,
   levels: true,
   strokeTexels: true,
-} satisfies Record<keyof HatchImageOptions, true>;
+} satisfies Record<keyof MapDrawing, true>;
 
 /**
  * Checks the options of a generated map before any work is done.
@@ -17,7 +17,7 @@ export const HATCH_IMAGE_OPTIONS = {
  * @param caller the function that is named in the error
  * @throws TypeError if the options are not an object or have unknown names; RangeError for values out of their range
  */
-export function checkHatchImageOptions(caller: string, options: HatchImageOptions): void {
+export function checkHatchImageOptions(caller: string, options: MapDrawing): void {
   checkNames(caller, 'options', options, HATCH_IMAGE_OPTIONS);
   resolveHatchImageOptions(options, caller);
 }

@@ -1,6 +1,6 @@
 import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import type { HatchImages } from '../hatchImages/HatchImages.js';
-import type { HatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 
@@ -9,10 +9,10 @@ const IMAGES_SHARE = 0.7;
 
 /** Draws the images and thresholds of a map, in a worker if possible. */
 export async function drawHatchImages(
-  drawing: HatchImageOptions,
+  drawing: MapDrawing,
   { onProgress, ...options }: TaskOptions,
 ): Promise<{ images: HatchImages; thresholds: ThresholdLevel[] }> {
-  const again = (): HatchImageOptions => drawing;
+  const again = (): MapDrawing => drawing;
   const partOf = (from: number, share: number): TaskOptions => ({
     ...options,
     onProgress: onProgress && ((progress) => onProgress(from + share * progress)),

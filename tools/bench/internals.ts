@@ -15,7 +15,7 @@ export { packPull } from '../../src/bake/packPull.js';
 export { splitVertices } from '../../src/bake/splitVertices.js';
 export { generateHatchImages } from '../../src/hatchImages/generateHatchImages.js';
 export { generateThresholds } from '../../src/hatchImages/generateThresholds.js';
-export type { HatchImageOptions } from '../../src/hatchImages/hatchImageOptions.js';
+export type { MapDrawing } from '../../src/hatchImages/hatchImageOptions.js';
 export { computeAreaNormals } from '../../src/mesh/computeAreaNormals.js';
 export { measureBounds } from '../../src/mesh/measureBounds.js';
 export type { TriangleMesh } from '../../src/mesh/TriangleMesh.js';

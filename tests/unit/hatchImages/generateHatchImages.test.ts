@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { checkHatchImages } from '../../../src/hatchImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { drawStrokes, finish, hatchImages, styleNames } from '../strokes/draw.js';
 
 /** Every style, the sizes and tones between which everything lies, thin and thick strokes. */
-const matrix: HatchImageOptions[] = styleNames.flatMap((style) => [
+const matrix: MapDrawing[] = styleNames.flatMap((style) => [
   { style },
   { style, size: 64, tones: 4, seed: 2 },
   { style, size: 128, tones: 16, seed: 3, strokeTexels: strokeStyles[style].widthRange[1] },
@@ -82,7 +82,7 @@ describe('generateHatchImages', () => {
     expect(Math.abs(excess[0])).toBeLessThanOrEqual(0.25);
   });
 
-  it.each<[HatchImageOptions, RegExp]>([
+  it.each<[MapDrawing, RegExp]>([
     [{ style: 'oil' as 'hatching' }, /style is oil, but must be one of hatching, crossHatching, .*, woodcut\.$/],
     [{ style: 'toString' as 'hatching' }, /style is toString/],
     [{ seed: 0.5 }, /seed is 0\.5, but must be a whole number/],

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { ThresholdLevel } from '../../../src/hatchImages/encodeThresholds.js';
 import { generateThresholds } from '../../../src/hatchImages/generateThresholds.js';
-import { type HatchImageOptions, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
 import { drawThresholdField } from '../../../src/strokes/drawThresholdField.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import { finish, styleNames } from '../strokes/draw.js';
@@ -9,7 +9,7 @@ import { finish, styleNames } from '../strokes/draw.js';
 const drawn = new Map<string, ThresholdLevel[]>();
 
 /** Levels of thresholds with these options, drawn once. */
-function levelsOf(options: HatchImageOptions): ThresholdLevel[] {
+function levelsOf(options: MapDrawing): ThresholdLevel[] {
   const key = JSON.stringify(options);
   const known = drawn.get(key) ?? finish(generateThresholds(options));
   drawn.set(key, known);
@@ -57,7 +57,7 @@ function rampsAcross(field: Float64Array, size: number, value: number): { texels
   return ramps;
 }
 
-const matrix: HatchImageOptions[] = [
+const matrix: MapDrawing[] = [
   ...styleNames.map((style) => ({ style, size: 128 })),
   { style: 'hatching' },
   { style: 'crossHatching', size: 64, seed: 9, levels: 2, strokeTexels: 1.3 },

@@ -1,6 +1,6 @@
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
 import type { HatchImages } from '../../../src/hatchImages/HatchImages.js';
-import type { HatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';
@@ -20,7 +20,7 @@ export function finish<Result>(task: Generator<number, Result, void>): Result {
 const drawn = new Map<string, HatchImages>();
 
 /** Hatch images with these options, drawn once per test file. */
-export function hatchImages(options: HatchImageOptions): HatchImages {
+export function hatchImages(options: MapDrawing): HatchImages {
   const key = JSON.stringify(options);
   const known = drawn.get(key) ?? finish(generateHatchImages(options));
   drawn.set(key, known);

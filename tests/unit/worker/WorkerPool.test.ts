@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { HatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
 import { maxWorkers, WorkerPool } from '../../../src/worker/WorkerPool.js';
 import { FakeWorker } from './FakeWorker.js';
 
 /** Small requests; `seed` tells them apart. */
-const request = (seed = 0): HatchImageOptions => ({ size: 64, tones: 4, levels: 1, seed });
+const request = (seed = 0): MapDrawing => ({ size: 64, tones: 4, levels: 1, seed });
 const result = (id: number) => ({ id }) as never;
 
 let workers: FakeWorker[];
