@@ -67,7 +67,7 @@ export class HatchedScene {
     this.releaseMeshes();
   }
 
-  /** Restores the meshes, and frees all new geometries, materials and outlines, and the map unless it is yours. */
+  /** Restores the meshes, and frees all new geometries, materials and outlines, and a map that was drawn for it alone. */
   dispose(): void {
     this.restore();
     for (const disposable of this.disposables.splice(0)) disposable.dispose();
