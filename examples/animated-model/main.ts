@@ -1,7 +1,7 @@
 import { AnimationMixer, DirectionalLight, PerspectiveCamera, Scene, Timer, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { applyHatching, presets } from 'three-hatching';
+import { applyHatching } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -9,7 +9,7 @@ renderer.setClearColor('#f7f3e8');
 renderer.setPixelRatio(devicePixelRatio);
 
 const { scene: fish, animations } = await new GLTFLoader().loadAsync('../models/fish.glb');
-await applyHatching(fish, presets.engraving);
+await applyHatching(fish, 'engraving');
 
 const mixer = new AnimationMixer(fish);
 mixer.clipAction(animations[0]).play();

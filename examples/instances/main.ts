@@ -18,7 +18,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
-import { applyHatching, presets } from 'three-hatching';
+import { applyHatching } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -74,9 +74,9 @@ scene.add(stones);
 scene.traverse((object) => {
   object.castShadow = object.receiveShadow = true;
 });
-await applyHatching(scene, { ...presets.pen, filter: (mesh) => mesh !== stones });
+await applyHatching(scene, { preset: 'pen', filter: (mesh) => mesh !== stones });
 // A batch has no outlines.
-await applyHatching(stones, { ...presets.pen, outlines: false });
+await applyHatching(stones, { preset: 'pen', outlines: false });
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-6, 6, 2);

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
-import { applyHatching, presets } from 'three-hatching';
+import { applyHatching } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -35,11 +35,10 @@ for (const solid of solids) {
   scene.add(mesh);
 }
 
-const pen = presets.pen;
 await applyHatching(scene, {
-  ...pen,
+  preset: 'pen',
   // There is a second layer of strokes where the lamps disagree, and shadows have their own strokes.
-  material: { ...pen.material, strokeLayers: 'lights', shadowStrokes: 'cross' },
+  material: { strokeLayers: 'lights', shadowStrokes: 'cross' },
 });
 
 /** A lamp. The intensities of all lamps sum to π. */

@@ -1,7 +1,7 @@
 import { DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { applyHatching, presets } from 'three-hatching';
+import { applyHatching } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -15,7 +15,7 @@ gltf.scene.traverse((object) => {
 });
 
 // Every mesh is baked, and every material is replaced; colours and maps are taken over.
-await applyHatching(gltf.scene, presets.crossHatching);
+await applyHatching(gltf.scene, 'crossHatching');
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 3.4, 2.2);

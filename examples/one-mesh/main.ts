@@ -1,6 +1,6 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, Scene, TorusKnotGeometry, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -8,17 +8,10 @@ renderer.setClearColor('#f7f3e8');
 renderer.setPixelRatio(devicePixelRatio);
 renderer.shadowMap.enabled = true;
 
-// A look to start from, scaled so that its strokes have the same width on every screen.
-const pen = presets.pen;
-
-// Both are made in a worker.
-const [geometry, tonalArtMap] = await Promise.all([
-  prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3), { outlines: true }),
-  TonalArtMap.generate(pen.tonalArtMap!),
-]);
-
-const mesh = new Mesh(geometry, new HatchingMaterial({ ...pen.material, tonalArtMap }));
-mesh.add(new HatchingOutlines(mesh, pen.outlines));
+const material = new HatchingMaterial({ preset: 'pen' });
+const knot = new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3);
+const mesh = new Mesh(await prepareHatchingGeometry(knot, { outlines: true }), material);
+mesh.add(new HatchingOutlines(mesh, presets.pen.outlines));
 mesh.castShadow = mesh.receiveShadow = true;
 
 const light = new DirectionalLight(0xffffff, Math.PI);
@@ -33,6 +26,8 @@ camera.position.set(0, 0, 5);
 
 // A frame is drawn only when something changes.
 const draw = () => renderer.render(scene, camera);
+// Its map of strokes is drawn in a worker.
+material.ready.then(draw);
 new OrbitControls(camera, canvas).addEventListener('change', draw);
 new ResizeObserver(() => {
   renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);

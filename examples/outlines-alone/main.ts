@@ -48,7 +48,6 @@ const scene = new Scene().add(...parts.map((part) => new Mesh(part, material)));
 await applyHatching(scene, {
   tonalArtMap: null,
   material: {
-    technique: 'anchored',
     paper,
     toneCurve: [
       [0, 0],

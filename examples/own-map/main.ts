@@ -1,6 +1,6 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, Scene, SphereGeometry, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 
 const SIZE = 512;
 
@@ -33,12 +33,8 @@ const mesh = new Mesh(
   await prepareHatchingGeometry(new SphereGeometry(1, 96, 48), { outlines: true }),
   new HatchingMaterial({
     tonalArtMap,
-    technique: 'anchored',
-    sizedOnScreen: 1,
     strokeWidth: 1.4,
     anchorSpacing: 0.6,
-    toneCurve: presets.pen.material.toneCurve,
-    reflectedLight: 0.35,
     ink: '#1d3550',
     paper: '#f7f3e8',
   }),

@@ -15,8 +15,6 @@ const sanguine: HatchingPreset = {
     ...presets.pencil.material,
     strokeWidth: 2.4,
     strokeRotation: 0.6 * Math.PI,
-    tooth: 0.4,
-    toothSize: 1.6,
     softness: 0.85,
     smudge: 0.3,
     ink: '#94351b',

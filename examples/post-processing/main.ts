@@ -21,10 +21,9 @@ const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas });
 renderer.setPixelRatio(devicePixelRatio);
 
-const { material, outlines } = presets.engraving;
 const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.24, 320, 40, 3, 5), { outlines: true });
-const mesh = new Mesh(geometry, new HatchingMaterial(material));
-mesh.add(new HatchingOutlines(mesh, outlines));
+const mesh = new Mesh(geometry, new HatchingMaterial({ preset: 'engraving' }));
+mesh.add(new HatchingOutlines(mesh, presets.engraving.outlines));
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 4, 3);

@@ -10,17 +10,16 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets, TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, presets } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: false, stencil: false, depth: false });
 renderer.setPixelRatio(devicePixelRatio);
 
-const { material, outlines, tonalArtMap } = presets.chalk;
 const geometry = await prepareHatchingGeometry(new TorusKnotGeometry(0.7, 0.26, 320, 40, 1, 2), { outlines: true });
-const map = await TonalArtMap.generate(tonalArtMap!);
-const mesh = new Mesh(geometry, new HatchingMaterial({ ...material, tonalArtMap: map }));
-mesh.add(new HatchingOutlines(mesh, outlines));
+const material = new HatchingMaterial({ preset: 'chalk' });
+const mesh = new Mesh(geometry, material);
+mesh.add(new HatchingOutlines(mesh, presets.chalk.outlines));
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 4, 3);
@@ -36,6 +35,8 @@ composer.addPass(new RenderPass(scene, camera));
 composer.addPass(new EffectPass(camera, dust, new VignetteEffect({ darkness: 0.55 })));
 
 const draw = () => composer.render();
+// Its map of strokes is drawn in a worker.
+material.ready.then(draw);
 new OrbitControls(camera, canvas).addEventListener('change', draw);
 new ResizeObserver(() => {
   composer.setSize(canvas.clientWidth, canvas.clientHeight, false);

@@ -10,9 +10,7 @@ function Drawing() {
   const { paper } = presets[preset].material;
   return (
     <>
-      {/* flat: without tone mapping, which would grey the paper. */}
       <Canvas
-        flat
         shadows="percentage"
         frameloop="demand"
         camera={{ position: [0, 1.6, 5], fov: 30 }}

@@ -9,7 +9,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { applyHatching, presets } from 'three-hatching';
+import { applyHatching } from 'three-hatching';
 // The policy of this page forbids workers from blob: URLs, so the worker is a file from the same server.
 // This is the import for Vite; docs/csp.md says more.
 import BakeWorker from 'three-hatching/bake.worker?worker';
@@ -32,10 +32,7 @@ for (const [x, turn] of [
   ring.position.x = x;
   rings.add(ring);
 }
-await applyHatching(rings, {
-  ...presets.engraving,
-  createWorker,
-});
+await applyHatching(rings, { preset: 'engraving', createWorker });
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-3, 4, 3);

@@ -31,12 +31,11 @@ for (let i = 0; i < position.count; i++) position.setY(i, heightAt(position.getX
 ground.computeVertexNormals();
 
 // With 'y', lines follow the height, as contour lines on a map do. They need no tonal art map.
-const { material, outlines } = presets.engraving;
 const mesh = new Mesh(
   await prepareHatchingGeometry(ground, { outlines: true }),
-  new HatchingMaterial({ ...material, lineField: 'y', toneCurve: TONES, crossFrom: 0.75 }),
+  new HatchingMaterial({ preset: 'engraving', lineField: 'y', toneCurve: TONES, crossFrom: 0.75 }),
 );
-mesh.add(new HatchingOutlines(mesh, { ...outlines, creases: 0, borders: 0 }));
+mesh.add(new HatchingOutlines(mesh, { ...presets.engraving.outlines, creases: 0, borders: 0 }));
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-4, 2.6, 0.5);

@@ -18,8 +18,7 @@ import { warnIfEmpty } from './warnIfEmpty.js';
  * <Hatched preset="engraving" object={gltf.scene} />
  * ```
  *
- * When it unmounts, everything gets its own look back, and all memory is freed. Children may suspend. Use `<Canvas flat>`, because
- * tone mapping makes paper and ink grey.
+ * When it unmounts, everything gets its own look back, and all memory is freed. Children may suspend.
  */
 export function Hatched({
   object,

@@ -15,6 +15,9 @@ export function withPreset(
 ): ApplyHatchingOptions {
   const { material, outlines, tonalArtMap } = presetOf(preset);
   const { material: own = {}, outlines: ownOutlines = true } = options;
+  const namesMap = typeof own === 'object' && own?.tonalArtMap !== undefined;
+  // A preset without a map needs none. If your options change its technique, it may need one, and gets the default map.
+  const ofPreset = tonalArtMap ?? undefined;
   return {
     ...options,
     material: typeof own === 'function' ? (...args) => ({ ...material, ...own(...args) }) : { ...material, ...own },
@@ -22,8 +25,7 @@ export function withPreset(
       typeof ownOutlines === 'object' && ownOutlines !== null
         ? { ...outlines, ...ownOutlines }
         : ownOutlines && outlines,
-    // A preset without a map needs none. If your options change its technique, it may need one, and gets the default map.
-    tonalArtMap: options.tonalArtMap === undefined ? (tonalArtMap ?? undefined) : options.tonalArtMap,
+    tonalArtMap: options.tonalArtMap === undefined && !namesMap ? ofPreset : options.tonalArtMap,
   };
 }
 

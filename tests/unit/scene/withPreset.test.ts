@@ -32,6 +32,11 @@ test('outlines can be left out or kept, a map taken away, and a function adds to
   });
 });
 
+test('a style or a map that the material names counts before the map of the preset', () => {
+  const { material, tonalArtMap } = withPreset('pen', { material: { tonalArtMap: 'dashes' } });
+  expect([(material as { tonalArtMap: string }).tonalArtMap, tonalArtMap]).toEqual(['dashes', undefined]);
+});
+
 test('a preset of your own is taken as it is', () => {
   const mine = { material: { ink: 'red' }, outlines: { outlineWidth: 3 }, tonalArtMap: { style: 'ruled' } } as const;
   expect(withPreset(mine)).toEqual(mine);
