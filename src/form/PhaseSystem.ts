@@ -17,21 +17,25 @@ export interface PhaseSystem {
   seamBuffers: SeamBuffers;
   /** For each free jump how strongly it is held. */
   jumpDiagonal: Float64Array;
-  /** The last level factorised, or null if it is too large for that. */
-  lastLevel: LastLevel | null;
+  /** Parts of the last level that can be solved at once. */
+  lastParts: readonly LastPart[];
   /** The level whose equations are solved. */
   level: number;
   /** Whether jumps are unknowns too, or given. */
   isFree: boolean;
 }
 
-/** The Cholesky factor L of the last level, nodes before jumps: matrix = L·Lᵀ. Its first rows are the factor for given jumps. */
-export interface LastLevel {
-  size: number;
-  nodeCount: number;
-  /** Row by row. */
+/**
+ * A part of the last level whose unknowns depend on no others, such as a part of an assembly. Its matrix is L·Lᵀ, by Cholesky;
+ * nodes come before jumps, so that the first rows of L are the factor for given jumps.
+ */
+export interface LastPart {
+  /** The numbers of its nodes and free jumps. */
+  nodes: readonly number[];
+  jumps: readonly number[];
+  /** L, row by row. */
   factor: Float64Array;
-  /** For each unknown 1 over its diagonal, or 0 where nothing holds the unknown, which is 0 then. */
+  /** For each unknown 1 over its diagonal in L, or 0 where nothing holds the unknown, which is 0 then. */
   inverses: Float64Array;
 }
 
@@ -49,7 +53,7 @@ export interface SeamBuffers {
   pulls: Float64Array;
 }
 
-/** The system without a factorised last level. */
+/** The system without parts of the last level. */
 export function phaseSystem(relations: SeamRelations, levels: readonly PhaseLevel[]): PhaseSystem {
   const { segmentCount, origins, jumps } = relations;
   const vectorOf = ({ fans }: PhaseLevel): PhaseVector => ({
@@ -66,7 +70,7 @@ export function phaseSystem(relations: SeamRelations, levels: readonly PhaseLeve
       pulls: new Float64Array(2 * origins.length),
     },
     jumpDiagonal: jumpDiagonal(relations, levels[0].matrix.seam),
-    lastLevel: null,
+    lastParts: [],
     level: levels.length - 1,
     isFree: true,
   };

@@ -12,10 +12,10 @@ export interface PhaseLevel {
   cells: Cells | null;
 }
 
-/** A level of so few nodes is the last one. */
-const FEWEST_NODES = 400;
+/** A level of so few nodes that have neighbours is the last one. */
+const FEWEST_NODES = 150;
 
-/** A level that keeps a larger share of the nodes of the one before is not worth it: most of its nodes are parts of their own. */
+/** A level that keeps a larger share of these is not worth it. */
 const LARGEST_SHARE = 0.7;
 
 /** Builds the hierarchy: each level unites the nodes of the one before with their neighbours. No cell reaches across the cut. */
@@ -25,14 +25,21 @@ export function* phaseLevels(matrix: PhaseMatrix): Generator<number, PhaseLevel[
   const levels: PhaseLevel[] = [{ matrix, fans, cells: null }];
   for (let done = 0; ; done += 0.7 * (1 - done)) {
     const last = levels[levels.length - 1];
-    const nodeCount = last.fans.length;
+    const nodeCount = linkedNodes(last.matrix);
     if (nodeCount <= FEWEST_NODES) return levels;
     const cells = yield* asPhase(clusterNodes(last.matrix, 1, last.matrix.walls), done, done + 0.3 * (1 - done));
-    if (cells.count > LARGEST_SHARE * nodeCount) return levels;
     const coarse = yield* asPhase(coarsenMatrix(last.matrix, cells), done + 0.3 * (1 - done), done + 0.7 * (1 - done));
+    if (linkedNodes(coarse) > LARGEST_SHARE * nodeCount) return levels;
     last.cells = cells;
     levels.push({ matrix: coarse, fans: cells.seeds.map((node) => last.fans[node]), cells: null });
   }
+}
+
+/** How many nodes have neighbours. The others are parts of the mesh by themselves. */
+function linkedNodes({ starts }: PhaseMatrix): number {
+  let count = 0;
+  for (let node = 0; node < starts.length - 1; node++) if (starts[node + 1] > starts[node]) count++;
+  return count;
 }
 
 /** The matrix for values that are constant in each cell. */

@@ -1,6 +1,6 @@
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Cells } from './cells.js';
-import { solveLastLevel } from './lastLevel.js';
+import { solveLastPart } from './lastLevel.js';
 import { gatherJumps, type PhaseSystem, spreadJumps } from './PhaseSystem.js';
 import { pullNodes, pullOffsets, residual, sweep } from './phaseOperator.js';
 
@@ -10,7 +10,7 @@ import { pullNodes, pullOffsets, residual, sweep } from './phaseOperator.js';
  */
 const OVERCORRECTION = 1.6;
 
-/** Sweeps in each direction on a last level that is too large to be solved. */
+/** Sweeps in each direction on the last level, for parts that are too large to be solved at once. */
 const LAST_SWEEPS = 6;
 
 /**
@@ -18,12 +18,12 @@ const LAST_SWEEPS = 6;
  * linear and symmetric, as conjugate gradients need it. `forces` of the level's buffers are read, `values` written, `rest` is used.
  */
 export function* precondition(system: PhaseSystem): Generator<number, void, void> {
-  const { levels, buffers, level, seamBuffers, lastLevel } = system;
+  const { levels, buffers, level, seamBuffers } = system;
   const { matrix, cells } = levels[level];
   const { forces, values, rest } = buffers[level];
   if (!cells) {
-    if (lastLevel) solveLastLevel(lastLevel, system.isFree ? forces : { ...forces, jumps: NO_JUMPS }, values);
-    else yield* sweepLastLevel(system);
+    yield* sweepLastLevel(system);
+    for (const part of system.lastParts) solveLastPart(part, forces, values, system.isFree);
     return;
   }
   values.nodes.fill(0);
@@ -53,9 +53,7 @@ export function* precondition(system: PhaseSystem): Generator<number, void, void
   yield* sweep(matrix, rest.nodes, values.nodes, -1);
 }
 
-const NO_JUMPS = new Float64Array(0);
-
-/** Sweeps over the nodes; jumps are taken by themselves. */
+/** Solves the last level roughly, by sweeps over the nodes; jumps are taken by themselves. */
 function* sweepLastLevel({ levels, buffers, level, jumpDiagonal }: PhaseSystem): Generator<number, void, void> {
   const { matrix } = levels[level];
   const { forces, values } = buffers[level];

@@ -50,7 +50,7 @@ export function* solvePhase(
   source: PhaseSource,
 ): Generator<number, Phase, void> {
   const coarsest = phaseSystem(relations, levels);
-  const lastLevel = yield* asPhase(factoriseLastLevel(coarsest), 0, 0);
+  const lastParts = yield* asPhase(factoriseLastLevel(coarsest), 0, 0);
   const forces: LevelForces[] = [];
   for (const [i, level] of levels.entries()) {
     const above = i === 0 ? source : yield* asPhase(restrictForces({ ...coarsest, level: i - 1 }, forces[i - 1]), 0, 0);
@@ -66,7 +66,7 @@ export function* solvePhase(
   for (let level = last; level >= 0; level--) {
     const { cells, fans } = levels[level];
     if (cells) x = { nodes: prolong(cells, x.nodes, forces[level].rises), jumps: x.jumps };
-    const system = { ...coarsest, lastLevel, level };
+    const system = { ...coarsest, lastParts, level };
     const begun = fans.length / levels[0].fans.length / 4;
     if (level >= roundAt) {
       const patience = level === last ? LAST_LEVEL : FREE_JUMPS;

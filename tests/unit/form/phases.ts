@@ -9,6 +9,7 @@ import { NO_OFFSET, seamRelations } from '../../../src/form/seamRelations.js';
 import { solvePhase } from '../../../src/form/solvePhase.js';
 import { nextCorner } from '../../../src/mesh/corners.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
+import { cross, dot, unit } from '../features/surfaces.js';
 import { finish } from '../mesh/meshes.js';
 import { frontOf, twinsOf } from './fronts.js';
 
@@ -42,12 +43,23 @@ export function phaseOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, 
 
 export type WholePhase = ReturnType<typeof phaseOf>;
 
-/** The jumps of a family at both ends of each edge of the cut: φ′ − sφ. Punctures, where φ is open, are left out. */
-export function jumpsOf({ surface, seam, valueAt }: WholePhase, family: 0 | 1): [atStart: number, atEnd: number][] {
+/**
+ * The jumps of a family at both ends of each edge of the cut, from corner `first` to `end`: φ′ − sφ. Punctures, where φ is open, are
+ * left out.
+ */
+export function jumpsOf(
+  { surface, seam, valueAt }: WholePhase,
+  family: 0 | 1,
+  first = 0,
+  end = surface.twins.length,
+): [atStart: number, atEnd: number][] {
   const { ofCorner } = surface.fans;
   const isHole = (corner: number) => seam.isPuncture[ofCorner[corner]] === 1;
   return [...surface.twins.entries()]
-    .filter(([corner]) => seam.cut[corner] === 1 && !isHole(corner) && !isHole(nextCorner(corner)))
+    .filter(
+      ([corner]) =>
+        corner >= first && corner < end && seam.cut[corner] === 1 && !isHole(corner) && !isHole(nextCorner(corner)),
+    )
     .map(([corner, twin]) => {
       const sign = seam.cutSign[corner];
       return [
@@ -97,3 +109,47 @@ export function lineLengths(whole: WholePhase, family: 0 | 1): number[] {
   for (const [line, length] of pieces) lengths.set(rootOf(line), (lengths.get(rootOf(line)) ?? 0) + length);
   return [...lengths.values()];
 }
+
+/**
+ * The angles in degrees by which lines turn at the middles of edges, for φ as the shader draws it: w + G·½P, where w = φ − ½g·P and
+ * the gradient G are interpolated from the corners.
+ */
+export function kinksOf({ mesh: { positions, indices }, surface, field }: WholePhase): number[] {
+  const pointOf = (corner: number) => [...positions.subarray(3 * indices[corner], 3 * indices[corner] + 3)];
+  const gradientOf = (corner: number) => {
+    const i = 3 * field.ofCorner[corner];
+    return [...field.slopes.subarray(i, i + 3)];
+  };
+  /** The direction of φ's rise at a point of a triangle, as an angle from the edge that starts at `corner`. */
+  const angleAt = (corner: number, point: number[], along: number[]): number => {
+    const first = corner - (corner % 3);
+    const area = [...surface.areaNormals.subarray(first, first + 3)];
+    const normal = area.map((value) => value / Math.hypot(...area));
+    const rise = [0, 0, 0];
+    for (let k = 0; k < 3; k++) {
+      const [a, b, c] = [0, 1, 2].map((step) => pointOf(first + ((k + step) % 3)));
+      const g = gradientOf(first + k);
+      const value = field.values[2 * field.ofCorner[first + k]] - 0.5 * dot(g, a);
+      const slope = cross(
+        normal,
+        c.map((coordinate, axis) => (coordinate - b[axis]) / Math.hypot(...area)),
+      );
+      const share = dot(slope, minus(point, b));
+      for (let axis = 0; axis < 3; axis++) {
+        rise[axis] += slope[axis] * (value + 0.5 * dot(g, point)) + 0.5 * share * g[axis];
+      }
+    }
+    return Math.atan2(dot(rise, cross(normal, along)), dot(rise, along));
+  };
+  return [...surface.twins.entries()]
+    .filter(([corner, twin]) => twin > corner)
+    .map(([corner, twin]) => {
+      const [a, b] = [pointOf(corner), pointOf(nextCorner(corner))];
+      const middle = a.map((value, axis) => (value + b[axis]) / 2);
+      const along = unit(minus(b, a));
+      const turns = (angleAt(corner, middle, along) - angleAt(twin, middle, along)) / Math.PI;
+      return 180 * Math.abs(turns - Math.round(turns));
+    });
+}
+
+const minus = (a: readonly number[], b: readonly number[]): number[] => a.map((value, i) => value - b[i]);
