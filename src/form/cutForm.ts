@@ -2,6 +2,7 @@ import { NO_TWIN, nextCorner, previousCorner, triangleOf } from '../mesh/corners
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { combFaces } from './combFaces.js';
 import type { FormSurface } from './FormSurface.js';
 import type { FaceDirections } from './faceDirections.js';
 
@@ -39,9 +40,10 @@ export interface FormSeam {
  * much of a tree's complement as joins singular points, borders and handles to each other. What is left can be combed.
  */
 export function* cutForm(
-  { twins, fans }: Pick<FormSurface, 'twins' | 'fans'>,
+  surface: Pick<FormSurface, 'twins' | 'fans' | 'heat'>,
   directions: FaceDirections,
 ): Generator<number, FormSeam, void> {
+  const { twins, fans } = surface;
   const edgeCount = twins.length;
   const signs = new Int8Array(edgeCount).fill(1);
   const turns = new Float32Array(fans.count);
@@ -51,7 +53,9 @@ export function* cutForm(
     0.4,
   );
   const points = yield* asPhase(classifyFans(twins, fans, signs, turns), 0.4, 0.5);
-  const { flip, cut } = yield* asPhase(combFaces(twins, signs), 0.5, 0.7);
+  const { isSingular, isPuncture, isOpen } = points;
+  const isEnd = (fan: number) => isSingular[fan] + isPuncture[fan] + isOpen[fan] > 0;
+  const { flip, cut } = yield* asPhase(combFaces(surface, signs, isEnd), 0.5, 0.7);
   const degree = yield* asPhase(trimCut(twins, fans, points, cut), 0.7, 0.8);
   const cutTwins = twins.slice();
   const cutSign = new Int8Array(edgeCount).fill(1);
@@ -176,56 +180,6 @@ function countTurns(
     halfTurns[fan] = 2 * Math.round((turns[fan] / Math.PI - odd) / 2) + odd;
     if (odd === 0 && halfTurns[fan] !== 0) isPuncture[fan] = 1;
   }
-}
-
-/** Faces that are visited between two slices. */
-const FACES_PER_SLICE = 1 << 14;
-
-/**
- * Gives each face a sign, along a tree that grows breadth first from the first face of each connected piece. All edges that the
- * tree does not cross are cut.
- */
-function* combFaces(twins: Int32Array, signs: Int8Array): Generator<number, Pick<FormSeam, 'flip' | 'cut'>, void> {
-  const faceCount = twins.length / 3;
-  const flip = new Int8Array(faceCount);
-  const cut = new Uint8Array(twins.length);
-  const queue = new Uint32Array(faceCount);
-  for (let corner = 0; corner < twins.length; corner++) if (twins[corner] !== NO_TWIN) cut[corner] = 1;
-  let reached = 0;
-  let root = 0;
-  for (let head = 0; head < faceCount; head++) {
-    if (head === reached) {
-      while (flip[root] !== 0) root++;
-      flip[root] = 1;
-      queue[reached++] = root;
-    }
-    reached = growTree(twins, signs, flip, cut, queue, queue[head], reached);
-    if (head % FACES_PER_SLICE === 0) yield head / faceCount;
-  }
-  return { flip, cut };
-}
-
-/** Visits the neighbours of a face. Returns how many faces are reached then. */
-function growTree(
-  twins: Int32Array,
-  signs: Int8Array,
-  flip: Int8Array,
-  cut: Uint8Array,
-  queue: Uint32Array,
-  face: number,
-  reachedBefore: number,
-): number {
-  let reached = reachedBefore;
-  for (let corner = 3 * face; corner < 3 * face + 3; corner++) {
-    const twin = twins[corner];
-    if (twin === NO_TWIN) continue;
-    const neighbour = triangleOf(twin);
-    if (flip[neighbour] !== 0) continue;
-    flip[neighbour] = flip[face] * signs[corner];
-    cut[corner] = cut[twin] = 0;
-    queue[reached++] = neighbour;
-  }
-  return reached;
 }
 
 /**
