@@ -3,6 +3,7 @@ import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechniqu
 import {
   counts,
   defaultOf,
+  HATCHING_DEFAULTS,
   HATCHING_OUTLINE_DEFAULTS,
   HATCHING_PROPERTIES,
   needsAdjacency,
@@ -37,7 +38,8 @@ export function mapSource(settings: Settings): string {
  */
 export function materialParameters(settings: Settings, isScene: boolean, factor?: string): string[] {
   const look = materialLook(settings);
-  const parameters = [...(needsMap(look) ? ['tonalArtMap'] : []), `technique: '${look.technique}'`];
+  const parameters = needsMap(look) ? ['tonalArtMap'] : [];
+  if (look.technique !== HATCHING_DEFAULTS.technique) parameters.push(`technique: '${look.technique}'`);
   if (look.crisp) parameters.push('crisp: true');
   const rotation = { along: '0', towards: 'Math.PI / 2', angle: inRadians(settings.strokeAngle) };
   if (countsFor(look, 'strokeDirection')) parameters.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
