@@ -21,7 +21,7 @@ export const LINES_PER_RADIUS = 16;
  * Bakes the field of lines that follow the form. It depends on the shape alone: on no scale, no place, no chance. φ does not depend
  * on `crossAngle`, to the last bit.
  *
- * @param twins of `formTwins`: with NO_TWIN where lines shall not run on
+ * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`)
  * @param radius the bounding radius of the mesh
  */
 export function* bakeForm(

@@ -13,7 +13,7 @@ export interface PhaseLevel {
 }
 
 /** A level of so few nodes that have neighbours is the last one. */
-const FEWEST_NODES = 150;
+const FEWEST_NODES = 60;
 
 /** A level that keeps a larger share of these is not worth it. */
 const LARGEST_SHARE = 0.7;

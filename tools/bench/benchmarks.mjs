@@ -1,6 +1,7 @@
 import { bake } from './bake/bake.mjs';
 import { drop } from './drop/drop.mjs';
 import { firstPicture } from './firstPicture/firstPicture.mjs';
+import { form } from './form/form.mjs';
 import { frame } from './frame/frame.mjs';
 import { lines } from './lines/lines.mjs';
 import { media } from './media/media.mjs';
@@ -14,4 +15,17 @@ import { upload } from './upload/upload.mjs';
  * All benchmarks, in the order they run in. Each has a name, knows whether what it measures depends on who draws, runs in
  * a browser (`openBrowser`) to a result of plain data, and describes such a result in Markdown.
  */
-export const benchmarks = [frame, media, lines, shadows, bake, memory, occlusion, upload, tam, firstPicture, drop];
+export const benchmarks = [
+  frame,
+  media,
+  lines,
+  shadows,
+  bake,
+  form,
+  memory,
+  occlusion,
+  upload,
+  tam,
+  firstPicture,
+  drop,
+];

@@ -12,6 +12,7 @@ const titles = {
   lines: 'Lines',
   shadows: 'Shadows',
   bake: 'The bake by phase',
+  form: 'Lines that follow the form',
   memory: 'Memory and garbage',
   occlusion: 'Ambient occlusion',
   upload: 'Upload',
@@ -38,6 +39,9 @@ adds to the frame. The shadow map is drawn once, before.`,
   bake: `These are the steps of the bake, on one thread of the page. \`check\` validates the mesh and measures its bounds, \`weld\` joins equal positions, \`pair\`
 computes the normals of triangles and finds the twins of edges, \`creases\` cuts at the crease angle and at sharp edges, \`normals\` smooths the hatch normals,
 and \`pack\` writes a layout. \`transfer\` passes the request to a worker and gets the result of the \`corner\` layout back.`,
+  form: `These are the steps of baking the field of lines that follow the form, both families of lines, on one thread of the page. \`surface\` finds creases, smooths
+normals and measures curvature, \`directions\` finds the field of lines, \`cut\` combs it, and \`lines\` finds the values whose levels are the lines. What every bake
+does is not counted. Added vertices are those along the cut and around singular points.`,
   memory: `Tori without normals are baked in the library's worker and drawn once. The peak is the largest memory of the page's process, with worker and arrays,
 as Linux reports it. The longest task is that of the main thread during the bake, 0 if none took 50 ms. Bytes are those of all arrays and
 textures of the result, without lines.`,

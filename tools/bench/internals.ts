@@ -1,5 +1,6 @@
 /** What the benchmarks know of the library beyond its public names: the bake and the maps, step by step. */
 
+export { buildTriangleAdjacency } from '../../src/adjacency/buildTriangleAdjacency.js';
 export { consistentTwins } from '../../src/adjacency/consistentTwins.js';
 export { joinBorders } from '../../src/adjacency/joinBorders.js';
 export { pairEdges } from '../../src/adjacency/pairEdges.js';
@@ -13,6 +14,12 @@ export { packCorners } from '../../src/bake/packCorners.js';
 export { packHatchNormals } from '../../src/bake/packHatchNormals.js';
 export { packPull } from '../../src/bake/packPull.js';
 export { splitVertices } from '../../src/bake/splitVertices.js';
+export { combedField } from '../../src/form/bakeForm.js';
+export { cutForm } from '../../src/form/cutForm.js';
+export { directionField } from '../../src/form/directionField.js';
+export { FORM_DEFAULTS } from '../../src/form/FormOptions.js';
+export { formSurface } from '../../src/form/FormSurface.js';
+export { faceDirections } from '../../src/form/faceDirections.js';
 export { generateHatchImages } from '../../src/hatchImages/generateHatchImages.js';
 export { generateThresholds } from '../../src/hatchImages/generateThresholds.js';
 export type { MapDrawing } from '../../src/hatchImages/hatchImageOptions.js';

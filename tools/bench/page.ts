@@ -6,6 +6,7 @@ const measures = {
   occlusion: async () => (await import('./occlusion/measureOcclusion.js')).measureOcclusion,
   shadows: async () => (await import('./shadows/measureShadows.js')).measureShadows,
   bake: async () => (await import('./bake/measureBake.js')).measureBake,
+  form: async () => (await import('./form/measureForm.js')).measureForm,
   firstPicture: async () => (await import('./firstPicture/measureFirstPicture.js')).measureFirstPicture,
   upload: async () => (await import('./upload/measureUpload.js')).measureUpload,
   memory: async () => (await import('./memory/measureMemory.js')).measureMemory,
