@@ -11,8 +11,8 @@ import { formVertices } from './formVertices.js';
 import { phaseLevels } from './phaseLevels.js';
 import { phaseMatrix } from './phaseMatrix.js';
 import { phaseSource } from './phaseSource.js';
-import { seamRelations } from './seamRelations.js';
-import { solvePhase } from './solvePhase.js';
+import { type SeamRelations, seamRelations } from './seamRelations.js';
+import { type Phase, solvePhase } from './solvePhase.js';
 
 /** Lines per bounding radius where φ rises as it shall. More lines come from octaves of φ, in powers of two. */
 export const LINES_PER_RADIUS = 16;
@@ -32,10 +32,15 @@ export function* bakeForm(
   options: FormOptions,
 ): Generator<number, FormField, void> {
   const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
-  const field = yield* asPhase(directionField(surface, options), 0.3, 0.65);
-  const directions = yield* asPhase(faceDirections(surface, field), 0.65, 0.68);
-  const seam = yield* asPhase(cutForm(surface, directions), 0.68, 0.72);
+  const directions = yield* asPhase(formDirections(surface, options), 0.3, 0.65);
+  const seam = yield* asPhase(cutForm(surface, directions), 0.65, 0.72);
   return yield* asPhase(combedField(surface, directions, seam, options.crossAngle), 0.72, 1);
+}
+
+/** The directions of the faces. The field that they come from is free when they are found. */
+function* formDirections(surface: FormSurface, options: FormOptions): Generator<number, FaceDirections, void> {
+  const field = yield* asPhase(directionField(surface, options), 0, 0.92);
+  return yield* asPhase(faceDirections(surface, field), 0.92, 1);
 }
 
 /** Finds φ and φ₂ on a surface that is cut so that directions can be combed. */
@@ -45,16 +50,23 @@ export function* combedField(
   seam: FormSeam,
   crossAngle: number,
 ): Generator<number, FormField, void> {
+  const { relations, phase } = yield* asPhase(combedPhase(surface, directions, seam, crossAngle), 0, 0.85);
+  return yield* asPhase(formVertices(surface, seam, relations, phase), 0.85, 1);
+}
+
+/** Solves for φ and φ₂. What is needed only for that is free when the vertices are made. */
+function* combedPhase(
+  surface: FormSurface,
+  directions: FaceDirections,
+  seam: FormSeam,
+  crossAngle: number,
+): Generator<number, { relations: SeamRelations; phase: Phase }, void> {
   const relations = yield* asPhase(seamRelations(surface, seam), 0, 0.05);
   const { matrix, shares } = yield* asPhase(phaseMatrix(surface, seam, relations), 0.05, 0.15);
   const levels = yield* asPhase(phaseLevels(matrix), 0.15, 0.25);
   // A mesh without extent has no lines.
   const slope = surface.radius > 0 ? LINES_PER_RADIUS / surface.radius : 0;
-  const source = yield* asPhase(
-    phaseSource(surface, directions, seam, relations, shares, { slope, crossAngle }),
-    0.25,
-    0.3,
-  );
-  const phase = yield* asPhase(solvePhase(surface, seam, relations, levels, source), 0.3, 0.85);
-  return yield* asPhase(formVertices(surface, seam, relations, phase), 0.85, 1);
+  const families = { slope, crossAngle };
+  const source = yield* asPhase(phaseSource(surface, directions, seam, relations, shares, families), 0.25, 0.3);
+  return { relations, phase: yield* asPhase(solvePhase(surface, seam, relations, levels, source), 0.3, 1) };
 }

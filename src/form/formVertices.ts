@@ -1,5 +1,4 @@
 import { doubleArea } from '../mesh/computeAreaNormals.js';
-import { nextCorner, previousCorner } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FormSeam } from './cutForm.js';
@@ -15,14 +14,15 @@ const TURNING_SHARE = 0.7;
 interface Gradients {
   surface: FormSurface;
   seam: FormSeam;
-  /** Two values per corner of the mesh. */
+  /** φ and φ₂ of each wedge. */
   values: Float64Array;
   /** Three floats per wedge: first sums, weighted by area, then means. */
   slopes: Float32Array;
   crossings: Float32Array;
   /** Three floats per wedge: sums of the lengths of both gradients, and of areas. */
   weights: Float32Array;
-  /** The gradients of one triangle. */
+  /** φ and φ₂ of the corners of one triangle, and its gradients: x, y, z of each. */
+  corners: Float64Array;
   own: Float64Array;
 }
 
@@ -41,10 +41,11 @@ export function* formVertices(
   const gradients: Gradients = {
     surface,
     seam,
-    values: new Float64Array(2 * cornerCount),
+    values: new Float64Array(2 * wedges.count),
     slopes: new Float32Array(3 * wedges.count),
     crossings: new Float32Array(3 * wedges.count),
     weights: new Float32Array(3 * wedges.count),
+    corners: new Float64Array(6),
     own: new Float64Array(6),
   };
   yield* asPhase(
@@ -53,13 +54,8 @@ export function* formVertices(
     0.2,
   );
   yield* asPhase(
-    forEachChunk(cornerCount / 3, (start, end) => openPunctures(gradients, start, end)),
-    0.2,
-    0.25,
-  );
-  yield* asPhase(
     forEachChunk(cornerCount / 3, (start, end) => addRange(gradients, start, end)),
-    0.25,
+    0.2,
     0.7,
   );
   const turns = new Uint8Array(wedges.count);
@@ -93,7 +89,7 @@ export function* formVertices(
   return field;
 }
 
-/** Writes φ and φ₂ of a range of corners. */
+/** Writes φ and φ₂ of the wedges of a range of corners. */
 function valueRange(
   { surface, seam, values }: Gradients,
   { signs, ofWedge }: SeamRelations,
@@ -105,28 +101,38 @@ function valueRange(
     const fan = surface.fans.ofCorner[corner];
     const wedge = seam.wedges.ofCorner[corner];
     const offset = ofWedge[wedge];
-    values[2 * corner] = signs[wedge] * nodes[2 * fan] + (offset === NO_OFFSET ? 0 : offsets[2 * offset]);
-    values[2 * corner + 1] = signs[wedge] * nodes[2 * fan + 1] + (offset === NO_OFFSET ? 0 : offsets[2 * offset + 1]);
+    values[2 * wedge] = signs[wedge] * nodes[2 * fan] + (offset === NO_OFFSET ? 0 : offsets[2 * offset]);
+    values[2 * wedge + 1] = signs[wedge] * nodes[2 * fan + 1] + (offset === NO_OFFSET ? 0 : offsets[2 * offset + 1]);
   }
 }
 
-/** φ has no value at a puncture: each triangle there goes on from its other two corners. */
-function openPunctures({ surface, seam, values }: Gradients, start: number, end: number): void {
-  for (let corner = 3 * start; corner < 3 * end; corner++) {
-    if (seam.isPuncture[surface.fans.ofCorner[corner]] === 0) continue;
-    const a = 2 * nextCorner(corner);
-    const b = 2 * previousCorner(corner);
-    values[2 * corner] = (values[a] + values[b]) / 2;
-    values[2 * corner + 1] = (values[a + 1] + values[b + 1]) / 2;
+/**
+ * Writes φ and φ₂ of the corners of a triangle into `corners`. φ has no value at a puncture: there each triangle goes on from its
+ * other two corners.
+ */
+function readTriangle({ surface, seam, values, corners }: Gradients, first: number): void {
+  for (let k = 0; k < 3; k++) {
+    const wedge = seam.wedges.ofCorner[first + k];
+    corners[2 * k] = values[2 * wedge];
+    corners[2 * k + 1] = values[2 * wedge + 1];
+  }
+  for (let k = 0; k < 3; k++) {
+    if (seam.isPuncture[surface.fans.ofCorner[first + k]] === 0) continue;
+    const a = 2 * ((k + 1) % 3);
+    const b = 2 * ((k + 2) % 3);
+    corners[2 * k] = (corners[a] + corners[b]) / 2;
+    corners[2 * k + 1] = (corners[a + 1] + corners[b + 1]) / 2;
   }
 }
 
-/** Writes the gradients of a triangle into `own`. Returns twice its area, 0 if it has no gradient. */
-function measureTriangle({ surface, values, own }: Gradients, first: number): number {
+/** Writes the values of a triangle into `corners` and its gradients into `own`. Returns twice its area, 0 if it has no gradient. */
+function measureTriangle(gradients: Gradients, first: number): number {
+  const { surface, corners, own } = gradients;
   const {
     mesh: { positions, indices },
     areaNormals,
   } = surface;
+  readTriangle(gradients, first);
   own.fill(0);
   const area = doubleArea(areaNormals, first / 3);
   if (!(area > 0)) return 0;
@@ -136,8 +142,8 @@ function measureTriangle({ surface, values, own }: Gradients, first: number): nu
     const x = (positions[q] - positions[p]) / area;
     const y = (positions[q + 1] - positions[p + 1]) / area;
     const z = (positions[q + 2] - positions[p + 2]) / area;
-    const value = values[2 * (first + k)];
-    const value2 = values[2 * (first + k) + 1];
+    const value = corners[2 * k];
+    const value2 = corners[2 * k + 1];
     own[0] += value * x;
     own[1] += value * y;
     own[2] += value * z;
@@ -233,16 +239,17 @@ function writeRange(
   start: number,
   end: number,
 ): void {
-  const { seam, own } = gradients;
+  const { seam, corners, own } = gradients;
   const wedgeOf = seam.wedges.ofCorner;
   for (let first = 3 * start; first < 3 * end; first += 3) {
     const turning = turns[wedgeOf[first]] | turns[wedgeOf[first + 1]] | turns[wedgeOf[first + 2]];
+    if (turning !== KEPT) readTriangle(gradients, first);
     const hasOwn = turning === KEPT && measureTriangle(gradients, first) > 0;
-    for (let corner = first; corner < first + 3; corner++) {
-      const vertex = ofCorner[corner];
-      values[2 * vertex] = gradients.values[2 * corner];
-      values[2 * vertex + 1] = gradients.values[2 * corner + 1];
-      if (!hasOwn || turns[wedgeOf[corner]] !== KEPT) continue;
+    for (let k = 0; k < 3; k++) {
+      const vertex = ofCorner[first + k];
+      values[2 * vertex] = corners[2 * k];
+      values[2 * vertex + 1] = corners[2 * k + 1];
+      if (!hasOwn || turns[wedgeOf[first + k]] !== KEPT) continue;
       for (let axis = 0; axis < 3; axis++) {
         slopes[3 * vertex + axis] = own[axis];
         crossings[3 * vertex + axis] = own[3 + axis];

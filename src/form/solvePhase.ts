@@ -67,13 +67,14 @@ export function* solvePhase(
     const { cells, fans } = levels[level];
     if (cells) x = { nodes: prolong(cells, x.nodes, forces[level].rises), jumps: x.jumps };
     const system = { ...coarsest, lastParts, level };
-    const begun = fans.length / levels[0].fans.length / 4;
+    // Each level takes as long as all coarser ones together, or longer.
+    const begun = (0.4 * fans.length) / levels[0].fans.length;
     if (level >= roundAt) {
       const patience = level === last ? LAST_LEVEL : FREE_JUMPS;
       yield* asPhase(solveFree(system, forces[level], x, patience), begun, begun);
     }
     if (level === roundAt) for (let i = 0; i < x.jumps.length; i++) x.jumps[i] = Math.round(x.jumps[i]);
-    if (level <= roundAt) yield* asPhase(solveGiven(system, forces[level], x), begun, 2 * begun);
+    if (level <= roundAt) yield* asPhase(solveGiven(system, forces[level], x), begun, begun);
   }
   return { nodes: x.nodes, offsets: coarsest.seamBuffers.offsets };
 }
