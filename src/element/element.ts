@@ -5,6 +5,8 @@
  */
 import { HatchedModelElement } from './HatchedModelElement.js';
 
+export type { HatchedModelAttributes } from './HatchedModelAttributes.js';
+
 export { HatchedModelElement };
 
 const NAME = 'hatched-model';

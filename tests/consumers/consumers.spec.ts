@@ -164,25 +164,17 @@ test.describe('the tarball', () => {
 
   for (const moduleResolution of ['bundler', 'node16', 'nodenext']) {
     test(`has components that a strict compiler takes: ${moduleResolution}`, () => {
-      const compilerOptions = {
-        target: 'es2022',
-        lib: ['es2023', 'dom', 'dom.iterable'],
-        module: moduleResolution === 'bundler' ? 'esnext' : moduleResolution,
-        moduleResolution,
-        jsx: 'react-jsx',
-        types: [],
-        strict: true,
-        exactOptionalPropertyTypes: true,
-        noEmit: true,
-        // The declarations of React Three Fiber fail a strict check; ours are checked because the file uses them.
-        skipLibCheck: true,
-      };
-      writeFileSync(
-        join(projectFolder, 'tsconfig.react.json'),
-        JSON.stringify({ compilerOptions, files: ['reactTypes.tsx'] }),
-      );
-      expect(compilerOutput(() => compile('tsconfig.react.json'))).toBe('');
+      expect(strictly(moduleResolution, ['reactTypes.tsx'])).toBe('');
     });
+  }
+
+  // Each by itself: a page has one of these, and must not need the types of the others.
+  for (const name of ['elementReact.tsx', 'elementPreact.tsx', 'elementVue.ts']) {
+    for (const moduleResolution of ['bundler', 'nodenext']) {
+      test(`has a web component whose tag is known: ${name}, ${moduleResolution}`, () => {
+        expect(strictly(moduleResolution, [name])).toBe('');
+      });
+    }
   }
 
   for (const three of ['@types/three', 'types-three-middle', 'types-three-oldest']) {
@@ -400,6 +392,25 @@ function importsOf(file: string): string[] {
   const statements = text.matchAll(/^(?:import|export)\b[^'"`;]*?(?:from\s*)?['"]([^'"]+)['"]/gm);
   const calls = text.matchAll(/\bimport\(\s*['"]([^'"]+)['"]\s*\)/g);
   return [...new Set([...statements, ...calls].map((match) => match[1]))];
+}
+
+/** What a strict compiler says of files that use the components of the packed library. */
+function strictly(moduleResolution: string, files: readonly string[]): string {
+  const compilerOptions = {
+    target: 'es2022',
+    lib: ['es2023', 'dom', 'dom.iterable'],
+    module: moduleResolution === 'bundler' ? 'esnext' : moduleResolution,
+    moduleResolution,
+    jsx: 'react-jsx',
+    types: [],
+    strict: true,
+    exactOptionalPropertyTypes: true,
+    noEmit: true,
+    // The declarations of React Three Fiber fail a strict check; ours are checked because the files use them.
+    skipLibCheck: true,
+  };
+  writeFileSync(join(projectFolder, 'tsconfig.components.json'), JSON.stringify({ compilerOptions, files }));
+  return compilerOutput(() => compile('tsconfig.components.json'));
 }
 
 function compile(project: string): string {

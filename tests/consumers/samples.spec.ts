@@ -29,7 +29,7 @@ test('every sample of README and guides draws a picture, without a word in the c
   for (const { name, kind, code } of SAMPLES) {
     const facts = {
       html: kind === 'html' ? code : undefined,
-      hasCanvas: code.includes('<Canvas'),
+      hasCanvas: /<Canvas|<hatched-model/.test(code),
       isLit: /new \w*Light\(/.test(code),
     };
     const failure = await page

@@ -105,7 +105,7 @@ interface SampleFacts {
  * Runs a sample and leaves what it draws as the last element of the page.
  *
  * @param options.html the elements of a sample that is no module
- * @param options.hasCanvas whether its component is a whole canvas
+ * @param options.hasCanvas whether its component draws into a canvas of its own
  * @param options.isLit whether it makes a light of its own
  */
 async function runSample(name: string, { html, hasCanvas, isLit }: SampleFacts): Promise<void> {

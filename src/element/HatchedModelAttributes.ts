@@ -1,0 +1,21 @@
+import type { PresetName } from 'three-hatching';
+
+/** The attributes of `<hatched-model>`, as JSX and templates write them (docs/element.md). */
+export interface HatchedModelAttributes {
+  /** URL of a glTF or GLB file. */
+  src?: string | undefined;
+  /** The name of a preset. Default: `pen`. */
+  preset?: PresetName | undefined;
+  /** Azimuth and elevation of the light in degrees. Default: `-45 40`. */
+  light?: string | undefined;
+  /** Whether visitors may turn the model and its light; with `light` only the light. Default: false. */
+  controls?: boolean | 'light' | undefined;
+  /** Describes the picture in words; empty if it is decoration. Default: "Drawing of a model". */
+  alt?: string | undefined;
+  /** URL of a picture that is shown until the model is drawn. */
+  poster?: string | undefined;
+  /** URL of a folder with three.js's Draco decoder, for models compressed with Draco. */
+  'draco-path'?: string | undefined;
+  /** URL of a folder with three.js's KTX2 decoder, for models with KTX2 textures. */
+  'ktx2-path'?: string | undefined;
+}

@@ -1,0 +1,24 @@
+/**
+ * `three-hatching/element`, with the tag `<hatched-model>` known to JSX of Preact.
+ *
+ * @module three-hatching/element/preact
+ */
+import type { HTMLAttributes } from 'preact';
+import type { HatchedModelElement } from './element.js';
+import type { HatchedModelAttributes } from './HatchedModelAttributes.js';
+
+export * from './element.js';
+
+/** What JSX of Preact may write: attributes and listeners. */
+export type HatchedModelProps = HatchedModelAttributes &
+  Omit<HTMLAttributes<HatchedModelElement>, keyof HatchedModelAttributes | 'onError'> & {
+    onError?: ((event: ErrorEvent) => void) | undefined;
+  };
+
+declare module 'preact' {
+  namespace JSX {
+    interface IntrinsicElements {
+      'hatched-model': HatchedModelProps;
+    }
+  }
+}
