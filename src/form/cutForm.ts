@@ -190,25 +190,48 @@ function countTurns(
 function* trimCut(
   twins: Int32Array,
   { ofCorner, count }: Fans,
-  { isSingular, isPuncture, isOpen, cornerOf }: FanPoints,
+  points: FanPoints,
   cut: Uint8Array,
 ): Generator<number, Uint32Array<ArrayBuffer>, void> {
   const degree = new Uint32Array(count);
-  // Both halves of an edge are cut; each counts for the fan that it starts from.
-  for (let corner = 0; corner < cut.length; corner++) degree[ofCorner[corner]] += cut[corner];
-  yield 0.3;
-  for (let fan = 0; fan < count; fan++) {
-    let end = fan;
-    while (degree[end] === 1 && isSingular[end] === 0 && isPuncture[end] === 0 && isOpen[end] === 0) {
-      const corner = cutEdgeFrom(twins, cut, cornerOf[end]);
+  yield* asPhase(
+    forEachChunk(cut.length, (start, end) => countRange(ofCorner, cut, degree, start, end)),
+    0,
+    0.5,
+  );
+  yield* asPhase(
+    forEachChunk(count, (start, end) => trimRange(twins, ofCorner, points, cut, degree, start, end)),
+    0.5,
+    1,
+  );
+  return degree;
+}
+
+/** Both halves of an edge are cut; each counts for the fan that it starts from. */
+function countRange(ofCorner: Uint32Array, cut: Uint8Array, degree: Uint32Array, start: number, end: number): void {
+  for (let corner = start; corner < end; corner++) degree[ofCorner[corner]] += cut[corner];
+}
+
+/** Closes the blind ends that begin in a range of fans. */
+function trimRange(
+  twins: Int32Array,
+  ofCorner: Uint32Array,
+  { isSingular, isPuncture, isOpen, cornerOf }: FanPoints,
+  cut: Uint8Array,
+  degree: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  for (let fan = start; fan < end; fan++) {
+    let blind = fan;
+    while (degree[blind] === 1 && isSingular[blind] === 0 && isPuncture[blind] === 0 && isOpen[blind] === 0) {
+      const corner = cutEdgeFrom(twins, cut, cornerOf[blind]);
       cut[corner] = cut[twins[corner]] = 0;
-      degree[end] = 0;
-      end = ofCorner[nextCorner(corner)];
-      degree[end]--;
+      degree[blind] = 0;
+      blind = ofCorner[nextCorner(corner)];
+      degree[blind]--;
     }
   }
-  yield 1;
-  return degree;
 }
 
 /** The only cut edge of a closed fan, found by a walk around it. */

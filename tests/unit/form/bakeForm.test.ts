@@ -1,9 +1,10 @@
 import { CapsuleGeometry, CylinderGeometry, TorusGeometry, TorusKnotGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { FormField } from '../../../src/form/FormField.js';
+import { multiply } from '../../../src/form/phaseOperator.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { meshFrom, moebius } from '../features/surfaces.js';
-import { book, fan, meshOf } from '../mesh/meshes.js';
+import { book, fan, finish, meshOf } from '../mesh/meshes.js';
 import { cube, noise, patch, sphere, together, torus } from '../mesh/shapes.js';
 import { formOf, jumpsOf, kinksOf, lineLengths, phaseOf } from './phases.js';
 
@@ -82,6 +83,15 @@ test('the parts of an assembly converge by themselves: each torus has the number
 });
 
 describe('φ rises as it should', () => {
+  test.each(SHAPES)('what is left of the forces is small: %s', (_, shape) => {
+    const { matrix, source, phase } = phaseOf(shape());
+    const product = new Float64Array(phase.nodes.length);
+    finish(multiply(matrix, phase.nodes, product));
+    const lengthOf = (values: Float64Array) => Math.hypot(...values);
+    // The solution has taken what jumps do to the nodes from their forces.
+    expect(lengthOf(source.forces.map((force, i) => force - product[i]))).toBeLessThan(0.02 * lengthOf(source.forces));
+  });
+
   test('on an open cylinder φ = ±16 y + c', () => {
     const whole = phaseOf(cylinder());
     const { mesh, surface, valueAt } = whole;

@@ -38,7 +38,15 @@ export function phaseOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, 
     const value = relations.signs[wedge] * phase.nodes[2 * surface.fans.ofCorner[corner] + family];
     return offset === NO_OFFSET ? value : value + phase.offsets[2 * offset + family];
   };
-  return { ...front, relations, matrix, phase, valueAt, field: finish(formVertices(surface, seam, relations, phase)) };
+  return {
+    ...front,
+    relations,
+    matrix,
+    source,
+    phase,
+    valueAt,
+    field: finish(formVertices(surface, seam, relations, phase)),
+  };
 }
 
 export type WholePhase = ReturnType<typeof phaseOf>;
