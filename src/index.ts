@@ -4,6 +4,7 @@
  * @module three-hatching
  */
 export type { EdgeCounts } from './adjacency/EdgeCounts.js';
+export type { HatchingFormOptions } from './geometry/HatchingFormOptions.js';
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';

@@ -3,6 +3,9 @@ import { consistentTwins } from '../adjacency/consistentTwins.js';
 import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
 import type { Nearness } from '../adjacency/joinBorders.js';
 import { isCoarse } from '../features/isCoarse.js';
+import { bakeForm } from '../form/bakeForm.js';
+import type { FormField } from '../form/FormField.js';
+import type { FormOptions } from '../form/FormOptions.js';
 import { type Bounds, measureBounds } from '../mesh/measureBounds.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { validateTriangleMesh } from '../mesh/validateTriangleMesh.js';
@@ -35,6 +38,8 @@ export interface SurfaceRequest {
   wantsNormals: boolean;
   /** The outlines to bake, if any. */
   outlines?: OutlineRequest | null | undefined;
+  /** How lines follow the form, if they are to. */
+  form?: FormOptions | null | undefined;
 }
 
 /** The result of the part of the bake that all layouts share. */
@@ -47,6 +52,8 @@ export interface Surface {
   smoothNormals: FanNormals | null;
   /** The surface that outlines are drawn from, if requested. */
   outlines: OutlineSurface | null;
+  /** What lines that follow the form are level sets of, if requested. */
+  form: FormField | null;
 }
 
 /**
@@ -70,10 +77,14 @@ export function nearnessOf({ radius }: Bounds, share = DEFAULT_WELD_TOLERANCE): 
   return { tolerance: used * radius, rounding: Math.min(used, SINGLE_ROUNDING) * radius };
 }
 
-/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones and the outlines. */
+/** The share of the progress for the form field, if there is one. */
+const FORM_SHARE = 0.75;
+
+/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones, the outlines and the form field. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
   const { mesh } = request;
-  const share = request.outlines ? 0.75 : 1;
+  const total = request.form ? 1 - FORM_SHARE : 1;
+  const share = (request.outlines ? 0.75 : 1) * total;
   yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03 * share);
   const bounds = yield* asPhase(measureBounds(mesh), 0.03 * share, 0.06 * share);
   const nearness = nearnessOf(bounds, request.weldTolerance);
@@ -81,6 +92,7 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
   const joinedTwins = request.outlines ? adjacency.twins.slice() : null;
   yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3 * share, 0.33 * share);
   const twins = yield* asPhase(consistentTwins(adjacency), 0.33 * share, 0.34 * share);
+  const formTwins = request.form ? twins.slice() : null;
   const smoothNormals = request.wantsNormals
     ? yield* asPhase(bakeSmoothNormals(twins, adjacency.areaNormals), 0.34 * share, 0.4 * share)
     : null;
@@ -106,9 +118,11 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
         request.outlines!,
       ),
       share,
-      1,
+      total,
     ));
-  return { adjacency, bounds, hatchNormals, smoothNormals, outlines };
+  const form =
+    formTwins && (yield* asPhase(bakeForm(mesh, adjacency, formTwins, bounds.radius, request.form!), total, 1));
+  return { adjacency, bounds, hatchNormals, smoothNormals, outlines, form };
 }
 
 function* bakeSmoothNormals(twins: Int32Array, areaNormals: Float64Array): Generator<number, FanNormals, void> {

@@ -15,20 +15,23 @@ export interface VertexSplit {
   indices: Uint32Array<ArrayBuffer>;
   /** For each added vertex, the vertex that it is a copy of. */
   addedVertices: Uint32Array<ArrayBuffer>;
-  /** For each vertex, added ones included, a corner that uses it, or NO_CORNER. All corners that use it belong to one fan. */
+  /** For each vertex, added ones included, a corner that uses it, or NO_CORNER. All corners that use it belong to one fan and one part. */
   cornerOfVertex: Uint32Array<ArrayBuffer>;
 }
 
 /**
- * Copies the vertices that lie in several fans: one copy for each fan but the first. Degenerate triangles draw nothing, so
- * they keep their vertices and do not count.
+ * Copies the vertices that lie in several fans, or in several parts of another division: one copy for each pair of a fan and a part
+ * but the first. Degenerate triangles draw nothing, so they keep their vertices and do not count.
  *
- * Few vertices lie in several fans, so the copies are kept in a hash table (open addressing, load of at most one half).
+ * Few vertices lie in several, so the copies are kept in a hash table (open addressing, load of at most one half).
+ *
+ * @param partOf the part of each corner in the other division; by default there is none
  */
 export function* splitVertices(
   mesh: TriangleMesh,
   areaNormals: Float64Array,
   { ofCorner }: Fans,
+  partOf: Uint32Array = ofCorner,
 ): Generator<number, VertexSplit, void> {
   const vertexCount = mesh.positions.length / 3;
   const cornerCount = mesh.indices.length;
@@ -39,10 +42,11 @@ export function* splitVertices(
     0,
     0.3,
   );
+  const divisions: Divisions = { ofCorner, partOf };
   let conflictCount = 0;
   yield* asPhase(
     forEachChunk(cornerCount, (start, end) => {
-      conflictCount += countConflicts(indices, areaNormals, ofCorner, firstCorners, start, end);
+      conflictCount += countConflicts(indices, areaNormals, divisions, firstCorners, start, end);
     }),
     0.3,
     0.6,
@@ -52,7 +56,7 @@ export function* splitVertices(
   const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(conflictCount), count: 0 };
   yield* asPhase(
     forEachChunk(cornerCount, (start, end) =>
-      splitRange(mesh, indices, areaNormals, ofCorner, firstCorners, copies, start, end),
+      splitRange(mesh, indices, areaNormals, divisions, firstCorners, copies, start, end),
     ),
     0.6,
     1,
@@ -63,6 +67,15 @@ export function* splitVertices(
   cornerOfVertex.set(corners, vertexCount);
   return { indices, addedVertices: corners.map((corner) => mesh.indices[corner]), cornerOfVertex };
 }
+
+/** Two divisions of corners: the fan of each corner, and its part. */
+interface Divisions {
+  ofCorner: Uint32Array;
+  partOf: Uint32Array;
+}
+
+const isSame = ({ ofCorner, partOf }: Divisions, a: number, b: number): boolean =>
+  ofCorner[a] === ofCorner[b] && partOf[a] === partOf[b];
 
 /** The copies of vertices, as a hash table. */
 interface Copies {
@@ -91,11 +104,11 @@ function findFirst(
   }
 }
 
-/** Counts the corners that need a copy of their vertex, because it belongs to another fan. */
+/** Counts the corners that need a copy of their vertex, because it belongs to another fan or part. */
 function countConflicts(
   indices: Uint32Array,
   areaNormals: Float64Array,
-  ofCorner: Uint32Array,
+  divisions: Divisions,
   firstCorners: Uint32Array,
   start: number,
   end: number,
@@ -103,7 +116,7 @@ function countConflicts(
   let count = 0;
   for (let corner = start; corner < end; corner++) {
     const first = firstCorners[indices[corner]];
-    if (ofCorner[first] !== ofCorner[corner] && !isDegenerate(areaNormals, triangleOf(corner))) count++;
+    if (!isSame(divisions, first, corner) && !isDegenerate(areaNormals, triangleOf(corner))) count++;
   }
   return count;
 }
@@ -112,7 +125,7 @@ function splitRange(
   mesh: TriangleMesh,
   indices: Uint32Array,
   areaNormals: Float64Array,
-  ofCorner: Uint32Array,
+  divisions: Divisions,
   firstCorners: Uint32Array,
   copies: Copies,
   start: number,
@@ -120,18 +133,18 @@ function splitRange(
 ): void {
   for (let corner = start; corner < end; corner++) {
     const first = firstCorners[mesh.indices[corner]];
-    if (ofCorner[first] === ofCorner[corner] || isDegenerate(areaNormals, triangleOf(corner))) continue;
-    indices[corner] = firstCorners.length + copyFor(mesh.indices, ofCorner, copies, corner);
+    if (isSame(divisions, first, corner) || isDegenerate(areaNormals, triangleOf(corner))) continue;
+    indices[corner] = firstCorners.length + copyFor(mesh.indices, divisions, copies, corner);
   }
 }
 
-/** The number of the copy of the corner's vertex for the corner's fan. The copy is made if it does not exist yet. */
-function copyFor(vertices: Uint32Array, ofCorner: Uint32Array, copies: Copies, corner: number): number {
+/** The number of the copy of the corner's vertex for the corner's fan and part. The copy is made if it does not exist yet. */
+function copyFor(vertices: Uint32Array, divisions: Divisions, copies: Copies, corner: number): number {
   const { table, corners } = copies;
   const mask = table.length - 1;
   const vertex = vertices[corner];
-  const fan = ofCorner[corner];
-  for (let slot = hashWords(vertex, fan, 0) & mask; ; slot = (slot + 1) & mask) {
+  const { ofCorner, partOf } = divisions;
+  for (let slot = hashWords(vertex, ofCorner[corner], partOf[corner]) & mask; ; slot = (slot + 1) & mask) {
     const copy = table[slot] - 1;
     if (copy < 0) {
       corners[copies.count] = corner;
@@ -139,6 +152,6 @@ function copyFor(vertices: Uint32Array, ofCorner: Uint32Array, copies: Copies, c
       return copies.count++;
     }
     const other = corners[copy];
-    if (vertices[other] === vertex && ofCorner[other] === fan) return copy;
+    if (vertices[other] === vertex && isSame(divisions, other, corner)) return copy;
   }
 }

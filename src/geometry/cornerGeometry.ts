@@ -2,6 +2,7 @@ import { BufferAttribute, type BufferGeometry, InterleavedBuffer, InterleavedBuf
 import type { BakeCornersResult } from '../bake/bakeCorners.js';
 import { CORNER_STRIDE, cornerLayout } from '../bake/cornerLayout.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
+import { setForm } from './formGeometry.js';
 import { finishGeometry, setNormals } from './preparedGeometry.js';
 import type { Repairs } from './repairValues.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
@@ -21,6 +22,7 @@ export function applyCorners(
   }
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
   for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
+  setForm(geometry, result.form);
   if (result.normals) setNormals(geometry, result.normals);
   finishGeometry(geometry, 'corner', result);
 }

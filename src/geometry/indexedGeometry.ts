@@ -3,6 +3,7 @@ import { appendVertices } from '../bake/appendVertices.js';
 import type { BakeIndexedResult } from '../bake/bakeIndexed.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
+import { setForm } from './formGeometry.js';
 import { finishGeometry, setNormals } from './preparedGeometry.js';
 import type { Repairs } from './repairValues.js';
 import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
@@ -21,6 +22,7 @@ export function applyIndexed(
     setKeptAttribute(geometry, attribute, appendVertices(attribute, result.addedVertices));
   }
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
+  setForm(geometry, result.form);
   if (result.normals) setNormals(geometry, result.normals);
   finishGeometry(geometry, 'indexed', result);
 }

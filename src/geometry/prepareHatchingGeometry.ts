@@ -12,6 +12,7 @@ import { checkGeometry } from './checkGeometry.js';
 import { applyCorners } from './cornerGeometry.js';
 import { type CornerRange, cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
+import { formRequest, type HatchingFormOptions } from './HatchingFormOptions.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import { applyIndexed } from './indexedGeometry.js';
 import { outlineDataOf } from './OutlineData.js';
@@ -70,6 +71,12 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * Default: no outlines.
    */
   outlines?: boolean | OutlineOptions | undefined;
+  /**
+   * Bakes the functions whose level sets are the lines of `lineField: 'form'` and `'acrossForm'`, in 24 bytes per vertex; a few
+   * vertices are copied. It takes several times as long as all the rest, in the worker. Pass `true`, or options. Default: false;
+   * `applyHatching` bakes them where a material asks for them.
+   */
+  form?: boolean | HatchingFormOptions | undefined;
 }
 
 /** Decides which edges are drawn as creases. */
@@ -95,6 +102,7 @@ const PREPARE_OPTIONS = {
   smoothingRadius: true,
   weldTolerance: true,
   outlines: true,
+  form: true,
 } satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions | 'technique'>, true>;
 
 /**
@@ -176,6 +184,7 @@ async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometr
     weldTolerance: options.weldTolerance,
     wantsNormals: repairs.computedNormals > 0,
     outlines: outlineRequest(options.outlines, range),
+    form: formRequest('prepareHatchingGeometry', options.form),
   };
   const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
   const isUnchanged = rememberSource(geometry);

@@ -1,6 +1,7 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
 import type { BakePullResult } from '../bake/bakePull.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
+import { setForm } from './formGeometry.js';
 import { PulledVertices, setPulledVertices } from './PulledVertices.js';
 import { finishGeometry, setNormals } from './preparedGeometry.js';
 import type { Repairs } from './repairValues.js';
@@ -15,6 +16,7 @@ export function applyPull(
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
   for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
+  setForm(geometry, result.form);
   if (result.normals) setNormals(geometry, result.normals);
   const { triangleVertices, vertexPositions } = result;
   finishGeometry(geometry, 'pull', result, triangleVertices.byteLength + vertexPositions.byteLength);

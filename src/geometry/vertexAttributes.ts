@@ -1,6 +1,7 @@
 import { BufferAttribute, type BufferGeometry, Float16BufferAttribute, type InterleavedBufferAttribute } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import type { VertexWords, Words } from '../bake/expandPerCorner.js';
+import { formLayout } from '../bake/formLayout.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
 
 /** A vertex attribute of a geometry. */
@@ -16,7 +17,10 @@ export interface KeptAttribute {
 
 /** The names of the attributes that the bake writes, also in the form that glTF gives to custom attributes. */
 const bakedNames = /* @__PURE__ */ new Set<string>(
-  /* @__PURE__ */ [...cornerLayout, hatchNormal].flatMap(({ name }) => [name, `_${name.toLowerCase()}`]),
+  /* @__PURE__ */ [...cornerLayout, hatchNormal, ...Object.values(formLayout)].flatMap(({ name }) => [
+    name,
+    `_${name.toLowerCase()}`,
+  ]),
 );
 
 /** Whether the attribute has one entry per instance, not per vertex. */

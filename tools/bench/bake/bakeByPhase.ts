@@ -51,7 +51,7 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
   const twins = run('creases', consistentTwins(adjacency));
   run('creases', cutSharpEdges(twins, areaNormals));
   const hatchNormals = smoothNormals({ mesh, twins, canonicalCorners, areaNormals }, bounds.radius, run);
-  const surface: Surface = { adjacency, bounds, hatchNormals, smoothNormals: null, outlines: null };
+  const surface: Surface = { adjacency, bounds, hatchNormals, smoothNormals: null, outlines: null, form: null };
   return {
     steps: adjacency.steps,
     corner: {
