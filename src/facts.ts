@@ -25,6 +25,7 @@ export { HATCHING_FACTS } from './material/facts/hatchingFacts.js';
 export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchingProperties.js';
 export {
   counts,
+  followsForm,
   type HatchingLook,
   knowsChoice,
   measureOf,

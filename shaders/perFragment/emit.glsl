@@ -10,7 +10,8 @@ mat3 deformedToRest = mat3(1.0);
 
 // Geometry that was never prepared still has its own normals.
 vec3 strokeNormal = dot(hatchNormal.xyz, hatchNormal.xyz) > 0.25 ? hatchNormal.xyz : normal;
-#if STROKE_ANCHOR == STROKE_ANCHOR_REST
+// Lines that follow the form are fixed to the surface, whatever strokes are.
+#if STROKE_ANCHOR == STROKE_ANCHOR_REST || defined(FOLLOWS_FORM)
   vec3 anchorPosition = position;
   mat3 viewToAnchor = deformedToRest * viewToObject;
 #else

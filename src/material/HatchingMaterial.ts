@@ -16,6 +16,7 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three';
+import { isFormed } from '../geometry/formGeometry.js';
 import { silence } from '../mistakes/silence.js';
 import { stippleMap } from '../tam/stippleMap.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
@@ -53,11 +54,10 @@ import {
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { writePictureOffset } from './pictureOffset.js';
-import { programDefines } from './programDefines.js';
+import { type ProgramFacts, programDefines } from './programDefines.js';
 import { defineRigid } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
 import { hatchingShaders } from './shaders/hatchingShaders.js';
-import { VERTEX_LAYOUTS, type VertexLayout } from './shaders/shaderConventions.js';
 import { mapIsReady, sharedMap } from './sharedMaps.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
@@ -94,16 +94,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   private curve: ToneCurve | undefined;
   /** The technique of the present shaders. They are set only when it changes, so that a user may replace them. */
   private shaderTechnique: HatchingTechnique | undefined;
-  /** Whether the scene drawn last has an environment. */
-  private hasEnvironment = false;
+  /** What the program depends on beside the properties. */
+  private readonly met: ProgramFacts = { hasEnvironment: false, vertexLayout: 'corner', hasForm: true };
   /** The frame for which the uniforms were last written. */
   private readonly written = new FrameStamp();
   /** The program switches of the last frame. */
   private drawnSwitches: number | undefined;
   /** Whether the strokes of the program come from a map. */
   private drawsWithMap = true;
-  /** Where the mesh that was drawn last has its adjacency. */
-  private vertexLayout: VertexLayout = 'corner';
   /** Whether a WebGLRenderer has drawn or compiled this material. */
   private isWithWebGL = false;
   /** Meshes announced before the first program was built. */
@@ -209,7 +207,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    * @returns a key that tells the program apart from those of other hooks
    */
   override customProgramCacheKey(): string {
-    if (this.announced.some(environmentAround)) this.hasEnvironment = true;
+    if (this.announced.some(environmentAround)) this.met.hasEnvironment = true;
     this.writeProgram();
     this.askForRenderer();
     return super.customProgramCacheKey();
@@ -234,7 +232,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
    */
   announce(mesh: Mesh): void {
     this.announced.push(mesh);
-    this.useVertexLayout(vertexLayoutOf(mesh.geometry, mesh));
+    this.use('vertexLayout', vertexLayoutOf(mesh.geometry, mesh));
+    this.use('hasForm', isFormed(mesh.geometry));
   }
 
   /**
@@ -274,13 +273,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     const drawn = part ?? renderer.getCurrentViewport(viewport);
     this.uniforms.viewportHeight.value = drawn.w;
     writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
-    this.useEnvironment(bindEnvironment(renderer, scene, camera, this.uniforms));
+    this.use('hasEnvironment', bindEnvironment(renderer, scene, camera, this.uniforms));
     if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) {
+      this.use('hasForm', isFormed(geometry));
       if (writeFieldFrame(this.uniforms, this.tilesPerUnit, geometry, object)) this.uniformsNeedUpdate = true;
     }
     this.drawn.note(this, renderer, scene, camera, geometry, object, drawn.w);
     this.announced.length = 0;
-    if (needsAdjacency(this)) this.useVertexLayout(bindVertices(renderer, camera, geometry, object, this));
+    if (needsAdjacency(this)) this.use('vertexLayout', bindVertices(renderer, camera, geometry, object, this));
   }
 
   private writeCurve(curve: ToneCurve): void {
@@ -291,15 +291,10 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.uniforms.toneCurveCubics.value = fitted.cubics;
   }
 
-  private useEnvironment(isThere: boolean): void {
-    if (isThere === this.hasEnvironment) return;
-    this.hasEnvironment = isThere;
-    this.writeProgram();
-  }
-
-  private useVertexLayout(layout: VertexLayout): void {
-    if (layout === this.vertexLayout) return;
-    this.vertexLayout = layout;
+  /** Notes a fact of the scene or the mesh that decides about the program. */
+  private use<Fact extends keyof ProgramFacts>(fact: Fact, value: ProgramFacts[Fact]): void {
+    if (value === this.met[fact]) return;
+    this.met[fact] = value;
     this.writeProgram();
   }
 
@@ -315,7 +310,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.vertexShader = source.vertexShader;
     this.fragmentShader = source.fragmentShader;
     this.shaderTechnique = source.shaderTechnique;
-    this.hasEnvironment = source.hasEnvironment;
+    this.met.hasEnvironment = source.met.hasEnvironment;
     this.defines = { ...source.defines };
     for (const name of propertyNames) this.copyProperty(name, source);
     this.copyNumbers(source);
@@ -405,9 +400,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
       Object.assign(this, hatchingShaders(technique));
       this.writeCurve(this.toneCurve);
     }
-    const defines = programDefines(this);
-    defines.ENVIRONMENT = this.hasEnvironment ? '' : undefined;
-    defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(this) ? this.vertexLayout : 'corner');
+    const defines = programDefines(this, this.met);
     for (const [define, value] of Object.entries(defines)) {
       if (this.defines[define] === value) continue;
       hasChanged = true;

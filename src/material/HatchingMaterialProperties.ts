@@ -111,9 +111,9 @@ export interface HatchingMaterialOptions {
   crossFrom: number;
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
-   * cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.
-   * Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `strokeLayers` `'tone'`.
+   * cut the first lines of `engraved` and those that cut the lines across them; lines that follow the form cross as
+   * they were baked. 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`,
+   * `'adjacency'`, `'anchored'`, `'engraved'`, with `strokeLayers` `'tone'`.
    */
   crossAngle: number;
   /**
@@ -495,9 +495,9 @@ export abstract class HatchingMaterialProperties extends ShaderMaterial {
 
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
-   * cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.
-   * Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`, `'adjacency'`, `'anchored'`, `'engraved'`, with
-   * `strokeLayers` `'tone'`.
+   * cut the first lines of `engraved` and those that cut the lines across them; lines that follow the form cross as
+   * they were baked. 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`,
+   * `'adjacency'`, `'anchored'`, `'engraved'`, with `strokeLayers` `'tone'`.
    */
   get crossAngle(): number {
     return this.numbers.crossAngle;

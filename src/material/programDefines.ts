@@ -2,12 +2,30 @@ import type { Texture } from 'three';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from './facts/hatchingProperties.js';
-import { isUsedBy, knowsChoice } from './facts/lookFacts.js';
+import { followsForm, isUsedBy, knowsChoice, needsAdjacency } from './facts/lookFacts.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import { CHANNEL_VARYINGS, channelDefine, TONE_CURVES } from './shaders/shaderConventions.js';
+import {
+  CHANNEL_VARYINGS,
+  channelDefine,
+  TONE_CURVES,
+  VERTEX_LAYOUTS,
+  type VertexLayout,
+} from './shaders/shaderConventions.js';
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+
+/** What a program depends on beside the properties of its material: the scene and the mesh that were drawn last. */
+export interface ProgramFacts {
+  hasEnvironment: boolean;
+  /** Where the mesh has its adjacency. */
+  vertexLayout: VertexLayout;
+  /** Whether it has what lines that follow the form are drawn from. */
+  hasForm: boolean;
+}
+
+/** What is drawn where lines should follow the form of a geometry that was not prepared for it. */
+const WITHOUT_FORM = /* @__PURE__ */ HATCHING_PROPERTIES.lineField.choices.indexOf('light');
 
 /** How the shader knows a curve. */
 const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
@@ -17,7 +35,10 @@ const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
  * The defines by which the program of a material follows from its properties; those that are undefined are not there. A choice that does
  * not count for the technique is at its default, so that it builds no other program.
  */
-export function programDefines(material: HatchingMaterialProperties): Record<string, number | string | undefined> {
+export function programDefines(
+  material: HatchingMaterialProperties,
+  { hasEnvironment, vertexLayout, hasForm }: ProgramFacts,
+): Record<string, number | string | undefined> {
   const { technique, toneCurve, sizedOnScreen } = material;
   const defines: Record<string, number | string | undefined> = {};
   let usesFirstChannel = false;
@@ -35,6 +56,9 @@ export function programDefines(material: HatchingMaterialProperties): Record<str
     if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
     else defines[property.define] = value ? '' : undefined;
   }
+  if (followsForm(material) && !hasForm) defines.LINE_FIELD = WITHOUT_FORM;
+  defines.ENVIRONMENT = hasEnvironment ? '' : undefined;
+  defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(material) ? vertexLayout : 'corner');
   defines.TONE_CURVE = TONE_CURVES.indexOf(curveKind(toneCurve));
   // three.js itself defines USE_UV1 to USE_UV3.
   defines.USE_UV0 = usesFirstChannel ? '' : undefined;

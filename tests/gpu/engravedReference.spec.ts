@@ -40,7 +40,35 @@ const spot: ReferenceLight = {
   penumbra: 0.3,
 };
 
+/** Functions that are quadratic in space are so within every triangle. Their lines lie about as far apart as those of a bake. */
+const form: NonNullable<LineSettings['form']> = [
+  { linear: [1.5, 5, 0.5], squares: [1.2, -0.6, 0.4] },
+  { linear: [4.5, -2.2, 1], squares: [0, 0.5, -0.3] },
+];
+
+const formCases: readonly EngravedCase[] = [
+  { name: 'along the form' },
+  { name: 'along the form, a ruling machine', lines: { handmade: 0 } },
+  { name: 'across the form', lines: { lineField: 'acrossForm' } },
+  { name: 'along the form, crossing from light tones on', lines: { crossFrom: 0.2 } },
+  { name: 'along the form, wider apart than the lines that were baked', lines: { lineSpacing: 40 } },
+  { name: 'along the form, finer than lines may lie', lines: { lineSpacing: 2.6 } },
+  { name: 'along the form, sized on the object', sizedOnScreen: 0, lines: { lineSpacing: 12 } },
+  { name: 'along the form of a rotated, moved and scaled object', matrixWorld: placed },
+  { name: 'along the form of a mirrored object', matrixWorld: mirrored },
+  { name: 'along the form of an object scaled unequally', matrixWorld: squashed },
+  { name: 'along the form of a geometry off its origin', mesh: moved(torus, 3), matrixWorld: movedBack(3) },
+  { name: 'along the form, orthographic camera', isOrthographic: true },
+  { name: 'along the form, carved', lines: { medium: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
+  ...(['tone', 'cross', 'reorient'] as const).map((shadowStrokes) => ({
+    name: `along the form, in shadow, ${shadowStrokes}`,
+    lights: [blocked, ambient],
+    material: { shadowStrokes },
+  })),
+];
+
 const cases: EngravedCase[] = [
+  ...formCases.map((one) => ({ ...one, lines: { lineField: 'form' as const, form, ...one.lines } })),
   { name: 'tangent to the light' },
   { name: 'tangent to the light, a ruling machine', lines: { handmade: 0 } },
   { name: 'towards the light', lines: { lineField: 'towards' } },

@@ -18,15 +18,18 @@ import {
   PointLight,
   Scene,
   SpotLight,
+  Vector3,
   WebGLRenderer,
 } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { pairThresholdLevels } from '../../src/tam/pairThresholdLevels.js';
 import { ThresholdTexture } from '../../src/tam/ThresholdTexture.js';
 import { plainLook } from '../../tools/plainLook.js';
+import { quadraticAt, quadraticGradient } from '../reference/engravedReference.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
+import type { Vec3 } from '../reference/referenceAdjacency.js';
 import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
-import type { HatchingSpec } from './hatchingSpec.js';
+import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
 
 // What is measured is one thing by itself, and not a scene that somebody would draw.
 HatchingMaterial.silent = true;
@@ -113,23 +116,53 @@ renderer.outputColorSpace = LinearSRGBColorSpace;
 renderer.shadowMap.enabled = true;
 document.body.append(renderer.domElement);
 
+/** Gives a geometry what lines that follow the form are drawn from: functions of the place from its centre, in tiles. */
+function setForm(geometry: BufferGeometry, form: NonNullable<LineSettings['form']>, tilesPerUnit: number): void {
+  geometry.computeBoundingSphere();
+  const { position } = geometry.attributes;
+  const places = Array.from({ length: position.count }, (_, i) => {
+    const place = new Vector3().fromBufferAttribute(position, i).sub(geometry.boundingSphere!.center);
+    return place.multiplyScalar(tilesPerUnit).toArray() as Vec3;
+  });
+  const set = (name: string, itemSize: number, values: number[]): void => {
+    geometry.setAttribute(name, new BufferAttribute(new Float32Array(values), itemSize));
+  };
+  set(
+    'formValue',
+    2,
+    places.flatMap((place) => form.map((quadratic) => quadraticAt(quadratic, place))),
+  );
+  for (const [name, quadratic] of [
+    ['formSlope', form[0]],
+    ['formCrossing', form[1]],
+  ] as const) {
+    const gradients = places.flatMap((place) => [
+      ...quadraticGradient(quadratic, place).map((slope) => slope * tilesPerUnit),
+      0,
+    ]);
+    set(name, 4, gradients);
+  }
+}
+
 /** Renders a picture and returns its pixels (RGBA, bottom row first) in base64, which is passed much faster than a list of numbers. */
 async function renderHatching(spec: HatchingSpec): Promise<string> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
   if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
+  if (spec.lines?.form) setForm(source, spec.lines.form, spec.material.tilesPerUnit);
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
   const { technique } = spec.material;
   const isPerFragment = technique === 'anchored' || technique === 'engraved';
   const geometry = isPerFragment ? source : await prepareHatchingGeometry(source, { adjacency: true });
 
+  const { form: _form, ...lines } = spec.lines ?? {};
   const takesThresholds = technique === 'anchored' || spec.material.crisp;
   const { ink, paper, color, strokeOffset, strokeRotation, ...material } = spec.material;
   const hatching = new HatchingMaterial(
     plainLook({
       ...material,
       ...(technique !== 'engraved' && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
-      ...spec.lines,
+      ...lines,
       side: spec.doubleSided ? DoubleSide : FrontSide,
     }),
   );

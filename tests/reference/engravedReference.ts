@@ -10,7 +10,9 @@ import type { Vec3 } from './referenceAdjacency.js';
 export interface EngravedSettings {
   /** Radians. */
   strokeRotation: number;
-  lineField: 'light' | 'towards' | 'x' | 'y' | 'z';
+  lineField: 'light' | 'towards' | 'x' | 'y' | 'z' | 'form' | 'acrossForm';
+  /** For the last two: the functions that the lines are level sets of, and those that cross them. */
+  form?: readonly [first: Quadratic, crossing: Quadratic];
   lineSpacing: number;
   crossFrom: number;
   crossAngle: number;
@@ -22,6 +24,18 @@ export interface EngravedSettings {
   /** Default: 'tone'. */
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
 }
+
+/** Σ aᵢ xᵢ + Σ bᵢ xᵢ², of a place in tiles from the centre. */
+export interface Quadratic {
+  linear: Vec3;
+  squares: Vec3;
+}
+
+export const quadraticAt = ({ linear, squares }: Quadratic, place: Vec3): number =>
+  place.reduce((sum, x, i) => sum + (linear[i] + squares[i] * x) * x, 0);
+
+export const quadraticGradient = ({ linear, squares }: Quadratic, place: Vec3): Vec3 =>
+  place.map((x, i) => linear[i] + 2 * squares[i] * x) as Vec3;
 
 export interface EngravedScene {
   reference: HatchingReference;
@@ -124,6 +138,7 @@ function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { ax
 /** With `isDark` no light arrives, and lines run across their axis. */
 function familiesOf(scene: EngravedScene, isDark: boolean): Families {
   const { lineField, crossAngle, strokeRotation } = scene.settings;
+  if (lineField === 'form' || lineField === 'acrossForm') throw new Error('familiesOf: the form has no axis.');
   const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
   const light = lightOf(scene);
   const { axis: toLight, bend } = isDark ? { axis: axisAcross(light.axis), bend: 0 } : light;
@@ -218,9 +233,16 @@ function gouge(x: number): number {
 }
 
 /** The share of its room that the cut of a line takes, for a distance of old lines and a growth of the new ones. */
-function cutShare(line: number, white: number, { places, share }: Along, period: number, into: number): number {
+function cutShare(
+  line: number,
+  white: number,
+  { places, share }: Along,
+  period: number,
+  into: number,
+  isOfForm: boolean,
+): number {
   const swell = 0.42;
-  const lot = lotOf(line);
+  const lot = lotOf(isOfForm ? Math.abs(line - Math.round(line)) : line);
   const longer = smoothly(0.2, 0.8, into);
   const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
   const flattened = (t: number) => Math.hypot(t, 1 - t);
@@ -246,16 +268,17 @@ const powerOf = (octave: number): number => 2 ** Math.floor(octave) * (1 + octav
 function ruledDarkness(
   value: number,
   perPixel: number,
-  slope: number,
+  rise: number,
   tone: number,
   settings: EngravedSettings,
   along: Along,
 ): number {
-  const { lineSpacing, sizedOnScreen, handmade } = settings;
-  const onObject = octaveOf((lineSpacing / 256) * Math.min(slope / 0.4, 1));
+  const { lineSpacing, sizedOnScreen, handmade, form } = settings;
+  const onObject = octaveOf((lineSpacing / 256) * rise);
   const onScreen = octaveOf(lineSpacing * perPixel);
   const asked = powerOf((1 - sizedOnScreen) * onObject + sizedOnScreen * onScreen);
-  const wanted = Math.max(asked, 3 * perPixel);
+  // Values of the form change by whole numbers across seams, so lines lie no further apart.
+  const wanted = Math.min(Math.max(asked, 3 * perPixel), form ? 1 : Infinity);
   // The smallest power of two that is not below the wanted spacing, in tiles: the distance of old lines.
   const period = 2 ** Math.ceil(Math.log2(wanted));
   const shares = { old: wanted / period, young: 1 - wanted / period };
@@ -263,8 +286,8 @@ function ruledDarkness(
   const nearest = Math.round(value / period);
   const shareOf = (line: number): number =>
     settings.medium === 'woodcut'
-      ? cutShare(line, 1 - tone, along, period, 2 * shares.young)
-      : tone * lineFactor(line, handmade);
+      ? cutShare(line, 1 - tone, along, period, 2 * shares.young, !!form)
+      : tone * (form ? 1 : lineFactor(line, handmade));
   let covered = 0;
   for (let line = nearest - 2; line <= nearest + 2; line += 0.5) {
     const width = (Number.isInteger(line) ? shares.old : shares.young) * pixels * shareOf(line * period);
@@ -288,9 +311,18 @@ function slowWaves([x, y, z]: Vec3): Vec3 {
 }
 
 /** The position that the hand moves a position to, in tiles, and its pressure there. */
-function hand(place: Vec3, { handmade }: EngravedSettings): { strayed: Vec3; pressure: number } {
+function hand(
+  place: Vec3,
+  { handmade }: EngravedSettings,
+): {
+  strayed: Vec3;
+  pressure: number;
+  /** How much wider lines that follow the form are here. */
+  widening: number;
+} {
   const waves = slowWaves(place.map((c) => 3.5 * c) as Vec3);
-  return { strayed: mixed(place, 1, waves, 0.012 * handmade), pressure: 0.3 * handmade * waves[0] * waves[1] };
+  const strayed = mixed(place, 1, waves, 0.012 * handmade);
+  return { strayed, pressure: 0.3 * handmade * waves[0] * waves[1], widening: 0.25 * handmade * waves[2] };
 }
 
 export class EngravedReference {
@@ -313,9 +345,11 @@ export class EngravedReference {
     const own = settings.shadowStrokes === 'cross' ? reference.tone(world, lit, false) : tone;
     const { tilesPerUnit, crossFrom } = settings;
     const fromCentre = mixed(place, tilesPerUnit, centre, -tilesPerUnit);
-    const { strayed, pressure } = hand(fromCentre, settings);
     const n = unit(normal);
     const plane = new ScreenPlane(this.scene, place, n);
+    if (tone >= 1) return 1;
+    if (settings.form) return this.formDarkness(fromCentre, plane, own, tone, this.arrivingAt(world, lit).isDark);
+    const { strayed, pressure } = hand(fromCentre, settings);
     const { first, sides, across, shadows } = this.familiesAt(world, lit);
 
     // Where the surface lies in a level set of the first family, this family has no lines.
@@ -328,7 +362,7 @@ export class EngravedReference {
     /** The shares that two families leave blank, so that both together leave the wanted share. */
     const leftByBoth = (two: readonly [LineFunction, LineFunction], blank: number) => {
       const blankB = 1 + share * (blank - 1);
-      return leftBy(two[0], 1 - blankB, 1) * leftBy(two[1], 1 - blank / blankB, 1);
+      return leftBy(two[0], 1 - blankB, 0.4) * leftBy(two[1], 1 - blank / blankB, 0.4);
     };
     const leftBy = (family: LineFunction, familyTone: number, familySlope: number) => {
       if (familyTone <= 1e-4 && family !== first) return 1;
@@ -341,20 +375,56 @@ export class EngravedReference {
               share: smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)),
             }
           : { places: [first.value(strayed), first.value(strayed)], share: 1 };
-      return 1 - ruledDarkness(family.value(strayed), perPixel, familySlope, pressed, settings, along);
+      return (
+        1 - ruledDarkness(family.value(strayed), perPixel, Math.min(familySlope / 0.4, 1), pressed, settings, along)
+      );
     };
-    if (tone >= 1) return 1;
     // Above crossFrom the first family takes 0.4 of the tone. The others cover the excess that it leaves blank; shares of blank multiply.
     const firstTone = has * (own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom));
     const leftByOwn = leftBy(first, firstTone, slope) * leftByBoth(across, (1 - own) / (1 - firstTone));
     return 1 - leftByOwn * leftByBoth(shadows, (1 - tone) / (1 - own));
   }
 
-  /** The lights that arrive at the position. */
-  private familiesAt(world: Vec3, toneNormal: Vec3): Families {
+  /**
+   * Lines that follow the form: the second function crosses the first, their difference both in shadows, and where no light arrives
+   * they change places.
+   */
+  private formDarkness(fromCentre: Vec3, plane: ScreenPlane, own: number, tone: number, isDark: boolean): number {
+    const { settings } = this.scene;
+    const { form, lineField, tilesPerUnit, crossFrom } = settings;
+    const { strayed, pressure, widening } = hand(fromCentre, settings);
+    const stray = mixed(strayed, 1, fromCentre, -1);
+    const [first, crossing] = (isDark !== (lineField === 'acrossForm') ? form!.toReversed() : form!).map(
+      (quadratic) => {
+        const gradient = quadraticGradient(quadratic, fromCentre);
+        return { gradient, value: quadraticAt(quadratic, fromCentre) + dot(gradient, stray) };
+      },
+    );
+    const other = { gradient: mixed(first.gradient, 1, crossing.gradient, -1), value: first.value - crossing.value };
+    const leftBy = (family: typeof first, familyTone: number, along: number) => {
+      if (familyTone <= 1e-4 && family !== first) return 1;
+      const pressed = familyTone + (pressure + widening) * familyTone * (1 - familyTone);
+      const perPixel = tilesPerUnit * plane.gradientLength(family.gradient);
+      const rise = vec3.length((family === first ? first : crossing).gradient);
+      return 1 - ruledDarkness(family.value, perPixel, rise, pressed, settings, { places: [along, along], share: 1 });
+    };
+    const firstTone = own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom);
+    const leftByOwn =
+      leftBy(first, firstTone, crossing.value) * leftBy(crossing, 1 - (1 - own) / (1 - firstTone), first.value);
+    return 1 - leftByOwn * leftBy(other, 1 - (1 - tone) / (1 - own), first.value);
+  }
+
+  /** The lights that arrive at the position, and whether none of those that have a direction does. */
+  private arrivingAt(world: Vec3, toneNormal: Vec3): { arriving: ReferenceLight[]; isDark: boolean } {
     const { lights, reference } = this.scene;
     const arriving = lights.filter((light) => !reference.turnsAway(light, toneNormal, world));
     const isDark = arriving.length < lights.length && !arriving.some(({ type }) => DIRECTED.includes(type));
+    return { arriving, isDark };
+  }
+
+  private familiesAt(world: Vec3, toneNormal: Vec3): Families {
+    const { lights } = this.scene;
+    const { arriving, isDark } = this.arrivingAt(world, toneNormal);
     const key = `${isDark} ${lights.map((light) => arriving.includes(light))}`;
     const known = this.families.get(key);
     if (known) return known;

@@ -18,14 +18,10 @@ float families(const in HatchingParameters h, const in float first, const in flo
   int count = third > 1e-4 ? 3 : second > 1e-4 ? 2 : 1;
   float blank = 1.0;
   for (int i = first > 0.0 ? 0 : 1; i < count; i++) {
-    vec3 side = (i == 1) == isB ? h.sideB : h.sideC;
-    vec2 mixing = i == 0 ? vec2(1.0, 0.0) : lean;
-    float perPixel = length(mixing.x * h.valueOnScreen + mixing.y * screenGradient(side, h.onScreen));
-    float value = mixing.x * h.value + mixing.y * dot(h.point, side);
+    Family family = firstFamily(h);
+    if (i > 0) family = crossingFamily(h, (i == 1) == isB, lean);
     float tone = handTone(h.pressure, i == 0 ? first : i == 1 ? second : third);
-    // Lines of the first family run along its sides, those of the others along its axis.
-    vec3 place = i == 0 ? h.alongFirst : vec3(h.value, h.value, 1.0);
-    blank *= 1.0 - ruledLines(value, max(perPixel, 1e-12), i == 0 ? h.slope : 1.0, tone, place);
+    blank *= 1.0 - ruledLines(family, tone);
   }
   return 1.0 - blank;
 }

@@ -5,8 +5,8 @@
 uniform float lineSpacing; // pixels between lines, or 256ths of a tile
 uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that none shimmer
 
-// Where a function rises less than so much along the surface, new lines are born on the object too.
-#define SPARSEST_SLOPE 0.4
+// Lines that follow the form lie no further apart, or would not run on across a seam.
+#define COARSEST_OCTAVE 0.0
 
 // How far the edge of a line fades, in pixels.
 #define FRINGE 0.5
@@ -24,29 +24,31 @@ float powerOf2(const in float octave) {
 
 #if MEDIUM == MEDIUM_WOODCUT
   #include "technique/carving"
+#elif defined(FOLLOWS_FORM)
+  #define WIDTH_OF(line) tone
 #else
   // How wide a line is, as a share of the room it has.
   #define WIDTH_OF(line) (tone * handWidth(line))
 #endif // MEDIUM
 
-// value: of the function, tiles. perPixel: its change from one pixel to the next. slope: its change along the surface. place: on the
-// surface along the lines, as two coordinates and the share of the first. Returns the darkness.
-float ruledLines(
-  const in float value, const in float perPixel, const in float slope, const in float tone, const in vec3 place
-) {
-  // As the surface turns to face the gradient, the lines it is cut in lie further apart, up to a bound.
-  float onObject = octaves(lineSpacing / 256.0 * min(slope / SPARSEST_SLOPE, 1.0));
+// The darkness of a family.
+float ruledLines(const in Family family, const in float tone) {
+  float perPixel = max(family.perPixel, 1e-12);
+  float onObject = octaves(lineSpacing / 256.0 * family.rise);
   float onScreen = octaves(lineSpacing * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
+  #ifdef FOLLOWS_FORM
+    octave = min(octave, COARSEST_OCTAVE);
+  #endif // FOLLOWS_FORM
   float period = powerOf2(ceil(octave));
   // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
   // they leave is that of the new ones, which are their equals when the next octave begins.
   float pixels = period / perPixel;
   float spacing = powerOf2(octave) / perPixel;
-  float x = value / period;
+  float x = family.value / period;
   float below = floor(x);
   #if MEDIUM == MEDIUM_WOODCUT
-    Cut cut = cutFor(tone, place / vec3(period, period, 1.0), 2.0 - 2.0 * spacing / pixels);
+    Cut cut = cutFor(tone, family.place / vec3(period, period, 1.0), 2.0 - 2.0 * spacing / pixels);
   #endif // MEDIUM
   float oldRoom = 0.5 * spacing;
   float youngRoom = 0.5 * (pixels - spacing);

@@ -1,6 +1,10 @@
 #include <lights_pars_begin>
 #include "perFragment/vertex"
-#include "technique/lightField"
+#ifdef FOLLOWS_FORM
+  #include "technique/formAttributes"
+#else
+  #include "technique/lightField"
+#endif // FOLLOWS_FORM
 
 uniform vec3 fieldOrigin; // object space
 uniform mat3 objectToField; // linear part

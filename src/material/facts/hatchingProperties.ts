@@ -37,8 +37,13 @@ export type LevelRule = 'derivatives' | 'depth';
  *   are while the light moves.
  * - `y`: the same across its y axis.
  * - `z`: the same across its z axis.
+ * - `form`: functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with
+ *   no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to
+ *   `prepareHatchingGeometry`.
+ * - `acrossForm`: the same, with the lines that cross in the place of the first: along limbs instead of around them.
+ *   Bake them with a `crossAngle` of π/2.
  */
-export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z';
+export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'form' | 'acrossForm';
 
 /**
  * How many layers of strokes lie over one another. Together they keep the tone.
@@ -206,7 +211,7 @@ export const HATCHING_PROPERTIES = {
   lineField: {
     kind: 'choice',
     define: 'LINE_FIELD',
-    choices: ['light', 'towards', 'x', 'y', 'z'],
+    choices: ['light', 'towards', 'x', 'y', 'z', 'form', 'acrossForm'],
     techniques: ['engraved'],
   },
   lineSpacing: { kind: 'number', uniform: 'lineSpacing', range: { above: 0 }, techniques: ['engraved'] },

@@ -65,6 +65,13 @@ export function usesThresholds(given: HatchingLook): boolean {
 export const needsAdjacency = (look: HatchingLook): boolean =>
   HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].vertexData === 'adjacency';
 
+/** The choices of `lineField` by which lines follow the form. */
+const FORM_FIELDS: readonly unknown[] = ['form', 'acrossForm'];
+
+/** Whether the lines of a look follow the form, which only geometries show that were prepared with `form`. Allocates nothing. */
+export const followsForm = (look: HatchingLook): boolean =>
+  isUsedBy(techniqueOf(look), HATCHING_PROPERTIES.lineField) && FORM_FIELDS.includes(look.lineField);
+
 /**
  * What a number or a vector measures in a look; undefined for other properties, and for one that is a mean of two measures, as far as
  * `sizedOnScreen` says.

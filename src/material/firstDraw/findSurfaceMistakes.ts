@@ -1,9 +1,10 @@
 import { NoToneMapping } from 'three';
 import { cornerLayout } from '../../bake/cornerLayout.js';
 import { hatchNormal } from '../../bake/hatchNormal.js';
+import { isFormed } from '../../geometry/formGeometry.js';
 import { pulledVerticesOf } from '../../geometry/PulledVertices.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
-import { needsAdjacency, needsMap } from '../facts/lookFacts.js';
+import { followsForm, needsAdjacency, needsMap } from '../facts/lookFacts.js';
 import type { FirstDraw } from './FirstDraw.js';
 import type { NoteMistake } from './NoteMistake.js';
 import { printsNothing } from './printsNothing.js';
@@ -16,6 +17,7 @@ export function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
   const mistake = needsAdjacency(material) ? adjacencyMistake(draw) : undefined;
   if (mistake) note(mistake, draw, geometry);
   else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
+  if (followsForm(material) && !isFormed(geometry)) note('noForm', draw, geometry);
   if (isStale) note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
   if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);
 }

@@ -1,5 +1,17 @@
-import { Color, DoubleSide, ShaderChunk, ShaderLib, Texture, Vector2 } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  type BufferGeometry,
+  Color,
+  DoubleSide,
+  Mesh,
+  ShaderChunk,
+  ShaderLib,
+  Texture,
+  Vector2,
+} from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
+import { HATCHING_PROPERTIES } from '../../../src/material/facts/hatchingProperties.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { programSwitches } from '../../../src/material/programSwitches.js';
@@ -22,6 +34,24 @@ describe('HatchingMaterial', () => {
     material.customProgramCacheKey();
     expect(Object.keys(material.defines)).not.toContain('MAP_CHANNEL');
     expect(Object.keys(material.defines)).not.toContain('USE_UV0');
+  });
+
+  test('draws lines around the light where they should follow the form of a mesh that was prepared without it', () => {
+    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'acrossForm' });
+    const { choices } = HATCHING_PROPERTIES.lineField;
+    const drawn = (geometry: BufferGeometry) => {
+      material.announce(new Mesh(geometry));
+      return choices[material.defines.LINE_FIELD as number];
+    };
+    const formed = new BoxGeometry();
+    formed.setAttribute('formValue', new BufferAttribute(new Float32Array(48), 2));
+    expect(choices[material.defines.LINE_FIELD as number]).toBe('acrossForm');
+    expect(drawn(new BoxGeometry())).toBe('light');
+    expect(drawn(formed)).toBe('acrossForm');
+    expect(drawn(new BoxGeometry())).toBe('light');
+    material.lineField = 'x';
+    expect(drawn(new BoxGeometry())).toBe('x');
+    expect(material.lineField).toBe('x');
   });
 
   test('can be made without parameters, with the documented defaults', () => {

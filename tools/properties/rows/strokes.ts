@@ -143,6 +143,9 @@ export const STROKES = {
       x: 'planes across the x axis of the object, or of the scene that `applyHatching` dressed: lines stay where they are while the light moves.',
       y: 'the same across its y axis.',
       z: 'the same across its z axis.',
+      form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([form.md](form.md)).',
+      acrossForm:
+        'the same, with the lines that cross in the place of the first: along limbs instead of around them. Bake them with a `crossAngle` of π/2.',
     },
     default: 'light',
     techniques: ['engraved'],
@@ -208,7 +211,7 @@ export const STROKES = {
     techniques: [...WITH_MAP, 'engraved'],
     when: { strokeLayers: ['tone'] },
     sentence:
-      "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines of `engraved` and those that cut the lines across them. 60° is a pen's, 90° an engraver's.",
+      "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines of `engraved` and those that cut the lines across them; lines that follow the form cross as they were baked. 60° is a pen's, 90° an engraver's.",
   },
   handmade: {
     kind: 'number',

@@ -187,6 +187,14 @@ describe('the surface', () => {
     expect(await draw(ball().copy(mesh))).toEqual(about(/has lost its triangle adjacency.* technique 'anchored'/));
   });
 
+  test('has no form to follow', async () => {
+    const mesh = ball(new HatchingMaterial({ technique: 'engraved', lineField: 'form' }));
+    const found = about(/"ball".* is drawn with lineField 'light', because it was prepared without form/);
+    expect(await draw(mesh)).toEqual(found);
+    mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { form: true });
+    expect(await draw(mesh)).toEqual([]);
+  });
+
   test('was moved after it was prepared', async () => {
     for (const layout of ['indexed', 'corner'] as const) {
       const mesh = ball();

@@ -1,0 +1,10 @@
+// What lines that follow the form are baked into (src/bake/formLayout.ts).
+attribute vec2 formValue;
+attribute vec4 formSlope;
+attribute vec4 formCrossing;
+
+// slope: a gradient in object space, as packed. place: field space.
+vec4 formVarying(const in vec4 slope, const in float value, const in mat3 toField, const in vec3 place) {
+  vec3 gradient = toField * slope.xyz * exp2(round(32767.0 * slope.w));
+  return vec4(gradient, value - 0.5 * dot(gradient, place));
+}

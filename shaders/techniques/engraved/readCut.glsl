@@ -1,0 +1,66 @@
+// Lines that a field cuts out of the object: level sets of a distance in space.
+#include "technique/fieldAxis"
+#include "technique/arrivingLight"
+
+// Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left, and
+// those that cross it take its tone.
+#define BARE_SLOPE vec2(0.06, 0.18)
+
+// Where a function rises less than so much along the surface, new lines are born on the object too.
+#define SPARSEST_SLOPE 0.4
+
+// How far from evenly matched the two crossing families share a place: the difference of their squared sines.
+#define SIDE_FADE 0.35
+
+struct HatchingParameters {
+  vec3 point; // as the hand strays, from the origin of the field, tiles
+  float pressure; // of the hand
+  ScreenMap onScreen;
+  float value; // of the first family's function
+  vec2 valueOnScreen; // its gradient there
+  float slope; // its change along the surface
+  float has; // how far the first family has lines
+  vec3 sideB, sideC; // across its axis; other families lean towards one of them
+  vec3 alongFirst; // the place by those two, and how much more the first of them changes along its lines
+  float shareB; // of what crosses, by how well its lines run across those of the first on the surface
+};
+
+HatchingParameters readHatchingParameters() {
+  Field field = firstField(arrivingLight());
+  HatchingParameters h;
+  vec3 normal = safeNormalize(vFieldNormal);
+  vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
+  h.point = handPoint(vFieldPoint, waves);
+  h.pressure = handPressure(waves);
+  h.onScreen = screenMap(normal, objectToField * readViewToAnchor());
+  vec3 gradient;
+  h.value = fieldAt(field, h.point, gradient);
+  h.valueOnScreen = screenGradient(gradient, h.onScreen);
+  h.slope = max(length(cross(normal, gradient)), 1e-6);
+  h.has = smoothstep(BARE_SLOPE.x, BARE_SLOPE.y, h.slope);
+  h.sideB = across(field.axis);
+  h.sideC = cross(field.axis, h.sideB);
+  float acrossB = dot(normal, h.sideC);
+  float acrossC = dot(normal, h.sideB);
+  float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
+  float shareB = smoothstep(-SIDE_FADE, SIDE_FADE, between);
+  h.alongFirst = vec3(dot(h.point, h.sideB), dot(h.point, h.sideC), shareB);
+  h.shareB = mix(1.0, shareB, h.has);
+  return h;
+}
+
+Family firstFamily(const in HatchingParameters h) {
+  return Family(h.value, length(h.valueOnScreen), min(h.slope / SPARSEST_SLOPE, 1.0), h.alongFirst);
+}
+
+// isB: towards which side it leans. lean: cosine and sine of the angle at which it crosses the first.
+Family crossingFamily(const in HatchingParameters h, const in bool isB, const in vec2 lean) {
+  vec3 side = isB ? h.sideB : h.sideC;
+  float perPixel = length(lean.x * h.valueOnScreen + lean.y * screenGradient(side, h.onScreen));
+  // Its lines run along the axis of the first.
+  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, 1.0, vec3(h.value, h.value, 1.0));
+}
+
+vec2 fieldUv(const in HatchingParameters h) {
+  return vec2(dot(h.point, h.sideB), h.value);
+}

@@ -1,0 +1,70 @@
+// Lines that follow the form: level sets of two functions that were baked into the vertices. Within a triangle a function is
+// quadratic, so that lines have no kinks at edges. Across the seams of the bake it changes by a whole number, or its sign does:
+// lines that are a power of two apart, one at most, run on.
+
+// How much the widths of lines differ, slowly along each of them: a number of a line would change across a seam.
+#define WIDTH_WAVE 0.25
+
+struct HatchingParameters {
+  float pressure; // of the hand
+  float has; // the first family has lines everywhere
+  vec2 values; // of the first family's function, and of that which crosses it
+  vec2 valueOnScreen; // their gradients there
+  vec2 crossingOnScreen;
+  vec2 rises; // their changes along the surface, per tile
+  float shareB; // one family crosses
+};
+
+float formValueAt(const in vec4 form, const in vec3 stray) {
+  return form.w + dot(form.xyz, 0.5 * vFieldPoint + stray);
+}
+
+#ifdef REORIENTS_IN_SHADOW
+  // Whether no light arrives that has a direction.
+  bool isInFullShadow() {
+    bool isAll = true;
+    for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) isAll = isAll && isLightShadowed[i];
+    return isAll;
+  }
+#endif // REORIENTS_IN_SHADOW
+
+HatchingParameters readHatchingParameters() {
+  HatchingParameters h;
+  vec4 first = vForm;
+  vec4 crossing = vFormCrossing;
+  #ifdef REORIENTS_IN_SHADOW
+    // Where no light arrives the families change places.
+    if (isInFullShadow()) {
+      first = vFormCrossing;
+      crossing = vForm;
+    }
+  #endif // REORIENTS_IN_SHADOW
+  vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
+  vec3 stray = handPoint(vec3(0.0), waves);
+  h.pressure = handPressure(waves) + handmade * WIDTH_WAVE * waves.z;
+  h.has = 1.0;
+  h.values = vec2(formValueAt(first, stray), formValueAt(crossing, stray));
+  ScreenMap onScreen = screenMap(safeNormalize(vFieldNormal), objectToField * readViewToAnchor());
+  h.valueOnScreen = screenGradient(first.xyz, onScreen);
+  h.crossingOnScreen = screenGradient(crossing.xyz, onScreen);
+  h.rises = vec2(length(first.xyz), length(crossing.xyz));
+  h.shareB = 1.0;
+  return h;
+}
+
+Family firstFamily(const in HatchingParameters h) {
+  return Family(h.values.x, length(h.valueOnScreen), h.rises.x, vec3(h.values.y, h.values.y, 1.0));
+}
+
+// lean: cosine and sine of the angle; a negative sine leans the other way. The difference of the two functions is whole across seams
+// too, and its lines lean the other way: as far at 60°, in the middle between the families at 90°.
+Family crossingFamily(const in HatchingParameters h, const in bool isB, const in vec2 lean) {
+  bool isOther = lean.y < 0.0;
+  float value = isOther ? h.values.x - h.values.y : h.values.y;
+  vec2 onScreen = isOther ? h.valueOnScreen - h.crossingOnScreen : h.crossingOnScreen;
+  return Family(value, length(onScreen), h.rises.y, vec3(h.values.x, h.values.x, 1.0));
+}
+
+vec2 fieldUv(const in HatchingParameters h) {
+  return h.values.yx;
+}
