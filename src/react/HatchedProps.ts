@@ -37,6 +37,7 @@ const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
   preset: true,
   material: true,
   outlines: true,
+  form: true,
   tonalArtMap: true,
   tilesPerWorldUnit: true,
   adjacency: true,

@@ -5,7 +5,13 @@ import type {
   HatchingMaterialParameters,
   HatchingPropertyName,
 } from 'three-hatching';
-import { defaultOf, HATCHING_DEFAULTS, HATCHING_OUTLINE_DEFAULTS, needsAdjacency } from 'three-hatching/facts';
+import {
+  defaultOf,
+  followsForm,
+  HATCHING_DEFAULTS,
+  HATCHING_OUTLINE_DEFAULTS,
+  needsAdjacency,
+} from 'three-hatching/facts';
 import { namesOf, sameValue } from './sameValue.js';
 
 type Values = Readonly<Record<string, unknown>>;
@@ -41,6 +47,8 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
     name in HATCHING_DEFAULTS ? defaultOf(name as HatchingPropertyName, technique) : undefined,
   );
   if (!changes || 'tilesPerUnit' in changes) return null;
+  // Lines that follow the form need a geometry that was prepared for them, at their angle.
+  if (followsForm(to) && (!followsForm(from) || 'crossAngle' in changes)) return null;
   if (!('technique' in changes)) return changes;
   // Techniques with adjacency need a geometry that was prepared for them.
   return [from, to].some(needsAdjacency) ? null : changes;

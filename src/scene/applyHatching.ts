@@ -1,7 +1,7 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
-import { needsAdjacency, needsMap } from '../material/facts/lookFacts.js';
+import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
 import { isPromise } from '../mistakes/isPromise.js';
@@ -19,6 +19,7 @@ import { claimMeshes } from './claimMeshes.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
+import { geometryPlans, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
@@ -29,18 +30,6 @@ import { progressParts } from './progressParts.js';
 import { sideBySide } from './sideBySide.js';
 import { isBatched, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
-
-/** A mesh to hatch, with its geometry and material before. */
-interface OldLook {
-  mesh: Mesh;
-  geometry: BufferGeometry;
-  oldMaterial: Material | Material[];
-}
-
-/** A mesh to hatch, with the material that it will get. */
-interface PlannedMesh extends OldLook {
-  material: Material | Material[];
-}
 
 /** What `makeLooks` returns: the content of a `HatchedScene`. */
 interface MadeLooks {
@@ -174,7 +163,7 @@ async function makeLooks(
     signal,
     (stop) =>
       bakeGeometries(
-        layoutsFor(planned, options),
+        geometryPlans(planned, options),
         { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false, onProgress: onBake, signal: stop },
         { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
       ),
@@ -247,24 +236,6 @@ function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Gen
     yield planned.length / looks.length;
   }
   return planned;
-}
-
-/** Whether no material of a mesh needs triangle adjacency. */
-const needsNoAdjacency = (plan: PlannedMesh): boolean =>
-  materialsOf(plan).every((material) => isHatching(material) && !needsAdjacency(material));
-
-/** All geometries to bake, each with a layout that works for all materials that draw it. */
-function layoutsFor(
-  planned: readonly PlannedMesh[],
-  { layout, adjacency = false }: ApplyHatchingOptions,
-): Map<BufferGeometry, ApplyHatchingOptions['layout']> {
-  const layouts = new Map<BufferGeometry, ApplyHatchingOptions['layout']>();
-  for (const plan of planned) {
-    if (isBatched(plan.mesh)) continue;
-    const isIndexed = layouts.get(plan.geometry) !== 'auto' && !adjacency && needsNoAdjacency(plan);
-    layouts.set(plan.geometry, layout ?? (isIndexed ? 'indexed' : 'auto'));
-  }
-  return layouts;
 }
 
 /** Divides the meshes into those that get a new look and those that are skipped. */

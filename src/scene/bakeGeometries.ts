@@ -2,7 +2,8 @@ import type { BufferGeometry } from 'three';
 import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from '../geometry/prepareHatchingGeometry.js';
 import { maxWorkers } from '../worker/WorkerPool.js';
 
-type Layout = PrepareHatchingGeometryOptions['layout'];
+/** What one geometry is baked for. */
+export type GeometryPlan = Pick<PrepareHatchingGeometryOptions, 'layout' | 'form'>;
 
 /** The number of corners that are baked at the same time, unless one geometry has more: a bake takes some hundred bytes for each. */
 const MAX_CORNERS = 6_000_000;
@@ -21,15 +22,15 @@ export interface BakeListeners {
 /**
  * Bakes geometries, several at a time if there is work for several workers. A faulty geometry does not stop the others.
  *
- * @param layouts the geometries, each with its layout
+ * @param plans the geometries, each with its options
  * @returns for each geometry the prepared one, or the TypeError or RangeError that names its fault
  */
 export async function bakeGeometries(
-  layouts: ReadonlyMap<BufferGeometry, Layout>,
+  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
   options: PrepareHatchingGeometryOptions,
   { onBaked, onCount }: BakeListeners,
 ): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
-  const total = [...layouts.keys()].reduce((sum, geometry) => sum + cornerCount(geometry), 0);
+  const total = [...plans.keys()].reduce((sum, geometry) => sum + cornerCount(geometry), 0);
   const results = new Map<BufferGeometry, BufferGeometry | Error>();
   // Any other error stops all bakes, so that none goes on after the promise was rejected.
   const stop = new AbortController();
@@ -48,7 +49,7 @@ export async function bakeGeometries(
 
   let corners = 0;
   const report = (): void => options.onProgress?.(total > 0 ? corners / total : 1);
-  async function bakeOne(geometry: BufferGeometry, layout: Layout): Promise<void> {
+  async function bakeOne(geometry: BufferGeometry, plan: GeometryPlan): Promise<void> {
     const count = cornerCount(geometry);
     let share = 0;
     const onProgress = (progress: number): void => {
@@ -57,7 +58,12 @@ export async function bakeGeometries(
       notify(report);
     };
     try {
-      const prepared = await prepareHatchingGeometry(geometry, { ...options, layout, onProgress, signal: stop.signal });
+      const prepared = await prepareHatchingGeometry(geometry, {
+        ...options,
+        ...plan,
+        onProgress,
+        signal: stop.signal,
+      });
       onBaked(prepared);
       results.set(geometry, prepared);
     } catch (error) {
@@ -69,20 +75,20 @@ export async function bakeGeometries(
       results.set(geometry, error);
     }
     corners += (1 - share) * count;
-    notify(() => onCount?.(results.size, layouts.size));
+    notify(() => onCount?.(results.size, plans.size));
   }
 
   const lanes = Math.min(maxWorkers(), Math.ceil(total / CORNERS_PER_WORKER));
   const running = new Set<Promise<void>>();
   let cornersRunning = 0;
-  for (const [geometry, layout] of layouts) {
+  for (const [geometry, plan] of plans) {
     const count = cornerCount(geometry);
     while (running.size > 0 && (running.size >= lanes || cornersRunning + count > MAX_CORNERS)) {
       await Promise.race(running);
     }
     if (stop.signal.aborted) break;
     cornersRunning += count;
-    const task = bakeOne(geometry, layout).then(() => {
+    const task = bakeOne(geometry, plan).then(() => {
       cornersRunning -= count;
       running.delete(task);
     });
@@ -94,8 +100,8 @@ export async function bakeGeometries(
   stop.signal.throwIfAborted();
   corners = total;
   report();
-  // The results come in the order of `layouts`, whichever bake was finished first.
-  return new Map([...layouts.keys()].map((geometry) => [geometry, results.get(geometry)!]));
+  // The results come in the order of `plans`, whichever bake was finished first.
+  return new Map([...plans.keys()].map((geometry) => [geometry, results.get(geometry)!]));
 }
 
 const cornerCount = ({ index, attributes }: BufferGeometry): number => (index ?? attributes.position)?.count ?? 0;

@@ -3,7 +3,7 @@ import { afterEach, describe, expect, test, vi } from 'vitest';
 import { bakeGeometries } from '../../../src/scene/bakeGeometries.js';
 
 const boxes = (count: number) =>
-  new Map(Array.from({ length: count }, () => [new BoxGeometry() as BufferGeometry, 'indexed' as const]));
+  new Map(Array.from({ length: count }, () => [new BoxGeometry() as BufferGeometry, { layout: 'indexed' as const }]));
 const nothing = { onBaked: () => {} };
 
 afterEach(() => vi.unstubAllGlobals());
@@ -83,7 +83,7 @@ test('as many are baked at a time as there are cores, but fewer large ones, and 
             return attributes !== undefined;
           },
         });
-        return [geometry, 'indexed' as const];
+        return [geometry, { layout: 'indexed' as const }];
       }),
     );
     await bakeGeometries(layouts, {}, { onBaked: () => done++ });

@@ -1,0 +1,52 @@
+import type { BufferGeometry, Material, Mesh } from 'three';
+import { followsForm, needsAdjacency } from '../material/facts/lookFacts.js';
+import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import type { GeometryPlan } from './bakeGeometries.js';
+import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
+
+/** A mesh to hatch, with its geometry and material before. */
+export interface OldLook {
+  mesh: Mesh;
+  geometry: BufferGeometry;
+  oldMaterial: Material | Material[];
+}
+
+/** A mesh to hatch, with the material that it will get. */
+export interface PlannedMesh extends OldLook {
+  material: Material | Material[];
+}
+
+/** Whether no material of a mesh needs triangle adjacency. */
+export const needsNoAdjacency = (plan: PlannedMesh): boolean =>
+  materialsOf(plan).every((material) => isHatching(material) && !needsAdjacency(material));
+
+/** All geometries to bake, each with a layout that works for all materials that draw it, and with a form field if one asks for it. */
+export function geometryPlans(
+  planned: readonly PlannedMesh[],
+  options: ApplyHatchingOptions,
+): Map<BufferGeometry, GeometryPlan> {
+  const { layout, adjacency = false } = options;
+  const plans = new Map<BufferGeometry, GeometryPlan>();
+  for (const plan of planned) {
+    if (isBatched(plan.mesh)) continue;
+    const before = plans.get(plan.geometry);
+    const isIndexed = before?.layout !== 'auto' && !adjacency && needsNoAdjacency(plan);
+    plans.set(plan.geometry, {
+      layout: layout ?? (isIndexed ? 'indexed' : 'auto'),
+      form: before?.form || formFor(plan, options),
+    });
+  }
+  return plans;
+}
+
+/** The world's up and the angle of the material, unless the options say otherwise. */
+function formFor(plan: PlannedMesh, { form }: ApplyHatchingOptions): GeometryPlan['form'] {
+  const asking = materialsOf(plan)
+    .filter(isHatching)
+    .find((material) => followsForm(material));
+  if (form === false || (!form && !asking)) return false;
+  // The gradient of the height in the world, as a function in object space.
+  const { elements } = plan.mesh.matrixWorld;
+  const up = [elements[1], elements[5], elements[9]] as const;
+  return { up, ...(asking && { crossAngle: asking.crossAngle }), ...(typeof form === 'object' && form) };
+}
