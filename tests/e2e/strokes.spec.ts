@@ -1,5 +1,5 @@
 import type { PNG } from 'pngjs';
-import { openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
+import { follow, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, edgeSpacing, greyShare, likeness, meanInk, type Region } from './pictures.js';
 
@@ -50,6 +50,19 @@ function differingColumns(a: PNG, b: PNG): number[] {
   }
   return [...columns];
 }
+
+test('lines follow the form as soon as that is baked, also where a link asks for it', async ({ page }) => {
+  const view = 'model=torus&technique=engraved&lightAzimuth=30';
+  await openPlayground(page, view);
+  const lit = await readDrawing(page);
+  await follow(page, `${view}&lineField=form`);
+  await idle(page);
+  const formed = await readDrawing(page);
+  expect(changedShare(formed, lit)).toBeGreaterThan(0.1);
+  await openPlayground(page, `${view}&lineField=form`);
+  await idle(page);
+  expect(changedShare(formed, await readDrawing(page))).toBeLessThan(0.01);
+});
 
 test('a preset sets the whole style at once, and can be undone', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });

@@ -3,6 +3,7 @@ import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechniqu
 import {
   counts,
   defaultOf,
+  followsForm,
   HATCHING_DEFAULTS,
   HATCHING_OUTLINE_DEFAULTS,
   HATCHING_PROPERTIES,
@@ -88,6 +89,7 @@ export function prepareArgument(settings: Settings, outlines = false): string {
   const options = [
     ...(needsAdjacency(materialLook(settings)) ? ['adjacency: true'] : []),
     ...(outlines ? ['outlines: true'] : []),
+    ...(followsForm(materialLook(settings)) ? [`form: { crossAngle: ${inRadians(settings.crossAngle)} }`] : []),
   ];
   return options.length > 0 ? `, { ${options.join(', ')} }` : '';
 }

@@ -8,6 +8,7 @@ import { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';
 import { toggleFullScreen } from './fullScreen.js';
+import { FormLoader } from './loading/FormLoader.js';
 import { OcclusionLoader } from './loading/OcclusionLoader.js';
 import { Overlays } from './overlay/Overlays.js';
 import { PageState } from './PageState.js';
@@ -47,7 +48,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const keeper = new Keeper(address, status, () => void showRecent(keeper));
   const opener = new DrawingOpener(session, address, keeper, status);
   const occlusion = new OcclusionLoader(stage, session.settings, tasks);
-  session.listen({ applied: () => occlusion.update() });
+  const form = new FormLoader(stage, session.settings, tasks);
+  const update = (): void => {
+    form.update();
+    occlusion.update();
+  };
+  session.listen({ applied: update });
 
   // What the page shows.
   const overlays = new Overlays(session, parts);
@@ -64,7 +70,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   session.listen({ applied: () => showSettings(session.settings) });
   const state = new PageState(session, tasks, opener, status, () => overlays.hasLights);
   stage.quality.onMeasured(() => {
-    occlusion.update();
+    update();
     showFrameTime(stage.quality);
   });
 
@@ -80,7 +86,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // The wheel scrolls the page around the frame until the drawing has the focus.
   if (pageForm === 'embed') stage.view.zoomsWhenFocused(page.canvas);
   const isIdle = (): boolean =>
-    tasks.isIdle && !stage.frames.isWaiting && !occlusion.isAwaited && !parts.isFetching && !opener.isOpening;
+    tasks.isIdle &&
+    !stage.frames.isWaiting &&
+    !occlusion.isAwaited &&
+    !form.isAwaited &&
+    !parts.isFetching &&
+    !opener.isOpening;
   showToTests(stage, isIdle);
   if (pageForm === 'playground') void showRecent(keeper);
   openFirst(linked, session, opener, pageForm === 'playground' ? address.drawing : undefined);

@@ -1,5 +1,5 @@
 import { MathUtils } from 'three';
-import { type HatchingLook, needsAdjacency, needsMap } from 'three-hatching/facts';
+import { followsForm, type HatchingLook, needsAdjacency, needsMap } from 'three-hatching/facts';
 import { materialLook } from './materialLook.js';
 import type { Settings } from './settings.js';
 
@@ -38,6 +38,9 @@ export const drawsWithMap = (settings: Settings): boolean => looksOf(settings).s
 
 /** Whether anything is drawn that asks for a prepared geometry. */
 export const drawsWithAdjacency = (settings: Settings): boolean => looksOf(settings).some(needsAdjacency);
+
+/** Whether lines of anything that is drawn follow the form. */
+export const drawsForm = (settings: Settings): boolean => looksOf(settings).some(followsForm);
 
 /** What a picture is saved as: alone, or in layers. */
 export const savedFormat = ({ pictureLayers }: Settings): 'PNG' | 'ZIP' => (pictureLayers === 'one' ? 'PNG' : 'ZIP');

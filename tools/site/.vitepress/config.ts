@@ -67,6 +67,7 @@ export default defineConfig({
         'shadows',
         'occlusion',
         'media',
+        'form',
         'deformation',
         'gltf',
         'csp',

@@ -3,11 +3,11 @@ import { LostContextError } from '../../stage/LostContextError.js';
 import type { Remedy, Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 
-type Slot = 'model' | 'map' | 'occlusion' | 'picture';
+type Slot = 'model' | 'map' | 'form' | 'occlusion' | 'picture';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
 /**
- * Runs the page's long tasks: at most one for the model, one for the map, one for occlusion and one for a saved picture. The status line
+ * Runs the page's long tasks: at most one for the model, one for the map, one for lines along the form, one for occlusion and one for a saved picture. The status line
  * shows them and can cancel them.
  */
 export class TaskRunner {
@@ -130,4 +130,4 @@ export class TaskRunner {
   }
 }
 
-const SLOTS: readonly Slot[] = ['model', 'map', 'occlusion', 'picture'];
+const SLOTS: readonly Slot[] = ['model', 'map', 'form', 'occlusion', 'picture'];

@@ -81,13 +81,15 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
     ends: ['sparse', 'dense'],
   },
   lineField: choiceOf('lineField', {
-    label: 'Cut',
+    label: 'Lines follow',
     choices: {
-      light: 'Around the light',
+      light: 'The light',
       towards: 'Towards the light',
-      x: 'Across x, fixed',
-      y: 'Across y, fixed',
-      z: 'Across z, fixed',
+      x: 'An axis: x',
+      y: 'An axis: y',
+      z: 'An axis: z',
+      form: 'The form',
+      acrossForm: 'Across the form',
     },
   }),
   strokeDirection: {

@@ -1,0 +1,59 @@
+import { type BufferGeometry, MathUtils } from 'three';
+import type { HatchedModel } from '../../drawing/HatchedModel.js';
+import type { Settings } from '../../settings/settings.js';
+import { drawsForm } from '../../settings/settingValues.js';
+import type { Stage } from '../../stage/Stage.js';
+import type { TaskRunner } from '../tasks/TaskRunner.js';
+
+const STAGE = 'laying lines along the form';
+
+/** Bakes what lines that follow the form are drawn from, when the settings ask for them. Until then lines run around the light. */
+export class FormLoader {
+  /** The model and the way for which a bake was started, even if it failed or was cancelled. */
+  private model: HatchedModel | undefined;
+  private way: string | undefined;
+  private made: BufferGeometry[] = [];
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly settings: Settings,
+    private readonly tasks: TaskRunner,
+  ) {}
+
+  /** Whether a bake will start as soon as the model has been drawn without it. */
+  get isAwaited(): boolean {
+    const { model, shown, isLost } = this.stage;
+    if (model === undefined || shown.isStandIn || isLost || !drawsForm(this.settings)) return false;
+    return model !== this.model || this.way !== wayOf(this.settings);
+  }
+
+  /** Starts a bake if one is needed. To be called when the model or the settings have changed, and when the time of a frame was measured. */
+  update(): void {
+    const { stage, settings } = this;
+    if (this.model && stage.model !== this.model) this.letGo();
+    if (!this.isAwaited || stage.quality.milliseconds === undefined) return;
+    const model = stage.model!;
+    this.model = model;
+    this.way = wayOf(settings);
+    const crossAngle = MathUtils.degToRad(settings.crossAngle);
+    void this.tasks.run('form', async (report, signal) => {
+      report(STAGE);
+      const { bakeForm } = await import('../../drawing/bakeForm.js');
+      signal.throwIfAborted();
+      const onProgress = (progress: number): void => report(STAGE, progress);
+      const made = await bakeForm(model.root, { crossAngle, signal, onProgress }, () => stage.frames.invalidate());
+      this.made.push(...made);
+    });
+  }
+
+  /** Stops the bake and disposes of what it made, because the model is gone. */
+  private letGo(): void {
+    this.tasks.stop('form');
+    for (const geometry of this.made.splice(0)) geometry.dispose();
+    this.model = undefined;
+    this.way = undefined;
+  }
+}
+
+/** Everything in the settings that decides where the lines are. */
+const wayOf = ({ crossAngle, upAxis }: Settings): string => `${crossAngle} ${upAxis}`;
