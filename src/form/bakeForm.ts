@@ -2,17 +2,17 @@ import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { asPhase } from '../slices/asPhase.js';
 import { cutForm, type FormSeam } from './cutForm.js';
-import { directionField } from './directionField.js';
+import { directionField } from './directions/directionField.js';
+import { type FaceDirections, faceDirections } from './directions/faceDirections.js';
 import type { FormField } from './FormField.js';
 import type { FormOptions } from './FormOptions.js';
 import { type FormSurface, formSurface } from './FormSurface.js';
-import { type FaceDirections, faceDirections } from './faceDirections.js';
 import { formVertices } from './formVertices.js';
-import { phaseLevels } from './phaseLevels.js';
-import { phaseMatrix } from './phaseMatrix.js';
-import { phaseSource } from './phaseSource.js';
-import { type SeamRelations, seamRelations } from './seamRelations.js';
-import { type Phase, solvePhase } from './solvePhase.js';
+import { phaseLevels } from './phase/phaseLevels.js';
+import { phaseMatrix } from './phase/phaseMatrix.js';
+import { phaseSource } from './phase/phaseSource.js';
+import { type SeamRelations, seamRelations } from './phase/seamRelations.js';
+import { type Phase, solvePhase } from './phase/solvePhase.js';
 
 /** Lines per bounding radius where φ rises as it shall. More lines come from octaves of φ, in powers of two. */
 export const LINES_PER_RADIUS = 16;

@@ -3,8 +3,8 @@ import { buildFans, type Fans } from '../normals/buildFans.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import { combFaces } from './combFaces.js';
+import type { FaceDirections } from './directions/faceDirections.js';
 import type { FormSurface } from './FormSurface.js';
-import type { FaceDirections } from './faceDirections.js';
 
 /**
  * The surface cut open so that directions can be combed: on the cut surface they have signs that agree across every edge. Edges

@@ -4,8 +4,8 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FormSeam } from './cutForm.js';
 import type { FormField } from './FormField.js';
 import type { FormSurface } from './FormSurface.js';
-import { NO_OFFSET, type SeamRelations } from './seamRelations.js';
-import type { Phase } from './solvePhase.js';
+import { NO_OFFSET, type SeamRelations } from './phase/seamRelations.js';
+import type { Phase } from './phase/solvePhase.js';
 
 /** Where the mean gradient is shorter than this share of the mean length of gradients, they turn around the vertex. */
 const TURNING_SHARE = 0.7;

@@ -2,10 +2,10 @@ import { buildTriangleAdjacency } from '../../../src/adjacency/buildTriangleAdja
 import { consistentTwins } from '../../../src/adjacency/consistentTwins.js';
 import { nearnessOf } from '../../../src/bake/bakeSurface.js';
 import { cutForm, type FormSeam } from '../../../src/form/cutForm.js';
-import { directionField } from '../../../src/form/directionField.js';
+import { directionField } from '../../../src/form/directions/directionField.js';
+import { faceDirections } from '../../../src/form/directions/faceDirections.js';
 import { FORM_DEFAULTS, type FormOptions } from '../../../src/form/FormOptions.js';
 import { type FormSurface, formSurface, surfaceWithin } from '../../../src/form/FormSurface.js';
-import { faceDirections } from '../../../src/form/faceDirections.js';
 import { formTwins } from '../../../src/form/formTwins.js';
 import { triangleOf } from '../../../src/mesh/corners.js';
 import { disjointSets, join, rootOf } from '../../../src/mesh/disjointSets.js';

@@ -1,9 +1,9 @@
-import { doubleArea } from '../mesh/computeAreaNormals.js';
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
-import type { FormSeam } from './cutForm.js';
-import type { FormSurface } from './FormSurface.js';
-import type { FaceDirections } from './faceDirections.js';
+import { doubleArea } from '../../mesh/computeAreaNormals.js';
+import { asPhase } from '../../slices/asPhase.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import type { FormSeam } from '../cutForm.js';
+import type { FaceDirections } from '../directions/faceDirections.js';
+import type { FormSurface } from '../FormSurface.js';
 import { NO_OFFSET, type SeamRelations } from './seamRelations.js';
 
 /** What φ and φ₂ shall rise by: combed directions, times the slope. Two values each, one per family of lines. */

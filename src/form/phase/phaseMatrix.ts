@@ -1,10 +1,10 @@
-import { doubleArea } from '../mesh/computeAreaNormals.js';
-import { nextCorner, previousCorner } from '../mesh/corners.js';
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
-import type { Graph } from './cells.js';
-import type { FormSeam } from './cutForm.js';
-import type { FormSurface } from './FormSurface.js';
+import { doubleArea } from '../../mesh/computeAreaNormals.js';
+import { nextCorner, previousCorner } from '../../mesh/corners.js';
+import { asPhase } from '../../slices/asPhase.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import type { Graph } from '../cells.js';
+import type { FormSeam } from '../cutForm.js';
+import type { FormSurface } from '../FormSurface.js';
 import { NO_OFFSET, type SeamRelations } from './seamRelations.js';
 
 /** The largest cotangent that is used, that of 5.7°. All three of a sliver are scaled down together, as in the heat equation. */

@@ -1,8 +1,8 @@
-import { asPhase } from '../slices/asPhase.js';
-import type { Cells } from './cells.js';
+import { asPhase } from '../../slices/asPhase.js';
+import type { Cells } from '../cells.js';
+import type { FormSeam } from '../cutForm.js';
+import type { FormSurface } from '../FormSurface.js';
 import { conjugateGradients, type Patience } from './conjugateGradients.js';
-import type { FormSeam } from './cutForm.js';
-import type { FormSurface } from './FormSurface.js';
 import { factoriseLastLevel } from './lastLevel.js';
 import { gatherJumps, type PhaseSystem, type PhaseVector, phaseSystem, spreadJumps } from './PhaseSystem.js';
 import type { PhaseLevel } from './phaseLevels.js';

@@ -1,6 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { bindJumps, type FreeJumps, freeJumps, type JumpEquations, releaseJumps } from '../../../src/form/freeJumps.js';
-import { noise } from '../mesh/shapes.js';
+import {
+  bindJumps,
+  type FreeJumps,
+  freeJumps,
+  type JumpEquations,
+  releaseJumps,
+} from '../../../../src/form/phase/freeJumps.js';
+import { noise } from '../../mesh/shapes.js';
 
 type Terms = readonly (readonly [segment: number, sign: number])[];
 

@@ -1,4 +1,4 @@
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
 
 /** Floats per fan: two unit tangents e₁ and e₂, with e₁ × e₂ the normal. */
 export const FRAME_FLOATS = 6;

@@ -1,6 +1,6 @@
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import type { FormSurface } from '../FormSurface.js';
 import type { DirectionField } from './directionField.js';
-import type { FormSurface } from './FormSurface.js';
 import { FRAME_FLOATS } from './tangentFrames.js';
 
 /** A direction per face. Its sign means nothing until `cutForm` has combed the faces. */

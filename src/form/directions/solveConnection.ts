@@ -1,4 +1,4 @@
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
 import type { Connection } from './connection.js';
 
 /** When conjugate gradients end. */

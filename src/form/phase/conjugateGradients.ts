@@ -1,4 +1,4 @@
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
 import { applySystem, type PhaseSystem, type PhaseVector } from './PhaseSystem.js';
 import { precondition } from './precondition.js';
 

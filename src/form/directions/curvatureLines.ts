@@ -1,9 +1,9 @@
-import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
+import { asPhase } from '../../slices/asPhase.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import type { FormOptions } from '../FormOptions.js';
+import type { FormSurface } from '../FormSurface.js';
 import { bendSigns } from './bendSigns.js';
-import type { FormOptions } from './FormOptions.js';
-import type { FormSurface } from './FormSurface.js';
 import { FRAME_FLOATS } from './tangentFrames.js';
 
 /** What a field of lines is drawn towards, before it is smoothed. Complex numbers are two floats per fan; see `Connection`. */

@@ -1,4 +1,4 @@
-import { disjointSets, join, rootOf } from '../mesh/disjointSets.js';
+import { disjointSets, join, rootOf } from '../../mesh/disjointSets.js';
 import { applySystem, type LastPart, type PhaseSystem, type PhaseVector } from './PhaseSystem.js';
 
 /** A part with more unknowns than these is not solved at once: its dense matrix would take longer than all else. */

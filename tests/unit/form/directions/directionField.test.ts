@@ -1,11 +1,11 @@
 import { CapsuleGeometry, CylinderGeometry, LatheGeometry, Vector2 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { FormOptions } from '../../../src/form/FormOptions.js';
-import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
-import { dot, meshFrom, moebius, scaled, turned, unit } from '../features/surfaces.js';
-import { book, fan, meshOf } from '../mesh/meshes.js';
-import { cube, patch, sphere, torus } from '../mesh/shapes.js';
-import { facesOf, frontOf, singularPoints } from './fronts.js';
+import type { FormOptions } from '../../../../src/form/FormOptions.js';
+import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
+import { dot, meshFrom, moebius, scaled, turned, unit } from '../../features/surfaces.js';
+import { book, fan, meshOf } from '../../mesh/meshes.js';
+import { cube, patch, sphere, torus } from '../../mesh/shapes.js';
+import { facesOf, frontOf, singularPoints } from '../fronts.js';
 
 const degrees = (cosine: number) => (Math.acos(Math.min(1, Math.abs(cosine))) * 180) / Math.PI;
 

@@ -1,5 +1,5 @@
-import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
+import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
 
 /** What is summed over the triangles, about the first vertex, so that an object far from its origin loses nothing to rounding. */
 interface Sums {

@@ -1,9 +1,9 @@
-import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
-import { triangleOf } from '../mesh/corners.js';
-import { findPatches } from '../normals/findPatches.js';
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
-import type { FormSurface } from './FormSurface.js';
+import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
+import { triangleOf } from '../../mesh/corners.js';
+import { findPatches } from '../../normals/findPatches.js';
+import { asPhase } from '../../slices/asPhase.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import type { FormSurface } from '../FormSurface.js';
 import { facesOutwards } from './facesOutwards.js';
 
 /** A piece bends one way if its mean curvature, with its sign, is at least this share of its mean without signs. */

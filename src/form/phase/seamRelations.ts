@@ -1,9 +1,9 @@
-import { nextCorner } from '../mesh/corners.js';
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
-import type { FormSeam } from './cutForm.js';
-import { type CutSegments, cutSegments } from './cutSegments.js';
-import type { FormSurface } from './FormSurface.js';
+import { nextCorner } from '../../mesh/corners.js';
+import { asPhase } from '../../slices/asPhase.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import type { FormSeam } from '../cutForm.js';
+import { type CutSegments, cutSegments } from '../cutSegments.js';
+import type { FormSurface } from '../FormSurface.js';
 import { bindJumps, type FreeJumps, freeJumps, type JumpEquations, releaseJumps } from './freeJumps.js';
 
 /** Stands for the offset of a wedge that has none, and for the origin of an offset that has none. */

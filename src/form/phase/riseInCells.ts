@@ -1,6 +1,6 @@
-import { forEachChunk } from '../slices/forEachChunk.js';
-import type { FormSeam } from './cutForm.js';
-import type { FormSurface } from './FormSurface.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import type { FormSeam } from '../cutForm.js';
+import type { FormSurface } from '../FormSurface.js';
 import type { PhaseLevel } from './phaseLevels.js';
 import { SLOPE_FLOATS } from './phaseSource.js';
 

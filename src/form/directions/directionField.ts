@@ -1,10 +1,10 @@
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
-import { type Cells, clusterNodes, coarsen } from './cells.js';
+import { asPhase } from '../../slices/asPhase.js';
+import { forEachChunk } from '../../slices/forEachChunk.js';
+import { type Cells, clusterNodes, coarsen } from '../cells.js';
+import type { FormOptions } from '../FormOptions.js';
+import type { FormSurface } from '../FormSurface.js';
 import { assembleConnection, type Connection, cellTransports, coarseConnection } from './connection.js';
 import { curvatureLines, type LineTargets } from './curvatureLines.js';
-import type { FormOptions } from './FormOptions.js';
-import type { FormSurface } from './FormSurface.js';
 import { type Precision, solveConnection } from './solveConnection.js';
 import { tangentFrames } from './tangentFrames.js';
 
