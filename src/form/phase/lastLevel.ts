@@ -127,3 +127,31 @@ export function solveLastPart(part: LastPart, forces: PhaseVector, values: Phase
     }
   }
 }
+
+/**
+ * Rounds jumps to whole numbers, in place. Jumps depend on each other: where one has been rounded up, the next follows it before it
+ * is rounded. That is Babai's nearest plane, for the energy that is left in jumps when all nodes give way (the last rows of L).
+ */
+export function roundJumps(parts: readonly LastPart[], jumps: Float64Array): void {
+  const isRound = new Uint8Array(jumps.length);
+  for (const part of parts) {
+    for (let family = 0; family < 2; family++) roundPart(part, jumps, isRound, family);
+  }
+  for (let i = 0; i < jumps.length; i++) if (isRound[i] === 0) jumps[i] = Math.round(jumps[i]);
+}
+
+function roundPart(part: LastPart, jumps: Float64Array, isRound: Uint8Array, family: number): void {
+  const { factor, inverses } = part;
+  const size = sizeOf(part);
+  const first = part.nodes.length;
+  const moves = new Float64Array(part.jumps.length);
+  for (let i = moves.length - 1; i >= 0; i--) {
+    const jump = 2 * part.jumps[i] + family;
+    let pull = 0;
+    for (let k = i + 1; k < moves.length; k++) pull += factor[size * (first + k) + first + i] * moves[k];
+    const whole = Math.round(jumps[jump] - pull * inverses[first + i]);
+    moves[i] = whole - jumps[jump];
+    jumps[jump] = whole;
+    isRound[jump] = 1;
+  }
+}

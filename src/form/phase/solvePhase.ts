@@ -3,7 +3,7 @@ import type { Cells } from '../cells.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
 import { conjugateGradients, type Patience } from './conjugateGradients.js';
-import { factoriseLastLevel } from './lastLevel.js';
+import { factoriseLastLevel, roundJumps } from './lastLevel.js';
 import { gatherJumps, type PhaseSystem, type PhaseVector, phaseSystem, spreadJumps } from './PhaseSystem.js';
 import type { PhaseLevel } from './phaseLevels.js';
 import { pullNodes, pullOffsets, residual } from './phaseOperator.js';
@@ -73,7 +73,7 @@ export function* solvePhase(
       const patience = level === last ? LAST_LEVEL : FREE_JUMPS;
       yield* asPhase(solveFree(system, forces[level], x, patience), begun, begun);
     }
-    if (level === roundAt) for (let i = 0; i < x.jumps.length; i++) x.jumps[i] = Math.round(x.jumps[i]);
+    if (level === roundAt) roundJumps(lastParts, x.jumps);
     if (level <= roundAt) yield* asPhase(solveGiven(system, forces[level], x), begun, begun);
   }
   return { nodes: x.nodes, offsets: coarsest.seamBuffers.offsets };
