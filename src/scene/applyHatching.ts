@@ -24,7 +24,7 @@ import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import { isToBeMade, makeMaps } from './makeMaps.js';
-import { OutlineMaker } from './OutlineMaker.js';
+import type { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { progressParts } from './progressParts.js';
 import { sideBySide } from './sideBySide.js';
@@ -143,13 +143,17 @@ async function makeLooks(
   options: ApplyHatchingOptions,
   disposables: { dispose(): void }[],
 ): Promise<MadeLooks> {
-  const { replaces, signal, outlines, tilesPerWorldUnit, onGeometry, onProgress } = options;
+  const { replaces, signal, tilesPerWorldUnit, onGeometry, onProgress } = options;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
   const replacer = new MaterialReplacer(options.material ?? {});
   disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
-  const planned = await runSliced(planMeshes(seen, replacer), { signal, around: asBefore });
-  const firstFrame = await firstFrameOf(root, options);
+  const [planned, firstFrame, outlineMaker] = await Promise.all([
+    runSliced(planMeshes(seen, replacer), { signal, around: asBefore }),
+    firstFrameOf(root, options),
+    outlineMakerOf(options),
+  ]);
+  if (outlineMaker) disposables.push(outlineMaker);
 
   const named = replacer.materials.filter((material) => typeof material.tonalArtMap === 'string' && needsMap(material));
   const styles = [...new Set(named.map(({ tonalArtMap }) => tonalArtMap as StrokeStyleName))];
@@ -157,8 +161,6 @@ async function makeLooks(
   const mapShare = isMapMade ? MAP_SHARE : 0;
   const frameShare = firstFrame ? FRAME_SHARE : 0;
   const [onBake, onMap, onFrame] = progressParts(onProgress, [1 - mapShare - frameShare, mapShare, frameShare]);
-  const outlineMaker = outlines ? new OutlineMaker(outlines === true ? {} : outlines) : null;
-  if (outlineMaker) disposables.push(outlineMaker);
   const [baked, maps] = await sideBySide(
     signal,
     (stop) =>
@@ -203,6 +205,13 @@ async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingO
   if (!renderer || !camera) return null;
   const { FirstFrame } = await import('./FirstFrame.js');
   return new FirstFrame(renderer, camera, root);
+}
+
+/** What makes outlines, if they are asked for. Scenes without them do not load it. @throws RangeError or TypeError for a wrong parameter */
+async function outlineMakerOf({ outlines }: ApplyHatchingOptions): Promise<OutlineMaker | null> {
+  if (!outlines) return null;
+  const { OutlineMaker } = await import('./OutlineMaker.js');
+  return new OutlineMaker(outlines === true ? {} : outlines);
 }
 
 /** @throws TypeError that names the first meshes that could not be hatched */

@@ -1,6 +1,6 @@
 import type { BufferGeometry } from 'three';
 import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from '../geometry/prepareHatchingGeometry.js';
-import { maxWorkers } from '../worker/WorkerPool.js';
+import { maxWorkers } from '../worker/maxWorkers.js';
 
 /** What one geometry is baked for. */
 export type GeometryPlan = Pick<PrepareHatchingGeometryOptions, 'layout' | 'form'>;

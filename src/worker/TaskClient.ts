@@ -1,4 +1,5 @@
 import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
+import { disposedError } from './disposedError.js';
 import { awaitEnd } from './lifeLock.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { requestBuffers } from './requestBuffers.js';
@@ -132,11 +133,7 @@ export class TaskClient {
 
   /** Terminates the worker and rejects all pending requests. The client stays usable: the next request starts a new worker. */
   dispose(): void {
-    this.fail(
-      new Error(
-        'The hatching worker was disposed of before this request was finished. Ask again if you still need it.',
-      ),
-    );
+    this.fail(disposedError());
   }
 
   private start(): void {

@@ -1,37 +1,18 @@
+import { disposedError } from './disposedError.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
-import { WorkerPool } from './WorkerPool.js';
+import type { WorkerPool } from './WorkerPool.js';
 
 type CreateWorker = () => Worker | null;
 
 const createNoWorker: CreateWorker = () => null;
 
-let inlineWorker: Promise<CreateWorker> | undefined;
-
-/** Loads the code that creates the inlined worker, once. If that fails, as it does without a network, the next call tries again. */
-function loadInlineWorker(): Promise<CreateWorker> {
-  inlineWorker ??= import('./inlineWorker.js').then(
-    ({ createInlineWorker }) => createInlineWorker,
-    (error) => {
-      inlineWorker = undefined;
-      throw error;
-    },
-  );
-  return inlineWorker;
-}
-
 /** The pool of each `createWorker` function, as long as it has a worker. */
 const pools = /* @__PURE__ */ new Map<CreateWorker, WorkerPool>();
 
-function poolFor(createWorker: CreateWorker): WorkerPool {
-  let pool = pools.get(createWorker);
-  if (!pool) {
-    pool = new WorkerPool(createWorker, () => pools.delete(createWorker));
-    pools.set(createWorker, pool);
-  }
-  return pool;
-}
+/** How often everything was disposed of. */
+let disposals = 0;
 
 /**
  * Runs a task in a worker: in one that `options.createWorker` creates, or else in the inlined one. Without workers it runs in
@@ -39,16 +20,29 @@ function poolFor(createWorker: CreateWorker): WorkerPool {
  *
  * @param makeAgain makes the same request again, so that the task can start over if its worker dies
  */
-export function runTask<Name extends TaskName>(
+export async function runTask<Name extends TaskName>(
   name: Name,
   request: TaskRequest<Name>,
   options: TaskOptions = {},
   makeAgain?: MakeAgain<TaskRequest<Name>>,
 ): Promise<TaskResult<Name>> {
-  const run = (createWorker: CreateWorker): Promise<TaskResult<Name>> =>
-    poolFor(createWorker).run(name, request, options, makeAgain);
-  if (options.createWorker) return run(options.createWorker);
-  return typeof Worker === 'undefined' ? run(createNoWorker) : loadInlineWorker().then(run);
+  const disposalsBefore = disposals;
+  // What runs tasks is fetched with the first of them, and so is the worker.
+  const [{ WorkerPool }, createWorker] = await Promise.all([
+    import('./WorkerPool.js'),
+    options.createWorker ?? fetchInlineWorker(),
+  ]);
+  if (disposals !== disposalsBefore) throw disposedError();
+  let pool = pools.get(createWorker);
+  if (!pool) {
+    pool = new WorkerPool(createWorker, () => pools.delete(createWorker));
+    pools.set(createWorker, pool);
+  }
+  return pool.run(name, request, options, makeAgain);
+}
+
+async function fetchInlineWorker(): Promise<CreateWorker> {
+  return typeof Worker === 'undefined' ? createNoWorker : (await import('./inlineWorker.js')).createInlineWorker;
 }
 
 /**
@@ -56,6 +50,7 @@ export function runTask<Name extends TaskName>(
  * workers end after a few seconds. The next request starts a new worker.
  */
 export function disposeHatchingWorkers(): void {
+  disposals++;
   for (const pool of pools.values()) pool.dispose();
   pools.clear();
 }

@@ -122,7 +122,12 @@ describe('a large mesh is searched in the worker', () => {
     const worker = new FakeWorker();
     const data = new OutlineData(outlines);
     Object.defineProperty(data, 'isSearchedInWorker', { value: true });
-    data.createWorker = () => FakeWorker.asWorker(worker);
+    const createWorker = vi.fn(() => FakeWorker.asWorker(worker));
+    data.createWorker = createWorker;
+    const start = async () => {
+      await vi.waitFor(() => expect(createWorker).toHaveBeenCalled());
+      worker.say({ type: 'ready' });
+    };
     const answer = () => {
       const { id, request } = worker.received.at(-1) as unknown as {
         id: number;
@@ -131,7 +136,7 @@ describe('a large mesh is searched in the worker', () => {
       const count = findCandidates(request.search, request.eye, request.sine);
       worker.say({ type: 'done', id, result: { search: request.search, count } });
     };
-    return { worker, data: data as OutlineData, answer };
+    return { worker, data: data as OutlineData, answer, start };
   }
 
   /** A search is transferred: the arrays must be no one else's. */
@@ -149,12 +154,12 @@ describe('a large mesh is searched in the worker', () => {
   const WIDE = Math.sin((3 * Math.PI) / 180);
 
   test('and everything is tested until the list comes', async () => {
-    const { worker, data, answer } = largeData();
+    const { worker, data, answer, start } = largeData();
     own(data);
     const list = new ContourList();
     expect(list.update(data, eye, DISTANCE)).toBe(false);
     expect(data.search).toBeNull();
-    worker.say({ type: 'ready' });
+    await start();
     await settled();
     expect(list.update(data, eye, DISTANCE)).toBe(false);
     // Neither this nor another camera asks while the arrays are away.
@@ -169,11 +174,11 @@ describe('a large mesh is searched in the worker', () => {
   });
 
   test('and asked for anew at half its reach, while it serves', async () => {
-    const { worker, data, answer } = largeData();
+    const { worker, data, answer, start } = largeData();
     own(data);
     const list = new ContourList();
     list.update(data, eye, DISTANCE);
-    worker.say({ type: 'ready' });
+    await start();
     await settled();
     answer();
     await settled();
@@ -196,11 +201,11 @@ describe('a large mesh is searched in the worker', () => {
   });
 
   test('and where the worker fails, everything is tested and another search begins, but not for ever', async () => {
-    const { worker, data } = largeData();
+    const { worker, data, start } = largeData();
     own(data);
     const list = new ContourList();
     list.update(data, eye, DISTANCE);
-    worker.say({ type: 'ready' });
+    await start();
     await settled();
     for (let i = 0; i < 6; i++) {
       if (worker.ids[i] === undefined) break;
@@ -219,7 +224,7 @@ describe('a large mesh is searched in the worker', () => {
     own(second.data);
     const list = new ContourList();
     list.update(first.data, eye, DISTANCE);
-    first.worker.say({ type: 'ready' });
+    await first.start();
     await settled();
     expect(list.update(second.data, eye, DISTANCE)).toBe(false);
     first.answer();
@@ -227,7 +232,7 @@ describe('a large mesh is searched in the worker', () => {
     expect(first.data.search).not.toBeNull();
     expect(list.texture).toBeNull();
     expect(list.update(second.data, eye, DISTANCE)).toBe(false);
-    second.worker.say({ type: 'ready' });
+    await second.start();
     await settled();
     second.answer();
     await settled();
@@ -236,11 +241,11 @@ describe('a large mesh is searched in the worker', () => {
   });
 
   test('and what comes after the outlines were disposed of makes no texture', async () => {
-    const { worker, data, answer } = largeData();
+    const { data, answer, start } = largeData();
     own(data);
     const list = new ContourList();
     list.update(data, eye, DISTANCE);
-    worker.say({ type: 'ready' });
+    await start();
     await settled();
     list.dispose();
     answer();

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
-import { maxWorkers, WorkerPool } from '../../../src/worker/WorkerPool.js';
+import { maxWorkers } from '../../../src/worker/maxWorkers.js';
+import { WorkerPool } from '../../../src/worker/WorkerPool.js';
 import { FakeWorker } from './FakeWorker.js';
 
 /** Small requests; `seed` tells them apart. */

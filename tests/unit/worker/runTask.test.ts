@@ -22,22 +22,32 @@ test('where there is no Worker the main thread computes every task', async () =>
   expect([size, images.length]).toEqual([64, 4]);
 });
 
-test('requests with the same createWorker share a worker for each core; others have their own', () => {
+test('requests with the same createWorker share a worker for each core; others have their own', async () => {
   vi.stubGlobal('navigator', { hardwareConcurrency: 2 });
   const create = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
   const other = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
   for (const createWorker of [create, create, create, other])
     runTask('bakeCorners', request(), { createWorker }).catch(() => {});
+  await vi.waitFor(() => expect(other).toHaveBeenCalledOnce());
   expect(create).toHaveBeenCalledTimes(2);
-  expect(other).toHaveBeenCalledOnce();
 });
 
 test('disposeHatchingWorkers ends every worker and rejects what is pending', async () => {
   const workers = [new FakeWorker(), new FakeWorker()];
-  const promises = workers.map((worker) =>
-    runTask('bakeCorners', request(), { createWorker: () => FakeWorker.asWorker(worker) }),
-  );
+  const creators = workers.map((worker) => vi.fn(() => FakeWorker.asWorker(worker)));
+  const promises = creators.map((createWorker) => runTask('bakeCorners', request(), { createWorker }));
+  await vi.waitFor(() => {
+    for (const createWorker of creators) expect(createWorker).toHaveBeenCalledOnce();
+  });
   disposeHatchingWorkers();
   for (const promise of promises) await expect(promise).rejects.toThrow(/disposed/);
   expect(workers.map(({ isTerminated }) => isTerminated)).toEqual([true, true]);
+});
+
+test('disposeHatchingWorkers rejects what waits for the code of workers, and starts none', async () => {
+  const createWorker = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
+  const promise = runTask('bakeCorners', request(), { createWorker });
+  disposeHatchingWorkers();
+  await expect(promise).rejects.toThrow(/disposed/);
+  expect(createWorker).not.toHaveBeenCalled();
 });
