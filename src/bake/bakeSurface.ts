@@ -3,7 +3,7 @@ import { consistentTwins } from '../adjacency/consistentTwins.js';
 import type { EdgeCounts } from '../adjacency/EdgeCounts.js';
 import type { Nearness } from '../adjacency/joinBorders.js';
 import { isCoarse } from '../features/isCoarse.js';
-import { bakeForm } from '../form/bakeForm.js';
+import { bakeChosenForm, bakeForm } from '../form/bakeForm.js';
 import type { FormField } from '../form/FormField.js';
 import type { FormOptions } from '../form/FormOptions.js';
 import { type Bounds, measureBounds } from '../mesh/measureBounds.js';
@@ -39,7 +39,13 @@ export interface SurfaceRequest {
   /** The outlines to bake, if any. */
   outlines?: OutlineRequest | null | undefined;
   /** How lines follow the form, if they are to. */
-  form?: FormOptions | null | undefined;
+  form?: FormRequest | null | undefined;
+}
+
+/** What the bake of a form field needs to know. Plain data: it is posted to the worker. */
+export interface FormRequest extends FormOptions {
+  /** Whether the field is baked only for a shape that has a form (`chooseLineField`). */
+  isChosen: boolean;
 }
 
 /** The result of the part of the bake that all layouts share. */
@@ -52,7 +58,7 @@ export interface Surface {
   smoothNormals: FanNormals | null;
   /** The surface that outlines are drawn from, if requested. */
   outlines: OutlineSurface | null;
-  /** What lines that follow the form are level sets of, if requested. */
+  /** What lines that follow the form are level sets of, if requested, and if the shape has a form where that was asked. */
   form: FormField | null;
 }
 
@@ -120,8 +126,9 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
       share,
       total,
     ));
+  const bakeField = request.form?.isChosen ? bakeChosenForm : bakeForm;
   const form =
-    formTwins && (yield* asPhase(bakeForm(mesh, adjacency, formTwins, bounds.radius, request.form!), total, 1));
+    formTwins && (yield* asPhase(bakeField(mesh, adjacency, formTwins, bounds.radius, request.form!), total, 1));
   return { adjacency, bounds, hatchNormals, smoothNormals, outlines, form };
 }
 

@@ -1,6 +1,7 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { asPhase } from '../slices/asPhase.js';
+import { chooseLineField } from './chooseLineField.js';
 import { cutForm, type FormSeam } from './cutForm.js';
 import { directionField } from './directions/directionField.js';
 import { type FaceDirections, faceDirections } from './directions/faceDirections.js';
@@ -32,9 +33,27 @@ export function* bakeForm(
   options: FormOptions,
 ): Generator<number, FormField, void> {
   const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
-  const directions = yield* asPhase(formDirections(surface, options), 0.3, 0.65);
-  const seam = yield* asPhase(cutForm(surface, directions), 0.65, 0.72);
-  return yield* asPhase(combedField(surface, directions, seam, options.crossAngle), 0.72, 1);
+  return yield* asPhase(fieldOn(surface, options), 0.3, 1);
+}
+
+/** As `bakeForm`, for a shape that has a form: null for one of flat faces (`chooseLineField`). */
+export function* bakeChosenForm(
+  mesh: TriangleMesh,
+  adjacency: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
+  twins: Int32Array<ArrayBuffer>,
+  radius: number,
+  options: FormOptions,
+): Generator<number, FormField | null, void> {
+  const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
+  const { lineField } = yield* asPhase(chooseLineField(surface), 0.3, 0.31);
+  return lineField === 'form' ? yield* asPhase(fieldOn(surface, options), 0.31, 1) : null;
+}
+
+/** The field on a surface that was prepared for it. */
+function* fieldOn(surface: FormSurface, options: FormOptions): Generator<number, FormField, void> {
+  const directions = yield* asPhase(formDirections(surface, options), 0, 0.5);
+  const seam = yield* asPhase(cutForm(surface, directions), 0.5, 0.6);
+  return yield* asPhase(combedField(surface, directions, seam, options.crossAngle), 0.6, 1);
 }
 
 /** The directions of the faces. The field that they come from is free when they are found. */

@@ -1,8 +1,14 @@
-import { FORM_DEFAULTS, type FormOptions } from '../form/FormOptions.js';
+import type { FormRequest } from '../bake/bakeSurface.js';
+import { FORM_DEFAULTS } from '../form/FormOptions.js';
 import { checkNames } from '../worker/checkOptions.js';
 
 /** How lines follow the form of a geometry; what is left out has its default. */
 export interface HatchingFormOptions {
+  /**
+   * Whether the field is baked only for a shape that has a form, and not for machine parts and other meshes of flat faces. What was
+   * chosen shows in the result: it has the attribute `formValue` or not. Default: false.
+   */
+  auto?: boolean | undefined;
   /** The axis that lines run across where the form decides nothing, in object space, of any length. Default: [0, 1, 0]. */
   up?: readonly [x: number, y: number, z: number] | undefined;
   /**
@@ -21,7 +27,7 @@ export interface HatchingFormOptions {
   reach?: number | undefined;
 }
 
-const NAMES = { up: true, front: true, crossAngle: true, smoothing: true, reach: true } satisfies Record<
+const NAMES = { auto: true, up: true, front: true, crossAngle: true, smoothing: true, reach: true } satisfies Record<
   keyof HatchingFormOptions,
   true
 >;
@@ -31,11 +37,14 @@ const NAMES = { up: true, front: true, crossAngle: true, smoothing: true, reach:
  *
  * @throws TypeError or RangeError that names the wrong option
  */
-export function formRequest(caller: string, form: boolean | HatchingFormOptions | undefined): FormOptions | null {
+export function formRequest(
+  caller: string,
+  form: boolean | 'auto' | HatchingFormOptions | undefined,
+): FormRequest | null {
   if (form === undefined || form === false) return null;
-  if (form === true) return FORM_DEFAULTS;
+  if (form === true || form === 'auto') return { ...FORM_DEFAULTS, isChosen: form === 'auto' };
   checkNames(caller, 'options of form', form, NAMES);
-  const { up, front, crossAngle, smoothing, reach } = form;
+  const { auto = false, up, front, crossAngle, smoothing, reach } = form;
   for (const [name, vector] of Object.entries({ up, front })) {
     if (vector === undefined || (vector.length === 3 && vector.every(Number.isFinite))) continue;
     throw new TypeError(`${caller}: form.${name} must be an array of three finite numbers, or left out.`);
@@ -43,7 +52,11 @@ export function formRequest(caller: string, form: boolean | HatchingFormOptions 
   checkRange(caller, 'crossAngle', crossAngle, Math.PI, 'an angle in radians between 0 and π');
   for (const [name, share] of Object.entries({ smoothing, reach }))
     checkRange(caller, name, share, Infinity, 'a share of the bounding radius above 0');
+  if (typeof auto !== 'boolean') {
+    throw new TypeError(`${caller}: form.auto is ${String(auto)}. Pass true or false, or leave the option out.`);
+  }
   return {
+    isChosen: auto,
     up: up ?? FORM_DEFAULTS.up,
     front,
     crossAngle: crossAngle ?? FORM_DEFAULTS.crossAngle,

@@ -335,7 +335,8 @@ export class HatchingMaterial extends HatchingMaterialProperties {
 
   protected override choose(name: HatchingPropertyName, value: string | boolean): void {
     checkChoice(name, value);
-    const chosen = value === 'auto' ? undefined : value;
+    const property = propertyOf(name);
+    const chosen = value === 'auto' && property.kind === 'choice' && property.defaultFor ? undefined : value;
     if (chosen === this.chosen[name]) return;
     if (chosen === undefined) delete this.chosen[name];
     else this.chosen[name] = chosen;

@@ -1,7 +1,12 @@
 import type { Texture } from 'three';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import {
+  HATCHING_PROPERTIES,
+  HATCHING_TECHNIQUES,
+  type HatchingPropertyName,
+  type LineField,
+} from './facts/hatchingProperties.js';
 import { followsForm, isUsedBy, knowsChoice, needsAdjacency } from './facts/lookFacts.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
@@ -24,8 +29,11 @@ export interface ProgramFacts {
   hasForm: boolean;
 }
 
-/** What is drawn where lines should follow the form of a geometry that was not prepared for it. */
-const WITHOUT_FORM = /* @__PURE__ */ HATCHING_PROPERTIES.lineField.choices.indexOf('light');
+/** What lines follow on a geometry that was prepared for the form, or was not. */
+function lineFieldOn(hasForm: boolean, wanted: LineField): number {
+  const drawn = !hasForm ? 'light' : wanted === 'auto' ? 'form' : wanted;
+  return HATCHING_PROPERTIES.lineField.choices.indexOf(drawn);
+}
 
 /** How the shader knows a curve. */
 const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
@@ -56,7 +64,7 @@ export function programDefines(
     if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
     else defines[property.define] = value ? '' : undefined;
   }
-  if (followsForm(material) && !hasForm) defines.LINE_FIELD = WITHOUT_FORM;
+  if (followsForm(material)) defines.LINE_FIELD = lineFieldOn(hasForm, material.lineField);
   defines.ENVIRONMENT = hasEnvironment ? '' : undefined;
   defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(material) ? vertexLayout : 'corner');
   defines.TONE_CURVE = TONE_CURVES.indexOf(curveKind(toneCurve));

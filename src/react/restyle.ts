@@ -48,7 +48,7 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
   );
   if (!changes || 'tilesPerUnit' in changes) return null;
   // Lines that follow the form need a geometry that was prepared for them, at their angle.
-  if (followsForm(to) && (!followsForm(from) || 'crossAngle' in changes)) return null;
+  if (followsForm(to) && (!followsForm(from) || 'lineField' in changes || 'crossAngle' in changes)) return null;
   if (!('technique' in changes)) return changes;
   // Techniques with adjacency need a geometry that was prepared for them.
   return [from, to].some(needsAdjacency) ? null : changes;

@@ -41,12 +41,15 @@ export function geometryPlans(
 
 /** The world's up and the angle of the material, unless the options say otherwise. */
 function formFor(plan: PlannedMesh, { form }: ApplyHatchingOptions): GeometryPlan['form'] {
-  const asking = materialsOf(plan)
+  const following = materialsOf(plan)
     .filter(isHatching)
-    .find((material) => followsForm(material));
+    .filter((material) => followsForm(material));
+  // One that asks for the form whatever the shape has precedence.
+  const asking = following.find(({ lineField }) => lineField !== 'auto') ?? following[0];
   if (form === false || (!form && !asking)) return false;
   // The gradient of the height in the world, as a function in object space.
   const { elements } = plan.mesh.matrixWorld;
   const up = [elements[1], elements[5], elements[9]] as const;
-  return { up, ...(asking && { crossAngle: asking.crossAngle }), ...(typeof form === 'object' && form) };
+  const auto = form === 'auto' || (!form && asking?.lineField === 'auto');
+  return { up, auto, ...(asking && { crossAngle: asking.crossAngle }), ...(typeof form === 'object' && form) };
 }

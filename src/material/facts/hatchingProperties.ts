@@ -42,8 +42,10 @@ export type LevelRule = 'derivatives' | 'depth';
  *   `prepareHatchingGeometry`.
  * - `acrossForm`: the same, with the lines that cross in the place of the first: along limbs instead of around them.
  *   Bake them with a `crossAngle` of π/2.
+ * - `auto`: the form of a geometry that was prepared for it, and the light elsewhere. `applyHatching` prepares shapes
+ *   that have a form, and not machine parts and other meshes of flat faces.
  */
-export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'form' | 'acrossForm';
+export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'form' | 'acrossForm' | 'auto';
 
 /**
  * How many layers of strokes lie over one another. Together they keep the tone.
@@ -211,7 +213,7 @@ export const HATCHING_PROPERTIES = {
   lineField: {
     kind: 'choice',
     define: 'LINE_FIELD',
-    choices: ['light', 'towards', 'x', 'y', 'z', 'form', 'acrossForm'],
+    choices: ['light', 'towards', 'x', 'y', 'z', 'form', 'acrossForm', 'auto'],
     techniques: ['engraved'],
   },
   lineSpacing: { kind: 'number', uniform: 'lineSpacing', range: { above: 0 }, techniques: ['engraved'] },

@@ -65,8 +65,8 @@ export function usesThresholds(given: HatchingLook): boolean {
 export const needsAdjacency = (look: HatchingLook): boolean =>
   HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].vertexData === 'adjacency';
 
-/** The choices of `lineField` by which lines follow the form. */
-const FORM_FIELDS: readonly unknown[] = ['form', 'acrossForm'];
+/** The choices of `lineField` by which lines follow the form, with `auto` of shapes that have one. */
+const FORM_FIELDS: readonly unknown[] = ['form', 'acrossForm', 'auto'];
 
 /** Whether the lines of a look follow the form, which only geometries show that were prepared with `form`. Allocates nothing. */
 export const followsForm = (look: HatchingLook): boolean =>

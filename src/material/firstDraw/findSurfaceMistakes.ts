@@ -17,7 +17,7 @@ export function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
   const mistake = needsAdjacency(material) ? adjacencyMistake(draw) : undefined;
   if (mistake) note(mistake, draw, geometry);
   else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
-  if (followsForm(material) && !isFormed(geometry)) note('noForm', draw, geometry);
+  if (followsForm(material) && material.lineField !== 'auto' && !isFormed(geometry)) note('noForm', draw, geometry);
   if (isStale) note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
   if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);
 }

@@ -49,6 +49,9 @@ describe('HatchingMaterial', () => {
     expect(drawn(new BoxGeometry())).toBe('light');
     expect(drawn(formed)).toBe('acrossForm');
     expect(drawn(new BoxGeometry())).toBe('light');
+    material.lineField = 'auto';
+    expect([drawn(formed), drawn(new BoxGeometry())]).toEqual(['form', 'light']);
+    expect(material.clone().lineField).toBe('auto');
     material.lineField = 'x';
     expect(drawn(new BoxGeometry())).toBe('x');
     expect(material.lineField).toBe('x');

@@ -1,4 +1,4 @@
-import { Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, TorusGeometry } from 'three';
+import { BoxGeometry, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, TorusGeometry } from 'three';
 import { expect, test } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from '../../../src/scene/ApplyHatchingOptions.js';
@@ -36,9 +36,16 @@ test('lines cross at the angle of the material, and run across the up of the wor
   mesh.scale.setScalar(2);
   const material = new HatchingMaterial({ ...following, crossAngle: 1.2 });
   expect(planOf(mesh, material).form).toEqual({
+    auto: false,
     crossAngle: 1.2,
     up: [expect.closeTo(2), expect.closeTo(0), expect.closeTo(0)],
   });
+});
+
+test('with auto, a shape that has a form is baked with it, and one of flat faces without', async () => {
+  const scene = new Group().add(ring(), new Mesh(new BoxGeometry(1, 1, 1, 4, 4, 4), new MeshStandardMaterial()));
+  await applyHatching(scene, { material: { technique: 'engraved', lineField: 'auto' } });
+  expect((scene.children as Mesh[]).map(({ geometry }) => geometry.hasAttribute('formValue'))).toEqual([true, false]);
 });
 
 test('options override both, and may ask for a field or refuse it', () => {
@@ -48,6 +55,6 @@ test('options override both, and may ask for a field or refuse it', () => {
   expect(planOf(ring(), material, { form: false }).form).toBe(false);
   const plain = new HatchingMaterial({ technique: 'engraved' });
   expect(planOf(ring(), plain).form).toBe(false);
-  expect(planOf(ring(), plain, { form: true }).form).toEqual({ up: [0, 1, 0] });
+  expect(planOf(ring(), plain, { form: true }).form).toEqual({ auto: false, up: [0, 1, 0] });
   expect(planOf(new Mesh(ring().geometry, new MeshBasicMaterial()), plain).form).toBe(false);
 });

@@ -146,6 +146,7 @@ export const STROKES = {
       form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([form.md](form.md)).',
       acrossForm:
         'the same, with the lines that cross in the place of the first: along limbs instead of around them. Bake them with a `crossAngle` of π/2.',
+      auto: 'the form of a geometry that was prepared for it, and the light elsewhere. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of flat faces.',
     },
     default: 'light',
     techniques: ['engraved'],

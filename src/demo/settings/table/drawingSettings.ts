@@ -82,6 +82,7 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
   },
   lineField: choiceOf('lineField', {
     label: 'Lines follow',
+    leftOut: ['auto'],
     choices: {
       light: 'The light',
       towards: 'Towards the light',
