@@ -58,7 +58,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // What the page shows.
   const overlays = new Overlays(session, parts);
   const dialogs = new Dialogs(session, keeper, opener, parts);
-  const takeAway = new TakeAway(session, address, status, tasks, parts);
+  const takeAway = new TakeAway(session, address, status, tasks, form, parts);
   const fillScreen = (): void => {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };

@@ -29,9 +29,21 @@ export class FormLoader {
 
   /** Starts a bake if one is needed. To be called when the model or the settings have changed, and when the time of a frame was measured. */
   update(): void {
+    if (this.model && this.stage.model !== this.model) this.letGo();
+    if (this.isAwaited && this.stage.quality.milliseconds !== undefined) this.start();
+  }
+
+  /** For a picture, which lasts: resolves when lines lie as the settings ask, or when they could not be laid so. */
+  async settled(signal: AbortSignal): Promise<void> {
+    // Another model may be opened meanwhile.
+    while ((this.isAwaited || this.tasks.isRunning('form')) && !signal.aborted) {
+      if (this.isAwaited) this.start();
+      await this.tasks.ended('form', signal);
+    }
+  }
+
+  private start(): void {
     const { stage, settings } = this;
-    if (this.model && stage.model !== this.model) this.letGo();
-    if (!this.isAwaited || stage.quality.milliseconds === undefined) return;
     const model = stage.model!;
     this.model = model;
     this.way = wayOf(settings);

@@ -1,3 +1,4 @@
+import type { FormLoader } from '../loading/FormLoader.js';
 import { zipMap } from '../loading/mapFiles.js';
 import type { PageAddress } from '../session/PageAddress.js';
 import type { Session } from '../session/Session.js';
@@ -16,6 +17,7 @@ export class ExportActions {
     private readonly address: PageAddress,
     private readonly status: Status,
     private readonly tasks: TaskRunner,
+    private readonly form: Pick<FormLoader, 'settled'>,
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
@@ -44,7 +46,7 @@ export class ExportActions {
     if (sentence !== undefined) this.status.say(sentence);
   }
 
-  /** Runs the function that `fetchDraw` fetches. No other picture is drawn meanwhile. Undefined if it fails. */
+  /** Runs the function that `fetchDraw` fetches, when lines along the form are laid. No other picture is drawn meanwhile. Undefined if it fails. */
   private async draw<Result>(
     fetchDraw: () => Promise<SaveDrawing<Result>>,
     again?: Remedy,
@@ -55,14 +57,13 @@ export class ExportActions {
     if (stage.isLost) status.fail('There is nothing to save until the graphics card draws again.');
     else if (!stage.isComplete) status.fail('There is no drawing to save yet.');
     else {
-      const settings = { ...this.session.settings };
       let result: Result | undefined;
       const end = await this.tasks.run(
         'picture',
         async (report, signal) => {
-          const draw = await fetchDraw();
+          const [draw] = await Promise.all([fetchDraw(), this.form.settled(signal)]);
           signal.throwIfAborted();
-          result = await draw(stage, settings, fileStem(modelLoader.title), report, signal);
+          result = await draw(stage, { ...this.session.settings }, fileStem(modelLoader.title), report, signal);
         },
         again,
       );

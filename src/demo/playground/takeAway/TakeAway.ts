@@ -1,3 +1,4 @@
+import type { FormLoader } from '../loading/FormLoader.js';
 import type { PageAddress } from '../session/PageAddress.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
@@ -20,11 +21,12 @@ export class TakeAway {
     address: PageAddress,
     private readonly status: Status,
     tasks: TaskRunner,
+    form: FormLoader,
     parts: LaterParts,
   ) {
     this.actions = parts.later(async () => {
       const { ExportActions } = await import('./ExportActions.js');
-      return new ExportActions(session, address, status, tasks);
+      return new ExportActions(session, address, status, tasks, form);
     });
     this.codeDialog = parts.later(async () => {
       const { CodeDialog } = await import('./CodeDialog.js');

@@ -41,18 +41,12 @@ export class TaskRunner {
    * aborted. Undefined if there are no other tasks.
    */
   others(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
-    const isAlone = (): boolean => signal.aborted || [...this.running.keys()].every((running) => running === slot);
-    if (isAlone()) return undefined;
-    return new Promise((resolve) => {
-      const check = (): void => {
-        if (!isAlone()) return;
-        this.waiting.delete(check);
-        signal.removeEventListener('abort', check);
-        resolve();
-      };
-      this.waiting.add(check);
-      signal.addEventListener('abort', check);
-    });
+    return this.until(() => [...this.running.keys()].every((running) => running === slot), signal);
+  }
+
+  /** For a task that draws what another makes: as `others`, for the task in one slot. */
+  ended(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
+    return this.until(() => !this.running.has(slot), signal);
   }
 
   /**
@@ -111,6 +105,22 @@ export class TaskRunner {
     if (!this.running.delete(slot)) return;
     for (const check of [...this.waiting]) check();
     this.show();
+  }
+
+  /** Resolves when the tasks that run are as they shall be, or when the waiting task is aborted. Undefined if they are so now. */
+  private until(isReached: () => boolean, signal: AbortSignal): Promise<void> | undefined {
+    const isOver = (): boolean => signal.aborted || isReached();
+    if (isOver()) return undefined;
+    return new Promise((resolve) => {
+      const check = (): void => {
+        if (!isOver()) return;
+        this.waiting.delete(check);
+        signal.removeEventListener('abort', check);
+        resolve();
+      };
+      this.waiting.add(check);
+      signal.addEventListener('abort', check);
+    });
   }
 
   private sayCancelled(slot: Slot): void {

@@ -1,0 +1,100 @@
+import { Group } from 'three';
+import { beforeEach, expect, test, vi } from 'vitest';
+import { bakeForm } from '../../../../../src/demo/drawing/bakeForm.js';
+import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
+import { ExportActions } from '../../../../../src/demo/playground/takeAway/ExportActions.js';
+import { drawForClipboard } from '../../../../../src/demo/playground/takeAway/savePicture.js';
+import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
+import { defaultSettings } from '../../../../../src/demo/settings/settings.js';
+import { fakeStatus } from '../tasks/fakeStatus.js';
+
+vi.mock('../../../../../src/demo/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
+vi.mock('../../../../../src/demo/playground/takeAway/savePicture.js', () => ({
+  drawForClipboard: vi.fn(async () => new Blob()),
+}));
+
+/** The bakes that were begun, each with a function that ends it. */
+const bakes: { end: () => void; report: (progress: number) => void }[] = [];
+
+beforeEach(() => {
+  bakes.length = 0;
+  vi.mocked(drawForClipboard).mockClear();
+  vi.mocked(bakeForm).mockImplementation(
+    (_, { signal, onProgress }) =>
+      new Promise((resolve, reject) => {
+        bakes.push({ end: () => resolve([]), report: onProgress });
+        signal.addEventListener('abort', () => reject(signal.reason));
+      }),
+  );
+});
+
+/** A page with a model whose lines follow the form, or the light, and which was drawn or not. */
+function makePage(lineField: 'form' | 'light' = 'form', milliseconds: number | undefined = 20) {
+  const line = fakeStatus();
+  const tasks = new TaskRunner(line.status, { hasDrawing: () => true, onIdle: () => {} });
+  const model = { root: new Group() };
+  const quality = { milliseconds };
+  const stage = { model, shown: { isStandIn: false }, quality, isComplete: true, frames: { invalidate: () => {} } };
+  const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
+  const session = { stage, settings, modelLoader: { title: 'A model' } };
+  const form = new FormLoader(stage as never, settings, tasks);
+  const actions = new ExportActions(session as never, {} as never, line.status, tasks, form);
+  return { line, stage, settings, form, actions };
+}
+
+const drawn = vi.mocked(drawForClipboard);
+
+test('a picture waits until lines lie along the form, and shows how far they are', async () => {
+  const { line, form, actions } = makePage();
+  form.update();
+  const picture = actions.drawPicture();
+  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  bakes[0].report(0.5);
+  expect([line.text, line.isWorking]).toEqual(['Laying lines along the form…', true]);
+  // Time enough for a picture that does not wait.
+  await vi.dynamicImportSettled();
+  expect(drawn).not.toHaveBeenCalled();
+  bakes[0].end();
+  await picture;
+  expect(drawn).toHaveBeenCalledOnce();
+});
+
+test('a picture begins the bake if the first frame has not, and one of lines around the light waits for none', async () => {
+  const { form, actions } = makePage('form', undefined);
+  form.update();
+  const picture = actions.drawPicture();
+  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  expect(drawn).not.toHaveBeenCalled();
+  bakes[0].end();
+  await picture;
+  expect(drawn).toHaveBeenCalledOnce();
+  await makePage('light').actions.drawPicture();
+  expect(bakes).toHaveLength(1);
+});
+
+test('a picture for which another model was opened waits for the lines of that one', async () => {
+  const { stage, form, actions } = makePage();
+  form.update();
+  const picture = actions.drawPicture();
+  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  stage.model = { root: new Group() };
+  form.update();
+  await vi.waitFor(() => expect(bakes).toHaveLength(2));
+  expect(drawn).not.toHaveBeenCalled();
+  bakes[1].end();
+  await picture;
+  expect(drawn).toHaveBeenCalledOnce();
+});
+
+test('a picture is drawn if lines cannot be laid along the form, and not if the user cancels', async () => {
+  const failing = makePage();
+  vi.mocked(bakeForm).mockRejectedValueOnce(new Error('no field'));
+  await failing.actions.drawPicture();
+  expect(drawn).toHaveBeenCalledOnce();
+  const { line, actions } = makePage();
+  const picture = actions.drawPicture();
+  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  line.cancel();
+  await expect(picture).rejects.toThrow('status line');
+  expect(drawn).toHaveBeenCalledOnce();
+});
