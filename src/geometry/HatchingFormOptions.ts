@@ -5,8 +5,8 @@ import { checkNames } from '../worker/checkOptions.js';
 /** How lines follow the form of a geometry; what is left out has its default. */
 export interface HatchingFormOptions {
   /**
-   * Whether the field is baked only for a shape that has a form, and not for machine parts and other meshes of flat faces. What was
-   * chosen shows in the result: it has the attribute `formValue` or not. Default: false.
+   * Whether the field is baked only for a shape that has a form, and not for machine parts and other meshes of flat faces. The
+   * `lineField` of the `HatchingStatistics` says what was chosen. Default: false.
    */
   auto?: boolean | undefined;
   /** The axis that lines run across where the form decides nothing, in object space, of any length. Default: [0, 1, 0]. */

@@ -7,6 +7,8 @@ export interface HatchingStatistics extends EdgeCounts, Repairs {
   triangles: number;
   /** The vertex layout. */
   layout: 'corner' | 'pull' | 'indexed';
+  /** What engraved lines with `lineField: 'auto'` follow: the form if the geometry was prepared for it, the light if not. */
+  lineField: 'form' | 'light';
   /** The size of all vertex, index, morph and texture data of the prepared geometry, in bytes. */
   bytes: number;
 }

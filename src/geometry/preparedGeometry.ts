@@ -1,6 +1,7 @@
 import { Box3, BufferAttribute, BufferGeometry, InstancedBufferGeometry, Sphere, Vector3 } from 'three';
 import type { BakeReport } from '../bake/bakeSurface.js';
 import type { CornerRange } from './cornerRange.js';
+import { isFormed } from './formGeometry.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import { OutlineData, setOutlineData } from './OutlineData.js';
 import { type Repairs, replaceUnusableNormals } from './repairValues.js';
@@ -54,6 +55,7 @@ export function finishGeometry(
     computedNormals,
     zeroedValues,
     layout,
+    lineField: isFormed(geometry) ? 'form' : 'light',
     bytes: bytesOf(geometry) + textureBytes + (outlines?.bytes ?? 0),
   };
   geometry.userData.hatching = statistics;

@@ -26,6 +26,7 @@ const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
   pen: { outlineWidth: 1.8, wobble: 1, ink: BLACK },
   crossHatching: { outlineWidth: 1.4, wobble: 1, ink: BLACK },
   engraving: { outlineWidth: 1.5, ink: BLACK },
+  banknote: { outlineWidth: 0.9, ink: '#18332f' },
   technical: { outlineWidth: 1.6, creases: 1, materialBorders: 1, shadeWeights: [1, 1], ink: BLACK },
   woodcut: { outlineWidth: 3.2, ink: '#120e0a' },
   stipple: { outlineWidth: 1, ink: BLACK },

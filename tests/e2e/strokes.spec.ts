@@ -59,9 +59,11 @@ test('lines follow the form as soon as that is baked, also where a link asks for
   await idle(page);
   const formed = await readDrawing(page);
   expect(changedShare(formed, lit)).toBeGreaterThan(0.1);
-  await openPlayground(page, `${view}&lineField=form`);
-  await idle(page);
-  expect(changedShare(formed, await readDrawing(page))).toBeLessThan(0.01);
+  for (const lineField of ['form', 'auto']) {
+    await openPlayground(page, `${view}&lineField=${lineField}`);
+    await idle(page);
+    expect(changedShare(formed, await readDrawing(page)), lineField).toBeLessThan(0.01);
+  }
 });
 
 test('a preset sets the whole style at once, and can be undone', async ({ page }) => {
@@ -73,7 +75,17 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
   await expect(undo).toBeDisabled();
   const first = await readDrawing(page);
   const seen = [first];
-  const names = ['Pen', 'Cross-hatching', 'Engraving', 'Technical', 'Woodcut', 'Stipple', 'Charcoal', 'Pencil'];
+  const names = [
+    'Pen',
+    'Cross-hatching',
+    'Engraving',
+    'Banknote',
+    'Technical',
+    'Woodcut',
+    'Stipple',
+    'Charcoal',
+    'Pencil',
+  ];
   for (const name of names) {
     await presets.getByRole('button', { name, exact: true }).click();
     await expect(presets.getByRole('button', { name, exact: true })).toHaveAttribute('aria-pressed', 'true');
@@ -118,7 +130,7 @@ test('every button of a preset holds its name, also in a wide font and under a t
     if (width === 360) await page.locator('#toggle-card').click();
     await page.locator('#presets').evaluate((bar) => bar.style.setProperty('font-family', '"DejaVu Serif", serif'));
     const buttons = page.getByRole('group', { name: 'Presets' }).getByRole('button');
-    await expect(buttons).toHaveCount(9);
+    await expect(buttons).toHaveCount(10);
     const bar = (await page.locator('#presets').boundingBox())!;
     for (const button of await buttons.all()) {
       const box = (await button.boundingBox())!;

@@ -39,7 +39,7 @@ const FILLS = [
  */
 export const plansOf = (presets, techniques) => ({
   presets: {
-    columns: 3,
+    columns: 5,
     pictures: presets.map((preset) => ({ ...HAND, preset, width: 400, height: 500, pixelRatio: 1.5 })),
   },
   presetsByModel: {

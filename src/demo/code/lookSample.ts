@@ -74,7 +74,7 @@ function isDefault(look: HatchingMaterialParameters, property: HatchingPropertyN
   const isColor = HATCHING_PROPERTIES[property].kind === 'color';
   return isColor
     ? new Color(value as ColorRepresentation).getHex() === fallback
-    : value === fallback || value === 'auto';
+    : value === fallback || (property === 'toneNormal' && value === 'auto');
 }
 
 /** Properties that materials of a loaded scene take from the scene. */
@@ -89,9 +89,16 @@ export function prepareArgument(settings: Settings, outlines = false): string {
   const options = [
     ...(needsAdjacency(materialLook(settings)) ? ['adjacency: true'] : []),
     ...(outlines ? ['outlines: true'] : []),
-    ...(followsForm(materialLook(settings)) ? [`form: { crossAngle: ${inRadians(settings.crossAngle)} }`] : []),
+    ...formOption(settings),
   ];
   return options.length > 0 ? `, { ${options.join(', ')} }` : '';
+}
+
+function formOption(settings: Settings): string[] {
+  const look = materialLook(settings);
+  if (!followsForm(look)) return [];
+  const auto = look.lineField === 'auto' ? 'auto: true, ' : '';
+  return [`form: { ${auto}crossAngle: ${inRadians(settings.crossAngle)} }`];
 }
 
 /** Whether the technique of the page, compared with none, is drawn with a map. */

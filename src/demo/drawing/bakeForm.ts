@@ -1,5 +1,5 @@
 import type { BufferGeometry, Object3D } from 'three';
-import { prepareHatchingGeometry } from 'three-hatching';
+import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import { meshesOf } from './meshesOf.js';
 
 /** The attributes of lines that follow the form. */
@@ -9,12 +9,14 @@ const NAMES = ['formValue', 'formSlope', 'formCrossing'] as const;
  * Bakes what lines that follow the form are drawn from into the geometries of a hatched model, one after the other: each is drawn with
  * it as soon as it is ready. Lines run across what is up in the world.
  *
- * @param crossAngle between lines and those that cross them, in radians
+ * @param form.crossAngle between lines and those that cross them, in radians
+ * @param form.auto whether only shapes that have a form are drawn with it
  * @returns the geometries that were made for it, and now are the meshes'
  */
 export async function bakeForm(
   root: Object3D,
-  { crossAngle, ...options }: { crossAngle: number; signal: AbortSignal; onProgress: (progress: number) => void },
+  form: { crossAngle: number; auto: boolean },
+  { signal, ...options }: { signal: AbortSignal; onProgress: (progress: number) => void },
   onBaked: () => void,
 ): Promise<BufferGeometry[]> {
   const made: BufferGeometry[] = [];
@@ -27,14 +29,18 @@ export async function bakeForm(
     const onProgress = (progress: number): void => options.onProgress((done + progress) / geometries.size);
     const { elements } = sharing[0].matrixWorld;
     const up = [elements[1], elements[5], elements[9]] as const;
-    const { signal } = options;
-    const form = { crossAngle, up };
     const outlines = geometry.index !== null;
-    const baked = await prepareHatchingGeometry(geometry, { signal, onProgress, layout: 'indexed', outlines, form });
+    const baked = await prepareHatchingGeometry(geometry, {
+      signal,
+      onProgress,
+      layout: 'indexed',
+      outlines,
+      form: { ...form, up },
+    });
     done++;
+    if (lineFieldOf(geometry) === 'light' && lineFieldOf(baked) === 'light') continue;
     if (geometry.index === null) {
-      // Each corner has a vertex of its own, so that none was copied.
-      for (const name of NAMES) geometry.setAttribute(name, baked.getAttribute(name));
+      copyForm(baked, geometry);
     } else {
       copyOcclusion(geometry, baked);
       for (const mesh of sharing) mesh.geometry = baked;
@@ -43,6 +49,20 @@ export async function bakeForm(
     onBaked();
   }
   return made;
+}
+
+const statisticsOf = ({ userData }: BufferGeometry): HatchingStatistics => userData.hatching;
+
+/** What lines follow on a geometry. */
+const lineFieldOf = (geometry: BufferGeometry): 'form' | 'light' => statisticsOf(geometry).lineField;
+
+/** Copies the form of a geometry to one with the same vertices: each corner has one of its own. */
+function copyForm(from: BufferGeometry, to: BufferGeometry): void {
+  for (const name of NAMES) {
+    if (from.hasAttribute(name)) to.setAttribute(name, from.getAttribute(name));
+    else to.deleteAttribute(name);
+  }
+  statisticsOf(to).lineField = lineFieldOf(from);
 }
 
 /** Copies what `bakeOcclusion` has written to the vertices of a geometry. The corners of both are the same. */

@@ -404,13 +404,13 @@ export const FIGURES: readonly Figure[] = [
   {
     number: 'D',
     title: 'Presets',
-    here: 'One hand under one light in the nine presets of the library: material, outlines and map in one object each.',
+    here: 'One hand under one light in the ten presets of the library: material, outlines and map in one object each.',
     model: 'hand',
     aspect: 0.8,
     fixedTechnique: true,
     light: { position: SIDES.left.position, reflected: 0 },
     view: [0.1, 0.05, 1],
-    rows: [PRESET_NAMES.slice(0, 4), PRESET_NAMES.slice(4)].map((names) => ({
+    rows: [PRESET_NAMES.slice(0, 5), PRESET_NAMES.slice(5)].map((names) => ({
       panels: names.map((preset) => ({ name: preset, label: PRESET_LABELS[preset], look: { preset } })),
     })),
   },

@@ -22,7 +22,7 @@ export const GALLERY: readonly GalleryDrawing[] = [
   drawing(
     'bust',
     'Bust',
-    'engraving',
+    'banknote',
     'model=bust&occlusion=50&shadows=on&lightAzimuth=-62&lightElevation=34',
     'stackgl',
   ),

@@ -66,7 +66,7 @@ const makeMaterials = () =>
     engraving: {
       technique: 'engraved',
       sizedOnScreen: 1,
-      lineField: 'light',
+      lineField: 'auto',
       lineSpacing: 4.5,
       crossFrom: 0.52,
       crossAngle: Math.PI / 3,
@@ -75,6 +75,19 @@ const makeMaterials = () =>
       reflectedLight: 0.4,
       ink: BLACK,
       paper: WHITE,
+    },
+    banknote: {
+      technique: 'engraved',
+      sizedOnScreen: 1,
+      lineField: 'form',
+      lineSpacing: 3.2,
+      crossFrom: 0.3,
+      crossAngle: Math.PI / 3,
+      handmade: 0.1,
+      toneCurve: 'printed',
+      reflectedLight: 0.3,
+      ink: '#18332f',
+      paper: '#f6f4e9',
     },
     technical: {
       technique: 'engraved',

@@ -108,6 +108,7 @@ describe('the prepared geometry', () => {
       computedNormals: 4,
       zeroedValues: 0,
       layout: 'corner',
+      lineField: 'light',
       bytes: 6 * ((3 + 16 + 3) * 4 + 8),
     };
     expect(prepared.userData).toEqual({ mine: { a: 1 }, hatching: statistics });

@@ -51,7 +51,7 @@ test('values change in place: the geometry, the material and the outlines stay',
   const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical' });
   await next();
   const [geometry, material, outlines] = [mesh.geometry, materialOf(mesh), mesh.children[0]];
-  hatcher.update({ preset: 'engraving', material: { ink: '#123456' }, outlines: { taper: 0 } });
+  hatcher.update({ preset: 'engraving', material: { ink: '#123456', lineField: 'light' }, outlines: { taper: 0 } });
   await next();
   expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, outlines]);
   expect(material.ink.getHexString()).toBe('123456');
@@ -59,10 +59,19 @@ test('values change in place: the geometry, the material and the outlines stay',
   const [{ material: look }] = hatched[0].outlines;
   // Of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
   expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.6, 0.5, 1.4]);
-  hatcher.update({ preset: 'engraving' });
+  hatcher.update({ preset: 'engraving', material: { lineField: 'light' } });
   await next();
   expect(look.taper).toBe(0.8);
   expect(materialOf(mesh).ink.getHexString()).toBe('1c1a17');
+});
+
+test('lines that leave it to the shape hatch anew, as they need other geometry', async () => {
+  const { mesh, hatcher, next } = atWork({ preset: 'technical' });
+  await next();
+  const { geometry } = mesh;
+  hatcher.update({ preset: 'engraving' });
+  await next();
+  expect(mesh.geometry).not.toBe(geometry);
 });
 
 test('a technique that needs other geometry, other creases and other options of the bake hatch anew', async () => {

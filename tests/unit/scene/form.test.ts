@@ -19,6 +19,10 @@ test('a geometry is baked with a form field where its material follows the form,
   const [first, second] = scene.children as Mesh[];
   await applyHatching(scene, { material: (_, mesh) => (mesh === first ? following : { technique: 'engraved' }) });
   expect([first, second].map((mesh) => mesh.geometry.hasAttribute('formValue'))).toEqual([true, false]);
+  expect((scene.children as Mesh[]).map(({ geometry }) => geometry.userData.hatching.lineField)).toEqual([
+    'form',
+    'light',
+  ]);
 });
 
 test('a geometry that two meshes share has a form field if one of them follows the form', async () => {
@@ -46,6 +50,12 @@ test('with auto, a shape that has a form is baked with it, and one of flat faces
   const scene = new Group().add(ring(), new Mesh(new BoxGeometry(1, 1, 1, 4, 4, 4), new MeshStandardMaterial()));
   await applyHatching(scene, { material: { technique: 'engraved', lineField: 'auto' } });
   expect((scene.children as Mesh[]).map(({ geometry }) => geometry.hasAttribute('formValue'))).toEqual([true, false]);
+});
+
+test('the preset engraving leaves it to the shape, and banknote follows the form of all', () => {
+  const plan = (preset: 'engraving' | 'banknote') => planOf(ring(), new HatchingMaterial({ preset })).form;
+  expect(plan('engraving')).toMatchObject({ auto: true, crossAngle: Math.PI / 3 });
+  expect(plan('banknote')).toMatchObject({ auto: false, crossAngle: Math.PI / 3 });
 });
 
 test('options override both, and may ask for a field or refuse it', () => {

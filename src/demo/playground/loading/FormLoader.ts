@@ -47,13 +47,13 @@ export class FormLoader {
     const model = stage.model!;
     this.model = model;
     this.way = wayOf(settings);
-    const crossAngle = MathUtils.degToRad(settings.crossAngle);
+    const form = { crossAngle: MathUtils.degToRad(settings.crossAngle), auto: settings.lineField === 'auto' };
     void this.tasks.run('form', async (report, signal) => {
       report(STAGE);
       const { bakeForm } = await import('../../drawing/bakeForm.js');
       signal.throwIfAborted();
       const onProgress = (progress: number): void => report(STAGE, progress);
-      const made = await bakeForm(model.root, { crossAngle, signal, onProgress }, () => stage.frames.invalidate());
+      const made = await bakeForm(model.root, form, { signal, onProgress }, () => stage.frames.invalidate());
       this.made.push(...made);
     });
   }
@@ -68,4 +68,5 @@ export class FormLoader {
 }
 
 /** Everything in the settings that decides where the lines are. */
-const wayOf = ({ crossAngle, upAxis }: Settings): string => `${crossAngle} ${upAxis}`;
+const wayOf = ({ crossAngle, upAxis, lineField }: Settings): string =>
+  `${crossAngle} ${upAxis} ${lineField === 'auto'}`;

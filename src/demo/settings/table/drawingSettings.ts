@@ -82,8 +82,9 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
   },
   lineField: choiceOf('lineField', {
     label: 'Lines follow',
-    leftOut: ['auto'],
+    default: 'light',
     choices: {
+      auto: 'The form, if there is one',
       light: 'The light',
       towards: 'Towards the light',
       x: 'An axis: x',

@@ -233,6 +233,20 @@ describe('codeSample', () => {
     expect(codeSample(settings, undefined)).toContain('lineSpacing: 4,');
   });
 
+  test('has lines follow the form where the page does', () => {
+    const engraved: Settings = { ...defaultSettings(), technique: 'engraved', crossAngle: 30 };
+    expect(codeSample(engraved, undefined)).not.toContain('form:');
+    for (const [lineField, option] of [
+      ['form', 'form: { crossAngle: (30 / 180) * Math.PI }'],
+      ['auto', 'form: { auto: true, crossAngle: (30 / 180) * Math.PI }'],
+    ] as const) {
+      const settings: Settings = { ...engraved, lineField };
+      for (const sample of [codeSample(settings, undefined), codeSample(settings, 5)])
+        expect(sample).toContain(`lineField: '${lineField}'`);
+      expect(codeSample(settings, undefined)).toContain(option);
+    }
+  });
+
   test('draws no outlines if the page draws none', async () => {
     const settings: Settings = { ...defaultSettings(), outlines: 'off' };
     expect(codeSample(settings, undefined)).not.toMatch(/outlines/i);

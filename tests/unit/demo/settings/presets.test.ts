@@ -73,6 +73,14 @@ describe('the presets of the page', () => {
     expect(presetOf({ ...settings, outlineWidth: settings.outlineWidth + 1 })).toBeUndefined();
   });
 
+  test('engraving leaves it to the shape what lines follow, and links that say so keep the light', () => {
+    expect(settingsOf('engraving').lineField).toBe('auto');
+    expect(readLink('preset=engraving').settings.lineField).toBe('auto');
+    expect(readLink('preset=engraving&lineField=light').settings.lineField).toBe('light');
+    // Links of the page spell out what is not at its default, which was and is the light.
+    expect(readLink('technique=engraved&lineSpacing=4.5&handmade=40').settings.lineField).toBe('light');
+  });
+
   test('leave nothing of the look before, and the model, the place of the light and the camera alone', () => {
     const before = {
       ...defaultSettings(),

@@ -20,7 +20,7 @@ beforeEach(() => {
   bakes.length = 0;
   vi.mocked(drawForClipboard).mockClear();
   vi.mocked(bakeForm).mockImplementation(
-    (_, { signal, onProgress }) =>
+    (_, _form, { signal, onProgress }) =>
       new Promise((resolve, reject) => {
         bakes.push({ end: () => resolve([]), report: onProgress });
         signal.addEventListener('abort', () => reject(signal.reason));
