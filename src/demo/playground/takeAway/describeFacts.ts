@@ -15,12 +15,23 @@ export interface Facts {
   /** The built-in model by its name, or the names of the user's own files, of which only their formats are told. */
   model: string | readonly string[];
   statistics: ModelStatistics | undefined;
+  /** How many meshes the model has, and how many of them have been baked for lines that follow the form. */
+  meshes: { all: number; formed: number };
   /** The settings as the text of a link, without the address of a model and without names that the user has given. */
   settings: string;
 }
 
 /** The facts as lines of text, which can be pasted into a report. */
-export function describeFacts({ versions, browser, graphics, sheet, model, statistics, settings }: Facts): string {
+export function describeFacts({
+  versions,
+  browser,
+  graphics,
+  sheet,
+  model,
+  statistics,
+  meshes,
+  settings,
+}: Facts): string {
   const lines: [string, string][] = [
     ['three-hatching', versions.hatching],
     ['three.js', `r${versions.three}`],
@@ -29,6 +40,7 @@ export function describeFacts({ versions, browser, graphics, sheet, model, stati
     ['Sheet', `${sheet.width} × ${sheet.height} CSS pixels, pixel ratio ${Number(sheet.pixelRatio.toFixed(3))}`],
     ['Model', typeof model === 'string' ? model : describeFiles(model)],
     ['Mesh', statistics ? describeMesh(statistics) : 'none'],
+    ['Lines along the form', `on ${meshes.formed} of ${meshes.all} meshes`],
     ['Settings', settings],
   ];
   return `${lines.map(([name, value]) => `${name}: ${value}`).join('\n')}\n`;

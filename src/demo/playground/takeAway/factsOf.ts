@@ -1,4 +1,5 @@
 import { VERSIONS } from '../../code/versions.js';
+import { meshesOf } from '../../drawing/meshesOf.js';
 import { writeLink } from '../../settings/shareLink.js';
 import { rendererName } from '../../stage/rendererName.js';
 import type { Session } from '../session/Session.js';
@@ -7,6 +8,8 @@ import { describeFacts } from './describeFacts.js';
 /** What a report of a bug should say about the page, the machine and the drawing of a session. */
 export function factsOf({ stage, settings, modelLoader }: Session): string {
   const { canvas, context, view, model } = stage;
+  const meshes = model ? meshesOf(model.root) : [];
+  const formed = meshes.filter(({ geometry }) => geometry.userData.hatching?.lineField === 'form');
   return describeFacts({
     versions: VERSIONS,
     browser: navigator.userAgent,
@@ -14,6 +17,7 @@ export function factsOf({ stage, settings, modelLoader }: Session): string {
     sheet: { width: canvas.clientWidth, height: canvas.clientHeight, pixelRatio: devicePixelRatio },
     model: modelLoader.ownFiles?.map(({ name }) => name) ?? settings.model,
     statistics: model?.statistics,
+    meshes: { all: meshes.length, formed: formed.length },
     // Neither the address of a model nor the names of views.
     settings: writeLink(settings, view.ownPlace),
   });

@@ -8,6 +8,7 @@ const FACTS: Facts = {
   sheet: { width: 900, height: 700, pixelRatio: 1.5 },
   model: 'bunny',
   statistics: { triangles: 3851, borderEdges: 42, nonManifoldEdges: 0, degenerateTriangles: 1 },
+  meshes: { all: 3, formed: 2 },
   settings: 'technique=engraved&ink=%23000000',
 };
 
@@ -20,6 +21,7 @@ Graphics: ANGLE (NVIDIA, NVIDIA GeForce RTX 3060)
 Sheet: 900 × 700 CSS pixels, pixel ratio 1.5
 Model: bunny
 Mesh: 3851 triangles, 42 border edges, 0 non-manifold edges, 1 without area
+Lines along the form: on 2 of 3 meshes
 Settings: technique=engraved&ink=%23000000
 `,
   );
