@@ -95,6 +95,26 @@ export const plansOf = (presets, techniques) => ({
       pixelRatio: 1.3,
     })),
   },
+  form: {
+    columns: 4,
+    pictures: [
+      DRAGON,
+      BUST,
+      { subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.45], zoom: 0.95 },
+      { subject: 'bunny', view: [0, 0.2, 1], light: [-0.8, 1.2, 0.6], zoom: 0.95 },
+      { subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.95 },
+      { subject: 'suzanne', view: [0.3, 0.1, 1], light: [-1, 0.9, 0.6], zoom: 0.9 },
+    ].flatMap((subject) =>
+      ['light', 'form'].map((lineField) => ({
+        ...PRINT,
+        ...subject,
+        width: 450,
+        height: 450,
+        pixelRatio: 1.3,
+        material: { lineField },
+      })),
+    ),
+  },
   engraved: {
     columns: 4,
     pictures: [
