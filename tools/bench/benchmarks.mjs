@@ -3,6 +3,7 @@ import { drop } from './drop/drop.mjs';
 import { firstPicture } from './firstPicture/firstPicture.mjs';
 import { form } from './form/form.mjs';
 import { frame } from './frame/frame.mjs';
+import { lineFields } from './lineFields/lineFields.mjs';
 import { lines } from './lines/lines.mjs';
 import { media } from './media/media.mjs';
 import { memory } from './memory/memory.mjs';
@@ -20,6 +21,7 @@ export const benchmarks = [
   media,
   lines,
   shadows,
+  lineFields,
   bake,
   form,
   memory,

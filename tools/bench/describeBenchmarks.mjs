@@ -11,6 +11,7 @@ const titles = {
   media: 'Media',
   lines: 'Lines',
   shadows: 'Shadows',
+  lineFields: 'What engraved lines follow',
   bake: 'The bake by phase',
   form: 'Lines that follow the form',
   memory: 'Memory and garbage',
@@ -36,6 +37,8 @@ Phong shading of the same geometry, on a Quadro FX 3800: the dashed line.`,
   lines: 'This is what contours, borders and creases add to a frame, and to the main thread while the camera moves.',
   shadows: `This is what strokes that react to shadows cost, compared with strokes that shadows only darken, and what a ground that shows only shadows
 adds to the frame. The shadow map is drawn once, before.`,
+  lineFields: `Engraved lines that follow the form or an axis, compared with those that follow the light. Geometries have the layout \`indexed\`; those drawn
+along the form have the 24 bytes a vertex more. \`crossed\` asks for \`shadowStrokes: 'cross'\` too.`,
   bake: `These are the steps of the bake, on one thread of the page. \`check\` validates the mesh and measures its bounds, \`weld\` joins equal positions, \`pair\`
 computes the normals of triangles and finds the twins of edges, \`creases\` cuts at the crease angle and at sharp edges, \`normals\` smooths the hatch normals,
 and \`pack\` writes a layout. \`transfer\` passes the request to a worker and gets the result of the \`corner\` layout back.`,

@@ -4,6 +4,7 @@ const measures = {
   lines: async () => (await import('./lines/measureLines.js')).measureLines,
   media: async () => (await import('./media/measureMedia.js')).measureMedia,
   occlusion: async () => (await import('./occlusion/measureOcclusion.js')).measureOcclusion,
+  lineFields: async () => (await import('./lineFields/measureLineFields.js')).measureLineFields,
   shadows: async () => (await import('./shadows/measureShadows.js')).measureShadows,
   bake: async () => (await import('./bake/measureBake.js')).measureBake,
   form: async () => (await import('./form/measureForm.js')).measureForm,

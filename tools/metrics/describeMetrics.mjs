@@ -6,6 +6,7 @@ const colours = {
   anchored: '#0b0b0b',
   engraved: '#1e8449',
   'engraved, x': '#b9770e',
+  'engraved, form': '#7d3c98',
   adjacency: '#c0392b',
   'adjacency, crisp': '#2471a3',
   triangle: '#8a8a8a',
@@ -31,7 +32,8 @@ without antialiasing (\`edgePixels: 0\`). ${Object.keys(models).length} models, 
 
 ![Coherence of the strokes by number of triangles, and flips by turn of the light](metrics.svg)
 
-\`engraved\` has its lines spaced on the screen (\`sizedOnScreen: 1\`), cut by the light; \`engraved, x\` has them cut by the x axis.
+\`engraved\` has its lines spaced on the screen (\`sizedOnScreen: 1\`), cut by the light; \`engraved, x\` has them cut by the x axis, and in
+\`engraved, form\` they follow the form.
 
 ## Requirements
 
@@ -60,7 +62,8 @@ ${table(
   and of the other. Edges that fold by more than 40° are left out.
 - **kink**: median and 95th percentile of the angle in degrees by which strokes turn at an edge, with its triangles unfolded into a
   plane. Computed from the frames alone; \`adjacency\` blends what the frames draw, so both show. An engraved line is cut by a plane:
-  it goes on from triangle to triangle without a gap, and bends by as much as the surface does.
+  it goes on from triangle to triangle without a gap, and bends by as much as the surface does. Lines that follow the form are not
+  cut by planes, and have no such figure.
 - **tone**: largest distance of mean ink from the requested tone, over tones 0.1, 0.25, 0.4, 0.6 and 0.8. Hatch images end at an
   ink of 0.95, thresholds at 1.
 - **flips**: share of pixels that change between ink and paper as the light turns by 0.1°, 0.5°, 1° and 2°, divided by the share for

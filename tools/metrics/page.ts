@@ -6,7 +6,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
-import { counts, needsMap } from 'three-hatching/facts';
+import { counts, followsForm, needsMap } from 'three-hatching/facts';
 import { HATCHING_TECHNIQUES } from '../../src/material/facts/hatchingProperties.js';
 import { plainLook } from '../plainLook.js';
 import { loadModel, type ModelName } from './loadModel.js';
@@ -32,6 +32,7 @@ const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['anchored', { technique: 'anchored' }],
   ['engraved', { technique: 'engraved', sizedOnScreen: 1 }],
   ['engraved, x', { technique: 'engraved', sizedOnScreen: 1, lineField: 'x' }],
+  ['engraved, form', { technique: 'engraved', sizedOnScreen: 1, lineField: 'form' }],
   ['adjacency', { technique: 'adjacency' }],
   ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
   ['triangle', { technique: 'triangle' }],
@@ -105,7 +106,7 @@ let drawnLength: number | undefined;
 window.measureModel = async (name, plan, text) => {
   tonalArtMap ??= await TonalArtMap.generate();
   drawnLength ??= await measureDrawnLength(tonalArtMap);
-  const geometry = await prepareHatchingGeometry(await loadModel(name, text), { adjacency: true });
+  const geometry = await prepareHatchingGeometry(await loadModel(name, text), { adjacency: true, form: true });
   const metrics: ModelMetrics = { triangles: geometry.userData.hatching.triangles, techniques: {} };
   const edges = plan.edges ? pairedEdges(geometry.getAttribute('position').array, CREASE) : new Uint32Array();
   let wantedSpacing: number | undefined;
@@ -123,7 +124,8 @@ window.measureModel = async (name, plan, text) => {
       ...measureMiddle(still, material),
       ...(edges.length > 0 && {
         edgeJump: measureEdges(still, edges),
-        kink: measureKink(geometry, edges, material),
+        // Lines that follow the form are not cut out of the triangles by planes.
+        ...(!followsForm(material) && { kink: measureKink(geometry, edges, material) }),
       }),
     };
     wantedSpacing ??= measured.spacing;

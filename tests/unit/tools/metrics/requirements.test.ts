@@ -36,6 +36,7 @@ function modelsWith(changed: string, change: object, technique: string) {
           anchored: measured(),
           engraved: measured(),
           'engraved, x': measured({ light: flips(0) }),
+          'engraved, form': measured({ light: flips(0), ink: { 0.1: 0.105, 0.8: 0.795 } }),
           ...(name === changed && { [technique]: measured(change) }),
         },
       },
