@@ -7,6 +7,8 @@ const STANDING = { ...PRINT, ground: 'shadow', occlusion: 0.6, material: { shado
 
 const BUST = { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 0.8], zoom: 0.95 };
 const DRAGON = { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 };
+/** What turns the strokes of a preset with the light, if it does not by itself. */
+const TURNING = { engraving: { lineField: 'light' } };
 
 /** Places of a light that is dragged from the left to the right, in degrees from the front. */
 const LIGHT_STEPS = [-80, -40, 0, 40, 80];
@@ -149,7 +151,7 @@ export const plansOf = (presets, techniques) => ({
         shadows: true,
         ground: 'floor',
         zoom: 0.82,
-        material: { shadowStrokes, strokeLayers: 'single', crossFrom: 1 },
+        material: { shadowStrokes, strokeLayers: 'single', crossFrom: 1, ...TURNING[preset] },
       })),
     ),
   },
@@ -177,6 +179,7 @@ export const plansOf = (presets, techniques) => ({
         pixelRatio: 1,
         zoom: 0.75,
         light: lightAt(degrees),
+        material: { ...STANDING.material, ...TURNING.engraving },
       })),
     ),
   },
@@ -194,6 +197,7 @@ export const plansOf = (presets, techniques) => ({
         view: [0, 0.25, 1],
         light: [-0.9, 1.4, 0.4],
         fills: FILLS.slice(0, count),
+        material: { ...STANDING.material, ...TURNING[preset] },
       })),
     ),
   },

@@ -369,7 +369,7 @@ export const FIGURES: readonly Figure[] = [
     fixedTechnique: true,
     light: { position: SIDES.left.position, reflected: 0 },
     view: [0.1, 0.05, 1],
-    look: { preset: 'engraving' },
+    look: { preset: 'engraving', lineField: 'light' },
     rows: [
       {
         panels: [
