@@ -14,10 +14,11 @@ export interface BakedMesh {
  * Bakes a mesh for hatching by any technique, in the library's worker. Missing normals are computed there, with creases kept.
  *
  * @param options.outlines whether contours, borders and creases are to be drawn too
+ * @param options.form whether lines are to follow the form
  */
 export async function bakeMesh(
   mesh: PlainMesh,
-  options: { outlines?: boolean; signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
+  options: { outlines?: boolean; form?: boolean; signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
 ): Promise<BakedMesh> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(mesh.positions, 3));

@@ -59,7 +59,8 @@ function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
 async function hand(): Promise<FigureModel> {
   const { loadHand } = await import('../models/loadHand.js');
   const mesh = await loadHand();
-  const { geometry } = await bakeMesh(mesh, { outlines: true });
+  // Lines of some presets follow the form.
+  const { geometry } = await bakeMesh(mesh, { outlines: true, form: true });
   return { parts: { all: geometry }, side: DoubleSide, outline: mesh.positions };
 }
 
