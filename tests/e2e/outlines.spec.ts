@@ -54,6 +54,11 @@ test('a link without outlines opens without them; undo brings back what was swit
   const drawn = await readDrawing(page);
   expect(meanInk(drawn)).toBeGreaterThan(meanInk(without));
   await expect.poll(() => page.url()).not.toContain('outlines=off');
+  // Quick changes of one control are one step, but not across Undo and Redo.
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(async () => changedShare(without, await readDrawing(page))).toBe(0);
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await expect.poll(async () => changedShare(drawn, await readDrawing(page))).toBe(0);
   await outlines.selectOption('None');
   expect(changedShare(without, await readDrawing(page))).toBe(0);
   await expect.poll(() => page.url()).toContain('outlines=off');
