@@ -65,6 +65,8 @@ const scene = new Scene().add(mesh, light);
 const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
 camera.position.set(0.3, -0.1, 5.6);
 const draw = () => renderer.render(scene, camera);
+// The code of dry media is fetched when it is first used.
+mesh.material.ready.then(draw);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, -0.2, 0);
 controls.addEventListener('change', draw);

@@ -43,6 +43,8 @@ composer.addPass(shift);
 composer.addPass(new OutputPass());
 
 const draw = () => composer.render();
+// The code of its technique is fetched when it is first used.
+mesh.material.ready.then(draw);
 new OrbitControls(camera, canvas).addEventListener('change', draw);
 new ResizeObserver(() => {
   renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);

@@ -35,7 +35,7 @@ composer.addPass(new RenderPass(scene, camera));
 composer.addPass(new EffectPass(camera, dust, new VignetteEffect({ darkness: 0.55 })));
 
 const draw = () => composer.render();
-// Its map of strokes is drawn in a worker.
+// Its map of strokes is drawn in a worker, and the code of dry media is fetched.
 material.ready.then(draw);
 new OrbitControls(camera, canvas).addEventListener('change', draw);
 new ResizeObserver(() => {

@@ -27,7 +27,7 @@ const CSS_DPI = 96;
 const radii = [0.001, 0.34, 0.36, 0.28, 0.44, 0.62, 0.66, 0.54, 0.34, 0.22, 0.21, 0.27, 0.38];
 const profile = new SplineCurve(radii.map((radius, i) => new Vector2(radius, 0.17 * Math.max(0, i - 1) - 0.9)));
 const vase = new LatheGeometry(profile.getPoints(120), 96);
-const material = new HatchingMaterial();
+const material = new HatchingMaterial({ preset: 'engraving' });
 const mesh = new Mesh(await prepareHatchingGeometry(vase, { outlines: true }), material);
 const outlines = new HatchingOutlines(mesh);
 mesh.add(outlines);
@@ -70,5 +70,7 @@ document.querySelector('button')!.addEventListener('click', () => {
   });
   draw();
 });
+// The code of its technique is fetched when it is first used.
+material.ready.then(draw);
 new OrbitControls(camera, canvas).addEventListener('change', draw);
 new ResizeObserver(draw).observe(canvas);

@@ -44,6 +44,8 @@ const scene = new Scene().add(mesh, light);
 const camera = new PerspectiveCamera(26, 4 / 3, 0.1, 40);
 camera.position.set(0, 2.2, 7);
 const draw = () => renderer.render(scene, camera);
+// The code of its technique is fetched when it is first used.
+mesh.material.ready.then(draw);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 0.3, 0);
 controls.addEventListener('change', draw);

@@ -18,27 +18,19 @@ import {
 } from 'three';
 import { isFormed } from '../geometry/formGeometry.js';
 import { silence } from '../mistakes/silence.js';
-import { stippleMap } from '../tam/stippleMap.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
-import { toothMap } from '../tam/toothMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
-import { bindVertices, compilePrePass, vertexLayoutOf } from './deformation/bindVertices.js';
+import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
-import {
-  HATCHING_DEFAULTS,
-  HATCHING_PROPERTIES,
-  type HatchingPropertyName,
-  type HatchingTechnique,
-} from './facts/hatchingProperties.js';
-import { isUsedBy, needsAdjacency, needsMap, usesThresholds } from './facts/lookFacts.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import { followsForm, needsMap, usesThresholds } from './facts/lookFacts.js';
 import type { PresetName } from './facts/presetMaterials.js';
 import { spelledOut } from './facts/presetParameters.js';
-import { writeFieldFrame } from './fieldFrame.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
@@ -53,11 +45,13 @@ import {
   writeSizeUniforms,
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
+import { PartInUse } from './parts/PartInUse.js';
+import { fetchPartOf, fetchParts } from './parts/parts.js';
 import { writePictureOffset } from './pictureOffset.js';
-import { type ProgramFacts, programDefines } from './programDefines.js';
+import { type ProgramFacts, programDefines, writeDefines } from './programDefines.js';
 import { defineRigid } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
-import { hatchingShaders } from './shaders/hatchingShaders.js';
+import { hatchingShaders, plainShaders, type Shaders } from './shaders/hatchingShaders.js';
 import { mapIsReady, sharedMap } from './sharedMaps.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
@@ -92,8 +86,10 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   };
   /** The curve that was set; undefined leaves it to the technique. */
   private curve: ToneCurve | undefined;
-  /** The technique of the present shaders. They are set only when it changes, so that a user may replace them. */
-  private shaderTechnique: HatchingTechnique | undefined;
+  /** The present shaders. They are set only when others are needed, so that a user may replace them. */
+  private shaders: Shaders | undefined;
+  /** What the technique or the medium of the present shaders needs beside. */
+  private readonly inUse = new PartInUse(() => this.writeProgram());
   /** What the program depends on beside the properties. */
   private readonly met: ProgramFacts = { hasEnvironment: false, vertexLayout: 'corner', hasForm: true };
   /** The frame for which the uniforms were last written. */
@@ -134,6 +130,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.setValues(parameters);
     this.writeProgram();
     this.writeUniforms();
+  }
+
+  /** Fetches the code of all techniques and media, so that every material draws with it from its first frame on. */
+  static preload(): Promise<void> {
+    return fetchParts();
   }
 
   override get toneCurve(): ToneCurve {
@@ -194,11 +195,14 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   }
 
   /**
-   * Resolves when the map that the material draws with is ready, at once if it needs none. For a page that draws only when something
-   * changes: `material.ready.then(render)`. Rejects if the map cannot be drawn.
+   * Resolves when all that the material draws with is there: its map, and its code. The code of strokes of ink is there from the start;
+   * that of other techniques and media is fetched when a material first uses it, and until then the surface is plain paper, or looks as
+   * before. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if the map cannot be drawn or the
+   * code cannot be fetched; reading it again tries again.
    */
   get ready(): Promise<void> {
-    return mapIsReady(this.drawsWithMap ? this.tonalArtMap : null);
+    this.writeProgram();
+    return Promise.all([fetchPartOf(this), mapIsReady(needsMap(this) ? this.tonalArtMap : null)]).then(() => {});
   }
 
   /**
@@ -243,8 +247,9 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   override onBeforeCompile(shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer): void {
     this.isWithWebGL = true;
     defineRigid(shader);
+    if (!this.shaders) return;
     for (const mesh of this.announced.splice(0)) {
-      if (needsAdjacency(this)) compilePrePass(renderer, mesh);
+      this.inUse.part?.compile?.(renderer, mesh);
       const environment = environmentAround(mesh);
       if (environment) blurredEnvironment(renderer, environment);
     }
@@ -274,13 +279,11 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     this.uniforms.viewportHeight.value = drawn.w;
     writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
     this.use('hasEnvironment', bindEnvironment(renderer, scene, camera, this.uniforms));
-    if (isUsedBy(this.technique, HATCHING_PROPERTIES.lineField)) {
-      this.use('hasForm', isFormed(geometry));
-      if (writeFieldFrame(this.uniforms, this.tilesPerUnit, geometry, object)) this.uniformsNeedUpdate = true;
-    }
+    if (followsForm(this)) this.use('hasForm', isFormed(geometry));
     this.drawn.note(this, renderer, scene, camera, geometry, object, drawn.w);
     this.announced.length = 0;
-    if (needsAdjacency(this)) this.use('vertexLayout', bindVertices(renderer, camera, geometry, object, this));
+    const layout = this.inUse.part?.bindMesh?.(renderer, camera, geometry, object, this);
+    if (layout) this.use('vertexLayout', layout);
   }
 
   private writeCurve(curve: ToneCurve): void {
@@ -301,15 +304,12 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   override copy(source: this): this {
     // Not ShaderMaterial's copy: that clones every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
-    this.fog = source.fog;
-    this.normalMapType = source.normalMapType;
-    this.lights = source.lights;
-    this.clipping = source.clipping;
-    this.wireframe = source.wireframe;
-    this.wireframeLinewidth = source.wireframeLinewidth;
-    this.vertexShader = source.vertexShader;
-    this.fragmentShader = source.fragmentShader;
-    this.shaderTechnique = source.shaderTechnique;
+    const { fog, normalMapType, lights, clipping, wireframe, wireframeLinewidth, vertexShader, fragmentShader } =
+      source;
+    Object.assign(this, { fog, normalMapType, lights, clipping, wireframe, wireframeLinewidth });
+    Object.assign(this, { vertexShader, fragmentShader });
+    this.shaders = source.shaders;
+    this.inUse.part = source.inUse.part;
     this.met.hasEnvironment = source.met.hasEnvironment;
     this.defines = { ...source.defines };
     for (const name of propertyNames) this.copyProperty(name, source);
@@ -377,8 +377,7 @@ export class HatchingMaterial extends HatchingMaterialProperties {
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
     writeSizeUniforms(this, chosen, pixelRatio, u);
-    if (this.medium === 'dry') u.toothMap.value = toothMap();
-    if (this.medium === 'stipple') u.stippleMap.value = stippleMap();
+    this.inUse.part?.writeUniforms?.(u);
     writeMapUniforms(map, isOfThresholds, u);
     u.inked.value = Number(map !== null || !this.drawsWithMap);
     writeComputedUniforms(this, u);
@@ -394,20 +393,19 @@ export class HatchingMaterial extends HatchingMaterialProperties {
   /** Brings choices to the shaders, those that are set together at once: the technique chooses the chunks, the others are defines. */
   private writeProgram(): void {
     if (this.isSettingValues) return;
-    const { technique } = this;
-    let hasChanged = this.shaderTechnique !== technique;
+    if (!this.inUse.take(this)) {
+      // Until the code is there, the surface looks as it did before, or like plain paper.
+      if (!this.shaders) Object.assign(this, plainShaders(), { drawsWithMap: needsMap(this) });
+      return;
+    }
+    const shaders = hatchingShaders(this.technique, this.inUse.part?.files);
+    let hasChanged = this.shaders !== shaders;
     if (hasChanged) {
-      this.shaderTechnique = technique;
-      Object.assign(this, hatchingShaders(technique));
+      this.shaders = shaders;
+      Object.assign(this, shaders);
       this.writeCurve(this.toneCurve);
     }
-    const defines = programDefines(this, this.met);
-    for (const [define, value] of Object.entries(defines)) {
-      if (this.defines[define] === value) continue;
-      hasChanged = true;
-      if (value === undefined) delete this.defines[define];
-      else this.defines[define] = value;
-    }
+    if (writeDefines(this.defines, programDefines(this, this.met))) hasChanged = true;
     this.drawsWithMap = needsMap(this);
     if (hasChanged) this.needsUpdate = true;
   }

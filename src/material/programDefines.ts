@@ -75,3 +75,23 @@ export function programDefines(
   defines.SIZED_ON_SCREEN = hasProgramForObject && sizedOnScreen > 0 ? '' : undefined;
   return defines;
 }
+
+/**
+ * Brings the defines of a material up to date.
+ *
+ * @param wanted by name; those that are undefined are taken away
+ * @returns whether any has changed
+ */
+export function writeDefines(
+  defines: Record<string, unknown>,
+  wanted: Readonly<Record<string, number | string | undefined>>,
+): boolean {
+  let hasChanged = false;
+  for (const [define, value] of Object.entries(wanted)) {
+    if (defines[define] === value) continue;
+    hasChanged = true;
+    if (value === undefined) delete defines[define];
+    else defines[define] = value;
+  }
+  return hasChanged;
+}

@@ -106,7 +106,9 @@ export class Hatcher {
     try {
       if (this.drawsWithMap(options)) await map.take();
       this.abort.signal.throwIfAborted();
-      if (!this.restyled(options, map.map)) await this.hatch(options, map);
+      if (this.restyled(options, map.map)) await Promise.all(this.hatched!.materials.map(({ ready }) => ready));
+      else await this.hatch(options, map);
+      this.abort.signal.throwIfAborted();
     } catch (error) {
       map.release();
       // A change during the work may have caused the error. The caller sees the change, and tries again.

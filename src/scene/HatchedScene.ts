@@ -1,6 +1,6 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
 import { identityOf } from '../geometry/identityOf.js';
-import { FIELD_FRAME } from '../material/fieldFrame.js';
+import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import type { MaterialFollower } from './MaterialFollower.js';

@@ -3,6 +3,7 @@ import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import { fetchPartOf } from '../material/parts/parts.js';
 import { describeObject } from '../mistakes/describeObject.js';
 import { isPromise } from '../mistakes/isPromise.js';
 import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
@@ -170,7 +171,10 @@ async function makeLooks(
         { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
       ),
     (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
-    async () => asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false)),
+    async () => {
+      await Promise.all(replacer.materials.map(fetchPartOf));
+      asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
+    },
   );
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
   skipped.push(...unreadable);

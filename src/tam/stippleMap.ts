@@ -1,8 +1,6 @@
 import { DataTexture, NearestFilter, RepeatWrapping } from 'three';
-import { bayerRank, PERIOD, pointsOf, readStippleSet } from './stippleSet.js';
-
-/** Texels per side. There are four texels per cell, since a cell has four quarters, of which one holds the cell's point. */
-export const STIPPLE_MAP_SIZE = 2 * PERIOD;
+import { STIPPLE_MAP_SIZE, STIPPLE_PERIOD } from './patternSizes.js';
+import { bayerRank, pointsOf, readStippleSet } from './stippleSet.js';
 
 let stipple: DataTexture | undefined;
 
@@ -25,13 +23,13 @@ function stippleTexels(): Uint8Array {
   const texels = new Uint8Array(4 * STIPPLE_MAP_SIZE ** 2);
   const { quarters, births } = readStippleSet();
   const points = pointsOf(quarters);
-  for (let cell = 0; cell < PERIOD ** 2; cell++) {
-    const [left, below] = [2 * (cell % PERIOD), 2 * Math.floor(cell / PERIOD)];
+  for (let cell = 0; cell < STIPPLE_PERIOD ** 2; cell++) {
+    const [left, below] = [2 * (cell % STIPPLE_PERIOD), 2 * Math.floor(cell / STIPPLE_PERIOD)];
     for (const [place, b] of [quarters[cell], ...births[cell]].entries()) {
       const [x, y] = [left + (b & 1), below + (b >> 1)];
-      const point = 2 * ((y % PERIOD) * PERIOD + (x % PERIOD));
+      const point = 2 * ((y % STIPPLE_PERIOD) * STIPPLE_PERIOD + (x % STIPPLE_PERIOD));
       // Each of the three new points of a cell appears in its own third of the octave, evenly distributed over the plane.
-      const born = (place - 1 + (bayerRank(cell) + 0.5) / PERIOD ** 2) / 3;
+      const born = (place - 1 + (bayerRank(cell) + 0.5) / STIPPLE_PERIOD ** 2) / 3;
       texels.set(
         [255 * points[point], 255 * points[point + 1], place === 0 ? 0 : Math.max(1, 255 * born), 255].map(Math.round),
         4 * (y * STIPPLE_MAP_SIZE + x),

@@ -1,5 +1,4 @@
-/** The number of cells per side after which the set repeats: a power of two. */
-export const PERIOD = 32;
+import { STIPPLE_PERIOD } from './patternSizes.js';
 
 /**
  * A self-similar set of points in the plane: scaled to half its size, it contains itself. So new points may appear between the old
@@ -17,16 +16,16 @@ const ORDERS = ['012', '021', '102', '120', '201', '210'];
 
 /** The positions of the points within their cells, as xyxy…, from the quarters that they lie in. */
 export function pointsOf(quarters: ArrayLike<number>): Float64Array {
-  const points = new Float64Array(2 * PERIOD ** 2);
-  for (let cell = 0; cell < PERIOD ** 2; cell++) {
-    let [x, y] = [cell % PERIOD, Math.floor(cell / PERIOD)];
+  const points = new Float64Array(2 * STIPPLE_PERIOD ** 2);
+  for (let cell = 0; cell < STIPPLE_PERIOD ** 2; cell++) {
+    let [x, y] = [cell % STIPPLE_PERIOD, Math.floor(cell / STIPPLE_PERIOD)];
     // Each quarter on the way from set to smaller set adds a binary digit to both coordinates.
     for (let digit = 0.5; digit > 2 ** -24; digit /= 2) {
-      const b = quarters[y * PERIOD + x];
+      const b = quarters[y * STIPPLE_PERIOD + x];
       points[2 * cell] += (b & 1) * digit;
       points[2 * cell + 1] += (b >> 1) * digit;
-      x = (2 * x + (b & 1)) % PERIOD;
-      y = (2 * y + (b >> 1)) % PERIOD;
+      x = (2 * x + (b & 1)) % STIPPLE_PERIOD;
+      y = (2 * y + (b >> 1)) % STIPPLE_PERIOD;
     }
   }
   return points;
@@ -34,9 +33,9 @@ export function pointsOf(quarters: ArrayLike<number>): Float64Array {
 
 /** The rank of a cell in the order of ordered dithering (Bayer 1973): any beginning of it is spread evenly over the grid. */
 export function bayerRank(cell: number): number {
-  const [x, y] = [cell % PERIOD, Math.floor(cell / PERIOD)];
+  const [x, y] = [cell % STIPPLE_PERIOD, Math.floor(cell / STIPPLE_PERIOD)];
   let rank = 0;
-  for (let bit = 1; bit < PERIOD; bit *= 2)
+  for (let bit = 1; bit < STIPPLE_PERIOD; bit *= 2)
     rank = 4 * rank + 2 * Number((x & bit) !== (y & bit)) + Number((y & bit) !== 0);
   return rank;
 }

@@ -1,13 +1,8 @@
 import { DataTexture, LinearFilter, RedFormat, RepeatWrapping } from 'three';
 import { blurToroidal } from '../strokes/blurToroidal.js';
 import { random } from '../strokes/random.js';
+import { TOOTH_MAP_RADIUS, TOOTH_MAP_SIZE } from './patternSizes.js';
 
-/** Texels per side: a power of two. */
-export const TOOTH_MAP_SIZE = 256;
-/** The radius of the blur, in texels. The shader relies on it: neighbouring texels have a correlation of 16/19. */
-const RADIUS = 2;
-/** The size of a bump of the tooth, in texels, which results from the blur. */
-export const TOOTH_MAP_BUMP = 2 * RADIUS;
 const SEED = 7;
 
 let tooth: DataTexture | undefined;
@@ -31,7 +26,7 @@ export function toothMap(): DataTexture {
 function toothTexels(): Uint8Array {
   const next = random(SEED);
   const noise = Float32Array.from({ length: TOOTH_MAP_SIZE ** 2 }, () => next() - 0.5);
-  const field = blurToroidal(noise, TOOTH_MAP_SIZE, RADIUS);
+  const field = blurToroidal(noise, TOOTH_MAP_SIZE, TOOTH_MAP_RADIUS);
   // The mean is subtracted, because it is not exactly 0 and would shift the tone.
   const mean = field.reduce((sum, value) => sum + value, 0) / field.length;
   const variance = field.reduce((sum, value) => sum + (value - mean) ** 2, 0) / field.length;

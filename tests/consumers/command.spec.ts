@@ -46,6 +46,7 @@ test('the command draws the map that the library draws', async ({ page }) => {
   expect([status, stderr]).toEqual([0, '']);
   expect(stdout).toContain("TonalArtMap.load('a/map.json')");
   await page.goto('/tests/gpu/toolkit.html');
+  await page.waitForFunction(() => window.toolkit !== undefined);
   const saved = await page.evaluate(async (o) => {
     const files = await (await window.toolkit.TonalArtMap.generate(o)).save();
     return Promise.all(files.map(async (file) => [file.name, [...new Uint8Array(await file.arrayBuffer())]] as const));

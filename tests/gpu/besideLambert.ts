@@ -486,4 +486,6 @@ declare global {
     besideLambert: typeof besideLambert;
   }
 }
+// Tests draw in the same turn in which they make their materials.
+await HatchingMaterial.preload();
 window.besideLambert = besideLambert;

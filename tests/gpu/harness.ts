@@ -218,4 +218,6 @@ declare global {
 }
 const gl = renderer.getContext();
 window.subpixelBits = gl.getParameter(gl.SUBPIXEL_BITS);
+// Tests draw in the same turn in which they make their materials.
+await HatchingMaterial.preload();
 window.renderHatching = renderHatching;

@@ -165,4 +165,6 @@ declare global {
     toolkit: typeof toolkit;
   }
 }
+// Tests draw in the same turn in which they make their materials.
+await HatchingMaterial.preload();
 window.toolkit = toolkit;

@@ -50,6 +50,7 @@ window.renderScenario = async (scenario, deviation = {}) => {
   });
   tonalArtMap.texture.anisotropy = scenario.anisotropy ?? 1;
   const material = new HatchingMaterial(plainLook({ tonalArtMap, ...scenario.material }));
+  await material.ready;
   const mesh = new Mesh(geometry, material);
   mesh.rotation.fromArray([...(scenario.modelRotation ?? [0, 0, 0])]);
 

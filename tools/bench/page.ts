@@ -1,3 +1,5 @@
+import { HatchingMaterial } from 'three-hatching';
+
 /** The page that measures: loads what one benchmark needs, and nothing else. */
 const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
@@ -19,6 +21,7 @@ const measures = {
 };
 
 async function measure(name: keyof typeof measures, ...args: unknown[]): Promise<unknown> {
+  await HatchingMaterial.preload();
   const run = (await measures[name]()) as (...args: unknown[]) => unknown;
   return run(...args);
 }

@@ -15,7 +15,8 @@ const server = await createServer({
   logLevel: 'error',
   server: { middlewareMode: true, ws: false, watch: null },
 });
-const { bayerRank, PERIOD, pointsOf } = await server.ssrLoadModule('/src/tam/stippleSet.ts');
+const { STIPPLE_PERIOD: PERIOD } = await server.ssrLoadModule('/src/tam/patternSizes.ts');
+const { bayerRank, pointsOf } = await server.ssrLoadModule('/src/tam/stippleSet.ts');
 await server.close();
 
 const SWEEPS = 400;

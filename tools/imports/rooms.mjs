@@ -25,7 +25,14 @@ export const ROOMS = {
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],
   'material/deformation': ['shaders'],
-  'material/firstDraw': ['facts', 'deformation'],
+  'material/parts': [
+    'facts',
+    'shaders',
+    'deformation',
+    '/src/material/HatchingMaterialProperties.ts',
+    '/src/material/fieldFrameName.ts',
+  ],
+  'material/firstDraw': ['facts', 'deformation', 'parts'],
   outlines: ['mistakes', 'features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
   scene: [
     'mistakes',

@@ -105,6 +105,7 @@ let drawnLength: number | undefined;
 
 window.measureModel = async (name, plan, text) => {
   tonalArtMap ??= await TonalArtMap.generate();
+  await HatchingMaterial.preload();
   drawnLength ??= await measureDrawnLength(tonalArtMap);
   const geometry = await prepareHatchingGeometry(await loadModel(name, text), { adjacency: true, form: true });
   const metrics: ModelMetrics = { triangles: geometry.userData.hatching.triangles, techniques: {} };

@@ -59,7 +59,7 @@ export class FigureDrawing {
   static async make(figure: Figure, panel: Panel, ink: string, paper: string): Promise<FigureDrawing> {
     const paperOf = ({ preset }: Look): string => (preset && String(presets[preset].material.paper)) ?? paper;
     const drawing = new FigureDrawing(figure, panel, paperOf({ ...figure.look, ...panel.look }));
-    const model = await figureModel(panel.model ?? figure.model);
+    const [model] = await Promise.all([figureModel(panel.model ?? figure.model), HatchingMaterial.preload()]);
     const group = new Group();
     group.rotation.y = MathUtils.degToRad(panel.turned ?? 0);
     for (const [part, geometry] of Object.entries(model.parts)) {

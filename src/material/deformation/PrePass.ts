@@ -17,7 +17,7 @@ import {
 } from 'three';
 import { pullColumns, pullTextureSize } from '../../bake/pullLayout.js';
 import type { PulledVertices } from '../../geometry/PulledVertices.js';
-import { deformationShaders } from '../shaders/hatchingShaders.js';
+import { deformationShaders } from './deformationShaders.js';
 
 /** The corners of a mesh as points, or its vertices if it has an index. three.js uploads its bones and morph targets as it does for the mesh. */
 class CornerPoints extends Points {

@@ -37,12 +37,6 @@ export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
   compileDeformation(renderer, mesh, geometry, vertices);
 }
 
-/** The layout in which a material will find the vertices of a mesh, if the device can draw it. */
-export function vertexLayoutOf(geometry: BufferGeometry, object: Object3D): VertexLayout {
-  if (!pulledVerticesOf(geometry)) return 'corner';
-  return deforms(geometry, object) ? 'deforming' : 'pull';
-}
-
 /** Sets a uniform that differs between meshes. By default three.js uploads uniforms once for all meshes of a material. */
 function bind(material: ShaderMaterial, name: string, value: Texture | number): void {
   const uniform = material.uniforms[name];

@@ -1,6 +1,7 @@
 import type { BufferGeometry, Camera, Object3D, WebGLRenderer } from 'three';
 import { isStale } from '../../geometry/staleGeometry.js';
 import { silence } from '../../mistakes/silence.js';
+import { isFetched } from '../parts/parts.js';
 import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
 
 /** What a mesh was drawn as when it was checked last. */
@@ -17,6 +18,10 @@ async function check(): Promise<void> {
   const { checkDraws } = await import('./checkDraws.js');
   checkDraws(waiting.splice(0));
 }
+
+/** Whether a material has its code, and its map if it draws with one. */
+const isWhole = ({ technique, medium, tonalArtMap, uniforms }: DrawnMaterial): boolean =>
+  isFetched(technique, medium) && (uniforms.inked.value === 1 || tonalArtMap === null);
 
 /** Knows which meshes one material has drawn, and has new ones checked for mistakes. */
 export class DrawnMeshes {
@@ -39,7 +44,9 @@ export class DrawnMeshes {
     if (last?.geometry === geometry && last.technique === technique && last.isStale === stale) return;
     this.seen.set(mesh, { geometry, technique, isStale: stale });
     const isOnScreen = renderer.getRenderTarget() === null;
-    waiting.push({ material, mesh, geometry, scene, camera, renderer, isOnScreen, height, isStale: stale });
+    const { frame } = renderer.info.render;
+    const draw = { material, mesh, geometry, scene, camera, renderer, isOnScreen, height, frame };
+    waiting.push({ ...draw, isStale: stale, isWhole: isWhole(material) });
     // A page that cannot load the checks draws without them.
     if (waiting.length === 1) check().catch(() => waiting.splice(0));
   }

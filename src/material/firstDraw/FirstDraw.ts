@@ -1,8 +1,15 @@
-import type { BufferGeometry, Camera, Material, Object3D, WebGLRenderer } from 'three';
+import type { BufferGeometry, Camera, IUniform, Material, Object3D, WebGLRenderer } from 'three';
+import type { HatchingTechnique, Medium } from '../facts/hatchingProperties.js';
 import type { HatchingLook } from '../facts/lookFacts.js';
 
 /** A hatching material, as far as the checks look at it. */
-export type DrawnMaterial = Material & HatchingLook & { readonly lights: boolean };
+export interface DrawnMaterial extends Material, HatchingLook {
+  readonly technique: HatchingTechnique;
+  readonly medium: Medium;
+  readonly lights: boolean;
+  readonly uniforms: Readonly<Record<string, IUniform>>;
+  readonly ready: Promise<void>;
+}
 
 /** A mesh that is drawn for the first time: by this material, or by this material with another technique or geometry. */
 export interface FirstDraw {
@@ -18,4 +25,8 @@ export interface FirstDraw {
   readonly height: number;
   /** Whether the geometry has changed since it was prepared. */
   readonly isStale: boolean;
+  /** The frame of the renderer in which it is drawn. */
+  readonly frame: number;
+  /** Whether the map and the code that the material draws with are there. */
+  readonly isWhole: boolean;
 }

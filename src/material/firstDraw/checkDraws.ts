@@ -5,6 +5,7 @@ import type { FirstDraw } from './FirstDraw.js';
 import { findLightMistake } from './findLightMistake.js';
 import { findStrokeMistakes } from './findStrokeMistakes.js';
 import { findSurfaceMistakes } from './findSurfaceMistakes.js';
+import { isOnlyFrame } from './isOnlyFrame.js';
 import type { NoteMistake } from './NoteMistake.js';
 import { printsNothing } from './printsNothing.js';
 import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
@@ -33,6 +34,16 @@ export function checkDraws(given: readonly FirstDraw[]): void {
     const name = `the ${describeObject(mesh)}${others > 0 ? ` and ${others} more` : ''}`;
     tell(`HatchingMaterial: ${sentence(name, ...details)}`, mistake === 'noAdjacency' ? 'error' : 'warn');
   }
+  const early = draws.find(({ isWhole }) => !isWhole);
+  // What cannot be fetched or drawn is told of where that fails.
+  if (early) awaitSecondFrame(early).catch(() => {});
+}
+
+/** Says that nothing is drawn after what a mesh lacked when it was drawn has come. */
+async function awaitSecondFrame(draw: FirstDraw): Promise<void> {
+  const isMissing = await isOnlyFrame(draw);
+  if (isMissing && isStillThere(draw) && isNews('onlyFrame', draw.renderer))
+    tell(`HatchingMaterial: ${SENTENCES.onlyFrame(`the ${describeObject(draw.mesh)}`)}`);
 }
 
 /** While the checks were loaded a scene may have been taken apart, and then lacks more than it did. */

@@ -42,6 +42,8 @@ export const SENTENCES = {
     `${mesh} has strokes smaller than a pixel, which make plain grey: ${property} is ${value}. Set it to about ${better}.`,
   tooCoarse: (mesh: string, property: string, value: string, better: string) =>
     `${mesh} has strokes larger than itself: ${property} is ${value}. Set it to about ${better}.`,
+  onlyFrame: (mesh: string) =>
+    `${mesh} was drawn before all that its material draws with was there, and never since. Draw again when it is: material.ready.then(() => renderer.render(scene, camera)).`,
 } satisfies Record<string, Sentence>;
 
 export type Mistake = keyof typeof SENTENCES;

@@ -1,3 +1,4 @@
+import { ShaderLib } from 'three';
 import type { HatchingTechnique } from '../facts/hatchingProperties.js';
 import { environmentLayout } from './environmentLayout.js';
 import { lightChunks } from './lightKinds.js';
@@ -11,56 +12,80 @@ export interface Shaders {
   fragmentShader: string;
 }
 
-/** Every file of shaders/ but those of outlines, as text. */
-const files: Readonly<Record<string, string>> = import.meta.glob(['./**', '!./outlines/**'], {
-  base: '../../../shaders',
-  query: '?raw',
-  import: 'default',
-  eager: true,
-});
+/** Files of shaders/ as text, by their paths there. */
+export type ShaderFiles = Readonly<Record<string, string>>;
+
+/** The files that every material needs. `parts` holds those of others. */
+const files: ShaderFiles = import.meta.glob(
+  [
+    './{hatching,plain}.*',
+    './{chunks,environment,shadowMaps}/*',
+    '!./chunks/{dryMedium,tooth,lineCoverage}.glsl',
+    './perFragment/*',
+    '!./perFragment/screenGradient.glsl',
+    './techniques/anchored/*',
+    '!./techniques/anchored/{stipple,dots}.glsl',
+  ],
+  { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
+);
+
+/** Chunks of media that are included by name. They are blank where the medium is another one. */
+const ABSENT = { dryMedium: '', 'technique/stipple': '' };
 
 // Shaders are resolved when first asked for, so that a page that never hatches does not pay, and a bundler may leave this out.
-const made = new Map<string, Shaders>();
+const made = new Map<HatchingTechnique, Map<ShaderFiles, Shaders>>();
+const NONE: ShaderFiles = {};
 
-/** The shaders of a technique. */
-export const hatchingShaders = (technique: HatchingTechnique): Shaders => shadersFrom('hatching', technique);
-
-/** The shaders of the pre-pass that deforms vertices. */
-export const deformationShaders = (): Shaders => shadersFrom('deformation');
-
-function shadersFrom(name: string, technique?: HatchingTechnique): Shaders {
-  const key = `${name} ${technique}`;
-  let shaders = made.get(key);
+/**
+ * The shaders of a technique.
+ *
+ * @param further files of the part that the technique or the medium needs
+ */
+export function hatchingShaders(technique: HatchingTechnique, further = NONE): Shaders {
+  const known = made.get(technique) ?? new Map<ShaderFiles, Shaders>();
+  made.set(technique, known);
+  let shaders = known.get(further);
   if (!shaders) {
-    const chunks = chunksFor(technique);
-    shaders = {
-      vertexShader: resolveIncludes(files[`./${name}.vert`], chunks),
-      fragmentShader: resolveIncludes(files[`./${name}.frag`], chunks),
+    const chunks: Record<string, string> = {
+      ...ABSENT,
+      ...sharedChunks(),
+      ...namedChunks({ ...files, ...further }, technique),
     };
-    made.set(key, shaders);
+    chunks['environment/layout'] = chunks[`environment/${environmentLayout()}`];
+    shaders = {
+      vertexShader: resolveIncludes(chunks['hatching.vert'], chunks),
+      fragmentShader: resolveIncludes(chunks['hatching.frag'], chunks),
+    };
+    known.set(further, shaders);
   }
   return shaders;
 }
 
+/** Plain paper, which is drawn while the code of a technique is being fetched. */
+export const plainShaders = (): Shaders => ({
+  vertexShader: ShaderLib.basic.vertexShader,
+  fragmentShader: files['./plain.frag'],
+});
+
+/** The chunks that TypeScript and three.js decide. */
+const sharedChunks = (): Record<string, string> => ({
+  conventions: conventionsChunk(),
+  cornerAttributes: cornerAttributesChunk(),
+  mapTransforms: mapTransformsChunk(),
+  packing: packingChunk(),
+  shadowMaps: shadowMapsChunk(),
+  ...lightChunks(),
+});
+
 /** Chunks by the names they are included by: `tone` for chunks/tone.glsl, `technique/read` for techniques/<technique>/read.glsl. */
-function chunksFor(technique?: HatchingTechnique): Record<string, string> {
-  const chunks: Record<string, string> = {
-    conventions: conventionsChunk(),
-    cornerAttributes: cornerAttributesChunk(),
-    mapTransforms: mapTransformsChunk(),
-    packing: packingChunk(),
-    shadowMaps: shadowMapsChunk(),
-    ...lightChunks(),
-  };
-  for (const [path, text] of Object.entries(files)) {
-    const name = path
-      .replace('./', '')
-      .replace(`techniques/${technique}/`, 'technique/')
-      .replace('chunks/', '')
-      .replace('.glsl', '');
-    // Chunks of other techniques are left out.
-    if (!name.startsWith('techniques/')) chunks[name] = text;
-  }
-  chunks['environment/layout'] = chunks[`environment/${environmentLayout()}`];
-  return chunks;
-}
+const namedChunks = (files: ShaderFiles, technique: HatchingTechnique): Record<string, string> =>
+  Object.fromEntries(
+    Object.entries(files).map(([path, text]) => [
+      path
+        .replace('./', '')
+        .replace(`techniques/${technique}/`, 'technique/')
+        .replace('chunks/', '')
+        .replace('.glsl', ''),
+      text,
+    ]),
+  );

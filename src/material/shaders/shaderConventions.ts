@@ -1,7 +1,6 @@
 import { ShaderChunk } from 'three';
 import { cornerLayout } from '../../bake/cornerLayout.js';
-import { STIPPLE_MAP_SIZE } from '../../tam/stippleMap.js';
-import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../tam/toothMap.js';
+import { STIPPLE_MAP_SIZE, TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../tam/patternSizes.js';
 import { constantCase } from '../facts/constantCase.js';
 import type { HatchingProperty, HatchingTexture } from '../facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../facts/hatchingProperties.js';

@@ -4,17 +4,19 @@ import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-ha
 const SIZE = 96;
 
 /**
- * What every consumer does: bakes a cube, draws a map, renders, reads the pixels back.
+ * What every consumer does: bakes a cube, draws a map, renders, reads the pixels back, before and after the code of the technique is there.
  *
  * @param {{ createWorker?: () => Worker }} options
  * @returns {Promise<number[]>} the red channel of every pixel
  */
 export async function renderHatchedCube({ createWorker } = {}) {
   const [geometry, tonalArtMap] = await Promise.all([
-    prepareHatchingGeometry(new BoxGeometry(), { createWorker }),
+    prepareHatchingGeometry(new BoxGeometry(), { adjacency: true, createWorker }),
     TonalArtMap.generate({ size: 64, tones: 4, createWorker }),
   ]);
-  const mesh = new Mesh(geometry, new HatchingMaterial({ tonalArtMap, tilesPerUnit: 1 }));
+  // Its code comes later than the rest, from a file of its own.
+  const material = new HatchingMaterial({ technique: 'adjacency', tonalArtMap, tilesPerUnit: 1 });
+  const mesh = new Mesh(geometry, material);
   mesh.rotation.set(0.5, 0.6, 0);
   const sun = new DirectionalLight(0xffffff, Math.PI);
   sun.position.set(2, 1, 1);
@@ -26,9 +28,15 @@ export async function renderHatchedCube({ createWorker } = {}) {
   renderer.setClearColor(0xffffff);
   renderer.setSize(SIZE, SIZE, false);
   document.body.append(renderer.domElement);
-  renderer.render(scene, camera);
-  const gl = renderer.getContext();
-  const pixels = new Uint8Array(SIZE * SIZE * 4);
-  gl.readPixels(0, 0, SIZE, SIZE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  return Array.from({ length: SIZE * SIZE }, (_, i) => pixels[4 * i]);
+  const draw = () => {
+    renderer.render(scene, camera);
+    const gl = renderer.getContext();
+    const pixels = new Uint8Array(SIZE * SIZE * 4);
+    gl.readPixels(0, 0, SIZE, SIZE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return Array.from({ length: SIZE * SIZE }, (_, i) => pixels[4 * i]);
+  };
+  const before = draw();
+  if (before.some((red) => red < 255)) throw new Error('Before its code is there, the cube is not white paper.');
+  await material.ready;
+  return draw();
 }

@@ -17,6 +17,9 @@ import type { HatchingMaterialParameters } from '../../../src/material/HatchingM
 import { programSwitches } from '../../../src/material/programSwitches.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
 
+// Materials are looked at in the same turn in which they are made.
+await HatchingMaterial.preload();
+
 const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]) });
 
 afterEach(() => vi.restoreAllMocks());

@@ -3,6 +3,9 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { ProgramParameters } from '../../../src/material/programParameters.js';
 
+// Materials are looked at in the same turn in which they are made.
+await HatchingMaterial.preload();
+
 // No renderer follows the question for the program here, as with WebGPURenderer.
 beforeEach(() => void vi.spyOn(console, 'error').mockImplementation(() => {}));
 afterEach(() => vi.restoreAllMocks());

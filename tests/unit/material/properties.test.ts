@@ -15,6 +15,9 @@ import { outputs } from '../../../tools/properties/outputs.js';
 import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../tools/properties/table.js';
 
+// Materials are looked at in the same turn in which they are made.
+await HatchingMaterial.preload();
+
 afterEach(() => vi.restoreAllMocks());
 
 const rows = Object.entries(PROPERTIES) as [HatchingPropertyName, PropertyRow][];

@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
-import { STIPPLE_MAP_SIZE, stippleMap } from '../../../src/tam/stippleMap.js';
-import { PERIOD, pointsOf, readStippleSet } from '../../../src/tam/stippleSet.js';
+import { STIPPLE_PERIOD as PERIOD, STIPPLE_MAP_SIZE } from '../../../src/tam/patternSizes.js';
+import { stippleMap } from '../../../src/tam/stippleMap.js';
+import { pointsOf, readStippleSet } from '../../../src/tam/stippleSet.js';
 
 const { quarters, births } = readStippleSet();
 const points = pointsOf(quarters);

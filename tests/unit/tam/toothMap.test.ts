@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { TOOTH_MAP_SIZE, toothMap } from '../../../src/tam/toothMap.js';
+import { TOOTH_MAP_SIZE } from '../../../src/tam/patternSizes.js';
+import { toothMap } from '../../../src/tam/toothMap.js';
 
 /** As the shader reads them. */
 const field = Float64Array.from(toothMap().image.data as Uint8Array, (texel) => (6 * texel) / 255 - 3);

@@ -53,6 +53,8 @@ export async function compareFrames(
     for (const side of ['old', 'new'] as const) {
       const { material } = meshes[side];
       material.setValues(lookOf(libraries[side], technique, material));
+      // Older versions have all code at once.
+      await material.ready;
     }
     times[technique] = await alternate(effort, (side) => stage.timeFrame(meshes[side]));
   }

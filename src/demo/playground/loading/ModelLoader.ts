@@ -1,3 +1,4 @@
+import { HatchingMaterial } from 'three-hatching';
 import type { CodeModel } from '../../code/CodeModel.js';
 import { buildModel } from '../../drawing/buildModel.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
@@ -200,7 +201,8 @@ export class ModelLoader {
     this.wanted = wanted;
     if (!stage.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
-      const loaded = await load(report, signal);
+      // Every technique draws from here on in the very frame in which it is chosen.
+      const [loaded] = await Promise.all([load(report, signal), HatchingMaterial.preload()]);
       this.showStandIn(loaded, way);
       const built = await buildModel(loaded.read, report, signal);
       try {

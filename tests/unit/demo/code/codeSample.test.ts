@@ -1,5 +1,5 @@
 import * as THREE from 'three';
-import { describe, expect, test } from 'vitest';
+import { beforeAll, describe, expect, test } from 'vitest';
 import { codeSample } from '../../../../src/demo/code/codeSample.js';
 import { materialParameters } from '../../../../src/demo/code/lookSample.js';
 import { parameterSetter } from '../../../../src/demo/drawing/parameterSetter.js';
@@ -111,6 +111,9 @@ const looks: Record<string, Partial<Settings>> = {
     lightKind: 'point',
   },
 };
+
+// What a program consists of is compared at once.
+beforeAll(() => HatchingMaterial.preload());
 
 describe('codeSample', () => {
   test.each(Object.entries(looks))('makes the material and the lights of the page: %s', async (_name, look) => {

@@ -351,3 +351,37 @@ test('a mesh without an own sphere is drawn without a word', async () => {
   expect(await draw(mesh, { lights: [new PointLight(0xffffff, 20)] })).toEqual([]);
   expect(new BufferGeometry().boundingSphere).toBeNull();
 });
+
+// Each test is the first to use its medium: code is fetched once.
+describe('a mesh that is drawn before its code is there', () => {
+  /** Draws it, then lets the code come and some time pass. */
+  async function drawEarly(medium: 'dry' | 'stipple') {
+    vi.stubGlobal('requestAnimationFrame', (callback: () => void) => callback());
+    const info = { render: { frame: 1 } };
+    const renderer = { info, getContext: () => ({ isContextLost: () => false }) } as unknown as WebGLRenderer;
+    const mesh = ball(anchored({ medium }));
+    vi.useFakeTimers({ toFake: ['setTimeout'] });
+    expect(await draw(mesh, { renderer })).toEqual([]);
+    await (mesh.material as HatchingMaterial).ready;
+    return info;
+  }
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
+
+  test('and never again', async () => {
+    await drawEarly('dry');
+    await vi.advanceTimersByTimeAsync(2900);
+    expect(said).toEqual([]);
+    await vi.advanceTimersByTimeAsync(200);
+    expect(said).toEqual(about(/the Mesh "ball" at .* never since\. .* material\.ready\.then/));
+  });
+
+  test('and again when it is', async () => {
+    const info = await drawEarly('stipple');
+    info.render.frame++;
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(said).toEqual([]);
+  });
+});

@@ -1,7 +1,5 @@
 import { type BufferGeometry, type IUniform, Matrix3, Matrix4, type Object3D, Vector3 } from 'three';
-
-/** The name in `userData` of a mesh for the elements of a matrix from its object space to a frame that it shares with other meshes. */
-export const FIELD_FRAME = 'hatchingField';
+import { FIELD_FRAME } from '../fieldFrameName.js';
 
 const frame = /* @__PURE__ */ new Matrix4();
 const linear = /* @__PURE__ */ new Matrix3();

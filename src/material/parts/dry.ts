@@ -1,0 +1,15 @@
+import { toothMap } from '../../tam/toothMap.js';
+import type { MaterialPart } from './MaterialPart.js';
+
+/** The medium `dry`. */
+export const part: MaterialPart = {
+  files: import.meta.glob('./chunks/{dryMedium,tooth}.glsl', {
+    base: '../../../shaders',
+    query: '?raw',
+    import: 'default',
+    eager: true,
+  }),
+  writeUniforms(uniforms) {
+    uniforms.toothMap.value = toothMap();
+  },
+};

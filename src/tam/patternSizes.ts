@@ -1,0 +1,13 @@
+/** The sizes of the patterns that media are drawn with. Shaders know them, so they lie apart from what draws the patterns. */
+
+/** The number of cells per side after which the points of stipple repeat: a power of two. */
+export const STIPPLE_PERIOD = 32;
+/** Texels per side. There are four texels per cell, since a cell has four quarters, of which one holds the cell's point. */
+export const STIPPLE_MAP_SIZE = 2 * STIPPLE_PERIOD;
+
+/** Texels per side: a power of two. */
+export const TOOTH_MAP_SIZE = 256;
+/** The radius of the tooth's blur, in texels. The shader relies on it: neighbouring texels have a correlation of 16/19. */
+export const TOOTH_MAP_RADIUS = 2;
+/** The size of a bump of the tooth, in texels, which results from the blur. */
+export const TOOTH_MAP_BUMP = 2 * TOOTH_MAP_RADIUS;

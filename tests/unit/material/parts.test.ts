@@ -1,0 +1,89 @@
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { fetchedPart, partNameOf } from '../../../src/material/parts/parts.js';
+import { plainShaders } from '../../../src/material/shaders/hatchingShaders.js';
+
+afterEach(() => vi.restoreAllMocks());
+
+const isPlain = (material: HatchingMaterial): boolean =>
+  material.vertexShader === plainShaders().vertexShader && material.fragmentShader === plainShaders().fragmentShader;
+
+// Each test is the first to use its part: parts are fetched once.
+describe('code that is fetched when a material first uses it', () => {
+  test('is none for strokes of ink', async () => {
+    const material = new HatchingMaterial({ technique: 'anchored' });
+    expect(isPlain(material)).toBe(false);
+    expect(material.fragmentShader).toContain('anchorSpacing');
+    await material.ready;
+  });
+
+  test('leaves the surface plain until it is there, and then asks for its program', async () => {
+    const material = new HatchingMaterial({ technique: 'engraved' });
+    expect(isPlain(material)).toBe(true);
+    const { version } = material;
+    await material.ready;
+    expect(isPlain(material)).toBe(false);
+    expect(material.fragmentShader).toContain('lineSpacing');
+    expect(material.version).toBe(version + 1);
+    expect(isPlain(new HatchingMaterial({ technique: 'engraved' }))).toBe(false);
+  });
+
+  test('leaves a material as it was until it is there', async () => {
+    const material = new HatchingMaterial({ technique: 'anchored' });
+    const { fragmentShader, version } = material;
+    const defines = { ...material.defines };
+    material.medium = 'dry';
+    expect([material.fragmentShader, material.version]).toEqual([fragmentShader, version]);
+    expect(material.defines).toEqual(defines);
+    await material.ready;
+    expect(material.fragmentShader).toContain('smudge');
+    expect(material.defines).not.toEqual(defines);
+    expect(material.version).toBe(version + 1);
+  });
+
+  test('is not waited for where the look changes back meanwhile', async () => {
+    const material = new HatchingMaterial({ technique: 'anchored' });
+    const { fragmentShader, version } = material;
+    material.medium = 'stipple';
+    const stippled = material.ready;
+    material.medium = 'ink';
+    await Promise.all([stippled, material.ready]);
+    expect([material.fragmentShader, material.version]).toEqual([fragmentShader, version]);
+  });
+
+  test('reaches a copy that was made meanwhile', async () => {
+    const material = new HatchingMaterial({ technique: 'adjacency' });
+    expect(isPlain(material)).toBe(true);
+    const copy = material.clone();
+    await copy.ready;
+    expect(isPlain(copy)).toBe(false);
+    expect(copy.fragmentShader).toBe(material.fragmentShader);
+  });
+
+  test('is all there after preload', async () => {
+    await HatchingMaterial.preload();
+    for (const technique of ['triangle', 'adjacency', 'engraved'] as const) {
+      expect(isPlain(new HatchingMaterial({ technique }))).toBe(false);
+      expect(fetchedPart(partNameOf(technique, 'ink')!)).toBeDefined();
+    }
+    for (const medium of ['dry', 'stipple'] as const)
+      expect(fetchedPart(partNameOf('anchored', medium)!)).toBeDefined();
+  });
+
+  test('is told of in one sentence where it cannot be fetched, and fetched again by the next use', async () => {
+    vi.resetModules();
+    vi.doMock('../../../src/material/parts/engraved.js', () => {
+      throw new Error('offline');
+    });
+    const errors = vi.spyOn(console, 'error').mockImplementation(() => {});
+    const { HatchingMaterial } = await import('../../../src/material/HatchingMaterial.js');
+    const material = new HatchingMaterial({ technique: 'engraved' });
+    const sentence =
+      /^HatchingMaterial: the code that draws the technique "engraved" could not be fetched \(.*\); .*Serve all/s;
+    await expect(material.ready).rejects.toThrow(sentence);
+    expect(errors.mock.calls).toEqual([[expect.stringMatching(sentence)]]);
+    vi.doUnmock('../../../src/material/parts/engraved.js');
+    await material.ready;
+    expect(material.fragmentShader).toContain('lineSpacing');
+  });
+});
