@@ -71,6 +71,11 @@ export class Drawing {
     }
   }
 
+  /** Resolves when the last mesh is drawn as the preset asks, with whether that changes the picture. */
+  async completed(): Promise<boolean> {
+    return (await this.hatched.formReady).length > 0;
+  }
+
   get paper(): ColorRepresentation {
     return this.preset.material.paper ?? 'white';
   }

@@ -174,6 +174,7 @@ export class HatchedModelElement extends Base {
       this.say('');
       this.invalidate();
       this.dispatchEvent(new Event('load'));
+      void drawing.completed().then((changesPicture) => changesPicture && this.invalidate());
     } catch (error) {
       if (loading.signal.aborted) return;
       this.hasFailed = true;

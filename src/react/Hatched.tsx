@@ -48,6 +48,7 @@ export function Hatched({
         latest.current.onHatched?.(hatched);
         invalidate();
       },
+      onFormed: invalidate,
       onError: (error) => {
         if (latest.current.onError) latest.current.onError(error);
         else setFailure({ error });

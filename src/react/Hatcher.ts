@@ -17,6 +17,8 @@ import { WantedMap } from './WantedMap.js';
 export interface HatcherEvents {
   /** Called when the scene was hatched or restyled. */
   onHatched(hatched: HatchedScene): void;
+  /** Called when meshes are drawn otherwise than when the scene was hatched: large ones, whose lines follow the form only then. */
+  onFormed(): void;
   /** Called when the scene could not be hatched. It has not changed. */
   onError(error: unknown): void;
 }
@@ -161,6 +163,14 @@ export class Hatcher {
     // If the snapshot stays as it is, the caller sees the change, and hatches the scene again.
     if (!hasChanged) this.snapshot.take(this.root);
     this.veil.lift(hatched);
+    void hatched.formReady.then((meshes) => this.takeFormed(meshes));
+  }
+
+  /** Goes on with geometries that the hatched scene has given to meshes. */
+  private takeFormed(meshes: readonly Mesh[]): void {
+    if (meshes.length === 0) return;
+    this.snapshot.takeGeometries(meshes);
+    this.events.onFormed();
   }
 
   private coverUnhatched({ filter = () => true }: ApplyHatchingOptions): void {

@@ -23,6 +23,14 @@ export class SceneSnapshot {
     return this.compare(root, 0) !== this.meshes.length;
   }
 
+  /** Remembers the geometries that meshes have now, which they were given on purpose. */
+  takeGeometries(meshes: readonly Mesh[]): void {
+    for (const mesh of meshes) {
+      const place = this.meshes.indexOf(mesh);
+      if (place >= 0) this.geometries[place] = mesh.geometry;
+    }
+  }
+
   /** Whether a mesh is new, or has another geometry or material. */
   looksOtherwise(mesh: Mesh): boolean {
     const place = this.meshes.indexOf(mesh);

@@ -3,6 +3,7 @@ import { identityOf } from '../geometry/identityOf.js';
 import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 
 /** A mesh that was left unchanged. */
@@ -25,6 +26,13 @@ export interface MeshLook {
 
 /** A scene hatched by `applyHatching`, which can be restored. */
 export class HatchedScene {
+  /**
+   * Resolves with the meshes whose lines have followed the light until now and follow the form from now on, when all do. Those are
+   * the meshes of more than 200,000 triangles whose material or option asks for the form, because the first picture shall not wait for
+   * it. Where no mesh is so large it resolves at once. Draw a frame then, unless you draw all the time. It is never rejected: if a
+   * form could not be baked, the console says why, and `restore()` stops the bake.
+   */
+  readonly formReady: Promise<readonly Mesh[]>;
   private changes: readonly LookChange[];
   /** The identities of the meshes. */
   private held: ReadonlySet<object>;
@@ -38,6 +46,7 @@ export class HatchedScene {
    * @param followers take over what changes in the materials that were replaced
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called when the meshes are restored
+   * @param forms the fields that are baked from now on
    * @internal
    */
   constructor(
@@ -48,11 +57,13 @@ export class HatchedScene {
     private readonly followers: readonly MaterialFollower[],
     private readonly disposables: { dispose(): void }[],
     private readonly releaseMeshes: () => void,
+    private readonly forms: LaterForms,
   ) {
     this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
     this.held = new Set(looks.map(({ mesh }) => identityOf(mesh)));
     for (const { before, after } of this.changes) exchangeLook(before, after);
     for (const child of outlines) child.mesh?.add(child);
+    this.formReady = forms.bake().then((replaced) => this.changeOver(replaced));
   }
 
   /**
@@ -60,6 +71,7 @@ export class HatchedScene {
    * stays. A second call does nothing. The new geometries and materials stay usable until `dispose()`.
    */
   restore(): void {
+    this.forms.stop();
     for (const child of this.outlines) child.removeFromParent();
     for (const { before, after } of this.changes) exchangeLook(after, before);
     this.changes = [];
@@ -86,6 +98,22 @@ export class HatchedScene {
       const { mesh, geometry, material } = after;
       if (mesh.geometry !== geometry || mesh.material !== material) exchangeLook(before, after);
     }
+  }
+
+  /** Draws other geometries from now on, except where a mesh was given another one since. @returns the meshes that got one */
+  private changeOver(replaced: ReadonlyMap<BufferGeometry, BufferGeometry>): Mesh[] {
+    const changed: Mesh[] = [];
+    for (const { after } of this.changes) {
+      const { mesh, geometry: drawn } = after;
+      const formed = replaced.get(drawn);
+      if (!formed) continue;
+      after.geometry = formed;
+      if (!isSame(mesh.geometry, drawn)) continue;
+      mesh.geometry = formed;
+      changed.push(mesh);
+    }
+    for (const drawn of replaced.keys()) drawn.dispose();
+    return changed;
   }
 
   /** Whether this object has hatched `mesh`. @internal */

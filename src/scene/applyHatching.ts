@@ -22,6 +22,7 @@ import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
 import { geometryPlans, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
+import { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import { isToBeMade, makeMaps } from './makeMaps.js';
@@ -39,6 +40,7 @@ interface MadeLooks {
   outlines: HatchingOutlines[];
   skipped: SkippedMesh[];
   followers: MaterialFollower[];
+  forms: LaterForms;
 }
 
 /** What users ask of a hatched scene first. */
@@ -119,11 +121,16 @@ async function hatch(root: Object3D, given: ApplyHatchingOptions | PresetName): 
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const { looks, materials, outlines, skipped, followers } = await makeLooks(root, choice, options, disposables);
+    const { looks, materials, outlines, skipped, followers, forms } = await makeLooks(
+      root,
+      choice,
+      options,
+      disposables,
+    );
     replaces?.dispose();
     releaseMeshes();
     releaseMeshes = claimMeshes(looks.map(({ mesh }) => mesh));
-    const scene = new HatchedScene(looks, materials, outlines, skipped, followers, disposables, releaseMeshes);
+    const scene = new HatchedScene(looks, materials, outlines, skipped, followers, disposables, releaseMeshes, forms);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
     }
@@ -162,12 +169,14 @@ async function makeLooks(
   const mapShare = isMapMade ? MAP_SHARE : 0;
   const frameShare = firstFrame ? FRAME_SHARE : 0;
   const [onBake, onMap, onFrame] = progressParts(onProgress, [1 - mapShare - frameShare, mapShare, frameShare]);
+  const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
+  const forms = new LaterForms(geometryPlans(planned, options), prepare, disposables);
   const [baked, maps] = await sideBySide(
     signal,
     (stop) =>
       bakeGeometries(
-        geometryPlans(planned, options),
-        { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false, onProgress: onBake, signal: stop },
+        forms.atOnce,
+        { ...prepare, onProgress: onBake, signal: stop },
         { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
       ),
     (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
@@ -176,6 +185,7 @@ async function makeLooks(
       asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
     },
   );
+  forms.drawMeanwhile(baked);
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
   skipped.push(...unreadable);
   if (looks.length === 0) assertNoFailure(skipped);
@@ -201,6 +211,7 @@ async function makeLooks(
     outlines: allOutlines.filter(({ mesh }) => !changed.has(mesh!)),
     skipped: [...leftAlone, ...skipped],
     followers: replacer.followers,
+    forms,
   };
 }
 

@@ -104,4 +104,6 @@ export async function bakeGeometries(
   return new Map([...plans.keys()].map((geometry) => [geometry, results.get(geometry)!]));
 }
 
-const cornerCount = ({ index, attributes }: BufferGeometry): number => (index ?? attributes.position)?.count ?? 0;
+/** The number of corners of a geometry, whatever its draw range. */
+export const cornerCount = ({ index, attributes }: BufferGeometry): number =>
+  (index ?? attributes.position)?.count ?? 0;

@@ -179,6 +179,7 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
     hatched.push(await applyHatching(ground, { ...scaled, outlines: false }));
     if (picture.ground === 'shadow') showOnlyShadows(ground.material as unknown as HatchingMaterial);
   }
+  await Promise.all(hatched.map(({ formReady }) => formReady));
   scene.traverse((object) => {
     if (!(object instanceof Mesh)) return;
     object.castShadow = object.receiveShadow = true;

@@ -1,7 +1,7 @@
 import { NoToneMapping } from 'three';
 import { cornerLayout } from '../../bake/cornerLayout.js';
 import { hatchNormal } from '../../bake/hatchNormal.js';
-import { isFormed } from '../../geometry/formGeometry.js';
+import { isFormExpected, isFormed } from '../../geometry/formGeometry.js';
 import { pulledVerticesOf } from '../../geometry/PulledVertices.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
 import { followsForm, needsAdjacency, needsMap } from '../facts/lookFacts.js';
@@ -17,7 +17,8 @@ export function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
   const mistake = needsAdjacency(material) ? adjacencyMistake(draw) : undefined;
   if (mistake) note(mistake, draw, geometry);
   else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
-  if (followsForm(material) && material.lineField !== 'auto' && !isFormed(geometry)) note('noForm', draw, geometry);
+  const asksForForm = followsForm(material) && material.lineField !== 'auto';
+  if (asksForForm && !isFormed(geometry) && !isFormExpected(geometry)) note('noForm', draw, geometry);
   if (isStale) note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
   if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);
 }

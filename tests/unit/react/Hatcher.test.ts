@@ -10,10 +10,17 @@ import {
   ShaderMaterial,
   SphereGeometry,
   Texture,
+  TorusGeometry,
 } from 'three';
 import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets, TonalArtMap } from 'three-hatching';
 import { expect, test, vi } from 'vitest';
 import { Hatcher } from '../../../src/react/Hatcher.js';
+
+// What counts as large is some hundred triangles here.
+vi.mock('../../../src/geometry/prepareHatchingGeometry.js', async (original) => ({
+  ...(await original<typeof import('../../../src/geometry/prepareHatchingGeometry.js')>()),
+  MANY_TRIANGLES: 400,
+}));
 
 const SMALL_MAP = { size: 64, tones: 4 } as const;
 
@@ -23,6 +30,10 @@ function atWork(options: ApplyHatchingOptions) {
   const root = new Group().add(mesh);
   const errors: unknown[] = [];
   const hatched: HatchedScene[] = [];
+  let onFormed = (): void => {};
+  const formed = new Promise<void>((resolve) => {
+    onFormed = resolve;
+  });
   const waiting: (() => void)[] = [];
   const told = (): void => {
     for (const go of waiting.splice(0)) go();
@@ -32,6 +43,7 @@ function atWork(options: ApplyHatchingOptions) {
       hatched.push(scene);
       told();
     },
+    onFormed,
     onError: (error) => {
       errors.push(error);
       told();
@@ -39,7 +51,7 @@ function atWork(options: ApplyHatchingOptions) {
   });
   const next = () => new Promise<void>((go) => waiting.push(go));
   hatcher.update(options);
-  return { mesh, root, hatcher, errors, hatched, next };
+  return { mesh, root, hatcher, errors, hatched, formed, next };
 }
 
 const materialOf = ({ material }: Mesh): HatchingMaterial => {
@@ -223,7 +235,7 @@ test('whoever is disposed of at work leaves the scene to the next, as in StrictM
   const [geometry, material] = [mesh.geometry, mesh.material];
   hatcher.dispose();
   const done = await new Promise<HatchedScene>((onHatched, onError) => {
-    new Hatcher(root, false, { onHatched, onError }).update({ preset: 'technical' });
+    new Hatcher(root, false, { onHatched, onFormed: () => {}, onError }).update({ preset: 'technical' });
   });
   materialOf(mesh);
   done.dispose();
@@ -309,4 +321,20 @@ test('helpers alone are waited with, until there is something to hatch', async (
   await next();
   materialOf(added);
   expect(mesh.material).toBeInstanceOf(MeshBasicMaterial);
+});
+
+test('a large mesh that follows the form only later is drawn once more, and not hatched again', async () => {
+  const { mesh, hatcher, hatched, formed, next } = atWork({ preset: 'technical' });
+  await next();
+  mesh.geometry = new TorusGeometry(1, 0.4, 16, 32);
+  hatcher.update({ material: { technique: 'engraved', lineField: 'form' } });
+  await Promise.all([next(), formed]);
+  const { geometry } = mesh;
+  expect(geometry.hasAttribute('formValue')).toBe(true);
+  hatcher.follow();
+  hatcher.update({ material: { technique: 'engraved', lineField: 'form', ink: '#123456' } });
+  await next();
+  expect(materialOf(mesh).ink.getHexString()).toBe('123456');
+  expect(mesh.geometry).toBe(geometry);
+  expect(hatched).toHaveLength(3);
 });
