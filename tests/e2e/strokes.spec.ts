@@ -1,5 +1,5 @@
 import type { PNG } from 'pngjs';
-import { follow, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
+import { enterLink, follow, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, edgeSpacing, greyShare, likeness, meanInk, type Region } from './pictures.js';
 
@@ -64,6 +64,17 @@ test('lines follow the form as soon as that is baked, also where a link asks for
     await idle(page);
     expect(changedShare(formed, await readDrawing(page)), lineField).toBeLessThan(0.01);
   }
+});
+
+test('a picture that is saved while the form is baked waits for it', async ({ page }) => {
+  const view = 'model=torus&technique=engraved&lightAzimuth=30';
+  await openPlayground(page, view);
+  const lit = await savePicture(page);
+  await enterLink(page, `${view}&lineField=form`);
+  const atOnce = await savePicture(page);
+  await idle(page);
+  expect(changedShare(atOnce, lit)).toBeGreaterThan(0.1);
+  expect(changedShare(atOnce, await savePicture(page))).toBe(0);
 });
 
 test('a preset sets the whole style at once, and can be undone', async ({ page }) => {
