@@ -35,7 +35,6 @@ import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
 import {
   createHatchingUniforms,
@@ -45,6 +44,7 @@ import {
   writeSizeUniforms,
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
+import { PropertyFields } from './PropertyFields.js';
 import { PartInUse } from './parts/PartInUse.js';
 import { fetchPartOf, fetchParts } from './parts/parts.js';
 import { writePictureOffset } from './pictureOffset.js';
@@ -72,7 +72,7 @@ const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PR
  * Every property may be set at any time and counts from the next frame on; those that build another program say so. One
  * that does not count for the technique in use builds none.
  */
-export class HatchingMaterial extends HatchingMaterialProperties {
+export class HatchingMaterial extends PropertyFields {
   readonly isHatchingMaterial = true;
   /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
   override readonly type: string = 'HatchingMaterial';

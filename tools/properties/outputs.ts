@@ -4,20 +4,20 @@ import { formatted } from './formatted.js';
 import { PROPERTIES } from './table.js';
 import { TECHNIQUES } from './techniques.js';
 import { writePropertyDocs } from './writeDocs.js';
-import { writePropertyData, writePropertyFacts, writePropertyFields } from './writeSource.js';
+import { writePropertyData, writePropertyFacts, writePropertyTypes } from './writeSource.js';
 
 const absolute = (path: string): string => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
 const DATA = 'src/material/facts/hatchingProperties.ts';
 const FACTS = 'src/material/facts/hatchingFacts.ts';
-const FIELDS = 'src/material/HatchingMaterialProperties.ts';
+const TYPES = 'src/material/HatchingMaterialProperties.ts';
 
 /** What the table writes: the path of every file in the repository, and its text. */
 export function outputs(): Record<string, string> {
   return {
     [DATA]: formatted(DATA, writePropertyData(PROPERTIES, TECHNIQUES)),
     [FACTS]: formatted(FACTS, writePropertyFacts(PROPERTIES)),
-    [FIELDS]: formatted(FIELDS, writePropertyFields(PROPERTIES)),
+    [TYPES]: formatted(TYPES, writePropertyTypes(PROPERTIES)),
     'docs/material.md': writePropertyDocs(readFileSync(absolute('docs/material.md'), 'utf8'), PROPERTIES),
   };
 }

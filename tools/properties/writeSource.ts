@@ -57,16 +57,14 @@ ${facts.join('\n')}
 `;
 }
 
-/** src/material/HatchingMaterialProperties.ts: the fields of the material and its parameters, with their documentation. */
-export function writePropertyFields(table: Table): string {
+/** src/material/HatchingMaterialProperties.ts: the material's properties and its parameters as types, with their documentation. */
+export function writePropertyTypes(table: Table): string {
   const rows = Object.entries(table);
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
-  return `${HEADER}import { Color, type ColorRepresentation, ShaderMaterial, type Texture, Vector2 } from 'three';
-import { checkNumber } from './checkNumber.js';
-import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
-import { defaultOf } from './facts/defaultOf.js';
+  return `${HEADER}import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2 } from 'three';
+import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, ${types.map((type) => `type ${type}`).join(', ')} } from './facts/hatchingProperties.js';
+import type { ${types.join(', ')} } from './facts/hatchingProperties.js';
 import type { Vector2Like } from './vectorValues.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
@@ -74,25 +72,9 @@ export interface HatchingMaterialOptions {
 ${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'ColorRepresentation' : setType(row)};`).join('\n')}
 }
 
-/** The properties of \`HatchingMaterial\` as fields. What setting a choice does is up to the material. */
-export abstract class HatchingMaterialProperties extends ShaderMaterial {
-  private hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
-  private readonly numbers = {
-    ${rows.flatMap(([name, row]) => (row.kind === 'number' ? [row.defaultFor ? `${name}: undefined as ${valueType(row)} | undefined` : `${name}: HATCHING_DEFAULTS.${name} as ${valueType(row)}`] : [])).join(',\n')},
-  };
-
-${rows.map(([name, row]) => `${jsDoc(row)}\n${field(name, row)}`).join('\n\n')}
-
-  /** Numbers that were never set stay so, and follow the technique. */
-  protected copyNumbers({ numbers }: HatchingMaterialProperties): void {
-    Object.assign(this.numbers, numbers);
-  }
-
-  /** The choice in force. */
-  protected abstract choice(name: HatchingPropertyName): string | boolean;
-
-  /** @throws Error if \`value\` is none of the property's choices */
-  protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
+/** The properties of \`HatchingMaterial\`. */
+export interface HatchingMaterialProperties extends ShaderMaterial {
+${rows.map(([name, row]) => `${jsDoc(row)}\n${field(name, row)}`).join('\n')}
 }
 `;
 }
@@ -175,42 +157,9 @@ function setType(row: PropertyRow): string {
 }
 
 function field(name: string, row: PropertyRow): string {
-  const fallback = `HATCHING_DEFAULTS.${name}`;
-  switch (row.kind) {
-    case 'color':
-      return `readonly ${name}: Color = new Color(${fallback});`;
-    case 'vector2':
-      return `readonly ${name}: Vector2 = new Vector2(...${fallback});`;
-    case 'curve':
-      return `abstract ${name}: ${valueType(row)};`;
-    case 'choice':
-    case 'switch':
-      return `get ${name}(): ${valueType(row)} {
-  return this.choice('${name}') as ${valueType(row)};
-}
-
-set ${name}(value: ${setType(row)}) {
-  this.choose('${name}', value);
-}`;
-    case 'tonalArtMap':
-      return `get ${name}(): ${valueType(row)} {
-  return this.hatchImages;
-}
-
-set ${name}(value: ${valueType(row)}) {
-  this.hatchImages = checkHatchingMap(value);
-}`;
-    case 'number':
-      return `get ${name}(): ${valueType(row)} {
-  return ${row.defaultFor ? `this.numbers.${name} ?? (defaultOf('${name}', this.technique) as ${valueType(row)})` : `this.numbers.${name}`};
-}
-
-set ${name}(value: ${valueType(row)}) {
-  ${row.default === null ? `this.numbers.${name} = value === null ? null : ` : `this.numbers.${name} = `}checkNumber('${name}', value${row.range ? `, HATCHING_PROPERTIES.${name}.range` : ''});
-}`;
-    default:
-      return `${name}: ${valueType(row)} = ${fallback};`;
-  }
+  if (row.kind === 'color' || row.kind === 'vector2') return `readonly ${name}: ${valueType(row)};`;
+  if (setType(row) === valueType(row)) return `${name}: ${valueType(row)};`;
+  return `get ${name}(): ${valueType(row)};\nset ${name}(value: ${setType(row)});`;
 }
 
 /** Of the text in a comment, so that with indent and asterisk no line is longer than those of code. */
