@@ -1,7 +1,7 @@
 /**
  * What lines that follow the form are level sets of: φ, and φ₂ for the family that crosses it. Where φ is whole there is a line. φ
  * has one value per form vertex and is smooth over edges whose corners share their form vertices. Across the cut it becomes
- * ±φ + j with a whole j, so that lines go on.
+ * ±φ + j with a j that is a multiple of four, and of two for φ₂, so that lines go on, and at a distance every fourth and every second.
  */
 export interface FormField {
   /** The number of form vertices. */

@@ -264,11 +264,21 @@ const octaveOf = (x: number): number => {
 };
 const powerOf = (octave: number): number => 2 ** Math.floor(octave) * (1 + octave - Math.floor(octave));
 
+/** The function of a family at a fragment. */
+interface Ruled {
+  value: number;
+  perPixel: number;
+  rise: number;
+  /** How far apart its lines may lie. */
+  widest: number;
+}
+
+/** Values of the form change by multiples of 4 across seams, those of the crossing lines by multiples of 2. Lines lie no further apart. */
+const FORM_WIDEST: readonly number[] = [4, 2];
+
 /** The darkness of a family: of all lines, in all octaves, that may lie on the pixel. */
 function ruledDarkness(
-  value: number,
-  perPixel: number,
-  rise: number,
+  { value, perPixel, rise, widest }: Ruled,
   tone: number,
   settings: EngravedSettings,
   along: Along,
@@ -277,8 +287,7 @@ function ruledDarkness(
   const onObject = octaveOf((lineSpacing / 256) * rise);
   const onScreen = octaveOf(lineSpacing * perPixel);
   const asked = powerOf((1 - sizedOnScreen) * onObject + sizedOnScreen * onScreen);
-  // Values of the form change by whole numbers across seams, so lines lie no further apart.
-  const wanted = Math.min(Math.max(asked, 3 * perPixel), form ? 1 : Infinity);
+  const wanted = Math.min(Math.max(asked, 3 * perPixel), widest);
   // The smallest power of two that is not below the wanted spacing, in tiles: the distance of old lines.
   const period = 2 ** Math.ceil(Math.log2(wanted));
   const shares = { old: wanted / period, young: 1 - wanted / period };
@@ -375,9 +384,13 @@ export class EngravedReference {
               share: smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)),
             }
           : { places: [first.value(strayed), first.value(strayed)], share: 1 };
-      return (
-        1 - ruledDarkness(family.value(strayed), perPixel, Math.min(familySlope / 0.4, 1), pressed, settings, along)
-      );
+      const ruled = {
+        value: family.value(strayed),
+        perPixel,
+        rise: Math.min(familySlope / 0.4, 1),
+        widest: Infinity,
+      };
+      return 1 - ruledDarkness(ruled, pressed, settings, along);
     };
     // Above crossFrom the first family takes 0.4 of the tone. The others cover the excess that it leaves blank; shares of blank multiply.
     const firstTone = has * (own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom));
@@ -394,19 +407,22 @@ export class EngravedReference {
     const { form, lineField, tilesPerUnit, crossFrom } = settings;
     const { strayed, pressure, widening } = hand(fromCentre, settings);
     const stray = mixed(strayed, 1, fromCentre, -1);
-    const [first, crossing] = (isDark !== (lineField === 'acrossForm') ? form!.toReversed() : form!).map(
-      (quadratic) => {
-        const gradient = quadraticGradient(quadratic, fromCentre);
-        return { gradient, value: quadraticAt(quadratic, fromCentre) + dot(gradient, stray) };
-      },
-    );
-    const other = { gradient: mixed(first.gradient, 1, crossing.gradient, -1), value: first.value - crossing.value };
+    const both = form!.map((quadratic, i) => {
+      const gradient = quadraticGradient(quadratic, fromCentre);
+      return { gradient, value: quadraticAt(quadratic, fromCentre) + dot(gradient, stray), widest: FORM_WIDEST[i] };
+    });
+    const [first, crossing] = isDark !== (lineField === 'acrossForm') ? both.toReversed() : both;
+    const other = {
+      gradient: mixed(first.gradient, 1, crossing.gradient, -1),
+      value: first.value - crossing.value,
+      widest: Math.min(...FORM_WIDEST),
+    };
     const leftBy = (family: typeof first, familyTone: number, along: number) => {
       if (familyTone <= 1e-4 && family !== first) return 1;
       const pressed = familyTone + (pressure + widening) * familyTone * (1 - familyTone);
       const perPixel = tilesPerUnit * plane.gradientLength(family.gradient);
       const rise = vec3.length((family === first ? first : crossing).gradient);
-      return 1 - ruledDarkness(family.value, perPixel, rise, pressed, settings, { places: [along, along], share: 1 });
+      return 1 - ruledDarkness({ ...family, perPixel, rise }, pressed, settings, { places: [along, along], share: 1 });
     };
     const firstTone = own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom);
     const leftByOwn =

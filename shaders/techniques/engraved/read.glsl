@@ -15,6 +15,7 @@ struct Family {
   float perPixel; // its change from one pixel to the next
   float rise; // its change along the surface, per tile, by which lines are spaced on the object
   vec3 place; // along the lines, as two coordinates and the share of the first
+  float coarsest; // the octave of the lines that lie farthest apart
 };
 
 #ifdef FOLLOWS_FORM

@@ -12,6 +12,9 @@
 // How far from evenly matched the two crossing families share a place: the difference of their squared sines.
 #define SIDE_FADE 0.35
 
+// Lines may lie as far apart as they like.
+#define ANY_OCTAVE 100.0
+
 struct HatchingParameters {
   vec3 point; // as the hand strays, from the origin of the field, tiles
   float pressure; // of the hand
@@ -50,7 +53,7 @@ HatchingParameters readHatchingParameters() {
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  return Family(h.value, length(h.valueOnScreen), min(h.slope / SPARSEST_SLOPE, 1.0), h.alongFirst);
+  return Family(h.value, length(h.valueOnScreen), min(h.slope / SPARSEST_SLOPE, 1.0), h.alongFirst, ANY_OCTAVE);
 }
 
 // isB: towards which side it leans. lean: cosine and sine of the angle at which it crosses the first.
@@ -58,7 +61,7 @@ Family crossingFamily(const in HatchingParameters h, const in bool isB, const in
   vec3 side = isB ? h.sideB : h.sideC;
   float perPixel = length(lean.x * h.valueOnScreen + lean.y * screenGradient(side, h.onScreen));
   // Its lines run along the axis of the first.
-  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, 1.0, vec3(h.value, h.value, 1.0));
+  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, 1.0, vec3(h.value, h.value, 1.0), ANY_OCTAVE);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

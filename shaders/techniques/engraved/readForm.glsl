@@ -1,6 +1,9 @@
 // Lines that follow the form: level sets of two functions that were baked into the vertices. Within a triangle a function is
-// quadratic, so that lines have no kinks at edges. Across the seams of the bake it changes by a whole number, or its sign does:
-// lines that are a power of two apart, one at most, run on.
+// quadratic, so that lines have no kinks at edges. Across the seams of the bake it changes by a multiple of a power of two, or its sign
+// does: lines that lie no farther apart than that run on.
+
+// The octaves of these powers, for the function and for the one that crosses it (src/form/phase/lastLevel.ts).
+#define COARSEST_OCTAVES vec2(2.0, 1.0)
 
 // How much the widths of lines differ, slowly along each of them: a number of a line would change across a seam.
 #define WIDTH_WAVE 0.25
@@ -13,6 +16,7 @@ struct HatchingParameters {
   vec2 crossingOnScreen;
   vec2 rises; // their changes along the surface, per tile
   float shareB; // one family crosses
+  vec2 coarsest; // the octaves of both beyond which their lines would not run on
 };
 
 float formValueAt(const in vec4 form, const in vec3 stray) {
@@ -32,11 +36,17 @@ HatchingParameters readHatchingParameters() {
   HatchingParameters h;
   vec4 first = vForm;
   vec4 crossing = vFormCrossing;
+  #if LINE_FIELD == LINE_FIELD_ACROSS_FORM
+    h.coarsest = COARSEST_OCTAVES.yx;
+  #else
+    h.coarsest = COARSEST_OCTAVES;
+  #endif // LINE_FIELD
   #ifdef REORIENTS_IN_SHADOW
     // Where no light arrives the families change places.
     if (isInFullShadow()) {
       first = vFormCrossing;
       crossing = vForm;
+      h.coarsest = h.coarsest.yx;
     }
   #endif // REORIENTS_IN_SHADOW
   vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
@@ -53,7 +63,7 @@ HatchingParameters readHatchingParameters() {
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  return Family(h.values.x, length(h.valueOnScreen), h.rises.x, vec3(h.values.y, h.values.y, 1.0));
+  return Family(h.values.x, length(h.valueOnScreen), h.rises.x, vec3(h.values.y, h.values.y, 1.0), h.coarsest.x);
 }
 
 // lean: cosine and sine of the angle; a negative sine leans the other way. The difference of the two functions is whole across seams
@@ -62,7 +72,8 @@ Family crossingFamily(const in HatchingParameters h, const in bool isB, const in
   bool isOther = lean.y < 0.0;
   float value = isOther ? h.values.x - h.values.y : h.values.y;
   vec2 onScreen = isOther ? h.valueOnScreen - h.crossingOnScreen : h.crossingOnScreen;
-  return Family(value, length(onScreen), h.rises.y, vec3(h.values.x, h.values.x, 1.0));
+  float coarsest = isOther ? min(h.coarsest.x, h.coarsest.y) : h.coarsest.y;
+  return Family(value, length(onScreen), h.rises.y, vec3(h.values.x, h.values.x, 1.0), coarsest);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

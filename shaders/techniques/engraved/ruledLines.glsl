@@ -5,9 +5,6 @@
 uniform float lineSpacing; // pixels between lines, or 256ths of a tile
 uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that none shimmer
 
-// Lines that follow the form lie no further apart, or would not run on across a seam.
-#define COARSEST_OCTAVE 0.0
-
 // How far the edge of a line fades, in pixels.
 #define FRINGE 0.5
 
@@ -37,9 +34,7 @@ float ruledLines(const in Family family, const in float tone) {
   float onObject = octaves(lineSpacing / 256.0 * family.rise);
   float onScreen = octaves(lineSpacing * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
-  #ifdef FOLLOWS_FORM
-    octave = min(octave, COARSEST_OCTAVE);
-  #endif // FOLLOWS_FORM
+  octave = min(octave, family.coarsest);
   float period = powerOf2(ceil(octave));
   // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
   // they leave is that of the new ones, which are their equals when the next octave begins.

@@ -40,7 +40,7 @@ interface LevelForces {
 /**
  * Solves for φ and φ₂: first on the last level, then on each finer one from what the level before says. A cell has the value of
  * its seed; its other nodes lie higher by what lines ask for on the way there. Jumps are unknowns at first. Once a level is fine
- * enough they are rounded to whole numbers, so that every line goes on across the cut, and are given from there on.
+ * enough they are rounded to multiples of whole numbers, so that lines go on across the cut, and are given from there on.
  */
 export function* solvePhase(
   surface: FormSurface,

@@ -48,17 +48,27 @@ describe('solveLastPart', () => {
 });
 
 describe('roundJumps', () => {
-  test('of two jumps that are held to each other, one is rounded up and the other down', () => {
+  /** Jumps of φ and φ₂, one after the other. */
+  const rounded = (parts: readonly LastPart[], ...jumps: number[]) => {
+    const values = Float64Array.from(jumps);
+    roundJumps(parts, values);
+    return [...values];
+  };
+
+  test('to multiples of 4, and of 2 for lines that cross; of two jumps that are held to each other, one up and the other down', () => {
     // Their energy is (x + y)² and a little more.
     const part = partOf([0], [0, 1], [[1], [0, 1], [0, 1, 0.1]]);
-    const jumps = new Float64Array([3.6, 1.2, 5.6, 1.2]);
-    roundJumps([part], jumps);
-    expect([...jumps]).toEqual([3, 1, 6, 1]);
+    expect(rounded([part], 21.6, 10.8, 5.8, 2.8)).toEqual([24, 12, 4, 2]);
+  });
+
+  test('where little would be left, to 2 or 1', () => {
+    const part = partOf([0], [0], [[1], [0, 1]]);
+    expect(rounded([part], 1.3, 0.8)).toEqual([1, 1]);
+    expect(rounded([part], 2.3, 12.9)).toEqual([2, 12]);
+    expect(rounded([part], 9.1, 0.1)).toEqual([8, 0]);
   });
 
   test('jumps of no part are rounded to the nearest', () => {
-    const jumps = new Float64Array([3.6, -1.2, 5.4, 0.1]);
-    roundJumps([], jumps);
-    expect([...jumps]).toEqual([4, -1, 5, 0]);
+    expect(rounded([], 5.6, -1.2, 13.4, 0.1)).toEqual([4, -2, 12, 0]);
   });
 });
