@@ -54,26 +54,27 @@ export class Drawing {
   /**
    * Loads a model and hatches it.
    *
+   * @param invalidate called when a frame is to be drawn because lines change by themselves
    * @throws Error whose message is a sentence for the reader of the page; the signal's reason when aborted
    */
-  static async load(source: ModelSource, preset: HatchingPreset, signal: AbortSignal): Promise<Drawing> {
+  static async load(
+    source: ModelSource,
+    preset: HatchingPreset,
+    signal: AbortSignal,
+    invalidate: () => void,
+  ): Promise<Drawing> {
     const model = await loadModel(source);
     try {
       signal.throwIfAborted();
       model.traverse((object) => {
         object.castShadow = object.receiveShadow = true;
       });
-      const hatched = await applyHatching(model, { ...preset, signal });
+      const hatched = await applyHatching(model, { ...preset, signal, invalidate });
       return new Drawing(model, preset, hatched);
     } catch (error) {
       disposeModel(model);
       throw error;
     }
-  }
-
-  /** Resolves when the last mesh is drawn as the preset asks, with whether that changes the picture. */
-  async completed(): Promise<boolean> {
-    return (await this.hatched.formReady).length > 0;
   }
 
   get paper(): ColorRepresentation {

@@ -164,6 +164,7 @@ export class HatchedModelElement extends Base {
         },
         preset,
         loading.signal,
+        this.invalidate,
       );
       if (loading.signal.aborted) {
         drawing.dispose();
@@ -174,7 +175,6 @@ export class HatchedModelElement extends Base {
       this.say('');
       this.invalidate();
       this.dispatchEvent(new Event('load'));
-      void drawing.completed().then((changesPicture) => changesPicture && this.invalidate());
     } catch (error) {
       if (loading.signal.aborted) return;
       this.hasFailed = true;

@@ -65,6 +65,9 @@ export function formRequest(
   };
 }
 
+/** The angle between lines and those that cross them, in radians, with these options. */
+export const crossAngleOf = ({ crossAngle = FORM_DEFAULTS.crossAngle }: HatchingFormOptions): number => crossAngle;
+
 function checkRange(caller: string, name: string, value: number | undefined, below: number, wanted: string): void {
   if (value === undefined || (value > 0 && value < below)) return;
   throw new RangeError(`${caller}: form.${name} is ${value}. Pass ${wanted}, or leave the option out.`);

@@ -52,6 +52,7 @@ export function createHatchingUniforms(): Uniforms {
       deformedPositions: { value: null },
       deformedTurns: { value: null },
       fieldOrigin: { value: new Vector3() },
+      lineContrast: { value: 1 },
       objectToField: { value: new Matrix3() },
       objectToFieldNormal: { value: new Matrix3() },
       pullRowShift: { value: 0 },

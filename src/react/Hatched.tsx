@@ -48,7 +48,7 @@ export function Hatched({
         latest.current.onHatched?.(hatched);
         invalidate();
       },
-      onFormed: invalidate,
+      invalidate,
       onError: (error) => {
         if (latest.current.onError) latest.current.onError(error);
         else setFailure({ error });

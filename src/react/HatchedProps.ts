@@ -4,7 +4,7 @@ import type { Object3D } from 'three';
 import type { ApplyHatchingOptions, HatchedScene } from 'three-hatching';
 
 /** The options of `applyHatching` that are props of `<Hatched>`; it sees to the others itself. */
-export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces' | 'renderer' | 'camera'>;
+export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces' | 'renderer' | 'camera' | 'invalidate'>;
 /** The props of the group that `<Hatched>` is. */
 export type HatchedGroupProps = Omit<
   ThreeElements['group'],
@@ -47,6 +47,7 @@ const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
   weldTolerance: true,
   filter: true,
   onGeometry: true,
+  onFormProgress: true,
   onProgress: true,
   createWorker: true,
 };

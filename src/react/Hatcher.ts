@@ -17,8 +17,8 @@ import { WantedMap } from './WantedMap.js';
 export interface HatcherEvents {
   /** Called when the scene was hatched or restyled. */
   onHatched(hatched: HatchedScene): void;
-  /** Called when meshes are drawn otherwise than when the scene was hatched: large ones, whose lines follow the form only then. */
-  onFormed(): void;
+  /** Called when a frame is to be drawn because lines change by themselves. */
+  invalidate(): void;
   /** Called when the scene could not be hatched. It has not changed. */
   onError(error: unknown): void;
 }
@@ -152,6 +152,7 @@ export class Hatcher {
       // React may add a mesh before its geometry, and a helper before anything that is hatched.
       filter: (mesh) => !isEmpty && hasPositions(mesh) && filter(mesh),
       replaces: this.hatched,
+      invalidate: () => this.takeFormed(),
       signal,
     });
     if (signal.aborted) hatched.dispose();
@@ -163,14 +164,12 @@ export class Hatcher {
     // If the snapshot stays as it is, the caller sees the change, and hatches the scene again.
     if (!hasChanged) this.snapshot.take(this.root);
     this.veil.lift(hatched);
-    void hatched.formReady.then((meshes) => this.takeFormed(meshes));
   }
 
   /** Goes on with geometries that the hatched scene has given to meshes. */
-  private takeFormed(meshes: readonly Mesh[]): void {
-    if (meshes.length === 0) return;
-    this.snapshot.takeGeometries(meshes);
-    this.events.onFormed();
+  private takeFormed(): void {
+    if (this.hatched) this.snapshot.takeGeometries(this.hatched.formed);
+    this.events.invalidate();
   }
 
   private coverUnhatched({ filter = () => true }: ApplyHatchingOptions): void {

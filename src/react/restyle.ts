@@ -47,8 +47,8 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
     name in HATCHING_DEFAULTS ? defaultOf(name as HatchingPropertyName, technique) : undefined,
   );
   if (!changes || 'tilesPerUnit' in changes) return null;
-  // Lines that follow the form need a geometry that was prepared for them, at their angle.
-  if (followsForm(to) && (!followsForm(from) || 'lineField' in changes || 'crossAngle' in changes)) return null;
+  // Lines that follow the form need a geometry that was prepared for them.
+  if (followsForm(to) && (!followsForm(from) || 'lineField' in changes)) return null;
   if (!('technique' in changes)) return changes;
   // Techniques with adjacency need a geometry that was prepared for them.
   return [from, to].some(needsAdjacency) ? null : changes;

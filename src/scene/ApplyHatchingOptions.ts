@@ -59,6 +59,16 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   camera?: Camera | undefined;
   /** Returns whether to hatch a mesh. Default: all meshes are hatched. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
+  /**
+   * Called with the progress of fields of lines that follow the form, from 0 to 1, while they are baked after the first picture: those of
+   * geometries of more than 200,000 triangles, and all whose `crossAngle` was changed. See `formReady` of the result.
+   */
+  onFormProgress?: ((progress: number) => void) | undefined;
+  /**
+   * Called whenever a frame is to be drawn because lines have changed by themselves: as they change over to the form, half a second
+   * long. Pass it where frames are drawn on demand.
+   */
+  invalidate?: (() => void) | undefined;
   /** Called whenever a geometry is finished, with the number of finished geometries and of all. Several are baked at a time. */
   onGeometry?: ((done: number, total: number) => void) | undefined;
 }

@@ -1,10 +1,11 @@
-import type { BufferGeometry, Material, Mesh } from 'three';
+import type { Mesh } from 'three';
 import { identityOf } from '../geometry/identityOf.js';
 import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
+import type { MeshLook } from './MeshLook.js';
 
 /** A mesh that was left unchanged. */
 export interface SkippedMesh {
@@ -15,24 +16,8 @@ export interface SkippedMesh {
   error?: Error | undefined;
 }
 
-/** The geometry and material of a mesh, and the frame of its engraved lines. */
-export interface MeshLook {
-  mesh: Mesh;
-  geometry: BufferGeometry;
-  material: Material | Material[];
-  /** The matrix from the mesh's object space to the coordinate frame of its engraved lines, if it shares that frame with others. */
-  fieldFrame: number[] | undefined;
-}
-
 /** A scene hatched by `applyHatching`, which can be restored. */
 export class HatchedScene {
-  /**
-   * Resolves with the meshes whose lines have followed the light until now and follow the form from now on, when all do. Those are
-   * the meshes of more than 200,000 triangles whose material or option asks for the form, because the first picture shall not wait for
-   * it. Where no mesh is so large it resolves at once. Draw a frame then, unless you draw all the time. It is never rejected: if a
-   * form could not be baked, the console says why, and `restore()` stops the bake.
-   */
-  readonly formReady: Promise<readonly Mesh[]>;
   private changes: readonly LookChange[];
   /** The identities of the meshes. */
   private held: ReadonlySet<object>;
@@ -46,7 +31,7 @@ export class HatchedScene {
    * @param followers take over what changes in the materials that were replaced
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called when the meshes are restored
-   * @param forms the fields that are baked from now on
+   * @param forms the fields that are baked from now on, if lines follow the form anywhere
    * @internal
    */
   constructor(
@@ -57,13 +42,29 @@ export class HatchedScene {
     private readonly followers: readonly MaterialFollower[],
     private readonly disposables: { dispose(): void }[],
     private readonly releaseMeshes: () => void,
-    private readonly forms: LaterForms,
+    private readonly forms: LaterForms | null,
   ) {
     this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
     this.held = new Set(looks.map(({ mesh }) => identityOf(mesh)));
     for (const { before, after } of this.changes) exchangeLook(before, after);
     for (const child of outlines) child.mesh?.add(child);
-    this.formReady = forms.bake().then((replaced) => this.changeOver(replaced));
+    forms?.start(looks);
+  }
+
+  /**
+   * Resolves with the meshes that were given another geometry, when all lines lie as their materials ask. Meshes of more than 200,000
+   * triangles follow the light first if they are to follow the form, because the first picture shall not wait for that; and where the
+   * `crossAngle` of a material has changed, as a frame has shown, lines cross at the new one only then. Where there is nothing to
+   * wait for it resolves at once. It is never rejected: if a form could not be baked, the console says why, and `restore()` stops
+   * the bake.
+   */
+  get formReady(): Promise<readonly Mesh[]> {
+    return Promise.resolve(this.forms?.ready).then(() => this.formed);
+  }
+
+  /** The meshes that were given another geometry until now. @internal */
+  get formed(): readonly Mesh[] {
+    return this.forms?.meshes ?? [];
   }
 
   /**
@@ -71,7 +72,7 @@ export class HatchedScene {
    * stays. A second call does nothing. The new geometries and materials stay usable until `dispose()`.
    */
   restore(): void {
-    this.forms.stop();
+    this.forms?.stop();
     for (const child of this.outlines) child.removeFromParent();
     for (const { before, after } of this.changes) exchangeLook(after, before);
     this.changes = [];
@@ -98,22 +99,6 @@ export class HatchedScene {
       const { mesh, geometry, material } = after;
       if (mesh.geometry !== geometry || mesh.material !== material) exchangeLook(before, after);
     }
-  }
-
-  /** Draws other geometries from now on, except where a mesh was given another one since. @returns the meshes that got one */
-  private changeOver(replaced: ReadonlyMap<BufferGeometry, BufferGeometry>): Mesh[] {
-    const changed: Mesh[] = [];
-    for (const { after } of this.changes) {
-      const { mesh, geometry: drawn } = after;
-      const formed = replaced.get(drawn);
-      if (!formed) continue;
-      after.geometry = formed;
-      if (!isSame(mesh.geometry, drawn)) continue;
-      mesh.geometry = formed;
-      changed.push(mesh);
-    }
-    for (const drawn of replaced.keys()) drawn.dispose();
-    return changed;
   }
 
   /** Whether this object has hatched `mesh`. @internal */

@@ -1,27 +1,71 @@
-import type { BufferAttribute, BufferGeometry } from 'three';
+import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
 import { hatchNormal } from '../bake/hatchNormal.js';
+import { watchFormAngle } from '../geometry/formAngles.js';
 import { expectForm, isFormed } from '../geometry/formGeometry.js';
+import { crossAngleOf, type HatchingFormOptions } from '../geometry/HatchingFormOptions.js';
+import { identityOf } from '../geometry/identityOf.js';
+import { fadeIn, fadeOut, showLines } from '../geometry/lineFades.js';
 import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { tell } from '../mistakes/tell.js';
+import { runSliced } from '../slices/runSliced.js';
 import { bakeGeometries, cornerCount, type GeometryPlan } from './bakeGeometries.js';
+import type { FirstFrame } from './FirstFrame.js';
+import type { MeshLook } from './MeshLook.js';
+
+/** How long the angle of crossing lines stays as it is before lines are baked at it, in milliseconds: a slider moves on. */
+const REST = 150;
+
+/** Who hears of fields that are baked after the first picture: see `ApplyHatchingOptions`. */
+interface Listeners {
+  onFormProgress?: ((progress: number) => void) | undefined;
+  invalidate?: (() => void) | undefined;
+}
+
+type Plans = ReadonlyMap<BufferGeometry, GeometryPlan>;
+
+/** A prepared geometry that is drawn, the one that takes its place, and what both were made of. */
+interface Exchange {
+  from: BufferGeometry;
+  to: BufferGeometry;
+  source: BufferGeometry;
+}
 
 /**
- * Bakes the fields of lines that follow the form for large geometries after the scene was hatched, so that its first picture never
- * waits for them: it is drawn with lines around the light.
+ * Bakes fields of lines that follow the form after a scene was hatched: those of large geometries, which are drawn with lines around
+ * the light until then, so that the first picture never waits; and those at whose lines others cross at a new angle.
  */
 export class LaterForms {
   /** The plans of all geometries, without the fields that come later. */
-  readonly atOnce: ReadonlyMap<BufferGeometry, GeometryPlan>;
+  readonly atOnce: Plans;
+  /** Resolves when nothing is baked any more. */
+  ready: Promise<void> = Promise.resolve();
   private readonly later = new Map<BufferGeometry, GeometryPlan>();
-  /** For each geometry with a plan for later, the prepared one that is drawn until then. */
+  /** For each geometry that has a field or will get one the prepared geometry that is drawn. */
   private readonly drawn = new Map<BufferGeometry, BufferGeometry>();
+  private looks: readonly MeshLook[] = [];
+  /** The looks that were given another geometry. */
+  private readonly changed = new Set<MeshLook>();
+  /** The angles, in radians, that lines of a geometry do not cross at yet. */
+  private readonly angles = new Map<BufferGeometry, number>();
+  private turning = new AbortController();
   private readonly stopping = new AbortController();
 
-  /** @param disposables holds the geometries that are drawn */
+  /**
+   * @param plans of all geometries
+   * @param materials for each geometry the one that says at which angle lines cross, unless an option does
+   * @param options of the bake
+   * @param listeners hear of it
+   * @param disposables holds the geometries that are drawn
+   * @param frame prepares frames, if the renderer is known
+   */
   constructor(
-    plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+    private readonly plans: Plans,
+    private readonly materials: ReadonlyMap<BufferGeometry, HatchingMaterial>,
     private readonly options: PrepareHatchingGeometryOptions,
+    private readonly listeners: Listeners,
     private readonly disposables: { dispose(): void }[],
+    private readonly frame: FirstFrame | null,
   ) {
     this.atOnce = new Map(
       [...plans].map(([geometry, plan]) => {
@@ -32,53 +76,146 @@ export class LaterForms {
     );
   }
 
+  /** The meshes that were given another geometry, and still have it. */
+  get meshes(): Mesh[] {
+    return [...this.changed].filter(({ mesh, geometry }) => isSame(mesh.geometry, geometry)).map(({ mesh }) => mesh);
+  }
+
   /** Says what is drawn until the fields are there. To be called before the first draw. */
   drawMeanwhile(baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>): void {
-    for (const source of this.later.keys()) {
+    for (const [source, plan] of this.plans) {
       const prepared = baked.get(source);
       if (!prepared || prepared instanceof Error) continue;
-      expectForm(prepared);
+      if (this.later.has(source)) expectForm(prepared);
+      else if (!isFormed(prepared)) continue;
       this.drawn.set(source, prepared);
+      this.watch(source, plan);
     }
+  }
+
+  /** Begins to bake. @param looks of the meshes, which get other geometries */
+  start(looks: readonly MeshLook[]): void {
+    this.looks = looks;
+    this.options.signal?.addEventListener('abort', () => this.stop());
+    const plans = new Map([...this.later].filter(([source]) => this.drawn.has(source)));
+    if (plans.size > 0) this.ready = this.replace(plans, this.stopping.signal, 'lines go by the light');
+  }
+
+  /** Stops all bakes. */
+  stop(): void {
+    this.stopping.abort();
+    this.turning.abort();
+  }
+
+  /** Notices another angle of crossing lines where a field is drawn. */
+  private watch(source: BufferGeometry, { form }: GeometryPlan): void {
+    const material = this.materials.get(source);
+    const drawn = this.drawn.get(source)!;
+    if (!material || !isFormed(drawn)) return;
+    const angle = crossAngleOf(form as HatchingFormOptions);
+    watchFormAngle(drawn, material, angle, (other) => this.turn(source, other));
+  }
+
+  /** Bakes a field anew, with lines that cross at another angle. The former ones are drawn until then. */
+  private turn(source: BufferGeometry, angle: number): void {
+    if (this.stopping.signal.aborted) return;
+    this.angles.set(source, angle);
+    this.turning.abort();
+    this.turning = new AbortController();
+    this.ready = Promise.all([this.ready, this.turned(this.turning.signal)]).then(() => {});
+  }
+
+  private async turned(signal: AbortSignal): Promise<void> {
+    await new Promise((resume) => setTimeout(resume, REST));
+    if (signal.aborted) return;
+    const plans = new Map(
+      [...this.angles].map(([source, crossAngle]) => {
+        const plan = this.plans.get(source)!;
+        return [source, { ...plan, form: { ...(plan.form as HatchingFormOptions), crossAngle } }];
+      }),
+    );
+    await this.replace(plans, signal, 'lines cross at their former angle');
+    if (!signal.aborted) this.angles.clear();
   }
 
   /**
-   * Bakes the fields.
+   * Bakes fields, and draws with them when all are there. Never rejects.
    *
-   * @returns for each geometry that is drawn now the one that replaces it: none if the bake was stopped or has failed, or where a
-   *   shape has no form
+   * @param otherwise what is drawn if that fails
    */
-  async bake(): Promise<ReadonlyMap<BufferGeometry, BufferGeometry>> {
-    const { signal } = this.stopping;
-    const replaced = new Map<BufferGeometry, BufferGeometry>();
-    const plans = new Map([...this.later].filter(([source]) => this.drawn.has(source)));
-    if (plans.size === 0) return replaced;
+  private async replace(plans: Plans, signal: AbortSignal, otherwise: string): Promise<void> {
+    const made = new Set<BufferGeometry>();
+    const sayFailed = ({ message }: Error): void =>
+      tell(`applyHatching: ${otherwise}, because their form could not be baked. ${message}`);
     try {
-      const options = { ...this.options, onProgress: undefined, signal };
-      for (const [source, formed] of await bakeGeometries(plans, options, { onBaked: () => {} })) {
-        if (formed instanceof Error) sayFailed(formed);
-        else if (isFormed(formed)) replaced.set(this.drawn.get(source)!, formed);
+      const options = { ...this.options, onProgress: this.listeners.onFormProgress, signal };
+      const baked = await bakeGeometries(plans, options, { onBaked: (geometry) => made.add(geometry) });
+      const exchanges: Exchange[] = [];
+      for (const [source, to] of baked) {
+        if (to instanceof Error) sayFailed(to);
+        else if (isFormed(to)) exchanges.push({ source, from: this.drawn.get(source)!, to });
       }
+      if (exchanges.length === 0) return;
+      for (const { from, to } of exchanges) copyOcclusion(from, to);
+      await this.prepareFrame(exchanges, signal);
+      await this.changeOver(exchanges, plans, signal);
+      for (const { to } of exchanges) made.delete(to);
     } catch (error) {
       if (!signal.aborted) sayFailed(error as Error);
+    } finally {
+      for (const geometry of made) geometry.dispose();
     }
-    for (const [drawn, formed] of replaced) {
-      copyOcclusion(drawn, formed);
-      this.disposables[this.disposables.indexOf(drawn)] = formed;
-    }
-    this.later.clear();
-    this.drawn.clear();
-    return replaced;
   }
 
-  /** Stops the bake. */
-  stop(): void {
-    this.stopping.abort();
+  /** Has programs built and geometries uploaded before they are drawn, so that no frame waits for it. */
+  private async prepareFrame(exchanges: readonly Exchange[], signal: AbortSignal): Promise<void> {
+    const { frame } = this;
+    if (!frame) return;
+    const looks = this.looks.flatMap(({ mesh, geometry, material }) => {
+      const exchange = exchanges.find(({ from }) => from === geometry);
+      return exchange ? [{ mesh, geometry: exchange.to, material }] : [];
+    });
+    frame.compile(looks, [], true);
+    await runSliced(frame.upload(looks), { signal });
+    await frame.built(signal);
+  }
+
+  /** Draws with other geometries. Lines around the light fade into the even grey of their tone, and those along the form come out of it. */
+  private async changeOver(exchanges: readonly Exchange[], plans: Plans, signal: AbortSignal): Promise<void> {
+    const { invalidate = () => {} } = this.listeners;
+    const fading = exchanges.filter(({ from }) => !isFormed(from));
+    const before = fading.map(({ from }) => from);
+    await fadeOut(before, signal, invalidate);
+    showLines(before);
+    signal.throwIfAborted();
+    for (const { from, to, source } of exchanges) {
+      this.exchange(from, to);
+      this.drawn.set(source, to);
+      this.watch(source, plans.get(source)!);
+    }
+    await fadeIn(
+      fading.map(({ to }) => to),
+      signal,
+      invalidate,
+    );
+    invalidate();
+  }
+
+  /** Gives another geometry to all meshes with one, except to those that were given a third meanwhile. */
+  private exchange(from: BufferGeometry, to: BufferGeometry): void {
+    for (const look of this.looks) {
+      if (look.geometry !== from) continue;
+      look.geometry = to;
+      if (isSame(look.mesh.geometry, from)) look.mesh.geometry = to;
+      this.changed.add(look);
+    }
+    this.disposables[this.disposables.indexOf(from)] = to;
+    from.dispose();
   }
 }
 
-const sayFailed = ({ message }: Error): void =>
-  tell(`applyHatching: lines go by the light, because their form could not be baked. ${message}`);
+/** Whether two geometries are the same, or proxies of the same. */
+const isSame = (a: BufferGeometry, b: BufferGeometry): boolean => identityOf(a) === identityOf(b);
 
 /** Copies what `bakeOcclusion` has written meanwhile. The corners of both geometries are the same. */
 function copyOcclusion(from: BufferGeometry, to: BufferGeometry): void {

@@ -5,7 +5,7 @@ import { describeObject } from '../mistakes/describeObject.js';
 import { tell } from '../mistakes/tell.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../outlines/HatchingOutlines.js';
-import type { MeshLook } from './HatchedScene.js';
+import type { MeshLook } from './MeshLook.js';
 import { isBatched, materialsOf } from './surfaceMeshes.js';
 
 /** Whether a map cuts out parts of a surface. Its outlines would follow the outline of the geometry, and not of the picture on it. */

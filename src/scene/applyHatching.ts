@@ -1,6 +1,7 @@
 import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import { assertGeometry } from '../geometry/checkGeometry.js';
+import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { fetchPartOf } from '../material/parts/parts.js';
@@ -14,17 +15,18 @@ import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
-import { bakeGeometries } from './bakeGeometries.js';
+import { bakeGeometries, type GeometryPlan } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes, sentencesOf } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
-import { geometryPlans, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
-import { HatchedScene, type MeshLook, type SkippedMesh } from './HatchedScene.js';
-import { LaterForms } from './LaterForms.js';
+import { crossingMaterials, geometryPlans, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
+import { HatchedScene, type SkippedMesh } from './HatchedScene.js';
+import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
+import type { MeshLook } from './MeshLook.js';
 import { isToBeMade, makeMaps } from './makeMaps.js';
 import type { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
@@ -40,7 +42,7 @@ interface MadeLooks {
   outlines: HatchingOutlines[];
   skipped: SkippedMesh[];
   followers: MaterialFollower[];
-  forms: LaterForms;
+  forms: LaterForms | null;
 }
 
 /** What users ask of a hatched scene first. */
@@ -170,12 +172,13 @@ async function makeLooks(
   const frameShare = firstFrame ? FRAME_SHARE : 0;
   const [onBake, onMap, onFrame] = progressParts(onProgress, [1 - mapShare - frameShare, mapShare, frameShare]);
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
-  const forms = new LaterForms(geometryPlans(planned, options), prepare, disposables);
+  const plans = geometryPlans(planned, options);
+  const forms = await laterFormsOf(plans, planned, options, prepare, disposables, firstFrame);
   const [baked, maps] = await sideBySide(
     signal,
     (stop) =>
       bakeGeometries(
-        forms.atOnce,
+        forms?.atOnce ?? plans,
         { ...prepare, onProgress: onBake, signal: stop },
         { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
       ),
@@ -185,7 +188,7 @@ async function makeLooks(
       asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
     },
   );
-  forms.drawMeanwhile(baked);
+  forms?.drawMeanwhile(baked);
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
   skipped.push(...unreadable);
   if (looks.length === 0) assertNoFailure(skipped);
@@ -220,6 +223,20 @@ async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingO
   if (!renderer || !camera) return null;
   const { FirstFrame } = await import('./FirstFrame.js');
   return new FirstFrame(renderer, camera, root);
+}
+
+/** What bakes lines along the form later, if any follow it. Scenes without them do not load it. */
+async function laterFormsOf(
+  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+  planned: readonly PlannedMesh[],
+  options: ApplyHatchingOptions,
+  prepare: PrepareHatchingGeometryOptions,
+  disposables: { dispose(): void }[],
+  frame: FirstFrame | null,
+): Promise<LaterForms | null> {
+  if ([...plans.values()].every(({ form }) => !form)) return null;
+  const { LaterForms } = await import('./LaterForms.js');
+  return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, frame);
 }
 
 /** What makes outlines, if they are asked for. Scenes without them do not load it. @throws RangeError or TypeError for a wrong parameter */

@@ -14,6 +14,8 @@ const OWN_OPTIONS = {
   tilesPerWorldUnit: true,
   filter: true,
   onGeometry: true,
+  onFormProgress: true,
+  invalidate: true,
   preset: true,
   replaces: true,
   renderer: true,
@@ -42,6 +44,8 @@ export function prepareOptions({
   tilesPerWorldUnit: _tilesPerWorldUnit,
   filter: _filter,
   onGeometry: _onGeometry,
+  onFormProgress: _onFormProgress,
+  invalidate: _invalidate,
   renderer: _renderer,
   camera: _camera,
   ...options
@@ -55,6 +59,8 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
     filter,
     outlines = false,
     onGeometry,
+    onFormProgress,
+    invalidate,
     material = {},
     replaces,
     tilesPerWorldUnit = 1,
@@ -74,6 +80,10 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
   }
   if (onGeometry !== undefined && typeof onGeometry !== 'function') {
     throw new TypeError('applyHatching: onGeometry must be a function of two numbers, or left out.');
+  }
+  for (const [name, listener] of Object.entries({ onFormProgress, invalidate })) {
+    if (listener === undefined || typeof listener === 'function') continue;
+    throw new TypeError(`applyHatching: ${name} must be a function, or left out.`);
   }
   if (typeof outlines !== 'boolean' && (typeof outlines !== 'object' || outlines === null)) {
     throw new TypeError(

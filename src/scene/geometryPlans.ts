@@ -1,5 +1,6 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
 import { followsForm, needsAdjacency } from '../material/facts/lookFacts.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { GeometryPlan } from './bakeGeometries.js';
 import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
@@ -39,13 +40,31 @@ export function geometryPlans(
   return plans;
 }
 
-/** The world's up and the angle of the material, unless the options say otherwise. */
-function formFor(plan: PlannedMesh, { form }: ApplyHatchingOptions): GeometryPlan['form'] {
+/** For each geometry the material that says at which angle lines that follow the form cross on it, if there is one and no option does. */
+export function crossingMaterials(
+  planned: readonly PlannedMesh[],
+  { form }: ApplyHatchingOptions,
+): Map<BufferGeometry, HatchingMaterial> {
+  const materials = new Map<BufferGeometry, HatchingMaterial>();
+  if (typeof form === 'object' && form.crossAngle !== undefined) return materials;
+  for (const plan of planned) {
+    const asking = isBatched(plan.mesh) ? undefined : askingMaterial(plan);
+    if (asking && !materials.has(plan.geometry)) materials.set(plan.geometry, asking);
+  }
+  return materials;
+}
+
+/** The material of a mesh that asks for the form: one that does whatever the shape has precedence. */
+function askingMaterial(plan: PlannedMesh): HatchingMaterial | undefined {
   const following = materialsOf(plan)
     .filter(isHatching)
     .filter((material) => followsForm(material));
-  // One that asks for the form whatever the shape has precedence.
-  const asking = following.find(({ lineField }) => lineField !== 'auto') ?? following[0];
+  return following.find(({ lineField }) => lineField !== 'auto') ?? following[0];
+}
+
+/** The world's up and the angle of the material, unless the options say otherwise. */
+function formFor(plan: PlannedMesh, { form }: ApplyHatchingOptions): GeometryPlan['form'] {
+  const asking = askingMaterial(plan);
   if (form === false || (!form && !asking)) return false;
   // The gradient of the height in the world, as a function in object space.
   const { elements } = plan.mesh.matrixWorld;

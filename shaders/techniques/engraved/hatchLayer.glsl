@@ -3,6 +3,7 @@
 uniform float crossFrom; // tone above which lines cross
 uniform vec4 layerTurns; // xy: cosine and sine of the angle between a family and what crosses it
 uniform float sizedOnScreen; // 0: lines spaced on the object, 1: on the screen
+uniform float lineContrast; // 0: an even grey of the same tone, while lines give way to others; 1: lines
 
 #include "technique/ruledLines"
 
@@ -30,5 +31,5 @@ float families(const in HatchingParameters h, const in float first, const in flo
 float hatchLayer(const in HatchingParameters h, const in float tone) {
   float first = h.has * takenOf(tone, crossFrom);
   float darkness = families(h, first, leftOf(tone, first), layerTurns.xy);
-  return tone >= 1.0 ? 1.0 : darkness;
+  return tone >= 1.0 ? 1.0 : mix(tone, darkness, lineContrast);
 }

@@ -2,6 +2,6 @@
   // Families that lean the other way, across the first and across those of its darks.
   float shadowLayer(const in HatchingParameters h, const in float tone) {
     float darkness = families(h, 0.0, tone, vec2(layerTurns.x, -layerTurns.y));
-    return tone >= 1.0 ? 1.0 : darkness;
+    return tone >= 1.0 ? 1.0 : mix(tone, darkness, lineContrast);
   }
 #endif // SHADOW_STROKES

@@ -11,6 +11,7 @@ const NAMES = ['formValue', 'formSlope', 'formCrossing'] as const;
  *
  * @param form.crossAngle between lines and those that cross them, in radians
  * @param form.auto whether only shapes that have a form are drawn with it
+ * @param onBaked called before a geometry is drawn with it
  * @returns the geometries that were made for it, and now are the meshes'
  */
 export async function bakeForm(
@@ -39,6 +40,7 @@ export async function bakeForm(
     });
     done++;
     if (lineFieldOf(geometry) === 'light' && lineFieldOf(baked) === 'light') continue;
+    onBaked();
     if (geometry.index === null) {
       copyForm(baked, geometry);
     } else {
@@ -46,7 +48,6 @@ export async function bakeForm(
       for (const mesh of sharing) mesh.geometry = baked;
       made.push(baked);
     }
-    onBaked();
   }
   return made;
 }

@@ -14,6 +14,11 @@ export class CrossFade {
     drawing.after(this.copy);
   }
 
+  /** Whether an earlier picture is kept, or fades. */
+  get isBusy(): boolean {
+    return this.isKept || !this.copy.hidden;
+  }
+
   /** Copies the picture. To be called in the task in which it was drawn, because the canvas does not keep it for longer. */
   keep(): void {
     const { copy, context, drawing } = this;

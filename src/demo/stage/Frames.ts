@@ -53,6 +53,11 @@ export class Frames {
     this.crossFade.forget();
   }
 
+  /** Lets the picture that is shown fade into the next one, unless another fades at the moment. To be called before what is drawn changes. */
+  fadeIntoNext(): void {
+    if (!this.crossFade.isBusy && this.redraw()) this.crossFade.keep();
+  }
+
   /** Gives the canvas the size of the viewport. It is drawn at once and not in the next frame, because resizing clears it. */
   resize(width: number, height: number): void {
     const { painter, quality } = this;

@@ -1,3 +1,6 @@
+import { noteFormAngle } from '../../geometry/formAngles.js';
+import { lineContrast } from '../../geometry/lineFades.js';
+import { followsForm } from '../facts/lookFacts.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import type { MaterialPart } from './MaterialPart.js';
 
@@ -8,7 +11,13 @@ export const part: MaterialPart = {
     { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
   ),
   bindMesh(_renderer, _camera, geometry, object, material) {
-    if (writeFieldFrame(material.uniforms, material.tilesPerUnit, geometry, object)) material.uniformsNeedUpdate = true;
+    const { uniforms } = material;
+    const contrast = lineContrast(geometry);
+    const isOther = contrast !== uniforms.lineContrast.value;
+    uniforms.lineContrast.value = contrast;
+    if (writeFieldFrame(uniforms, material.tilesPerUnit, geometry, object) || isOther)
+      material.uniformsNeedUpdate = true;
+    if (followsForm(material)) noteFormAngle(geometry, material);
     return undefined;
   },
 };

@@ -30,9 +30,9 @@ function atWork(options: ApplyHatchingOptions) {
   const root = new Group().add(mesh);
   const errors: unknown[] = [];
   const hatched: HatchedScene[] = [];
-  let onFormed = (): void => {};
+  let invalidate = (): void => {};
   const formed = new Promise<void>((resolve) => {
-    onFormed = resolve;
+    invalidate = resolve;
   });
   const waiting: (() => void)[] = [];
   const told = (): void => {
@@ -43,7 +43,7 @@ function atWork(options: ApplyHatchingOptions) {
       hatched.push(scene);
       told();
     },
-    onFormed,
+    invalidate: () => invalidate(),
     onError: (error) => {
       errors.push(error);
       told();
@@ -235,7 +235,7 @@ test('whoever is disposed of at work leaves the scene to the next, as in StrictM
   const [geometry, material] = [mesh.geometry, mesh.material];
   hatcher.dispose();
   const done = await new Promise<HatchedScene>((onHatched, onError) => {
-    new Hatcher(root, false, { onHatched, onFormed: () => {}, onError }).update({ preset: 'technical' });
+    new Hatcher(root, false, { onHatched, invalidate: () => {}, onError }).update({ preset: 'technical' });
   });
   materialOf(mesh);
   done.dispose();

@@ -595,7 +595,7 @@ describe('when something is wrong', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, filter, onGeometry, preset, replaces, renderer, camera, adjacency, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, filter, onGeometry, onFormProgress, invalidate, preset, replaces, renderer, camera, adjacency, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],

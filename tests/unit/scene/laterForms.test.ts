@@ -1,8 +1,11 @@
 import { type BufferGeometry, Group, Mesh, MeshStandardMaterial, TorusGeometry } from 'three';
-import { expect, test, vi } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
+import { noteFormAngle } from '../../../src/geometry/formAngles.js';
 import { isFormExpected } from '../../../src/geometry/formGeometry.js';
+import { lineContrast } from '../../../src/geometry/lineFades.js';
 import { outlineDataOf } from '../../../src/geometry/OutlineData.js';
 import type * as preparing from '../../../src/geometry/prepareHatchingGeometry.js';
+import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 
 // What counts as large is some hundred triangles here.
@@ -10,6 +13,10 @@ vi.mock('../../../src/geometry/prepareHatchingGeometry.js', async (original) => 
   ...(await original<typeof preparing>()),
   MANY_TRIANGLES: 400,
 }));
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
 
 const following = { technique: 'engraved', lineField: 'form' } as const;
 const small = () => new Mesh(new TorusGeometry(1, 0.4, 8, 16), new MeshStandardMaterial());
@@ -86,4 +93,90 @@ test('if the field cannot be baked, lines go by the light, and the console says 
 test('where lines follow the light there is nothing to wait for', async () => {
   const hatched = await applyHatching(new Group().add(large()), { material: { technique: 'engraved' } });
   expect(await hatched.formReady).toEqual([]);
+});
+
+test('lines around the light fade out, those along the form fade in, and each frame of it is asked for', async () => {
+  vi.stubGlobal('matchMedia', () => ({ matches: false }));
+  const mesh = large();
+  const seen: { isFormed: boolean; contrast: number }[] = [];
+  const invalidate = () => void seen.push({ isFormed: isFormed(mesh), contrast: lineContrast(mesh.geometry) });
+  const hatched = await applyHatching(new Group().add(mesh), { material: following, invalidate });
+  await hatched.formReady;
+  const contrasts = (formed: boolean) => seen.filter((one) => one.isFormed === formed).map(({ contrast }) => contrast);
+  for (const [formed, order] of [
+    [false, -1],
+    [true, 1],
+  ] as const) {
+    expect(contrasts(formed)).toEqual(contrasts(formed).toSorted((a, b) => order * (a - b)));
+  }
+  expect(contrasts(false)[0]).toBeCloseTo(1);
+  expect(contrasts(true).at(-1)).toBe(1);
+});
+
+test('the progress of what comes later is told, up to 1', async () => {
+  const progress: number[] = [];
+  const onFormProgress = (share: number) => void progress.push(share);
+  const hatched = await applyHatching(new Group().add(large()), { material: following, onFormProgress });
+  await hatched.formReady;
+  expect(progress.at(-1)).toBe(1);
+  expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+});
+
+test('a signal that is aborted later stops the bake, and lines go by the light', async () => {
+  const stopping = new AbortController();
+  const mesh = large();
+  const hatched = await applyHatching(new Group().add(mesh), { material: following, signal: stopping.signal });
+  stopping.abort();
+  expect(await hatched.formReady).toEqual([]);
+  expect(isFormed(mesh)).toBe(false);
+});
+
+/** What a frame does. */
+const draw = (mesh: Mesh): void => noteFormAngle(mesh.geometry, mesh.material as unknown as HatchingMaterial);
+
+/** The values of φ, or of φ₂, by position. */
+function valuesOf({ attributes: { position, formValue } }: BufferGeometry, family: 0 | 1): Map<string, Set<number>> {
+  const values = new Map<string, Set<number>>();
+  for (let vertex = 0; vertex < position.count; vertex++) {
+    const place = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)].join();
+    values.set(place, (values.get(place) ?? new Set()).add(formValue.getComponent(vertex, family)));
+  }
+  return values;
+}
+
+test.each([
+  ['small', small],
+  ['large', large],
+])('lines of a %s mesh cross at a new angle as soon as they are baked at it', async (_, make) => {
+  const mesh = make();
+  const invalidate = vi.fn();
+  const hatched = await applyHatching(new Group().add(mesh), { material: following, invalidate });
+  await hatched.formReady;
+  const before = mesh.geometry as BufferGeometry;
+  invalidate.mockClear();
+  for (const angle of [1.2, 1.3, 1.4]) {
+    hatched.materials[0].crossAngle = angle;
+    draw(mesh);
+    expect(mesh.geometry).toBe(before);
+  }
+  expect(await hatched.formReady).toEqual([mesh]);
+  expect(invalidate).toHaveBeenCalled();
+  const after = mesh.geometry as BufferGeometry;
+  expect(valuesOf(after, 0)).toEqual(valuesOf(before, 0));
+  const other = make();
+  await (await applyHatching(new Group().add(other), { material: { ...following, crossAngle: 1.4 } })).formReady;
+  expect(after.attributes.formValue.array).toEqual((other.geometry as BufferGeometry).attributes.formValue.array);
+  draw(mesh);
+  await hatched.formReady;
+  expect(mesh.geometry).toBe(after);
+});
+
+test('an option that says the angle holds, whatever the material says', async () => {
+  const mesh = small();
+  const hatched = await applyHatching(new Group().add(mesh), { material: following, form: { crossAngle: 1 } });
+  const { geometry } = mesh;
+  hatched.materials[0].crossAngle = 1.2;
+  draw(mesh);
+  expect(await hatched.formReady).toEqual([]);
+  expect(mesh.geometry).toBe(geometry);
 });

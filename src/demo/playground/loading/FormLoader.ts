@@ -53,7 +53,10 @@ export class FormLoader {
       const { bakeForm } = await import('../../drawing/bakeForm.js');
       signal.throwIfAborted();
       const onProgress = (progress: number): void => report(STAGE, progress);
-      const made = await bakeForm(model.root, form, { signal, onProgress }, () => stage.frames.invalidate());
+      const made = await bakeForm(model.root, form, { signal, onProgress }, () => {
+        stage.frames.fadeIntoNext();
+        stage.frames.invalidate();
+      });
       this.made.push(...made);
     });
   }
