@@ -28,7 +28,11 @@ export function sharedMap(style: StrokeStyleName): TonalArtMap | null {
 
 /** Resolves when a material with this map can be drawn. Rejects if it cannot be drawn. */
 export async function mapIsReady(map: HatchingMap): Promise<void> {
-  await (typeof map === 'string' ? await fetchMap(map) : map)?.ready;
+  if (typeof map !== 'string') return map?.ready;
+  const shared = await fetchMap(map);
+  await shared.ready;
+  // The next frame draws with it.
+  maps.set(map, shared);
 }
 
 /** Gives the map to materials as soon as its code is there, and resolves when it is drawn. */

@@ -34,5 +34,6 @@ test('whoever waits for a map is told by a rejection, and tries it again', async
   await expect(mapIsReady('ruled')).rejects.toThrow('no pen');
   await mapIsReady('ruled');
   expect(shared).toHaveBeenCalledTimes(2);
+  expect(sharedMap('ruled'), 'in the first frame after').toBe(drawn);
   await mapIsReady(null);
 });
