@@ -2,7 +2,7 @@
 import process from 'node:process';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
-import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
 import type { MapFile } from '../mapFiles/mapFiles.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runSliced } from '../slices/runSliced.js';
@@ -61,7 +61,7 @@ async function draw(map: MapDrawing): Promise<MapFile[]> {
 
 /** The largest possible size of the files of a map, in bytes: that of its images and thresholds without compression. */
 function maxBytes(map: MapDrawing): number {
-  const { size, tones } = resolveHatchImageOptions(map);
+  const { size, tones } = resolveMapDrawing(map);
   return Math.ceil((4 / 3) * size ** 2 * (tones + 3));
 }
 

@@ -1,5 +1,5 @@
 import { parseArgs } from 'node:util';
-import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
@@ -71,7 +71,7 @@ export function parseArguments(args: readonly string[]): Request {
     strokeTexels: values['stroke-texels'] === undefined ? undefined : Number(values['stroke-texels']),
   };
   try {
-    resolveHatchImageOptions(map);
+    resolveMapDrawing(map);
   } catch (error) {
     throw new UsageError(
       (error as Error).message.replace(/^TonalArtMap\.generate: /, '--').replace('--strokeTexels', '--stroke-texels'),

@@ -4,7 +4,8 @@ import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
 import { enforceLevelNesting } from './enforceLevelNesting.js';
 import type { HatchImages } from './HatchImages.js';
-import { type HatchImageRequest, type MapDrawing, resolveHatchImageOptions } from './hatchImageOptions.js';
+import type { MapDrawing } from './hatchImageOptions.js';
+import { type HatchImageRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
 
 /**
  * Draws the hatch images of a tonal art map: every tone at every level.

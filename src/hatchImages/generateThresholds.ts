@@ -7,7 +7,8 @@ import { placeStrokes } from '../strokes/placeStrokes.js';
 import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
-import { type HatchImageRequest, type MapDrawing, resolveHatchImageOptions } from './hatchImageOptions.js';
+import type { MapDrawing } from './hatchImageOptions.js';
+import { type HatchImageRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
 
 /** The number of steps of tone in which strokes are placed: enough for an even image at any tone in between. */
 const STEPS = 24;

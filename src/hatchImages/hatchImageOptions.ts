@@ -1,6 +1,5 @@
-import type { StrokeStyle } from '../strokes/StrokeStyle.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import { strokeStyles } from '../strokes/strokeStyles.js';
+import { STROKE_WIDTHS } from '../strokes/strokeWidths.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 
 /** The options that determine a generated map. */
@@ -23,8 +22,9 @@ export interface MapDrawing {
 }
 
 /** The options with all defaults filled in. */
-export interface HatchImageRequest {
-  style: StrokeStyle;
+export interface FullMapDrawing {
+  style: StrokeStyleName;
+  strokeTexels: number;
   seed: number;
   size: number;
   tones: number;
@@ -37,13 +37,13 @@ export interface HatchImageRequest {
  * @param caller the function that is named in the error
  * @throws RangeError that names the option and its range
  */
-export function resolveHatchImageOptions(options: MapDrawing = {}, caller = 'TonalArtMap.generate'): HatchImageRequest {
+export function resolveMapDrawing(options: MapDrawing = {}, caller = 'TonalArtMap.generate'): FullMapDrawing {
   const fail = (option: keyof MapDrawing, value: unknown, allowed: string): never => {
     throw new RangeError(`${caller}: ${option} is ${String(value)}, but must be ${allowed}.`);
   };
-  const { style: name = 'hatching', seed = 1, size = 256, tones = 8 } = options;
-  if (!Object.hasOwn(strokeStyles, name)) {
-    fail('style', name, `one of ${Object.keys(strokeStyles).join(', ')}`);
+  const { style = 'hatching', seed = 1, size = 256, tones = 8 } = options;
+  if (!Object.hasOwn(STROKE_WIDTHS, style)) {
+    fail('style', style, `one of ${Object.keys(STROKE_WIDTHS).join(', ')}`);
   }
   if (!Number.isSafeInteger(seed)) fail('seed', seed, 'a whole number');
   if (![64, 128, 256, 512, 1024].includes(size)) fail('size', size, '64, 128, 256, 512 or 1024');
@@ -53,11 +53,11 @@ export function resolveHatchImageOptions(options: MapDrawing = {}, caller = 'Ton
   if (!Number.isInteger(levels) || levels < 1 || levels > allLevels) {
     fail('levels', levels, `a whole number from 1 to ${allLevels} at size ${size}, or left out`);
   }
-  const style: StrokeStyle = strokeStyles[name];
-  const width = options.strokeTexels ?? style.width;
-  const [narrowest, widest] = style.widthRange;
-  if (!(width >= narrowest && width <= widest)) {
-    fail('strokeTexels', width, `a number from ${narrowest} to ${widest} texels for style ${name}`);
+  const { width, widthRange } = STROKE_WIDTHS[style];
+  const { strokeTexels = width } = options;
+  const [narrowest, widest] = widthRange;
+  if (!(strokeTexels >= narrowest && strokeTexels <= widest)) {
+    fail('strokeTexels', strokeTexels, `a number from ${narrowest} to ${widest} texels for style ${style}`);
   }
-  return { style: { ...style, width }, seed, size, tones, levels };
+  return { style, strokeTexels, seed, size, tones, levels };
 }

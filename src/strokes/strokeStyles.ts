@@ -1,12 +1,14 @@
 import type { StrokeLayer, StrokeStyle } from './StrokeStyle.js';
 import type { StrokeStyleName } from './strokeStyleNames.js';
+import { STROKE_WIDTHS } from './strokeWidths.js';
 
 const along: StrokeLayer = { across: false, slope: 0, from: 0, thresholdsFrom: 0 };
 
-const hatching: StrokeStyle = {
+/** A style but for its widths. */
+type StrokeShape = Omit<StrokeStyle, 'width' | 'widthRange'>;
+
+const hatching: StrokeShape = {
   length: [0.28, 0.6],
-  width: 1.9,
-  widthRange: [1.2, 2.6],
   widthSpread: 0.12,
   taper: 22,
   slope: 0.016,
@@ -18,10 +20,8 @@ const hatching: StrokeStyle = {
   thresholds: { maxInk: 0.54, swell: 0.15, proposals: 400 },
 };
 
-const stippling: StrokeStyle = {
+const stippling: StrokeShape = {
   length: [0, 0],
-  width: 2.4,
-  widthRange: [1.65, 2.5],
   widthSpread: 0.12,
   taper: 0,
   slope: 0,
@@ -38,11 +38,12 @@ const stippling: StrokeStyle = {
 const makeStyles = () =>
   ({
     /** Pen strokes side by side. */
-    hatching,
+    hatching: { ...hatching, ...STROKE_WIDTHS.hatching },
 
     /** Pen strokes, with a second layer at right angles from half tone on. */
     crossHatching: {
       ...hatching,
+      ...STROKE_WIDTHS.crossHatching,
       layers: [along, { across: true, slope: 0, from: 0.45, thresholdsFrom: 0.32 }],
       thresholds: { maxInk: 0.6, swell: 0.15, proposals: 400 },
     },
@@ -50,7 +51,7 @@ const makeStyles = () =>
     /** Fine pen strokes in three directions, sixty degrees apart, that begin one after the other. */
     tripleHatching: {
       ...hatching,
-      width: 1.7,
+      ...STROKE_WIDTHS.tripleHatching,
       layers: [
         along,
         { across: true, slope: 0.577, from: 0.28, thresholdsFrom: 0.2 },
@@ -62,9 +63,8 @@ const makeStyles = () =>
     /** Thin even lines as if drawn with a ruler, with a second layer from half tone on. */
     ruled: {
       ...hatching,
+      ...STROKE_WIDTHS.ruled,
       length: [0.5, 0.95],
-      width: 1.4,
-      widthRange: [1.2, 2.6],
       widthSpread: 0.02,
       taper: 0,
       slope: 0.001,
@@ -77,8 +77,8 @@ const makeStyles = () =>
     /** Long lines like the contours of a map. */
     contours: {
       ...hatching,
+      ...STROKE_WIDTHS.contours,
       length: [0.5, 1.5],
-      width: 1.8,
       widthSpread: 0.06,
       taper: 48,
       slope: 0.006,
@@ -91,9 +91,8 @@ const makeStyles = () =>
     /** Short strokes with gaps between them. */
     dashes: {
       ...hatching,
+      ...STROKE_WIDTHS.dashes,
       length: [0.045, 0.09],
-      width: 2.2,
-      widthRange: [1.65, 2.5],
       taper: 5,
       slope: 0.09,
       bow: 0,
@@ -104,14 +103,13 @@ const makeStyles = () =>
     },
 
     /** Dots. */
-    stippling,
+    stippling: { ...stippling, ...STROKE_WIDTHS.stippling },
 
     /** Soft grey strokes on paper with a fine grain. */
     pencil: {
       ...hatching,
+      ...STROKE_WIDTHS.pencil,
       length: [0.22, 0.5],
-      width: 1.8,
-      widthRange: [1.6, 2.4],
       widthSpread: 0.25,
       taper: 30,
       slope: 0.05,
@@ -126,9 +124,8 @@ const makeStyles = () =>
     /** Broad crumbling strokes on rough paper. */
     charcoal: {
       ...hatching,
+      ...STROKE_WIDTHS.charcoal,
       length: [0.16, 0.42],
-      width: 2.6,
-      widthRange: [2, 2.6],
       widthSpread: 0.25,
       taper: 16,
       slope: 0.1,
@@ -143,8 +140,8 @@ const makeStyles = () =>
     /** Thick wedges as cut into wood, which close until only slivers of paper remain. */
     woodcut: {
       ...hatching,
+      ...STROKE_WIDTHS.woodcut,
       length: [0.2, 0.46],
-      width: 2.5,
       widthSpread: 0.15,
       taper: 90,
       slope: 0.03,

@@ -2,7 +2,7 @@ import { assertHatchImages, checkHatchImages, type HatchImageReport } from '../h
 import { deriveThresholds } from '../hatchImages/deriveThresholds.js';
 import { encodeThresholds, type ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../hatchImages/HatchImages.js';
-import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
 import type { TonalArtMapSource } from '../mapFiles/readSource.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { checkNames, checkOptions } from '../worker/checkOptions.js';
@@ -145,8 +145,7 @@ export class TonalArtMap {
     checkOptions(caller, options, HATCH_IMAGE_OPTIONS);
     const { style, seed, size, tones, levels, strokeTexels, ...taskOptions } = options;
     const drawing: MapDrawing = { style, seed, size, tones, levels, strokeTexels };
-    const { style: strokes, ...shape } = resolveHatchImageOptions(drawing, caller);
-    const map = new TonalArtMap({ ...shape, strokeTexels: strokes.width });
+    const map = new TonalArtMap(resolveMapDrawing(drawing, caller));
     map.drawn = drawHatchImages(drawing, taskOptions).then(({ images, thresholds }) =>
       map.fill(images, thresholds, true),
     );

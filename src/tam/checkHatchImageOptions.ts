@@ -1,4 +1,4 @@
-import { type MapDrawing, resolveHatchImageOptions } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { checkNames } from '../worker/checkOptions.js';
 
 /** The names of the options that determine a generated map. */
@@ -19,5 +19,5 @@ export const HATCH_IMAGE_OPTIONS = {
  */
 export function checkHatchImageOptions(caller: string, options: MapDrawing): void {
   checkNames(caller, 'options', options, HATCH_IMAGE_OPTIONS);
-  resolveHatchImageOptions(options, caller);
+  resolveMapDrawing(options, caller);
 }

@@ -1,5 +1,6 @@
 import type { HatchImages } from '../../src/hatchImages/HatchImages.js';
-import { type MapDrawing, resolveHatchImageOptions } from '../../src/hatchImages/hatchImageOptions.js';
+import type { MapDrawing } from '../../src/hatchImages/hatchImageOptions.js';
+import { resolveHatchImageOptions } from '../../src/hatchImages/hatchImageRequest.js';
 import { placeStrokes } from '../../src/strokes/placeStrokes.js';
 import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
 

@@ -107,6 +107,8 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
   if (row.kind === 'number') {
     if (row.range) fields.push(`range: ${rangeSource(row.range)}`);
   }
+  // Whether it needs its map the material itself asks.
+  if (row.kind === 'tonalArtMap') fields.push(`when: ${JSON.stringify(row.when)}`);
   if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
   return fields;
 }

@@ -10,6 +10,8 @@ export type HatchingProperty =
 /** What the material brings to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
   kind: 'tonalArtMap' | 'curve';
+  /** What the tonal art map counts with, as in `HatchingFacts`: without the map there is nothing to draw. */
+  when?: HatchingCondition;
   /** The default under a technique that has another. */
   defaultFor?: Readonly<Record<string, string>>;
 }

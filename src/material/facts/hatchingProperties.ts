@@ -174,7 +174,11 @@ export const HATCHING_DEFAULTS = {
 
 /** Every property of `HatchingMaterial`, by name. */
 export const HATCHING_PROPERTIES = {
-  tonalArtMap: { kind: 'tonalArtMap', techniques: ['triangle', 'adjacency', 'anchored'] },
+  tonalArtMap: {
+    kind: 'tonalArtMap',
+    when: { medium: ['ink', 'dry'] },
+    techniques: ['triangle', 'adjacency', 'anchored'],
+  },
   technique: { kind: 'choice', choices: ['triangle', 'adjacency', 'anchored', 'engraved'] },
   tilesPerUnit: { kind: 'number', uniform: 'tilesPerUnit', range: { above: 0 } },
   strokeRotation: {

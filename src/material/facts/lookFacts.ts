@@ -51,7 +51,11 @@ const holds = (look: HatchingLook, condition: HatchingCondition): boolean =>
   });
 
 /** Whether a look is drawn with a tonal art map. Without one it would be blank paper. */
-export const needsMap = (look: HatchingLook): boolean => counts(look, 'tonalArtMap');
+export function needsMap(given: HatchingLook): boolean {
+  const look = spelledOut(given);
+  const { tonalArtMap } = HATCHING_PROPERTIES;
+  return isUsedBy(techniqueOf(look), tonalArtMap) && holds(look, tonalArtMap.when);
+}
 
 /** Whether a look decides ink from the thresholds of its map, and not from the greys of its strokes. Allocates nothing. */
 export function usesThresholds(given: HatchingLook): boolean {

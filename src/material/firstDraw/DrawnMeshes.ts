@@ -1,5 +1,4 @@
 import type { BufferGeometry, Camera, Object3D, WebGLRenderer } from 'three';
-import { isStale } from '../../geometry/staleGeometry.js';
 import { silence } from '../../mistakes/silence.js';
 import { isFetched } from '../parts/parts.js';
 import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
@@ -13,10 +12,12 @@ interface Seen {
 
 const waiting: FirstDraw[] = [];
 
-/** The checks and their sentences are loaded when there is something to check, and nobody waits for them. */
+/** The checks and their sentences, which are loaded when there is something to check; nobody waits for them. */
+let checks: typeof import('./checkDraws.js') | undefined;
+
 async function check(): Promise<void> {
-  const { checkDraws } = await import('./checkDraws.js');
-  checkDraws(waiting.splice(0));
+  checks = await import('./checkDraws.js');
+  checks.checkDraws(waiting.splice(0));
 }
 
 /** Whether a material has its code, and its map if it draws with one. */
@@ -38,7 +39,7 @@ export class DrawnMeshes {
     height: number,
   ): void {
     if (silence.isOn) return;
-    const stale = isStale(geometry);
+    const stale = checks?.isStale(geometry) ?? false;
     const { technique } = material;
     const last = this.seen.get(mesh);
     if (last?.geometry === geometry && last.technique === technique && last.isStale === stale) return;
@@ -46,7 +47,7 @@ export class DrawnMeshes {
     const isOnScreen = renderer.getRenderTarget() === null;
     const { frame } = renderer.info.render;
     const draw = { material, mesh, geometry, scene, camera, renderer, isOnScreen, height, frame };
-    waiting.push({ ...draw, isStale: stale, isWhole: isWhole(material) });
+    waiting.push({ ...draw, isWhole: isWhole(material) });
     // A page that cannot load the checks draws without them.
     if (waiting.length === 1) check().catch(() => waiting.splice(0));
   }

@@ -23,8 +23,6 @@ export interface FirstDraw {
   readonly isOnScreen: boolean;
   /** Of the picture, in pixels. */
   readonly height: number;
-  /** Whether the geometry has changed since it was prepared. */
-  readonly isStale: boolean;
   /** The frame of the renderer in which it is drawn. */
   readonly frame: number;
   /** Whether the map and the code that the material draws with are there. */

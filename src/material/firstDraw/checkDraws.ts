@@ -10,6 +10,8 @@ import type { NoteMistake } from './NoteMistake.js';
 import { printsNothing } from './printsNothing.js';
 import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
 
+export { isStale } from '../../geometry/staleGeometry.js';
+
 /** What was said of each thing: a material, a geometry, a scene or a renderer. */
 const told = new WeakMap<object, Set<Mistake>>();
 

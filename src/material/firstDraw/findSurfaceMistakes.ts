@@ -3,6 +3,7 @@ import { cornerLayout } from '../../bake/cornerLayout.js';
 import { hatchNormal } from '../../bake/hatchNormal.js';
 import { isFormExpected, isFormed } from '../../geometry/formGeometry.js';
 import { pulledVerticesOf } from '../../geometry/PulledVertices.js';
+import { isStale } from '../../geometry/staleGeometry.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
 import { followsForm, needsAdjacency, needsMap } from '../facts/lookFacts.js';
 import type { FirstDraw } from './FirstDraw.js';
@@ -12,14 +13,15 @@ import type { Mistake } from './sentences.js';
 
 /** Finds what is wrong with the material and the geometry of a mesh. */
 export function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
-  const { material, geometry, renderer, isOnScreen, isStale } = draw;
+  const { material, geometry, renderer, isOnScreen } = draw;
   if (material.tonalArtMap === null && needsMap(material) && !printsNothing(material)) note('noMap', draw, material);
   const mistake = needsAdjacency(material) ? adjacencyMistake(draw) : undefined;
   if (mistake) note(mistake, draw, geometry);
   else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
   const asksForForm = followsForm(material) && material.lineField !== 'auto';
   if (asksForForm && !isFormed(geometry) && !isFormExpected(geometry)) note('noForm', draw, geometry);
-  if (isStale) note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
+  if (isStale(geometry))
+    note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
   if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);
 }
 

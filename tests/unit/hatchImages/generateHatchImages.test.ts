@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { checkHatchImages } from '../../../src/hatchImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
-import { type MapDrawing, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageRequest.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';

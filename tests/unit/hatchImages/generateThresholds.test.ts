@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { ThresholdLevel } from '../../../src/hatchImages/encodeThresholds.js';
 import { generateThresholds } from '../../../src/hatchImages/generateThresholds.js';
-import { type MapDrawing, resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageRequest.js';
 import { drawThresholdField } from '../../../src/strokes/drawThresholdField.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import { finish, styleNames } from '../strokes/draw.js';

@@ -1,0 +1,18 @@
+import type { StrokeStyle } from '../strokes/StrokeStyle.js';
+import { strokeStyles } from '../strokes/strokeStyles.js';
+import { type FullMapDrawing, type MapDrawing, resolveMapDrawing } from './hatchImageOptions.js';
+
+/** The options with the style that they name. */
+export interface HatchImageRequest extends Omit<FullMapDrawing, 'style' | 'strokeTexels'> {
+  style: StrokeStyle;
+}
+
+/**
+ * Fills in defaults, checks ranges, and looks up how the style is drawn.
+ *
+ * @throws RangeError that names the option and its range
+ */
+export function resolveHatchImageOptions(options: MapDrawing = {}): HatchImageRequest {
+  const { style, strokeTexels, ...shape } = resolveMapDrawing(options);
+  return { style: { ...strokeStyles[style], width: strokeTexels }, ...shape };
+}
