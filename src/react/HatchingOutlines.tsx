@@ -1,6 +1,8 @@
+import { extend } from '@react-three/fiber';
 import type { ReactElement, Ref } from 'react';
-import type { HatchingOutlineParameters, HatchingOutlines as Outlines } from 'three-hatching';
-import './elements.js';
+import { type HatchingOutlineParameters, HatchingOutlines as Outlines } from 'three-hatching';
+
+const Element = /* @__PURE__ */ extend(Outlines);
 
 /** The props of `<HatchingOutlines>`: the properties of `HatchingOutlineMaterial`. */
 export interface HatchingOutlinesProps extends HatchingOutlineParameters {
@@ -20,5 +22,5 @@ export interface HatchingOutlinesProps extends HatchingOutlineParameters {
  */
 export function HatchingOutlines({ ref, ...look }: HatchingOutlinesProps): ReactElement {
   const ofMaterial = Object.fromEntries(Object.entries(look).map(([name, value]) => [`material-${name}`, value]));
-  return <hatchingOutlines ref={ref} {...ofMaterial} />;
+  return <Element ref={ref} {...ofMaterial} />;
 }
