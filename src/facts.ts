@@ -26,6 +26,7 @@ export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchin
 export {
   counts,
   followsForm,
+  formOf,
   type HatchingLook,
   knowsChoice,
   measureOf,

@@ -10,6 +10,7 @@ import type {
   Medium,
   ShadowStrokes,
   StrokeAnchor,
+  StrokeField,
   StrokeLayers,
   ToneModel,
   ToneNormal,
@@ -37,7 +38,7 @@ export interface HatchingMaterialOptions {
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
    * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'`.
+   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'` and `strokeField` `'light'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -79,6 +80,11 @@ export interface HatchingMaterialOptions {
    * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   anchorSpacing: number;
+  /**
+   * What strokes take their direction from. Default `'light'`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * Another value builds another program.
+   */
+  strokeField: StrokeField;
   /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
@@ -276,7 +282,7 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
    * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'`.
+   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'` and `strokeField` `'light'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -318,6 +324,11 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
   anchorSpacing: number;
+  /**
+   * What strokes take their direction from. Default `'light'`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * Another value builds another program.
+   */
+  strokeField: StrokeField;
   /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**

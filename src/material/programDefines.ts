@@ -1,13 +1,8 @@
 import type { Texture } from 'three';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
-import {
-  HATCHING_PROPERTIES,
-  HATCHING_TECHNIQUES,
-  type HatchingPropertyName,
-  type LineField,
-} from './facts/hatchingProperties.js';
-import { followsForm, isUsedBy, knowsChoice, needsAdjacency } from './facts/lookFacts.js';
+import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency } from './facts/lookFacts.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import {
@@ -25,14 +20,8 @@ export interface ProgramFacts {
   hasEnvironment: boolean;
   /** Where the mesh has its adjacency. */
   vertexLayout: VertexLayout;
-  /** Whether it has what lines that follow the form are drawn from. */
+  /** Whether it has what lines and strokes that follow the form are drawn from. */
   hasForm: boolean;
-}
-
-/** What lines follow on a geometry that was prepared for the form, or was not. */
-function lineFieldOn(hasForm: boolean, wanted: LineField): number {
-  const drawn = !hasForm ? 'light' : wanted === 'auto' ? 'form' : wanted;
-  return HATCHING_PROPERTIES.lineField.choices.indexOf(drawn);
 }
 
 /** How the shader knows a curve. */
@@ -64,7 +53,12 @@ export function programDefines(
     if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
     else defines[property.define] = value ? '' : undefined;
   }
-  if (followsForm(material)) defines.LINE_FIELD = lineFieldOn(hasForm, material.lineField);
+  const field = formFieldOf(material);
+  const form = formOf(material);
+  if (field && form && (form === 'auto' || !hasForm)) {
+    const { define, choices } = HATCHING_PROPERTIES[field];
+    defines[define] = (choices as readonly string[]).indexOf(hasForm ? 'form' : 'light');
+  }
   defines.ENVIRONMENT = hasEnvironment ? '' : undefined;
   defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(material) ? vertexLayout : 'corner');
   defines.TONE_CURVE = TONE_CURVES.indexOf(curveKind(toneCurve));

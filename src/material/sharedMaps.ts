@@ -28,11 +28,10 @@ export function sharedMap(style: StrokeStyleName): TonalArtMap | null {
 
 /** Resolves when a material with this map can be drawn. Rejects if it cannot be drawn. */
 export async function mapIsReady(map: HatchingMap): Promise<void> {
-  if (typeof map !== 'string') return map?.ready;
-  const shared = await fetchMap(map);
-  await shared.ready;
+  const chosen = typeof map === 'string' ? await fetchMap(map) : map;
+  await chosen?.ready;
   // The next frame draws with it.
-  maps.set(map, shared);
+  if (chosen && typeof map === 'string') maps.set(map, chosen);
 }
 
 /** Gives the map to materials as soon as its code is there, and resolves when it is drawn. */

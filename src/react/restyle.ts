@@ -8,6 +8,7 @@ import type {
 import {
   defaultOf,
   followsForm,
+  formOf,
   HATCHING_DEFAULTS,
   HATCHING_OUTLINE_DEFAULTS,
   needsAdjacency,
@@ -47,8 +48,8 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
     name in HATCHING_DEFAULTS ? defaultOf(name as HatchingPropertyName, technique) : undefined,
   );
   if (!changes || 'tilesPerUnit' in changes) return null;
-  // Lines that follow the form need a geometry that was prepared for them.
-  if (followsForm(to) && (!followsForm(from) || 'lineField' in changes)) return null;
+  // Lines and strokes that follow the form need a geometry that was prepared for them.
+  if (followsForm(to) && (formOf(from) !== formOf(to) || 'technique' in changes)) return null;
   if (!('technique' in changes)) return changes;
   // Techniques with adjacency need a geometry that was prepared for them.
   return [from, to].some(needsAdjacency) ? null : changes;

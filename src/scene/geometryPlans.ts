@@ -1,5 +1,5 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
-import { followsForm, needsAdjacency } from '../material/facts/lookFacts.js';
+import { followsForm, formFieldOf, formOf, needsAdjacency } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { GeometryPlan } from './bakeGeometries.js';
@@ -48,27 +48,32 @@ export function crossingMaterials(
   const materials = new Map<BufferGeometry, HatchingMaterial>();
   if (typeof form === 'object' && form.crossAngle !== undefined) return materials;
   for (const plan of planned) {
-    const asking = isBatched(plan.mesh) ? undefined : askingMaterial(plan);
-    if (asking && !materials.has(plan.geometry)) materials.set(plan.geometry, asking);
+    const crossing = isBatched(plan.mesh) ? undefined : crossingOf(askingMaterials(plan));
+    if (crossing && !materials.has(plan.geometry)) materials.set(plan.geometry, crossing);
   }
   return materials;
 }
 
-/** The material of a mesh that asks for the form: one that does whatever the shape has precedence. */
-function askingMaterial(plan: PlannedMesh): HatchingMaterial | undefined {
+/** The materials of a mesh that ask for the form: those that do whatever the shape have precedence. */
+function askingMaterials(plan: PlannedMesh): HatchingMaterial[] {
   const following = materialsOf(plan)
     .filter(isHatching)
     .filter((material) => followsForm(material));
-  return following.find(({ lineField }) => lineField !== 'auto') ?? following[0];
+  return following.sort((one, other) => Number(formOf(one) === 'auto') - Number(formOf(other) === 'auto'));
 }
+
+/** The material whose lines cross as they were baked. Strokes cross by turning. */
+const crossingOf = (asking: readonly HatchingMaterial[]): HatchingMaterial | undefined =>
+  asking.find((material) => formFieldOf(material) === 'lineField');
 
 /** The world's up and the angle of the material, unless the options say otherwise. */
 function formFor(plan: PlannedMesh, { form }: ApplyHatchingOptions): GeometryPlan['form'] {
-  const asking = askingMaterial(plan);
-  if (form === false || (!form && !asking)) return false;
+  const asking = askingMaterials(plan);
+  if (form === false || (!form && asking.length === 0)) return false;
   // The gradient of the height in the world, as a function in object space.
   const { elements } = plan.mesh.matrixWorld;
   const up = [elements[1], elements[5], elements[9]] as const;
-  const auto = form === 'auto' || (!form && asking?.lineField === 'auto');
-  return { up, auto, ...(asking && { crossAngle: asking.crossAngle }), ...(typeof form === 'object' && form) };
+  const auto = form === 'auto' || (!form && formOf(asking[0]) === 'auto');
+  const crossing = crossingOf(asking);
+  return { up, auto, ...(crossing && { crossAngle: crossing.crossAngle }), ...(typeof form === 'object' && form) };
 }

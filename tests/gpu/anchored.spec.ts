@@ -1,13 +1,14 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, testOnOnePage } from '../browser/test.js';
-import { type AnchoredSettings, anchoredExcess } from '../reference/anchoredReference.js';
+import { type AnchoredSettings, anchoredExcess, formAxisOf } from '../reference/anchoredReference.js';
+import { quadraticGradient } from '../reference/engravedReference.js';
 import { interpolated } from '../reference/interpolated.js';
 import { trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
 import { analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
-import { type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
+import { centreOf, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
 import {
   ambient,
   blocked,
@@ -26,7 +27,14 @@ import {
 
 interface AnchoredCase extends ReferenceCase {
   anchorSpacing?: number;
+  strokeField?: 'form' | 'acrossForm';
 }
+
+/** Functions whose gradients turn over the torus by what strokes can follow. */
+const form = [
+  { linear: [1.5, 5, 0.5], squares: [1.2, -0.6, 0.4] },
+  { linear: [4.5, -2.2, 1], squares: [0, 0.5, -0.3] },
+] as const satisfies NonNullable<HatchingSpec['strokes']>['form'];
 
 const cases: AnchoredCase[] = [
   { name: 'directional light' },
@@ -116,8 +124,29 @@ const cases: AnchoredCase[] = [
       material: { shadowStrokes },
     },
   ]),
+  ...(
+    [
+      { name: 'under two lights', lights: [directional, redSide] },
+      { name: 'sized on the screen', sizedOnScreen: 1 },
+      { name: 'of a moved object', matrixWorld: placed },
+      { name: 'of a mirrored object', matrixWorld: mirrored },
+      { name: 'in layers by tone', material: { strokeLayers: 'tone', crossFrom: 0.2 } },
+      { name: 'in layers for lights: one', lights: crossed, material: { strokeLayers: 'lights' } },
+      { name: 'crossed in shadow', lights: [blocked, ambient], material: { shadowStrokes: 'cross' } },
+      { name: 'turned in shadow', lights: [blocked, ambient], material: { shadowStrokes: 'reorient' } },
+      { name: 'in the shadow of one light', lights: [redSide, blocked], material: { shadowStrokes: 'reorient' } },
+    ] as const satisfies ReferenceCase[]
+  ).map(({ name, ...rest }) => ({ ...rest, name: `along the form, ${name}`, strokeField: 'form' as const })),
+  { name: 'across the form', strokeField: 'acrossForm' },
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
+
+/** The gradient of the first function, which is one of the place from the centre in tiles. */
+function gradientAt({ positions, material }: HatchingSpec): (point: Vec3) => Vec3 {
+  const centre = centreOf(positions);
+  return (point) =>
+    quadraticGradient(form[0], point.map((x, axis) => (x - centre[axis]) * material.tilesPerUnit) as Vec3);
+}
 
 const test = testOnOnePage('tests/gpu/harness.html');
 
@@ -125,9 +154,13 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.renderHatching !== undefined);
 });
 
-for (const { anchorSpacing = 0.35, sizedOnScreen = 0, ...rest } of cases) {
+for (const { anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest } of cases) {
   test(`anchored equals the double-precision reference: ${rest.name}`, async ({ page }) => {
-    const spec: HatchingSpec = { ...specOf({ ...rest, sizedOnScreen }, 'anchored'), anchorSpacing };
+    const spec: HatchingSpec = {
+      ...specOf({ ...rest, sizedOnScreen }, 'anchored'),
+      anchorSpacing,
+      ...(strokeField && { strokes: { strokeField, form } }),
+    };
     const { positions, indices } = spec;
     const normals = spec.normals!;
     const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
@@ -138,9 +171,10 @@ for (const { anchorSpacing = 0.35, sizedOnScreen = 0, ...rest } of cases) {
       tilesPerUnit: spec.material.tilesPerUnit,
       strokeRotation: spec.material.strokeRotation,
       anchorSpacing: spec.anchorSpacing!,
-      halfTiles: spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
+      halfTiles: strokeField !== undefined || spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
       sizedOnScreen: spec.sizedOnScreen!,
       shadowStrokes: spec.material.shadowStrokes,
+      ...(strokeField && { formAxis: formAxisOf(gradientAt(spec), strokeField === 'acrossForm') }),
       threshold: analyticThreshold.field,
       mapSize: analyticThreshold.size,
       mapLevels: analyticThreshold.levels,

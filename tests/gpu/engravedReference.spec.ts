@@ -2,9 +2,8 @@ import { testOnOnePage } from '../browser/test.js';
 import { EngravedReference } from '../reference/engravedReference.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import { torus } from '../reference/meshes.js';
-import type { Vec3 } from '../reference/referenceAdjacency.js';
 import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
-import { expectDarkness, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
+import { centreOf, expectDarkness, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
 import {
   ambient,
   blocked,
@@ -175,10 +174,7 @@ for (const { lines, ...rest } of cases) {
       matrixWorld,
       camera,
       size: SIZE,
-      centre: [0, 1, 2].map((axis) => {
-        const along = positions.filter((_, i) => i % 3 === axis);
-        return (Math.min(...along) + Math.max(...along)) / 2;
-      }) as Vec3,
+      centre: centreOf(positions),
     });
     await expectDarkness(page, spec, reference, (...at) => engraved.darkness(...at));
   });

@@ -154,3 +154,76 @@ test('lines stay where they are on a skin that bends, and between them it stays 
   expect(Math.min(...onLines)).toBeGreaterThan(0.7);
   expect(Math.max(...between)).toBeLessThan(0.1);
 });
+
+test('strokes run on where the sign of the baked function changes', async ({ page }) => {
+  const [changed, inked] = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom, total } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } = window.toolkit;
+    const tonalArtMap = await TonalArtMap.generate({ size: 256 });
+    const source = new THREE.TorusGeometry(1, 0.45, 24, 48);
+    const geometry = await prepareHatchingGeometry(source, { form: true, layout: 'corner' });
+    const material = new HatchingMaterial({ tonalArtMap, technique: 'anchored', strokeField: 'form', edgePixels: 0 });
+    const scene = paperScene(new THREE.Mesh(geometry, material), new THREE.AmbientLight(0xffffff, 0.6 * Math.PI));
+    const [camera, renderer] = [lookFrom(0, 1.5, 3.5), rendererOf(400)];
+    const before = draw(scene, camera, renderer);
+    const { formSlope } = geometry.attributes;
+    for (let corner = 0; corner < formSlope.count; corner++) {
+      if (Math.floor(corner / 3) % 2 === 0) continue;
+      const [x, y, z] = [0, 1, 2].map((axis) => -formSlope.getComponent(corner, axis));
+      formSlope.setXYZ(corner, x, y, z);
+    }
+    formSlope.needsUpdate = true;
+    const after = draw(scene, camera, renderer);
+    const changed = after.filter((ink, i) => Math.abs(ink - before[i]) > 0.2).length;
+    return [changed / after.length, total(before) / before.length];
+  });
+  expect(inked).toBeGreaterThan(0.05);
+  expect(changed).toBeLessThan(0.001);
+});
+
+test('strokes in object space take the direction of the form as it is deformed', async ({ page }) => {
+  const [changed, inked] = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom, total } = window.lining;
+    const { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } = window.toolkit;
+    const tonalArtMap = await TonalArtMap.generate({ size: 256 });
+    const geometry = await prepareHatchingGeometry(new THREE.TorusGeometry(0.7, 0.3, 24, 48), { form: true });
+    const { count } = geometry.attributes.position;
+    const moves = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(0.5, 0.4, 0.3));
+    moves.scale(new THREE.Vector3(1.4, 0.8, 1)).setPosition(0.1, 0.2, 0);
+
+    // The same shape, deformed before it is drawn.
+    const moved = new THREE.BufferGeometry().setIndex(geometry.index);
+    const turned = new THREE.Matrix3().getNormalMatrix(moves);
+    for (const name of ['position', 'normal', 'hatchNormal', 'formSlope', 'formValue']) {
+      const from = geometry.getAttribute(name);
+      const values = Array.from({ length: count }, (_, vertex) => {
+        const value = new THREE.Vector3().fromBufferAttribute(from, vertex);
+        if (name === 'position') return value.applyMatrix4(moves).toArray();
+        return name === 'formValue' ? value.toArray() : value.applyMatrix3(turned).toArray();
+      });
+      moved.setAttribute(name, new THREE.Float32BufferAttribute(values.flat(), 3));
+    }
+
+    geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+    const weights = Array.from({ length: count }, () => [1, 0, 0, 0]);
+    geometry.setAttribute('skinWeight', new THREE.Float32BufferAttribute(weights.flat(), 4));
+    const look = { technique: 'anchored', strokeField: 'form', strokeAnchor: 'deformed', edgePixels: 0 } as const;
+    const material = new HatchingMaterial({ ...look, tonalArtMap });
+    const skinned = new THREE.SkinnedMesh(geometry, material);
+    const bone = new THREE.Bone();
+    bone.matrixAutoUpdate = false;
+    skinned.add(bone);
+    skinned.bind(new THREE.Skeleton([bone]));
+    bone.matrix.copy(moves);
+    skinned.frustumCulled = false;
+
+    const [camera, renderer] = [lookFrom(0, 1, 3.5), rendererOf(400)];
+    const [first, second] = [skinned, new THREE.Mesh(moved, material)].map((mesh) =>
+      draw(paperScene(mesh, new THREE.AmbientLight(0xffffff, 0.6 * Math.PI)), camera, renderer),
+    );
+    const changed = second.filter((ink, i) => Math.abs(ink - first[i]) > 0.2).length;
+    return [changed / second.length, total(first) / first.length];
+  });
+  expect(inked).toBeGreaterThan(0.05);
+  expect(changed).toBeLessThan(0.002);
+});

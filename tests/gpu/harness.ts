@@ -149,7 +149,8 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
   if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
-  if (spec.lines?.form) setForm(source, spec.lines.form, spec.material.tilesPerUnit);
+  const form = spec.lines?.form ?? spec.strokes?.form;
+  if (form) setForm(source, form, spec.material.tilesPerUnit);
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
   const { technique } = spec.material;
   const isPerFragment = technique === 'anchored' || technique === 'engraved';
@@ -163,6 +164,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
       ...material,
       ...(technique !== 'engraved' && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
       ...lines,
+      ...(spec.strokes && { strokeField: spec.strokes.strokeField }),
       side: spec.doubleSided ? DoubleSide : FrontSide,
     }),
   );

@@ -1,4 +1,4 @@
-import type { EngravedSettings } from '../reference/engravedReference.js';
+import type { EngravedSettings, Quadratic } from '../reference/engravedReference.js';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
@@ -23,6 +23,8 @@ export interface HatchingSpec {
   map: AnalyticMapName;
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
   anchorSpacing?: number;
+  /** For strokes that follow the form: the functions that were baked. */
+  strokes?: { strokeField: 'form' | 'acrossForm'; form: readonly [first: Quadratic, crossing: Quadratic] };
   sizedOnScreen?: number;
   /** For the medium `stipple` of the technique `anchored`: the dots. */
   dots?: { strokeWidth: number; edgePixels: number };

@@ -44,6 +44,13 @@ export function specOf(
   };
 }
 
+/** The centre of the bounding sphere, as three.js finds it. */
+export const centreOf = (positions: readonly number[]): Vec3 =>
+  [0, 1, 2].map((axis) => {
+    const along = positions.filter((_, i) => i % 3 === axis);
+    return (Math.min(...along) + Math.max(...along)) / 2;
+  }) as Vec3;
+
 /** The reference of what all techniques share: lights and tone. */
 export const referenceOf = ({ matrixWorld, orthographic, lights, material }: HatchingSpec): HatchingReference =>
   new HatchingReference({

@@ -17,6 +17,8 @@ export interface AnchoredSettings {
   halfTiles: boolean;
   sizedOnScreen: number;
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
+  /** The axis of strokes that follow the form, in the plane across the normal; left out where they turn with the light. */
+  formAxis?: (point: Vec3, normal: Vec3, isDark: boolean) => Vec3;
   threshold: ThresholdFunction;
   /** Texels per side of level 0. A texel should cover one pixel. */
   mapSize: number;
@@ -31,6 +33,30 @@ interface Field {
 }
 
 const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/**
+ * The axis of strokes along the level lines of a function, or across them; where no light arrives they run the other way.
+ *
+ * @param gradientAt its gradient at a point
+ */
+export function formAxisOf(
+  gradientAt: (point: Vec3) => Vec3,
+  isAcross: boolean,
+): (point: Vec3, normal: Vec3, isDark: boolean) => Vec3 {
+  return (point, normal, isDark) => {
+    const gradient = gradientAt(point);
+    // What of the gradient lies in the surface.
+    const away = dot(gradient, normal);
+    const within = gradient.map((x, axis) => x - away * normal[axis]) as Vec3;
+    const axis = isAcross === isDark ? cross(normal, within) : within;
+    return axis.map((x) => x / Math.hypot(...axis)) as Vec3;
+  };
+}
 
 /** Wellons 2018, lowbias32, over the coordinates of a lattice point and the number of its lattice. */
 export function hashAnchor(id: Vec3, lattice: number): number {
@@ -147,10 +173,14 @@ export function anchoredExcess(
   settings: AnchoredSettings,
 ): number {
   const world = reference.toWorld(point);
-  const { tangent, bitangent, crossing } = reference.frameOfNormal(strokeNormal, world);
   const edge = settings.anchorSpacing / settings.tilesPerUnit;
   const toViewer = reference.toViewer(world);
   const worldNormal = reference.normalToWorld(toneNormal);
+  const formAxis = settings.formAxis?.(point, strokeNormal, reference.isDark(worldNormal, world));
+  const { tangent, bitangent, crossing } = formAxis
+    ? { tangent: formAxis, bitangent: cross(strokeNormal, formAxis), crossing: 0 }
+    : reference.frameOfNormal(strokeNormal, world);
+  const strokeRotation = formAxis ? 0 : settings.strokeRotation;
   const tone = reference.tone(world, worldNormal);
   const unshadowed = reference.tone(world, worldNormal, false);
   const isCrossed = settings.shadowStrokes === 'cross';
@@ -161,7 +191,7 @@ export function anchoredExcess(
   }
   const excesses = layers.map((layer) => {
     const at = point.map((c, axis) => c + layer.shift * LAYER_SHIFT[axis] * edge) as Vec3;
-    const turned = { ...settings, strokeRotation: settings.strokeRotation + layer.angle };
+    const turned = { ...settings, strokeRotation: strokeRotation + layer.angle };
     const { strokeRotation: angle } = turned;
     const across = tangent.map((x, axis) => Math.sin(angle) * x + Math.cos(angle) * bitangent[axis]) as Vec3;
     const coarser = crowdedOctaves(across, strokeNormal, toViewer);

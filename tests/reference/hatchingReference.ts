@@ -261,6 +261,12 @@ export class HatchingReference {
     return isAsked && dot(n, incident(light, at)!.direction) > 0.05;
   }
 
+  /** Whether strokes ignore all the lights that have a direction. `n` is in world space. */
+  isDark(n: Vec3, at: Vec3): boolean {
+    const directed = this.scene.lights.filter((light) => incident(light, at) !== null);
+    return directed.length > 0 && directed.every((light) => this.turnsAway(light, n, at));
+  }
+
   /** Texture coordinates of an object-space point in the frame of a triangle: project (Algorithm 2), then measure. */
   coordinates(point: Vec3, triangle: Triangle): [number, number] {
     const { tilesPerUnit, strokeRotation, strokeOffset } = this.scene.material;

@@ -7,3 +7,10 @@ vStrokeNormal = strokeNormal;
   vUnitsPerPixel = unitsPerPixel(viewToAnchor, mvPosition);
   vToViewer = viewToAnchor * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition);
 #endif // MEDIUM
+#ifdef STROKES_FOLLOW_FORM
+  vFormSlope = formSlope.xyz;
+  #if STROKE_ANCHOR != STROKE_ANCHOR_REST
+    // A gradient goes with the surface as its normal does.
+    vFormSlope = vFormSlope * deformedToRest;
+  #endif // STROKE_ANCHOR
+#endif // STROKES_FOLLOW_FORM

@@ -1,8 +1,6 @@
-// What hatching needs to know at this fragment: the light's frame is found here, so that it turns continuously.
+// What hatching needs to know at this fragment: the frame of its strokes is found here, so that it turns continuously.
 #include "lightOrientation"
 #include "perFragment/viewToAnchor"
-
-uniform vec2 strokeDirection; // cosine and sine of the strokes' rotation
 
 struct HatchingParameters {
   vec3 point; // object space
@@ -15,14 +13,17 @@ struct HatchingParameters {
   float crossing; // how far the lights disagree
 };
 
+#ifdef STROKES_FOLLOW_FORM
+  #include "technique/readForm"
+#else
+  #include "technique/readLight"
+#endif // STROKES_FOLLOW_FORM
+
 HatchingParameters readHatchingParameters() {
   HatchingParameters h;
   vec3 n = safeNormalize(vStrokeNormal);
-  vec3 bitangent = lightBitangent(n, -vViewPosition, readViewToAnchor(), h.crossing);
-  vec3 tangent = cross(bitangent, n);
+  readStrokeAxes(n, h);
   h.point = vRestPosition;
-  h.uAxis = strokeDirection.x * tangent - strokeDirection.y * bitangent;
-  h.vAxis = strokeDirection.y * tangent + strokeDirection.x * bitangent;
   #if MEDIUM == MEDIUM_STIPPLE
     h.normal = n;
   #else

@@ -26,9 +26,9 @@ float latticeField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float lattice, const in ThresholdLevel level
 ) {
   LatticeAnchors anchors = nearestAnchors(point * (tilesPerUnit * exp2(lattice * LATTICE_OCTAVES) / anchorSpacing), lattice);
-  #if LIGHTS_WITH_DIRECTION > 1
-    // Several lights give a direction up to its sign. The map is symmetric about its centre, and shifted by half tiles
-    // only: where B turns into −B the strokes stay.
+  #if LIGHTS_WITH_DIRECTION > 1 || defined(STROKES_FOLLOW_FORM)
+    // Several lights give a direction up to its sign, and so does the form. The map is symmetric about its centre, and shifted by
+    // half tiles only: where B turns into −B the strokes stay.
     vec4 shiftU = 0.5 * vec4(anchors.hashes & 1u);
     vec4 shiftV = 0.5 * vec4((anchors.hashes >> 16u) & 1u);
   #else

@@ -1,6 +1,7 @@
 // Lines that follow the form: level sets of two functions that were baked into the vertices. Within a triangle a function is
 // quadratic, so that lines have no kinks at edges. Across the seams of the bake it changes by a multiple of a power of two, or its sign
 // does: lines that lie no farther apart than that run on.
+#include "perFragment/fullShadow"
 
 // The octaves of these powers, for the function and for the one that crosses it (src/form/phase/lastLevel.ts).
 #define COARSEST_OCTAVES vec2(2.0, 1.0)
@@ -22,15 +23,6 @@ struct HatchingParameters {
 float formValueAt(const in vec4 form, const in vec3 stray) {
   return form.w + dot(form.xyz, 0.5 * vFieldPoint + stray);
 }
-
-#ifdef REORIENTS_IN_SHADOW
-  // Whether no light arrives that has a direction.
-  bool isInFullShadow() {
-    bool isAll = true;
-    for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) isAll = isAll && isLightShadowed[i];
-    return isAll;
-  }
-#endif // REORIENTS_IN_SHADOW
 
 HatchingParameters readHatchingParameters() {
   HatchingParameters h;

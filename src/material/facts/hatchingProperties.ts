@@ -30,6 +30,16 @@ export type StrokeAnchor = 'rest' | 'deformed';
 export type LevelRule = 'derivatives' | 'depth';
 
 /**
+ * What the strokes of `anchored` take their direction from.
+ * - `light`: the light, with which they turn; the way of the paper by Suarez et al.
+ * - `form`: a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks,
+ *   and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to
+ *   `prepareHatchingGeometry`.
+ * - `acrossForm`: the same function: strokes lie across its level lines at a right angle, along limbs.
+ */
+export type StrokeField = 'light' | 'form' | 'acrossForm';
+
+/**
  * What the lines of `engraved` are cut by.
  * - `light`: planes across the light, or spheres around a lamp: lines run around it, tangent to it.
  * - `towards`: planes that hold the direction of the light: lines run towards it.
@@ -127,6 +137,7 @@ export const HATCHING_DEFAULTS = {
   strokeWidth: null,
   edgePixels: 1,
   anchorSpacing: 0.4,
+  strokeField: 'light',
   lineField: 'light',
   lineSpacing: 4.5,
   finestSpacing: 3,
@@ -214,6 +225,12 @@ export const HATCHING_PROPERTIES = {
     techniques: ['triangle', 'adjacency', 'anchored'],
   },
   anchorSpacing: { kind: 'number', uniform: 'anchorSpacing', range: { above: 0 }, techniques: ['anchored'] },
+  strokeField: {
+    kind: 'choice',
+    define: 'STROKE_FIELD',
+    choices: ['light', 'form', 'acrossForm'],
+    techniques: ['anchored'],
+  },
   lineField: {
     kind: 'choice',
     define: 'LINE_FIELD',

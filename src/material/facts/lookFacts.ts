@@ -69,12 +69,26 @@ export function usesThresholds(given: HatchingLook): boolean {
 export const needsAdjacency = (look: HatchingLook): boolean =>
   HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].vertexData === 'adjacency';
 
-/** The choices of `lineField` by which lines follow the form, with `auto` of shapes that have one. */
-const FORM_FIELDS: readonly unknown[] = ['form', 'acrossForm', 'auto'];
+/** The property by which the lines or strokes of a look may follow the form; undefined if they cannot. Allocates nothing. */
+export function formFieldOf(given: HatchingLook): 'lineField' | 'strokeField' | undefined {
+  const look = spelledOut(given);
+  const technique = techniqueOf(look);
+  if (isUsedBy(technique, HATCHING_PROPERTIES.lineField)) return 'lineField';
+  // Dots have no direction.
+  const hasStrokes = isUsedBy(technique, HATCHING_PROPERTIES.strokeField) && look.medium !== 'stipple';
+  return hasStrokes ? 'strokeField' : undefined;
+}
 
-/** Whether the lines of a look follow the form, which only geometries show that were prepared with `form`. Allocates nothing. */
-export const followsForm = (look: HatchingLook): boolean =>
-  isUsedBy(techniqueOf(look), HATCHING_PROPERTIES.lineField) && FORM_FIELDS.includes(look.lineField);
+/** What a look asks of geometries: `form` of `prepareHatchingGeometry`. Allocates nothing. */
+export function formOf(given: HatchingLook): boolean | 'auto' {
+  const look = spelledOut(given);
+  const name = formFieldOf(look);
+  const field = name && look[name];
+  return field === 'auto' ? field : field === 'form' || field === 'acrossForm';
+}
+
+/** Whether lines or strokes of a look follow the form, which only geometries show that were prepared with `form`. Allocates nothing. */
+export const followsForm = (look: HatchingLook): boolean => formOf(look) !== false;
 
 /**
  * What a number or a vector measures in a look; undefined for other properties, and for one that is a mean of two measures, as far as

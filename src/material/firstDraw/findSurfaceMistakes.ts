@@ -5,7 +5,7 @@ import { isFormExpected, isFormed } from '../../geometry/formGeometry.js';
 import { pulledVerticesOf } from '../../geometry/PulledVertices.js';
 import { isStale } from '../../geometry/staleGeometry.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
-import { followsForm, needsAdjacency, needsMap } from '../facts/lookFacts.js';
+import { formFieldOf, formOf, needsAdjacency, needsMap } from '../facts/lookFacts.js';
 import type { FirstDraw } from './FirstDraw.js';
 import type { NoteMistake } from './NoteMistake.js';
 import { printsNothing } from './printsNothing.js';
@@ -18,8 +18,8 @@ export function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
   const mistake = needsAdjacency(material) ? adjacencyMistake(draw) : undefined;
   if (mistake) note(mistake, draw, geometry);
   else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
-  const asksForForm = followsForm(material) && material.lineField !== 'auto';
-  if (asksForForm && !isFormed(geometry) && !isFormExpected(geometry)) note('noForm', draw, geometry);
+  const hasNoForm = formOf(material) === true && !isFormed(geometry) && !isFormExpected(geometry);
+  if (hasNoForm) note('noForm', draw, geometry, formFieldOf(material)!);
   if (isStale(geometry))
     note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
   if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);

@@ -23,8 +23,8 @@ export const SENTENCES = {
     `${mesh} ${AT_REST} this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which has no need to.`,
   instancesAtRest: (mesh: string) =>
     `${mesh} ${AT_REST} the instances of an InstancedMesh cannot have morph targets each of their own. Use the technique 'anchored', or meshes.`,
-  noForm: (mesh: string) =>
-    `${mesh} is drawn with lineField 'light', because it was prepared without form. Prepare it with { form: true }.`,
+  noForm: (mesh: string, field: string) =>
+    `${mesh} is drawn with ${field} 'light', because it was prepared without form. Prepare it with { form: true }.`,
   moved: (mesh: string) =>
     `the positions of ${mesh} have changed since it was prepared; its neighbours and stroke normals have not. Move the mesh instead of the geometry, or change the geometry before prepareHatchingGeometry.`,
   movedIndexed: (mesh: string) =>

@@ -60,6 +60,22 @@ describe('HatchingMaterial', () => {
     expect(material.lineField).toBe('x');
   });
 
+  test('draws strokes that turn with the light where they should follow the form of a mesh that was prepared without it', () => {
+    const material = new HatchingMaterial({ strokeField: 'acrossForm' });
+    const { choices } = HATCHING_PROPERTIES.strokeField;
+    const drawn = (geometry: BufferGeometry) => {
+      material.announce(new Mesh(geometry));
+      return choices[material.defines.STROKE_FIELD as number];
+    };
+    const formed = new BoxGeometry();
+    formed.setAttribute('formValue', new BufferAttribute(new Float32Array(48), 2));
+    expect([drawn(new BoxGeometry()), drawn(formed)]).toEqual(['light', 'acrossForm']);
+    expect(material.strokeField).toBe('acrossForm');
+    expect(material.clone().strokeField).toBe('acrossForm');
+    material.strokeField = 'light';
+    expect(drawn(formed)).toBe('light');
+  });
+
   test('can be made without parameters, with the documented defaults', () => {
     const material = new HatchingMaterial();
     expect(material.isHatchingMaterial).toBe(true);

@@ -52,6 +52,16 @@ test('with auto, a shape that has a form is baked with it, and one of flat faces
   expect((scene.children as Mesh[]).map(({ geometry }) => geometry.hasAttribute('formValue'))).toEqual([true, false]);
 });
 
+test('strokes that follow the form ask for a field too', async () => {
+  const scene = new Group().add(ring(), ring());
+  const [first, second] = scene.children as Mesh[];
+  await applyHatching(scene, { material: (_, mesh) => (mesh === first ? { strokeField: 'form' } : {}) });
+  expect([first, second].map((mesh) => mesh.geometry.hasAttribute('formSlope'))).toEqual([true, false]);
+  expect(planOf(ring(), new HatchingMaterial({ strokeField: 'form', lineField: 'auto' })).form).toMatchObject({
+    auto: false,
+  });
+});
+
 test('the preset engraving leaves it to the shape, and banknote follows the form of all', () => {
   const plan = (preset: 'engraving' | 'banknote') => planOf(ring(), new HatchingMaterial({ preset })).form;
   expect(plan('engraving')).toMatchObject({ auto: true, crossAngle: Math.PI / 3 });

@@ -39,7 +39,7 @@ export const STROKES = {
     measure: 'radians',
     uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
-    when: { medium: ['ink', 'dry', 'woodcut'] },
+    when: { medium: ['ink', 'dry', 'woodcut'], strokeField: ['light'] },
     sentence:
       "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
   },
@@ -131,6 +131,21 @@ export const STROKES = {
     when: { medium: ['ink', 'dry'] },
     sentence:
       'Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes.',
+  },
+  strokeField: {
+    kind: 'choice',
+    group: 'Strokes',
+    type: 'StrokeField',
+    typeSentence: 'What the strokes of `anchored` take their direction from.',
+    choices: {
+      light: 'the light, with which they turn; the way of the paper by Suarez et al.',
+      form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([form.md](form.md)).',
+      acrossForm: 'the same function: strokes lie across its level lines at a right angle, along limbs.',
+    },
+    default: 'light',
+    techniques: ['anchored'],
+    when: { medium: ['ink', 'dry'] },
+    sentence: 'What strokes take their direction from.',
   },
   lineField: {
     kind: 'choice',

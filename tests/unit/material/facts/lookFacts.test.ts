@@ -2,6 +2,8 @@ import { describe, expect, test } from 'vitest';
 import type { HatchingPropertyName, Medium } from '../../../../src/material/facts/hatchingProperties.js';
 import {
   counts,
+  followsForm,
+  formOf,
   type HatchingLook,
   measureOf,
   needsAdjacency,
@@ -50,6 +52,37 @@ describe('what follows from a look', () => {
   });
 
   test.each([
+    [{}, false],
+    [{ technique: 'engraved' }, false],
+    [{ technique: 'engraved', lineField: 'x' }, false],
+    [{ technique: 'engraved', lineField: 'acrossForm' }, true],
+    [{ technique: 'engraved', lineField: 'auto' }, 'auto'],
+    [{ preset: 'banknote' }, true],
+    [{ preset: 'engraving' }, 'auto'],
+    [{ preset: 'pen' }, false],
+    [{ preset: 'pen', strokeField: 'form' }, true],
+    [{ strokeField: 'acrossForm', medium: 'dry' }, true],
+    // A medium of another technique, with which this one draws in ink.
+    [{ strokeField: 'form', medium: 'woodcut' }, true],
+    // Dots have no direction.
+    [{ strokeField: 'form', medium: 'stipple' }, false],
+    // What another technique reads.
+    [{ technique: 'engraved', strokeField: 'form' }, false],
+    [{ lineField: 'form' }, false],
+    [{ technique: 'adjacency', strokeField: 'form', lineField: 'form' }, false],
+  ] as const)('%j asks of geometries for the form: %s', (look, form) => {
+    expect([formOf(look), followsForm(look)]).toEqual([form, form !== false]);
+    const material = new HatchingMaterial();
+    material.setValues(look);
+    expect(formOf(material)).toBe(form);
+  });
+
+  test.each([
+    ['strokeRotation', {}, true],
+    ['strokeRotation', { strokeField: 'form' }, false],
+    ['strokeRotation', { strokeField: 'form', technique: 'engraved' }, true],
+    ['strokeField', { medium: 'dry' }, true],
+    ['strokeField', { medium: 'stipple' }, false],
     ['tooth', { technique: 'anchored', medium: 'dry' }, true],
     ['tooth', { technique: 'anchored' }, false],
     // The medium of another technique.

@@ -193,6 +193,11 @@ describe('the surface', () => {
     expect(await draw(mesh)).toEqual(found);
     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { form: true });
     expect(await draw(mesh)).toEqual([]);
+    const strokes = ball(new HatchingMaterial({ strokeField: 'acrossForm' }));
+    const alike = about(/"ball".* is drawn with strokeField 'light', because it was prepared without form/);
+    expect(await draw(strokes)).toEqual(alike);
+    strokes.geometry = mesh.geometry;
+    expect(await draw(strokes)).toEqual([]);
   });
 
   test('was moved after it was prepared', async () => {

@@ -1,0 +1,8 @@
+#ifdef REORIENTS_IN_SHADOW
+  // Whether no light arrives that has a direction.
+  bool isInFullShadow() {
+    bool isAll = true;
+    for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) isAll = isAll && isLightShadowed[i];
+    return isAll;
+  }
+#endif // REORIENTS_IN_SHADOW

@@ -1,0 +1,19 @@
+// Strokes along or across the level lines of a function that was baked into the vertices. Across seams of the bake its sign may
+// change, and with it that of both axes: the map looks the same then.
+#include "perFragment/fullShadow"
+
+// n: unit normal, object space.
+void readStrokeAxes(const in vec3 n, inout HatchingParameters h) {
+  vec3 along = cross(n, vFormSlope);
+  float squaredLength = dot(along, along);
+  // Any direction will do at a singular point.
+  along = squaredLength > 0.0 ? along * inversesqrt(squaredLength) : normalize(anyTangent(n));
+  bool isAcross = STROKE_FIELD == STROKE_FIELD_ACROSS_FORM;
+  #ifdef REORIENTS_IN_SHADOW
+    // Where no light arrives strokes run the other way.
+    if (isInFullShadow()) isAcross = !isAcross;
+  #endif // REORIENTS_IN_SHADOW
+  h.uAxis = isAcross ? cross(n, along) : along;
+  h.vAxis = cross(n, h.uAxis);
+  h.crossing = 0.0;
+}
