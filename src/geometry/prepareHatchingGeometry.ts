@@ -72,8 +72,8 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    */
   outlines?: boolean | OutlineOptions | undefined;
   /**
-   * Bakes the functions whose level sets are the lines of `lineField: 'form'` and `'acrossForm'`, in 24 bytes per vertex; a few
-   * vertices are copied. It takes several times as long as all the rest, in the worker. Pass `true`, `'auto'` for shapes that have a form only
+   * Bakes the functions whose level sets are the lines of `lineField: 'form'` and `'acrossForm'`, and that `strokeField` lays strokes
+   * along, in 24 bytes per vertex; a few vertices are copied. It takes several times as long as all the rest, in the worker. Pass `true`, `'auto'` for shapes that have a form only
    * (and not for meshes of flat faces), or options. Default: false;
    * `applyHatching` bakes them where a material asks for them.
    */
