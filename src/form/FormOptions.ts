@@ -2,7 +2,10 @@
 export interface FormOptions {
   /** The axis that lines run across where nothing else decides, in object space, of any length. Zero asks for no axis. */
   up: readonly [x: number, y: number, z: number];
-  /** The direction in object space from which the object is mostly seen, of any length. Lids are ruled across it. Without one it is z. */
+  /**
+   * The direction in object space from which the object is mostly seen, of any length. Singular points leave it, and lids are ruled
+   * across it. Without one it is z, or −y where up is z. Zero asks for none.
+   */
   front?: readonly [x: number, y: number, z: number] | undefined;
   /** The angle between the two families of lines, in radians in (0, π). */
   crossAngle: number;

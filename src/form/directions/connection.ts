@@ -78,6 +78,31 @@ function assembleRange(
   }
 }
 
+/** Lets each edge count as much more as its two fans count in the mean. */
+export function* weighConnection(connection: Connection, prominences: Float32Array): Generator<number, void, void> {
+  yield* forEachChunk(prominences.length, (start, end) => weighRange(connection, prominences, start, end));
+}
+
+function weighRange(
+  { starts, neighbours, transports, degrees }: Connection,
+  prominences: Float32Array,
+  start: number,
+  end: number,
+): void {
+  for (let fan = start; fan < end; fan++) {
+    let degree = 0;
+    for (let entry = starts[fan]; entry < starts[fan + 1]; entry++) {
+      const share = 0.5 * (prominences[fan] + prominences[neighbours[entry]]);
+      const x = share * transports[2 * entry];
+      const y = share * transports[2 * entry + 1];
+      transports[2 * entry] = x;
+      transports[2 * entry + 1] = y;
+      degree += Math.sqrt(x * x + y * y);
+    }
+    degrees[fan] = degree;
+  }
+}
+
 /**
  * Carries the lines of cells to their fans: for each fan the complex number (two floats) by which the line of its cell's seed
  * becomes that of the fan.

@@ -1,9 +1,8 @@
 import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
-import { asPhase } from '../../slices/asPhase.js';
 import { forEachChunk } from '../../slices/forEachChunk.js';
 import type { FormOptions } from '../FormOptions.js';
 import type { FormSurface } from '../FormSurface.js';
-import { bendSigns } from './bendSigns.js';
+import { cross, normalized, type Vector, viewedFrom } from './axes.js';
 import { FRAME_FLOATS } from './tangentFrames.js';
 
 /** What a field of lines is drawn towards, before it is smoothed. Complex numbers are two floats per fan; see `Connection`. */
@@ -34,10 +33,13 @@ const FLAT_CURVATURE = 0.3;
  * Measures where lines should run: along the most convex direction, the more decidedly the further the principal curvatures lie
  * apart, and weakly across `up`. Ridges and grooves cancel each other, so that noise says nothing. Flat lids, on which neither
  * says anything, are ruled along one axis, the horizontal one in the picture as seen from the front.
+ *
+ * @param signs see `bendSigns`
  */
 export function* curvatureLines(
   surface: FormSurface,
   frames: Float32Array,
+  signs: Int8Array,
   { up, front, reach }: FormOptions,
 ): Generator<number, LineTargets, void> {
   const count = surface.fans.count;
@@ -47,36 +49,14 @@ export function* curvatureLines(
     curved: new Float64Array(2 * count),
     anisotropy: new Float32Array(count),
   };
-  const signs = yield* asPhase(bendSigns(surface), 0, 0.4);
   const perMass = 1 / (reach * surface.radius) ** 2;
   const axis = normalized(up);
-  const level = levelAxis(axis, front);
-  yield* asPhase(
-    forEachChunk(count, (start, end) =>
-      measureRange(surface, frames, signs, perMass, axis, level, targets, start, end),
-    ),
-    0.4,
-    1,
+  const level = normalized(cross(axis, viewedFrom(axis, front)));
+  yield* forEachChunk(count, (start, end) =>
+    measureRange(surface, frames, signs, perMass, axis, level, targets, start, end),
   );
   return targets;
 }
-
-type Vector = readonly [x: number, y: number, z: number];
-
-function normalized([x, y, z]: Vector): Vector {
-  const length = Math.hypot(x, y, z) || 1;
-  return [x / length, y / length, z / length];
-}
-
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
-/** The axis across `up` and `front`; where there is no front, across `up` and the first of z and y that leans away from it. */
-const levelAxis = (up: Vector, front: Vector = Math.abs(up[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0]): Vector =>
-  normalized(cross(up, front));
 
 function measureRange(
   { masses, tensors, radius }: FormSurface,
@@ -134,4 +114,18 @@ function measureRange(
     right[2 * fan] = decided * qx + across * (hx * hx - hy * hy) + along * (lx * lx - ly * ly);
     right[2 * fan + 1] = decided * qy + across * 2 * hx * hy + along * 2 * lx * ly;
   }
+}
+
+/** Lets each fan insist as much more on its target as it counts. */
+export function* weighTargets(
+  { weights, right }: LineTargets,
+  prominences: Float32Array,
+): Generator<number, void, void> {
+  yield* forEachChunk(prominences.length, (start, end) => {
+    for (let fan = start; fan < end; fan++) {
+      weights[fan] *= prominences[fan];
+      right[2 * fan] *= prominences[fan];
+      right[2 * fan + 1] *= prominences[fan];
+    }
+  });
 }

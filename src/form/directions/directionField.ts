@@ -1,10 +1,18 @@
 import { asPhase } from '../../slices/asPhase.js';
 import { forEachChunk } from '../../slices/forEachChunk.js';
-import { type Cells, clusterNodes, coarsen } from '../cells.js';
+import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../cells.js';
 import type { FormOptions } from '../FormOptions.js';
 import type { FormSurface } from '../FormSurface.js';
-import { assembleConnection, type Connection, cellTransports, coarseConnection } from './connection.js';
-import { curvatureLines, type LineTargets } from './curvatureLines.js';
+import { bendSigns } from './bendSigns.js';
+import {
+  assembleConnection,
+  type Connection,
+  cellTransports,
+  coarseConnection,
+  weighConnection,
+} from './connection.js';
+import { curvatureLines, type LineTargets, weighTargets } from './curvatureLines.js';
+import { prominence } from './prominence.js';
 import { type Precision, solveConnection } from './solveConnection.js';
 import { tangentFrames } from './tangentFrames.js';
 
@@ -31,53 +39,77 @@ const FAR_REACH = 0.5;
 /** Fans of a higher anisotropy always keep the most convex direction. */
 const LARGEST_TURNED_ANISOTROPY = 4;
 
+/** How often the field of far reach is solved, and targets are turned that are opposed to it: each time, it is clearer what they should be. */
+const ROUNDS = 2;
+
 /**
  * Computes the field of lines along the form: the smoothest one that keeps to curvature where curvature says something. Which of
  * the two principal directions lines take is decided at large, so that they do not change from rings to meridians where a body
- * of revolution bends more along than around.
+ * of revolution bends more along than around. Then all counts as much as it shows.
  */
 export function* directionField(surface: FormSurface, options: FormOptions): Generator<number, DirectionField, void> {
   const frames = yield* asPhase(tangentFrames(surface.normals), 0, 0.03);
-  const targets = yield* asPhase(curvatureLines(surface, frames, options), 0.03, 0.1);
-  const connection = yield* asPhase(assembleConnection(surface.heat, surface.normals, frames), 0.1, 0.2);
-  const lines = yield* asPhase(solveAtLarge(connection, targets, options.reach), 0.2, 0.5);
-  yield* asPhase(solveConnection(connection, targets.weights, targets.right, lines, ON_FANS), 0.5, 1);
+  const signs = yield* asPhase(bendSigns(surface), 0.03, 0.07);
+  const targets = yield* asPhase(curvatureLines(surface, frames, signs, options), 0.07, 0.12);
+  const connection = yield* asPhase(assembleConnection(surface.heat, surface.normals, frames), 0.12, 0.22);
+  const division = yield* asPhase(divideIntoCells(connection), 0.22, 0.3);
+  yield* asPhase(turnAtLarge(connection, division, targets, options.reach), 0.3, 0.42);
+  const prominences = yield* asPhase(prominence(surface, signs, options), 0.42, 0.44);
+  yield* asPhase(weighConnection(connection, prominences), 0.44, 0.47);
+  yield* asPhase(weighTargets(targets, prominences), 0.47, 0.48);
+  const lines = yield* asPhase(solveOnCells(connection, division, targets), 0.48, 0.6);
+  yield* asPhase(solveConnection(connection, targets.weights, targets.right, lines, ON_FANS), 0.6, 1);
   return { lines, frames, anisotropy: targets.anisotropy };
 }
 
-/**
- * Computes the field on cells, carried to the fans. Turns those of the targets by 90° that are opposed to the field of far reach,
- * in place.
- */
-function* solveAtLarge(
+/** How the surface is divided into cells, before the field is computed on its fans. */
+interface Division {
+  cells: Cells;
+  graph: CoarseGraph;
+  /** See `cellTransports`. */
+  carried: Float64Array;
+}
+
+function* divideIntoCells(connection: Connection): Generator<number, Division, void> {
+  const fanCount = connection.degrees.length;
+  const rings = Math.max(1, Math.round(Math.sqrt(fanCount / CELLS / 2)));
+  const cells = yield* asPhase(clusterNodes(connection, rings), 0, 0.5);
+  const carried = yield* asPhase(cellTransports(connection, cells), 0.5, 0.7);
+  const graph = yield* asPhase(coarsen(connection, cells), 0.7, 1);
+  return { cells, graph, carried };
+}
+
+/** Turns those targets by 90°, in place, that are opposed to the field of far reach. */
+function* turnAtLarge(
   connection: Connection,
+  { cells, graph, carried }: Division,
   targets: LineTargets,
   reach: number,
-): Generator<number, Float64Array<ArrayBuffer>, void> {
-  const rings = Math.max(1, Math.round(Math.sqrt(targets.weights.length / CELLS / 2)));
-  const cells = yield* asPhase(clusterNodes(connection, rings), 0, 0.2);
-  const carried = yield* asPhase(cellTransports(connection, cells), 0.2, 0.25);
-  const graph = yield* asPhase(coarsen(connection, cells), 0.25, 0.35);
-  const coarse = yield* asPhase(coarseConnection(connection, carried, cells, graph), 0.35, 0.4);
-  const ofCells = yield* asPhase(gatherTargets(targets, cells, carried), 0.4, 0.45);
+): Generator<number, void, void> {
+  const coarse = yield* asPhase(coarseConnection(connection, carried, cells, graph), 0, 0.1);
   const lines = new Float64Array(2 * cells.count);
-  const spread = new Float64Array(carried.length);
   const share = (reach / FAR_REACH) ** 2;
-  const far = {
-    weights: ofCells.weights.map((weight) => share * weight),
-    right: ofCells.right.map((value) => share * value),
-  };
-  yield* asPhase(solveConnection(coarse, far.weights, far.right, lines, ON_CELLS), 0.45, 0.7);
-  yield* asPhase(spreadLines(lines, cells, carried, spread), 0.7, 0.72);
-  yield* asPhase(
-    forEachChunk(targets.weights.length, (start, end) => turnOpposed(targets, spread, start, end)),
-    0.72,
-    0.75,
-  );
-  const { right } = yield* asPhase(gatherTargets(targets, cells, carried), 0.75, 0.78);
-  yield* asPhase(solveConnection(coarse, ofCells.weights, right, lines, ON_CELLS), 0.78, 0.98);
-  yield* asPhase(spreadLines(lines, cells, carried, spread), 0.98, 1);
-  return spread;
+  for (let round = 0; round < ROUNDS; round++) {
+    const { weights, right } = yield* gatherTargets(targets, cells, carried);
+    for (let i = 0; i < right.length; i++) right[i] *= share;
+    for (let cell = 0; cell < cells.count; cell++) weights[cell] *= share;
+    yield* asPhase(solveConnection(coarse, weights, right, lines, ON_CELLS), round / ROUNDS, (round + 0.9) / ROUNDS);
+    const spread = yield* spreadLines(lines, cells, carried);
+    yield* forEachChunk(targets.weights.length, (start, end) => turnOpposed(targets, spread, start, end));
+  }
+}
+
+/** Computes the field on cells, and carries it to the fans. */
+function* solveOnCells(
+  connection: Connection,
+  { cells, graph, carried }: Division,
+  targets: LineTargets,
+): Generator<number, Float64Array<ArrayBuffer>, void> {
+  const coarse = yield* asPhase(coarseConnection(connection, carried, cells, graph), 0, 0.2);
+  const { weights, right } = yield* asPhase(gatherTargets(targets, cells, carried), 0.2, 0.3);
+  const lines = new Float64Array(2 * cells.count);
+  yield* asPhase(solveConnection(coarse, weights, right, lines, ON_CELLS), 0.3, 0.9);
+  return yield* asPhase(spreadLines(lines, cells, carried), 0.9, 1);
 }
 
 /** Sums the targets of fans over cells, each carried back to the seed. */
@@ -115,9 +147,10 @@ function* spreadLines(
   ofCells: Float64Array,
   { ofNode }: Cells,
   carried: Float64Array,
-  lines: Float64Array,
-): Generator<number, void, void> {
+): Generator<number, Float64Array<ArrayBuffer>, void> {
+  const lines = new Float64Array(carried.length);
   yield* forEachChunk(ofNode.length, (start, end) => spreadRange(ofCells, ofNode, carried, lines, start, end));
+  return lines;
 }
 
 function spreadRange(
