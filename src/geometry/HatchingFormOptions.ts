@@ -13,7 +13,7 @@ export interface HatchingFormOptions {
   up?: readonly [x: number, y: number, z: number] | undefined;
   /**
    * The direction in object space from which the object is mostly seen, of any length. Few of the singular points, around which
-   * lines turn, lie there. Default: none.
+   * lines turn, lie there. Default: [0, 0, 1], or [0, −1, 0] where up is z. [0, 0, 0] stands for no direction.
    */
   front?: readonly [x: number, y: number, z: number] | undefined;
   /**
