@@ -4,6 +4,7 @@ import {
   counts,
   defaultOf,
   followsForm,
+  formOf,
   HATCHING_DEFAULTS,
   HATCHING_OUTLINE_DEFAULTS,
   HATCHING_PROPERTIES,
@@ -97,7 +98,9 @@ export function prepareArgument(settings: Settings, outlines = false): string {
 function formOption(settings: Settings): string[] {
   const look = materialLook(settings);
   if (!followsForm(look)) return [];
-  const auto = look.lineField === 'auto' ? 'auto: true, ' : '';
+  // Strokes cross by turning, lines as they were baked.
+  if (!counts(look, 'lineField')) return ['form: true'];
+  const auto = formOf(look) === 'auto' ? 'auto: true, ' : '';
   return [`form: { ${auto}crossAngle: ${inRadians(settings.crossAngle)} }`];
 }
 

@@ -1,5 +1,5 @@
 import { MathUtils } from 'three';
-import { followsForm, type HatchingLook, needsAdjacency, needsMap } from 'three-hatching/facts';
+import { counts, followsForm, formOf, type HatchingLook, needsAdjacency, needsMap } from 'three-hatching/facts';
 import { materialLook } from './materialLook.js';
 import type { Settings } from './settings.js';
 
@@ -39,8 +39,15 @@ export const drawsWithMap = (settings: Settings): boolean => looksOf(settings).s
 /** Whether anything is drawn that asks for a prepared geometry. */
 export const drawsWithAdjacency = (settings: Settings): boolean => looksOf(settings).some(needsAdjacency);
 
-/** Whether lines of anything that is drawn follow the form. */
-export const drawsForm = (settings: Settings): boolean => looksOf(settings).some(followsForm);
+/** What is drawn that follows the form: how it is to be baked, and whether lines are among it, which cross as they were baked. */
+export function formDrawn(settings: Settings): { auto: boolean; hasLines: boolean } | undefined {
+  const looks = looksOf(settings).filter(followsForm);
+  if (looks.length === 0) return undefined;
+  return {
+    auto: looks.every((look) => formOf(look) === 'auto'),
+    hasLines: looks.some((look) => counts(look, 'lineField')),
+  };
+}
 
 /** What a picture is saved as: alone, or in layers. */
 export const savedFormat = ({ pictureLayers }: Settings): 'PNG' | 'ZIP' => (pictureLayers === 'one' ? 'PNG' : 'ZIP');

@@ -1,17 +1,23 @@
 import { type BufferGeometry, MathUtils } from 'three';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import type { Settings } from '../../settings/settings.js';
-import { drawsForm } from '../../settings/settingValues.js';
+import { formDrawn } from '../../settings/settingValues.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
-const STAGE = 'laying lines along the form';
+const LINES = 'laying lines along the form';
+const STROKES = 'laying strokes along the form';
 
-/** Bakes what lines that follow the form are drawn from, when the settings ask for them. Until then lines run around the light. */
+/** How a form is baked: across which axis, at which angle lines cross, and whether only for shapes that have one. */
+interface Way extends Pick<Settings, 'upAxis' | 'crossAngle'> {
+  auto: boolean;
+}
+
+/** Bakes what lines and strokes that follow the form are drawn from, when the settings ask for them. Until then they go by the light. */
 export class FormLoader {
   /** The model and the way for which a bake was started, even if it failed or was cancelled. */
   private model: HatchedModel | undefined;
-  private way: string | undefined;
+  private way: Way | undefined;
   private made: BufferGeometry[] = [];
 
   constructor(
@@ -23,8 +29,12 @@ export class FormLoader {
   /** Whether a bake will start as soon as the model has been drawn without it. */
   get isAwaited(): boolean {
     const { model, shown, isLost } = this.stage;
-    if (model === undefined || shown.isStandIn || isLost || !drawsForm(this.settings)) return false;
-    return model !== this.model || this.way !== wayOf(this.settings);
+    const drawn = formDrawn(this.settings);
+    if (model === undefined || shown.isStandIn || isLost || !drawn) return false;
+    const { settings, way } = this;
+    const isBaked = model === this.model && way?.upAxis === settings.upAxis && way.auto === drawn.auto;
+    // Strokes cross by turning.
+    return !isBaked || (drawn.hasLines && way.crossAngle !== settings.crossAngle);
   }
 
   /** Starts a bake if one is needed. To be called when the model or the settings have changed, and when the time of a frame was measured. */
@@ -46,13 +56,16 @@ export class FormLoader {
     const { stage, settings } = this;
     const model = stage.model!;
     this.model = model;
-    this.way = wayOf(settings);
-    const form = { crossAngle: MathUtils.degToRad(settings.crossAngle), auto: settings.lineField === 'auto' };
+    const { upAxis, crossAngle } = settings;
+    const { auto, hasLines } = formDrawn(settings)!;
+    this.way = { upAxis, crossAngle, auto };
+    const form = { crossAngle: MathUtils.degToRad(crossAngle), auto };
+    const what = hasLines ? LINES : STROKES;
     void this.tasks.run('form', async (report, signal) => {
-      report(STAGE);
+      report(what);
       const { bakeForm } = await import('../../drawing/bakeForm.js');
       signal.throwIfAborted();
-      const onProgress = (progress: number): void => report(STAGE, progress);
+      const onProgress = (progress: number): void => report(what, progress);
       const made = await bakeForm(model.root, form, { signal, onProgress }, () => {
         stage.frames.fadeIntoNext();
         stage.frames.invalidate();
@@ -69,7 +82,3 @@ export class FormLoader {
     this.way = undefined;
   }
 }
-
-/** Everything in the settings that decides where the lines are. */
-const wayOf = ({ crossAngle, upAxis, lineField }: Settings): string =>
-  `${crossAngle} ${upAxis} ${lineField === 'auto'}`;

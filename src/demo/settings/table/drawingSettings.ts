@@ -80,6 +80,10 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
     step: 1,
     ends: ['sparse', 'dense'],
   },
+  strokeField: choiceOf('strokeField', {
+    label: 'Strokes follow',
+    choices: { light: 'The light', form: 'The form', acrossForm: 'Across the form' },
+  }),
   lineField: choiceOf('lineField', {
     label: 'Lines follow',
     default: 'light',

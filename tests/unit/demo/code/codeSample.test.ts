@@ -248,6 +248,10 @@ describe('codeSample', () => {
         expect(sample).toContain(`lineField: '${lineField}'`);
       expect(codeSample(settings, undefined)).toContain(option);
     }
+    const strokes: Settings = { ...defaultSettings(), strokeField: 'acrossForm' };
+    for (const sample of [codeSample(strokes, undefined), codeSample(strokes, 5)])
+      expect(sample).toContain("strokeField: 'acrossForm'");
+    expect(codeSample(strokes, undefined)).toContain('form: true');
   });
 
   test('draws no outlines if the page draws none', async () => {

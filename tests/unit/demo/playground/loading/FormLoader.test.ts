@@ -1,0 +1,60 @@
+import { Group } from 'three';
+import { beforeEach, expect, test, vi } from 'vitest';
+import { bakeForm } from '../../../../../src/demo/drawing/bakeForm.js';
+import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
+import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
+import { defaultSettings, type Settings } from '../../../../../src/demo/settings/settings.js';
+import { fakeStatus } from '../tasks/fakeStatus.js';
+
+vi.mock('../../../../../src/demo/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
+
+const begun = vi.mocked(bakeForm);
+
+beforeEach(() => {
+  begun.mockReset();
+  begun.mockResolvedValue([]);
+});
+
+/** A page that shows a model, and how to change its settings: what is to be baked then is baked at once. */
+function makePage(changes: Partial<Settings>) {
+  const settings: Settings = { ...defaultSettings(), ...changes };
+  const { status } = fakeStatus();
+  const stage = { model: { root: new Group() }, shown: { isStandIn: false }, quality: { milliseconds: 20 } };
+  const tasks = new TaskRunner(status, { hasDrawing: () => true, onIdle: () => {} });
+  const form = new FormLoader(stage as never, settings, tasks);
+  const change = async (changed: Partial<Settings>): Promise<number> => {
+    Object.assign(settings, changed);
+    form.update();
+    await form.settled(new AbortController().signal);
+    return begun.mock.calls.length;
+  };
+  return { change };
+}
+
+test('strokes that follow the form have it baked whatever the shape is, and those that go by the light do not', async () => {
+  const { change } = makePage({ technique: 'anchored', lineField: 'auto' });
+  expect(await change({})).toBe(0);
+  expect(await change({ strokeField: 'form' })).toBe(1);
+  expect(begun.mock.calls[0][1]).toMatchObject({ auto: false });
+  expect(await change({ strokeField: 'acrossForm' })).toBe(1);
+  expect(await change({ strokeField: 'form', medium: 'stipple' })).toBe(1);
+});
+
+test('at another angle lines are baked again, and strokes are not', async () => {
+  const { change } = makePage({ technique: 'anchored', strokeField: 'form', lineField: 'form', crossAngle: 60 });
+  expect(await change({})).toBe(1);
+  expect(await change({ technique: 'engraved' })).toBe(1);
+  expect(await change({ crossAngle: 70 })).toBe(2);
+  expect(await change({ technique: 'anchored' })).toBe(2);
+  expect(await change({ crossAngle: 80 })).toBe(2);
+  expect(await change({ technique: 'engraved' })).toBe(3);
+  expect(begun.mock.lastCall![1].crossAngle).toBeCloseTo((80 / 180) * Math.PI);
+});
+
+test('beside lines that leave it to the shape, strokes have the form baked for all', async () => {
+  const { change } = makePage({ technique: 'engraved', lineField: 'auto' });
+  expect(await change({})).toBe(1);
+  expect(begun.mock.lastCall![1].auto).toBe(true);
+  expect(await change({ compare: 'anchored', strokeField: 'form' })).toBe(2);
+  expect(begun.mock.lastCall![1].auto).toBe(false);
+});
