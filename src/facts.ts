@@ -24,16 +24,13 @@ export type {
 export { HATCHING_FACTS } from './material/facts/hatchingFacts.js';
 export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchingProperties.js';
 export {
-  counts,
   followsForm,
   formOf,
   type HatchingLook,
   knowsChoice,
-  measureOf,
   needsAdjacency,
   needsMap,
-  pixelPower,
-  scaledSizes,
 } from './material/facts/lookFacts.js';
+export { counts, measureOf, pixelPower, scaledSizes } from './material/facts/measuredFacts.js';
 export { HATCHING_OUTLINE_DEFAULTS } from './outlines/outlineProperties.js';
 export { leftAlone } from './scene/leftAlone.js';

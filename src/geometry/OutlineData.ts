@@ -20,14 +20,16 @@ export class OutlineData {
   readonly edgeCount: number;
   /** Radius of the bounding sphere, in the rest pose. */
   readonly radius: number;
-  /** Creates the worker that searches for contours. By default it is the inlined worker. */
-  createWorker: (() => Worker) | undefined;
   /** The data that the search for contours needs; null while the worker has it. */
   search: ContourSearch | null;
   private readonly pointCount: number;
   private restored = 0;
 
-  constructor({ points, primitives, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines) {
+  /** @param createWorker creates the worker that searches for contours. By default it is the inlined worker. */
+  constructor(
+    { points, primitives, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines,
+    public createWorker?: (() => Worker) | undefined,
+  ) {
     this.points = integerTexture(points);
     this.primitives = integerTexture(primitives);
     this.triangleCount = triangleCount;

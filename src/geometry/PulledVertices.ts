@@ -1,7 +1,6 @@
-import { type BufferGeometry, DataTexture, FloatType, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from 'three';
+import { DataTexture, FloatType, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from 'three';
 import type { PackedPull } from '../bake/packPull.js';
 import { pullTextureSize } from '../bake/pullLayout.js';
-import { identityOf } from './identityOf.js';
 
 /** The textures of a geometry in the `pull` layout (see `pullLayout.ts`). */
 export class PulledVertices {
@@ -31,17 +30,4 @@ export class PulledVertices {
     this.triangleVertices.dispose();
     this.positions.dispose();
   }
-}
-
-/** The keys are the identities of `userData.hatching`, an object that the clones of a geometry share. */
-const pulledVertices = new WeakMap<object, PulledVertices>();
-
-/** The textures of a geometry in the `pull` layout; undefined if it has another layout. */
-export const pulledVerticesOf = ({ userData: { hatching } }: BufferGeometry): PulledVertices | undefined =>
-  typeof hatching === 'object' && hatching !== null ? pulledVertices.get(identityOf(hatching)) : undefined;
-
-/** Attaches the textures to a geometry and its clones. They are freed when the geometry is disposed of. */
-export function setPulledVertices(geometry: BufferGeometry, vertices: PulledVertices): void {
-  pulledVertices.set(identityOf(geometry.userData.hatching), vertices);
-  geometry.addEventListener('dispose', () => vertices.dispose());
 }

@@ -2,16 +2,16 @@ import { BufferAttribute, type BufferGeometry, InterleavedBuffer, InterleavedBuf
 import type { BakeCornersResult } from '../bake/bakeCorners.js';
 import { CORNER_STRIDE, cornerLayout } from '../bake/cornerLayout.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
-import { setForm } from './formGeometry.js';
-import { finishGeometry, setNormals } from './preparedGeometry.js';
-import type { Repairs } from './repairValues.js';
-import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
+import { finishGeometry, type NotBaked, setNormals } from './preparedGeometry.js';
+import { setForm } from './setForm.js';
+import { setKeptAttribute } from './setKeptAttribute.js';
+import type { KeptAttribute } from './vertexAttributes.js';
 
 /** Fills the geometry with the baked corners, the kept attributes, the bounds and the statistics. */
 export function applyCorners(
   geometry: BufferGeometry,
   kept: readonly KeptAttribute[],
-  result: BakeCornersResult & Repairs,
+  result: BakeCornersResult & NotBaked,
 ): void {
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   const buffer = new InterleavedBuffer(result.corners, CORNER_STRIDE);

@@ -3,10 +3,10 @@ import { appendVertices } from '../bake/appendVertices.js';
 import type { BakeIndexedResult } from '../bake/bakeIndexed.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
-import { setForm } from './formGeometry.js';
-import { finishGeometry, setNormals } from './preparedGeometry.js';
-import type { Repairs } from './repairValues.js';
-import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
+import { finishGeometry, type NotBaked, setNormals } from './preparedGeometry.js';
+import { setForm } from './setForm.js';
+import { setKeptAttribute } from './setKeptAttribute.js';
+import type { KeptAttribute } from './vertexAttributes.js';
 
 /** A kept attribute with a copy of its values from before the bake. */
 export interface CopiedAttribute extends KeptAttribute, VertexWords {}
@@ -15,7 +15,7 @@ export interface CopiedAttribute extends KeptAttribute, VertexWords {}
 export function applyIndexed(
   geometry: BufferGeometry,
   attributes: readonly CopiedAttribute[],
-  result: BakeIndexedResult & Repairs,
+  result: BakeIndexedResult & NotBaked,
 ): void {
   geometry.setIndex(new BufferAttribute(result.indices, 1));
   for (const attribute of attributes) {

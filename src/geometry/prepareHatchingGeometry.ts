@@ -9,17 +9,14 @@ import { checkNames, checkOptions } from '../worker/checkOptions.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { checkGeometry } from './checkGeometry.js';
-import { applyCorners } from './cornerGeometry.js';
 import { type CornerRange, cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
 import { formRequest, type HatchingFormOptions } from './HatchingFormOptions.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
-import { applyIndexed } from './indexedGeometry.js';
-import { outlineDataOf } from './OutlineData.js';
-import { startGeometry } from './preparedGeometry.js';
-import { applyPull } from './pulledGeometry.js';
+import type { NotBaked } from './preparedGeometry.js';
 import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
 import { rememberSource } from './sourceState.js';
+import { startGeometry } from './startGeometry.js';
 import { triangleGroups } from './triangleGroups.js';
 import { extractWords, type KeptAttribute, keptAttributes } from './vertexAttributes.js';
 
@@ -178,6 +175,7 @@ async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometr
   const prepared = startGeometry(geometry, range);
   const source = extractSource(geometry, range, kept);
   const { mesh, copied, ...repairs } = source;
+  const own: NotBaked = { ...repairs, createWorker: options.createWorker };
   const request = {
     label,
     creaseAngle,
@@ -200,27 +198,24 @@ async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometr
       { ...place, ...extractWords(position, position.count) },
       ...kept.map((entry, i) => ({ ...entry, ...copied[i] })),
     ];
-    const result = await runTask('bakeIndexed', { ...request, mesh }, options, () => ({
-      ...request,
-      mesh: extractAgain().mesh,
-    }));
-    applyIndexed(prepared, attributes, { ...result, ...repairs });
-    return withWorker(prepared, options);
+    const again = () => ({ ...request, mesh: extractAgain().mesh });
+    const baking = runTask('bakeIndexed', { ...request, mesh }, options, again);
+    const [result, { applyIndexed }] = await Promise.all([baking, import('./bakedGeometry.js')]);
+    applyIndexed(prepared, attributes, { ...result, ...own });
+    return prepared;
   }
   const requestFor = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
   const requestAgain = (): BakeRequest => requestFor(extractAgain());
   if (layout === 'pull') {
-    applyPull(prepared, kept, {
-      ...(await runTask('bakePull', requestFor(source), options, requestAgain)),
-      ...repairs,
-    });
+    const baking = runTask('bakePull', requestFor(source), options, requestAgain);
+    const [result, { applyPull }] = await Promise.all([baking, import('./bakedGeometry.js')]);
+    applyPull(prepared, kept, { ...result, ...own });
   } else {
-    applyCorners(prepared, kept, {
-      ...(await runTask('bakeCorners', requestFor(source), options, requestAgain)),
-      ...repairs,
-    });
+    const baking = runTask('bakeCorners', requestFor(source), options, requestAgain);
+    const [result, { applyCorners }] = await Promise.all([baking, import('./bakedGeometry.js')]);
+    applyCorners(prepared, kept, { ...result, ...own });
   }
-  return withWorker(prepared, options);
+  return prepared;
 }
 
 /** Copies of the data of a geometry that the bake needs, repaired where necessary. */
@@ -239,13 +234,6 @@ function extractSource(geometry: BufferGeometry, range: CornerRange, kept: reado
     return copy;
   });
   return { mesh, copied, computedNormals: countUnusableNormals(geometry, mesh.indices), zeroedValues };
-}
-
-/** Makes the outlines search for contours in a worker of the same `createWorker`. */
-function withWorker(prepared: BufferGeometry, { createWorker }: TaskOptions): BufferGeometry {
-  const outlines = outlineDataOf(prepared);
-  if (outlines) outlines.createWorker = createWorker;
-  return prepared;
 }
 
 function outlineRequest(

@@ -1,33 +1,15 @@
-import { Box3, BufferAttribute, BufferGeometry, InstancedBufferGeometry, Sphere, Vector3 } from 'three';
+import { Box3, BufferAttribute, type BufferGeometry, Sphere, Vector3 } from 'three';
 import type { BakeReport } from '../bake/bakeSurface.js';
-import type { CornerRange } from './cornerRange.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
 import { isFormed } from './formGeometry.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import { OutlineData, setOutlineData } from './OutlineData.js';
-import { type Repairs, replaceUnusableNormals } from './repairValues.js';
+import type { Repairs } from './repairValues.js';
+import { replaceUnusableNormals } from './replaceUnusableNormals.js';
 import { rememberPositions } from './staleGeometry.js';
-import { isInstanced } from './vertexAttributes.js';
 
-/**
- * Creates the new geometry with everything that the bake does not change: name, user data, groups and instanced attributes. It
- * is created before the bake starts, so that later changes of `source` have no effect.
- */
-export function startGeometry(source: BufferGeometry, range: CornerRange): BufferGeometry {
-  const geometry = 'isInstancedBufferGeometry' in source ? new InstancedBufferGeometry() : new BufferGeometry();
-  if (geometry instanceof InstancedBufferGeometry) {
-    geometry.instanceCount = (source as InstancedBufferGeometry).instanceCount;
-  }
-  geometry.name = source.name;
-  geometry.userData = { ...source.userData };
-  geometry.morphTargetsRelative = source.morphTargetsRelative;
-  for (const group of range.groups) geometry.addGroup(group.start, group.count, group.materialIndex);
-  const clonedBuffers = {};
-  for (const [name, attribute] of Object.entries(source.attributes)) {
-    if (!isInstanced(attribute)) continue;
-    geometry.setAttribute(name, 'data' in attribute ? attribute.clone(clonedBuffers) : attribute.clone());
-  }
-  return geometry;
-}
+/** What a prepared geometry needs beside what was baked. */
+export interface NotBaked extends Repairs, Pick<TaskOptions, 'createWorker'> {}
 
 /** Sets the computed normals of a geometry: all of them, or only those that cannot be used as they are. */
 export function setNormals(geometry: BufferGeometry, normals: Float32Array<ArrayBuffer>): void {
@@ -39,11 +21,11 @@ export function setNormals(geometry: BufferGeometry, normals: Float32Array<Array
 export function finishGeometry(
   geometry: BufferGeometry,
   layout: HatchingStatistics['layout'],
-  report: BakeReport & Repairs,
+  report: BakeReport & NotBaked,
   textureBytes = 0,
 ): void {
   applyBounds(geometry, report);
-  const outlines = report.outlines && new OutlineData(report.outlines);
+  const outlines = report.outlines && new OutlineData(report.outlines, report.createWorker);
   const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles, computedNormals, zeroedValues } =
     report;
   const statistics: HatchingStatistics = {

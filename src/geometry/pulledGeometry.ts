@@ -1,17 +1,18 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
 import type { BakePullResult } from '../bake/bakePull.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
-import { setForm } from './formGeometry.js';
-import { PulledVertices, setPulledVertices } from './PulledVertices.js';
-import { finishGeometry, setNormals } from './preparedGeometry.js';
-import type { Repairs } from './repairValues.js';
-import { type KeptAttribute, setKeptAttribute } from './vertexAttributes.js';
+import { PulledVertices } from './PulledVertices.js';
+import { finishGeometry, type NotBaked, setNormals } from './preparedGeometry.js';
+import { setPulledVertices } from './pulledVerticesOf.js';
+import { setForm } from './setForm.js';
+import { setKeptAttribute } from './setKeptAttribute.js';
+import type { KeptAttribute } from './vertexAttributes.js';
 
 /** Fills the geometry with the baked corners, the textures, the kept attributes, the bounds and the statistics. */
 export function applyPull(
   geometry: BufferGeometry,
   kept: readonly KeptAttribute[],
-  result: BakePullResult & Repairs,
+  result: BakePullResult & NotBaked,
 ): void {
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));

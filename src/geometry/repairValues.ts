@@ -30,7 +30,7 @@ export function countUnusableNormals({ attributes }: BufferGeometry, indices: Ui
   let unusable = 0;
   let isDrawn: Uint8Array | undefined;
   for (let vertex = 0; vertex < position.count; vertex++) {
-    if (isUsable(normal, vertex)) continue;
+    if (isUsableNormal(normal, vertex)) continue;
     isDrawn ??= markDrawn(indices, position.count);
     unusable += isDrawn[vertex];
   }
@@ -44,15 +44,8 @@ function markDrawn(indices: Uint32Array, vertexCount: number): Uint8Array {
   return isDrawn;
 }
 
-/** Replaces the normals that cannot be used by computed ones. */
-export function replaceUnusableNormals(normal: VertexAttribute, computed: Float32Array): void {
-  for (let vertex = 0; vertex < normal.count; vertex++) {
-    if (isUsable(normal, vertex)) continue;
-    normal.setXYZ(vertex, computed[3 * vertex], computed[3 * vertex + 1], computed[3 * vertex + 2]);
-  }
-}
-
-function isUsable(normal: VertexAttribute, vertex: number): boolean {
+/** Whether a normal can be used as it is. */
+export function isUsableNormal(normal: VertexAttribute, vertex: number): boolean {
   const x = normal.getX(vertex);
   const y = normal.getY(vertex);
   const z = normal.getZ(vertex);

@@ -1,4 +1,4 @@
-import { BufferAttribute, type BufferGeometry, Float16BufferAttribute, type InterleavedBufferAttribute } from 'three';
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
 import { cornerLayout } from '../bake/cornerLayout.js';
 import type { VertexWords, Words } from '../bake/expandPerCorner.js';
 import { formLayout } from '../bake/formLayout.js';
@@ -64,33 +64,4 @@ function wordsOf(array: ArrayBufferView & { BYTES_PER_ELEMENT: number }): Words 
   if (array.BYTES_PER_ELEMENT === 1) return new Uint8Array(buffer, array.byteOffset, array.byteLength);
   if (array.BYTES_PER_ELEMENT === 2) return new Uint16Array(buffer, array.byteOffset, array.byteLength / 2);
   return new Uint32Array(buffer, array.byteOffset, array.byteLength / 4);
-}
-
-/** Creates an attribute from words, with the type, normalisation and GPU type of `source`. */
-export function attributeFromWords(source: VertexAttribute, words: Words): BufferAttribute {
-  const { itemSize, normalized } = source;
-  const ArrayType = source.array.constructor as new (buffer: ArrayBuffer) => Float32Array;
-  const array = new ArrayType(words.buffer);
-  // three.js recognises half floats by the class of the attribute. Its constructor uses a buffer without copying it.
-  const attribute =
-    'isFloat16BufferAttribute' in source
-      ? new Float16BufferAttribute(words.buffer as unknown as ArrayLike<number>, itemSize, normalized)
-      : new BufferAttribute(array, itemSize, normalized);
-  attribute.name = source.name;
-  if ('gpuType' in source) attribute.gpuType = source.gpuType;
-  return attribute;
-}
-
-/** Adds the attribute where it was in the source: to the attributes, or to the end of the morph targets of its name. */
-export function setKeptAttribute(
-  geometry: BufferGeometry,
-  { name, isMorphTarget, attribute }: KeptAttribute,
-  words: Words,
-): void {
-  const copy = attributeFromWords(attribute, words);
-  if (!isMorphTarget) geometry.setAttribute(name, copy);
-  else {
-    const morphs = geometry.morphAttributes as Record<string, BufferAttribute[]>;
-    morphs[name] = [...(morphs[name] ?? []), copy];
-  }
 }

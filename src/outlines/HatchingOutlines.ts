@@ -16,7 +16,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
-import { pulledVerticesOf } from '../geometry/PulledVertices.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { canDeform, deforms } from '../material/deformation/canDeform.js';
 import { deformationOf } from '../material/deformation/deformationOf.js';
 import { writePictureOffset } from '../material/pictureOffset.js';

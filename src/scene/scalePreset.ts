@@ -1,4 +1,4 @@
-import { scaledSizes } from '../material/facts/lookFacts.js';
+import { scaledSizes } from '../material/facts/measuredFacts.js';
 import { scaledOutlineSizes } from '../outlines/outlineProperties.js';
 import type { HatchingPreset } from './presets.js';
 

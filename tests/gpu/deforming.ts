@@ -3,7 +3,7 @@ import './toolkit.js';
 import * as THREE from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { HatchingMaterial, HatchingMaterialParameters } from 'three-hatching';
-import { pulledVerticesOf } from '../../src/geometry/PulledVertices.js';
+import { pulledVerticesOf } from '../../src/geometry/pulledVerticesOf.js';
 import { plainLook } from '../../tools/plainLook.js';
 import { reactive } from '../unit/geometry/reactive.js';
 

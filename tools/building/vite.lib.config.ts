@@ -11,26 +11,20 @@ const ENTRIES: Record<string, Record<string, string>> = {
 };
 
 /**
- * What pages use alone. Bundlers move whole files between what a page loads at once and what it loads later, so that each of these has
- * files of its own, without what only the others need.
+ * What pages use alone: each has a file of its own, with all that it imports and that those before it do not have. Bundlers move whole files
+ * between what a page loads at once and what it loads later, and many small ones that both need would be many requests.
  */
-const SEPARATE: Record<string, string> = {
-  'separate/material': 'src/material/HatchingMaterial.ts',
-  'separate/geometry': 'src/geometry/prepareHatchingGeometry.ts',
-  'separate/scene': 'src/scene/applyHatching.ts',
-};
-
-/** Leaves out the files of those entries themselves, which only pass on what `index` passes on too. */
-const withoutSeparateEntries: Plugin = {
-  name: 'without-separate-entries',
-  generateBundle(_options, bundle) {
-    for (const [file, chunk] of Object.entries(bundle)) {
-      if (chunk.type !== 'chunk' || !(chunk.name in SEPARATE)) continue;
-      if (chunk.moduleIds.length > 0) this.error(`${file} has code of its own: ${chunk.moduleIds.join(', ')}.`);
-      delete bundle[file];
-    }
-  },
-};
+const SEPARATE = [
+  'material/HatchingMaterial',
+  'geometry/prepareHatchingGeometry',
+  'tam/TonalArtMap',
+  'scene/applyHatching',
+  'outlines/outlineProperties',
+].map((path, i, all) => ({
+  name: path.split('/')[1],
+  test: (id: string) => id.endsWith(`/src/${path}.ts`),
+  priority: all.length - i,
+}));
 
 /** Fails a build that bundles code of others, so that users of the library have nobody else to credit. */
 const nothingOfOthers: Plugin = {
@@ -53,7 +47,7 @@ export default defineConfig(
   ({ mode }): UserConfig => ({
     // The default base would turn the worker's address into an absolute one, broken for every consumer.
     base: './',
-    plugins: [shortShaders, bundledWorker(() => [nothingOfOthers]), nothingOfOthers, withoutSeparateEntries],
+    plugins: [shortShaders, bundledWorker(() => [nothingOfOthers]), nothingOfOthers],
     publicDir: false,
     build: {
       target: 'es2022',
@@ -62,7 +56,7 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts', ...SEPARATE },
+        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts' },
         formats: ['es'],
       },
       rolldownOptions: {
@@ -77,7 +71,9 @@ export default defineConfig(
             paths: { 'three-hatching': './index.js', 'three-hatching/facts': './facts.js' },
           }),
           // Passes lie in one folder: each further one names what its files share after itself.
-          ...(mode in ENTRIES && { codeSplitting: { groups: [{ name: `${mode}Shared`, minShareCount: 2 }] } }),
+          codeSplitting: {
+            groups: mode in ENTRIES ? [{ name: `${mode}Shared`, minShareCount: 2 }] : SEPARATE,
+          },
         },
       },
     },

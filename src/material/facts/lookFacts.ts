@@ -1,6 +1,5 @@
 import { defaultOf } from './defaultOf.js';
-import type { HatchingCondition, HatchingFacts, HatchingMeasure, HatchingProperty } from './HatchingProperty.js';
-import { HATCHING_FACTS } from './hatchingFacts.js';
+import type { HatchingCondition, HatchingProperty } from './HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
@@ -12,7 +11,8 @@ import type { PresetName } from './presetMaterials.js';
 import { spelledOut } from './presetParameters.js';
 
 /**
- * What follows from the properties of a look, by the tables of properties and techniques. Whoever has to know asks here.
+ * What follows from the properties of a look, by the tables of properties and techniques. Whoever has to know asks here, and of what
+ * properties measure and count with in `measuredFacts.ts`.
  *
  * A look is a `HatchingMaterial` or parameters of one; what is left out is as in the preset that they name, or at its default.
  */
@@ -20,11 +20,12 @@ export type HatchingLook = { readonly [Name in HatchingPropertyName]?: unknown }
   readonly preset?: PresetName | undefined;
 };
 
-const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
-const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
-const factsOf = (name: HatchingPropertyName): HatchingFacts => HATCHING_FACTS[name] ?? {};
+/** What the material knows of a property. */
+export const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
-const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: HatchingLook) => technique as HatchingTechnique;
+/** The technique that a look is drawn by. */
+export const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: HatchingLook) =>
+  technique as HatchingTechnique;
 
 /** Whether a property is one of those that the technique of a look reads. Allocates nothing. */
 export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
@@ -34,15 +35,8 @@ export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingP
 export const knowsChoice = (technique: HatchingTechnique, property: HatchingProperty, value: unknown): boolean =>
   property.kind !== 'choice' || (property.choicesFor?.[technique]?.includes(value as string) ?? true);
 
-/** Whether a property counts for a look: its technique reads it, and so do its medium and what else it depends on. */
-export function counts(given: HatchingLook, name: HatchingPropertyName): boolean {
-  const look = spelledOut(given);
-  if (!isUsedBy(techniqueOf(look), propertyOf(name))) return false;
-  const { when = {} } = factsOf(name);
-  return [when].flat().some((condition) => holds(look, condition));
-}
-
-const holds = (look: HatchingLook, condition: HatchingCondition): boolean =>
+/** Whether a condition on other properties holds for a look. */
+export const holds = (look: HatchingLook, condition: HatchingCondition): boolean =>
   Object.entries(condition).every(([key, values]) => {
     const name = key as HatchingPropertyName;
     if (!isUsedBy(techniqueOf(look), propertyOf(name))) return true;
@@ -90,47 +84,8 @@ export function formOf(given: HatchingLook): boolean | 'auto' {
 /** Whether lines or strokes of a look follow the form, which only geometries show that were prepared with `form`. Allocates nothing. */
 export const followsForm = (look: HatchingLook): boolean => formOf(look) !== false;
 
-/**
- * What a number or a vector measures in a look; undefined for other properties, and for one that is a mean of two measures, as far as
- * `sizedOnScreen` says.
- */
-export function measureOf(look: HatchingLook, name: HatchingPropertyName): HatchingMeasure | undefined {
-  const { measure, measureOnScreen = measure } = factsOf(name);
-  const onScreen = Number(valueIn(spelledOut(look), 'sizedOnScreen'));
-  if (measure === measureOnScreen || onScreen === 0) return measure;
-  return onScreen === 1 ? measureOnScreen : undefined;
-}
-
-/**
- * How a property goes with the size of a picture: 1 if it is measured in CSS pixels, 0 if it is not, and for one that is as far as
- * `sizedOnScreen` says, that. In a picture twice as wide it is 2 to this power as large.
- */
-export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
-  const { measure, measureOnScreen } = factsOf(name);
-  if (measure === 'pixels') return 1;
-  return measureOnScreen === 'pixels' ? Number(valueIn(spelledOut(look), 'sizedOnScreen')) : 0;
-}
-
-/**
- * The sizes that are numbers in a look, and measured in CSS pixels, for a larger or smaller picture that shows the same. Another pixel
- * ratio of the renderer needs none of this.
- *
- * @param factor the width of that picture, divided by that of the one that the sizes are for, both at the same pixel ratio
- */
-export function scaledSizes<Look extends HatchingLook>(given: Look, factor: number): Partial<Look> {
-  const look = spelledOut(given);
-  const sizes: Partial<Record<HatchingPropertyName, number>> = {};
-  for (const name of NAMES) {
-    const value = look[name];
-    const power = pixelPower(look, name);
-    if (typeof value !== 'number' || power === 0) continue;
-    const { range } = propertyOf(name) as { range?: { from?: number } };
-    sizes[name] = Math.max(value * factor ** power, range?.from ?? 0);
-  }
-  return sizes as Partial<Look>;
-}
-
-function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown {
+/** The value in force of a property of a look. */
+export function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown {
   const value = look[name];
   const technique = techniqueOf(look);
   const isChosen = value !== undefined && value !== 'auto' && knowsChoice(technique, propertyOf(name), value);

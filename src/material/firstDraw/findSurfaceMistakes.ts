@@ -2,7 +2,7 @@ import { NoToneMapping } from 'three';
 import { cornerLayout } from '../../bake/cornerLayout.js';
 import { hatchNormal } from '../../bake/hatchNormal.js';
 import { isFormExpected, isFormed } from '../../geometry/formGeometry.js';
-import { pulledVerticesOf } from '../../geometry/PulledVertices.js';
+import { pulledVerticesOf } from '../../geometry/pulledVerticesOf.js';
 import { isStale } from '../../geometry/staleGeometry.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
 import { formFieldOf, formOf, needsAdjacency, needsMap } from '../facts/lookFacts.js';

@@ -1,8 +1,8 @@
 import { BoxGeometry, Mesh } from 'three';
 import { describe, expect, test } from 'vitest';
 import { identityOf } from '../../../src/geometry/identityOf.js';
-import { pulledVerticesOf } from '../../../src/geometry/PulledVertices.js';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { pulledVerticesOf } from '../../../src/geometry/pulledVerticesOf.js';
 import { reactive } from './reactive.js';
 
 describe('identityOf', () => {

@@ -9,7 +9,7 @@ import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
 import { presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { LightRig } from '../../../../src/demo/stage/light/LightRig.js';
-import { counts } from '../../../../src/material/facts/lookFacts.js';
+import { counts } from '../../../../src/material/facts/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../../src/outlines/HatchingOutlines.js';

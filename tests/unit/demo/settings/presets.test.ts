@@ -16,7 +16,7 @@ import {
 import { readLink, writeLink } from '../../../../src/demo/settings/shareLink.js';
 import type { Setting } from '../../../../src/demo/settings/table/Setting.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/material/facts/hatchingProperties.js';
-import { counts } from '../../../../src/material/facts/lookFacts.js';
+import { counts } from '../../../../src/material/facts/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/outlines/HatchingOutlineMaterial.js';
 import { OUTLINE_NUMBER_NAMES } from '../../../../src/outlines/outlineProperties.js';

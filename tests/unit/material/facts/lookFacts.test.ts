@@ -1,17 +1,14 @@
 import { describe, expect, test } from 'vitest';
 import type { HatchingPropertyName, Medium } from '../../../../src/material/facts/hatchingProperties.js';
 import {
-  counts,
   followsForm,
   formOf,
   type HatchingLook,
-  measureOf,
   needsAdjacency,
   needsMap,
-  pixelPower,
-  scaledSizes,
   usesThresholds,
 } from '../../../../src/material/facts/lookFacts.js';
+import { counts, measureOf, pixelPower, scaledSizes } from '../../../../src/material/facts/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import type { PropertyRow } from '../../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../../tools/properties/table.js';
