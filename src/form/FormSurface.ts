@@ -1,14 +1,11 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { fanCurvatures } from '../features/fanCurvatures.js';
-import { doubleArea } from '../mesh/computeAreaNormals.js';
-import { triangleOf } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import { assembleHeatEquation, type HeatEquation } from '../normals/assembleHeatEquation.js';
+import type { HeatEquation } from '../normals/assembleHeatEquation.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { fanDirections } from '../normals/fanDirections.js';
-import { smoothFanNormals } from '../normals/smoothFanNormals.js';
+import { diffuse, startFlow } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FormOptions } from './FormOptions.js';
 import { formTwins } from './formTwins.js';
 
@@ -61,27 +58,10 @@ export function* surfaceWithin(
 ): Generator<number, FormSurface, void> {
   const fans = yield* asPhase(buildFans(twins), 0, 0.05);
   const surface = { mesh, twins, canonicalCorners, areaNormals, fans };
-  const [smoothed] = yield* asPhase(smoothFanNormals(surface, [smoothing * radius]), 0.05, 0.7);
-  const normals = yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.7, 0.75);
-  const tensors = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, normals), 0.75, 0.9);
-  const masses = new Float64Array(fans.count);
-  yield* asPhase(
-    forEachChunk(fans.ofCorner.length, (start, end) => addMasses(areaNormals, fans.ofCorner, masses, start, end)),
-    0.9,
-    0.92,
-  );
-  const heat = yield* asPhase(assembleHeatEquation(surface, masses), 0.92, 1);
-  return { mesh, twins, areaNormals, fans, normals, tensors, masses, heat, radius };
-}
-
-/** Adds a third of the area of its triangle to the fan of each corner. An area normal is twice the area long. */
-function addMasses(
-  areaNormals: Float64Array,
-  ofCorner: Uint32Array,
-  masses: Float64Array,
-  start: number,
-  end: number,
-): void {
-  for (let corner = start; corner < end; corner++)
-    masses[ofCorner[corner]] += doubleArea(areaNormals, triangleOf(corner)) / 6;
+  const flow = yield* asPhase(startFlow(surface), 0.05, 0.2);
+  const [smoothed] = yield* asPhase(diffuse(flow, [smoothing * radius]), 0.2, 0.8);
+  const normals = yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.8, 0.85);
+  const tensors = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, normals), 0.85, 1);
+  const { heat } = flow;
+  return { mesh, twins, areaNormals, fans, normals, tensors, masses: heat.masses, heat, radius };
 }

@@ -30,7 +30,7 @@ export interface HeatEquation {
   /** For each edge half the sum of the cotangents of the two angles opposite to it. */
   weights: Float32Array;
   /** For each fan a third of the area of its triangles. */
-  masses: Float64Array;
+  masses: Float64Array<ArrayBuffer>;
   /** For each fan the sum of the magnitudes of its weights: a bound on the rate at which heat leaves it. */
   degrees: Float64Array;
 }
@@ -43,7 +43,7 @@ export interface HeatEquation {
  */
 export function* assembleHeatEquation(
   surface: FanSurface,
-  masses: Float64Array,
+  masses: Float64Array<ArrayBuffer>,
 ): Generator<number, HeatEquation, void> {
   const { areaNormals, fans } = surface;
   const cornerCount = fans.ofCorner.length;

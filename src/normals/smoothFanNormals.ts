@@ -30,7 +30,47 @@ export function* smoothFanNormals(
   surface: FanSurface,
   radii: readonly number[],
 ): Generator<number, Float32Array<ArrayBuffer>[], void> {
-  const { fans, areaNormals } = surface;
+  if (radii.every((radius) => radius === 0)) {
+    const { normals } = yield* meanNormals(surface);
+    return radii.map(() => normals);
+  }
+  const flow = yield* asPhase(startFlow(surface), 0, 0.25);
+  return yield* asPhase(diffuse(flow, radii), 0.25, 1);
+}
+
+/** The mean normal of each fan, three floats, and the equation by which they diffuse. */
+export interface NormalFlow {
+  normals: Float32Array<ArrayBuffer>;
+  heat: HeatEquation;
+}
+
+/** Prepares `diffuse`. */
+export function* startFlow(surface: FanSurface): Generator<number, NormalFlow, void> {
+  const { normals, masses } = yield* asPhase(meanNormals(surface), 0, 0.4);
+  return { normals, heat: yield* asPhase(assembleHeatEquation(surface, masses), 0.4, 1) };
+}
+
+/** Smooths normals that were prepared for it, as `smoothFanNormals` does. */
+export function* diffuse(
+  { normals, heat }: NormalFlow,
+  radii: readonly number[],
+): Generator<number, Float32Array<ArrayBuffer>[], void> {
+  const smoothed = radii.map(() => normals);
+  const flows = planFlows(radii, highestRate(heat));
+  for (const [i, { rate, parts }] of flows.entries()) {
+    const series = parts.map(({ steps }) => heatSeries(steps, TOLERANCE));
+    const task = flow(heat, normals.slice(), rate, series);
+    const results = yield* asPhase(task, i / flows.length, (i + 1) / flows.length);
+    for (const [k, { radius }] of parts.entries()) smoothed[radius] = results[k];
+  }
+  return smoothed;
+}
+
+/** The mean normal of each fan, and a third of the area of its triangles. */
+function* meanNormals({
+  fans,
+  areaNormals,
+}: FanSurface): Generator<number, Pick<NormalFlow, 'normals'> & Pick<HeatEquation, 'masses'>, void> {
   const sums = new Float64Array(3 * fans.count);
   const masses = new Float64Array(fans.count);
   yield* asPhase(
@@ -38,25 +78,15 @@ export function* smoothFanNormals(
       sumRange(areaNormals, fans.ofCorner, sums, masses, start, end),
     ),
     0,
-    0.05,
+    0.5,
   );
   const normals = new Float32Array(3 * fans.count);
   yield* asPhase(
     forEachChunk(fans.count, (start, end) => meanRange(sums, masses, normals, start, end)),
-    0.05,
-    0.1,
+    0.5,
+    1,
   );
-  const smoothed = radii.map(() => normals);
-  if (radii.every((radius) => radius === 0)) return smoothed;
-  const heat = yield* asPhase(assembleHeatEquation(surface, masses), 0.1, 0.25);
-  const flows = planFlows(radii, highestRate(heat));
-  for (const [i, { rate, parts }] of flows.entries()) {
-    const series = parts.map(({ steps }) => heatSeries(steps, TOLERANCE));
-    const task = flow(heat, normals.slice(), rate, series);
-    const results = yield* asPhase(task, 0.25 + (0.75 * i) / flows.length, 0.25 + (0.75 * (i + 1)) / flows.length);
-    for (const [k, { radius }] of parts.entries()) smoothed[radius] = results[k];
-  }
-  return smoothed;
+  return { normals, masses };
 }
 
 /** A flow whose parts take the same steps, though some take more of them than others. */
