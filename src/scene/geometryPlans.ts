@@ -48,7 +48,9 @@ export function crossingMaterials(
   const materials = new Map<BufferGeometry, HatchingMaterial>();
   if (typeof form === 'object' && form.crossAngle !== undefined) return materials;
   for (const plan of planned) {
-    const crossing = isBatched(plan.mesh) ? undefined : crossingOf(askingMaterials(plan));
+    const asking = isBatched(plan.mesh) ? [] : askingMaterials(plan);
+    // What draws strokes now may draw lines later.
+    const crossing = crossingOf(asking) ?? asking[0];
     if (crossing && !materials.has(plan.geometry)) materials.set(plan.geometry, crossing);
   }
   return materials;
