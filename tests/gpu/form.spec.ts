@@ -227,3 +227,73 @@ test('strokes in object space take the direction of the form as it is deformed',
   expect(inked).toBeGreaterThan(0.05);
   expect(changed).toBeLessThan(0.002);
 });
+
+test('a large mesh follows the light first, then changes over to the form without a program built in a frame or a change of tone', async ({
+  page,
+}) => {
+  const { before, during, after } = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom } = window.lining;
+    const { applyHatching } = window.toolkit;
+    const renderer = rendererOf(300);
+    const camera = lookFrom(0, 1.5, 4);
+    const mesh = new THREE.Mesh(new THREE.TorusGeometry(1, 0.45, 280, 360), new THREE.MeshLambertMaterial());
+    const scene = paperScene(mesh, new THREE.AmbientLight(0xffffff, 0.5 * Math.PI));
+    const programs = () => renderer.info.programs!.map(({ id }) => id);
+    const drawn = () => {
+      const ink = draw(scene, camera, renderer);
+      const sum = ink.reduce((total, one) => total + one, 0);
+      return { ink: sum / ink.length, programs: programs(), isFormed: mesh.geometry.hasAttribute('formValue') };
+    };
+    const during: ReturnType<typeof drawn>[] = [];
+    const hatched = await applyHatching(mesh, {
+      material: { technique: 'engraved', lineField: 'form', handmade: 0, toneCurve: 'linear', reflectedLight: 0 },
+      renderer,
+      camera,
+      invalidate: () => during.push({ ...drawn(), programs: programs() }),
+    });
+    const before = drawn();
+    await hatched.formReady;
+    return { before, during, after: drawn() };
+  });
+  expect([before.isFormed, after.isFormed]).toEqual([false, true]);
+  expect(new Set(during.map(({ isFormed }) => isFormed))).toEqual(new Set([false, true]));
+  for (const { ink, programs } of during) {
+    expect(Math.abs(ink - before.ink)).toBeLessThan(0.01);
+    expect(programs).toEqual(during[0].programs);
+  }
+  expect(Math.abs(after.ink - before.ink)).toBeLessThan(0.01);
+});
+
+test('lines cross at a new angle of the material, and at the former one until they are baked at it', async ({
+  page,
+}) => {
+  const { isSame, ...changes } = await page.evaluate(async () => {
+    const { THREE, draw, rendererOf, paperScene, lookFrom } = window.lining;
+    const { applyHatching } = window.toolkit;
+    const renderer = rendererOf(300);
+    const camera = lookFrom(0, 1.5, 4);
+    const hatchedRing = async (crossAngle: number) => {
+      const mesh = new THREE.Mesh(new THREE.TorusGeometry(1, 0.45, 24, 48), new THREE.MeshLambertMaterial());
+      const material = { technique: 'engraved', lineField: 'form', handmade: 0, crossFrom: 0, crossAngle } as const;
+      const hatched = await applyHatching(mesh, { material });
+      return { hatched, scene: paperScene(mesh, new THREE.AmbientLight(0xffffff, 0.4 * Math.PI)) };
+    };
+    const { hatched, scene } = await hatchedRing(1);
+    const picture = () => draw(scene, camera, renderer).slice();
+    const first = picture();
+    hatched.materials[0].crossAngle = 1.5;
+    const meanwhile = picture();
+    const changed = await hatched.formReady;
+    const last = picture();
+    const expected = draw((await hatchedRing(1.5)).scene, camera, renderer);
+    const differs = (a: Float32Array, b: Float32Array) => a.some((ink, i) => Math.abs(ink - b[i]) > 1 / 255);
+    return {
+      meanwhile: differs(first, meanwhile),
+      last: differs(first, last),
+      isSame: !differs(last, expected),
+      meshes: changed.length,
+    };
+  });
+  expect(changes).toEqual({ meanwhile: false, last: true, meshes: 1 });
+  expect(isSame).toBe(true);
+});
