@@ -70,6 +70,13 @@ test('every figure has a caption, and every panel of it is drawn, in one graphic
   await openFigures(page);
   expect(FIGURES.map(({ number }) => number)).toEqual([4, 8, 9, 10, 11, 12, 13, 14, 'A', 'B', 'C', 'D']);
   await expect(page.getByRole('heading', { name: 'Beyond the paper' })).toHaveCount(1);
+  const rowsOfLines = await page.locator('.row').evaluateAll((rows) =>
+    rows.map((row) => {
+      const tops = [...row.querySelectorAll('canvas')].map((canvas) => Math.round(canvas.getBoundingClientRect().top));
+      return new Set(tops).size;
+    }),
+  );
+  expect(rowsOfLines, 'the panels of a row stand side by side').toEqual(rowsOfLines.map(() => 1));
   for (const figure of FIGURES) {
     const caption = page.getByRole('figure').filter({ hasText: `Figure ${figure.number}. ${figure.title}` });
     await expect(caption).toContainText(figure.inThePaper ?? figure.here);

@@ -50,6 +50,7 @@ function figureElement(figure: Figure, rows: { label?: string | undefined; panel
     const row = document.createElement('div');
     row.className = 'row';
     row.dataset.columns = String(panels.length);
+    row.style.setProperty('--columns', String(Math.max(panels.length, 2)));
     if (label) row.append(paragraph(label, 'row-label'));
     for (const { element: panel, canvas } of panels) {
       canvas.style.aspectRatio = String(figure.aspect);
