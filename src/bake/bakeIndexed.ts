@@ -30,7 +30,7 @@ const MAX_SHORT_VERTICES = 0xffff;
  */
 export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeIndexedResult, void> {
   const surface = yield* asPhase(bakeSurface(request), 0, 0.85);
-  const { bounds, hatchNormals, smoothNormals, adjacency, form } = surface;
+  const { hatchNormals, smoothNormals, adjacency, form } = surface;
   const splitting = splitVertices(request.mesh, adjacency.areaNormals, hatchNormals.fans, form?.ofCorner);
   const split = yield* asPhase(splitting, 0.85, 0.95);
   const { indices, addedVertices, cornerOfVertex } = split;
@@ -39,7 +39,7 @@ export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeInd
     indices: cornerOfVertex.length <= MAX_SHORT_VERTICES ? new Uint16Array(indices) : indices,
     addedVertices,
     normals: smoothNormals && (yield* asPhase(packNormals(smoothNormals, cornerOfVertex), 0.97, 0.98)),
-    form: form && (yield* asPhase(packForm(form, bounds.radius, cornerOfVertex), 0.98, 0.99)),
+    form: form && (yield* asPhase(packForm(form, form.radius, cornerOfVertex), 0.98, 0.99)),
     hatchNormals: yield* asPhase(packHatchNormals(hatchNormals, cornerOfVertex), 0.99, 1),
   };
 }

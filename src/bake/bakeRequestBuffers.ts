@@ -1,3 +1,4 @@
+import type { JointFormsRequest } from './bakeJointForms.js';
 import type { SurfaceRequest } from './bakeSurface.js';
 import type { VertexWords } from './expandPerCorner.js';
 
@@ -13,3 +14,7 @@ export const bakeRequestBuffers = ({
   mesh.indices.buffer,
   ...attributes.map(({ words }) => words.buffer),
 ];
+
+/** The buffers of a request for joint forms, which are transferred with it. */
+export const jointRequestBuffers = ({ parts }: JointFormsRequest): ArrayBuffer[] =>
+  parts.flatMap(({ mesh }) => [mesh.positions.buffer, mesh.indices.buffer]);

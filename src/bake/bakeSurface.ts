@@ -40,6 +40,8 @@ export interface SurfaceRequest {
   outlines?: OutlineRequest | null | undefined;
   /** How lines follow the form, if they are to. */
   form?: FormRequest | null | undefined;
+  /** The form field, if it was baked before, together with other meshes. */
+  bakedForm?: FormField | null | undefined;
 }
 
 /** What the bake of a form field needs to know. Plain data: it is posted to the worker. */
@@ -88,8 +90,9 @@ const FORM_SHARE = 0.75;
 
 /** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones, the outlines and the form field. */
 export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
-  const { mesh } = request;
-  const total = request.form ? 1 - FORM_SHARE : 1;
+  const { mesh, bakedForm = null } = request;
+  const formToBake = bakedForm ? null : request.form;
+  const total = formToBake ? 1 - FORM_SHARE : 1;
   const share = (request.outlines ? 0.75 : 1) * total;
   yield* asPhase(validateTriangleMesh(mesh, request.label), 0, 0.03 * share);
   const bounds = yield* asPhase(measureBounds(mesh), 0.03 * share, 0.06 * share);
@@ -98,7 +101,7 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
   const joinedTwins = request.outlines ? adjacency.twins.slice() : null;
   yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3 * share, 0.33 * share);
   const twins = yield* asPhase(consistentTwins(adjacency), 0.33 * share, 0.34 * share);
-  const formTwins = request.form ? twins.slice() : null;
+  const formTwins = formToBake ? twins.slice() : null;
   const smoothNormals = request.wantsNormals
     ? yield* asPhase(bakeSmoothNormals(twins, adjacency.areaNormals), 0.34 * share, 0.4 * share)
     : null;
@@ -126,9 +129,10 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
       share,
       total,
     ));
-  const bakeField = request.form?.isChosen ? bakeChosenForm : bakeForm;
-  const form =
-    formTwins && (yield* asPhase(bakeField(mesh, adjacency, formTwins, bounds.radius, request.form!), total, 1));
+  const bakeField = formToBake?.isChosen ? bakeChosenForm : bakeForm;
+  const form = formTwins
+    ? yield* asPhase(bakeField(mesh, adjacency, formTwins, bounds.radius, formToBake!), total, 1)
+    : bakedForm;
   return { adjacency, bounds, hatchNormals, smoothNormals, outlines, form };
 }
 

@@ -19,13 +19,13 @@ export interface CornerAttributes {
 
 /** Writes the normals of each corner and copies `attributes` from the vertices that `indices` names. */
 export function* packCornerAttributes(
-  { bounds, hatchNormals, smoothNormals, form }: Surface,
+  { hatchNormals, smoothNormals, form }: Surface,
   indices: Uint32Array,
   attributes: readonly VertexWords[],
 ): Generator<number, CornerAttributes, void> {
   const packedHatchNormals = yield* asPhase(packHatchNormals(hatchNormals, null), 0, 0.2);
   const normals = smoothNormals && (yield* asPhase(packNormals(smoothNormals, null), 0.2, 0.3));
-  const packedForm = form && (yield* asPhase(packForm(form, bounds.radius, null), 0.3, 0.4));
+  const packedForm = form && (yield* asPhase(packForm(form, form.radius, null), 0.3, 0.4));
   const expanded: Words[] = [];
   const share = 0.6 / Math.max(1, attributes.length);
   for (const [i, attribute] of attributes.entries()) {

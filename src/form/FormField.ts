@@ -14,6 +14,8 @@ export interface FormField {
   slopes: Float32Array<ArrayBuffer>;
   /** Three floats per form vertex: the gradient of φ₂. */
   crossings: Float32Array<ArrayBuffer>;
+  /** The bounding radius of what it was baked for, in object units. */
+  radius: number;
   statistics: FormStatistics;
 }
 

@@ -79,6 +79,7 @@ export function* formVertices(
     values: new Float32Array(2 * count),
     slopes: lengthened(gradients.slopes, 3 * count),
     crossings: lengthened(gradients.crossings, 3 * count),
+    radius: surface.radius,
     statistics: { singularPoints: singularPoints(seam), addedVertices: count - surface.fans.count },
   };
   yield* asPhase(

@@ -2,6 +2,7 @@ import type { BufferGeometry } from 'three';
 import type { BakeRequest } from '../bake/bakeCorners.js';
 import type { OutlineRequest } from '../bake/bakeOutlines.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
+import type { FormField } from '../form/FormField.js';
 import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../material/facts/hatchingProperties.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
@@ -115,7 +116,8 @@ export const checkPrepareOptions = (
   more: Readonly<Record<string, true>> = {},
 ): void => checkOptions(caller, options, { ...more, ...PREPARE_OPTIONS });
 
-const DEFAULT_CREASE_ANGLE = Math.PI / 2;
+/** The default of the option `creaseAngle`. */
+export const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
 /** What three.js asks of a geometry first, and users. */
 const ASKED_OF_GEOMETRIES = ['morphAttributes', 'boundingSphere', 'attributes', 'userData'] as const;
@@ -160,10 +162,19 @@ export function prepareHatchingGeometry(
   geometry: BufferGeometry,
   options: PrepareHatchingGeometryOptions = {},
 ): Promise<BufferGeometry> {
-  return mustBeAwaited(prepare(geometry, options), 'prepareHatchingGeometry()', ASKED_OF_GEOMETRIES);
+  return mustBeAwaited(prepareWithForm(geometry, options, null), 'prepareHatchingGeometry()', ASKED_OF_GEOMETRIES);
 }
 
-async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometryOptions): Promise<BufferGeometry> {
+/**
+ * As `prepareHatchingGeometry`, without a word to those who do not await it.
+ *
+ * @param bakedForm a form field of this geometry that was baked before, to be taken instead of one that is baked for it alone
+ */
+export async function prepareWithForm(
+  geometry: BufferGeometry,
+  options: PrepareHatchingGeometryOptions,
+  bakedForm: FormField | null,
+): Promise<BufferGeometry> {
   checkPrepareOptions('prepareHatchingGeometry', options, { technique: true });
   options.signal?.throwIfAborted();
   const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;
@@ -184,6 +195,8 @@ async function prepare(geometry: BufferGeometry, options: PrepareHatchingGeometr
     wantsNormals: repairs.computedNormals > 0,
     outlines: outlineRequest(options.outlines, range),
     form: formRequest('prepareHatchingGeometry', options.form),
+    // One that was baked for other triangles does not fit.
+    bakedForm: bakedForm?.ofCorner.length === mesh.indices.length ? bakedForm : null,
   };
   const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
   const isUnchanged = rememberSource(geometry);

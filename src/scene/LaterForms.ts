@@ -9,8 +9,10 @@ import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../geometry
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { tell } from '../mistakes/tell.js';
 import { runSliced } from '../slices/runSliced.js';
-import { bakeGeometries, cornerCount, type GeometryPlan } from './bakeGeometries.js';
+import { bakeGeometries } from './bakeGeometries.js';
 import type { FirstFrame } from './FirstFrame.js';
+import { cornerCount } from './jointForms/cornerCount.js';
+import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { MeshLook } from './MeshLook.js';
 
 /** How long the angle of crossing lines stays as it is before lines are baked at it, in milliseconds: a slider moves on. */
@@ -69,9 +71,10 @@ export class LaterForms {
   ) {
     this.atOnce = new Map(
       [...plans].map(([geometry, plan]) => {
-        if (!plan.form || cornerCount(geometry) <= 3 * MANY_TRIANGLES) return [geometry, plan];
+        const shared = plan.group?.parts.map((part) => part.geometry) ?? [geometry];
+        if (!plan.form || !shared.some(isLarge)) return [geometry, plan];
         this.later.set(geometry, plan);
-        return [geometry, { ...plan, form: false }];
+        return [geometry, { ...plan, form: false, group: undefined }];
       }),
     );
   }
@@ -213,6 +216,8 @@ export class LaterForms {
     from.dispose();
   }
 }
+
+const isLarge = (geometry: BufferGeometry): boolean => cornerCount(geometry) > 3 * MANY_TRIANGLES;
 
 /** Whether two geometries are the same, or proxies of the same. */
 const isSame = (a: BufferGeometry, b: BufferGeometry): boolean => identityOf(a) === identityOf(b);

@@ -15,7 +15,7 @@ import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
-import { bakeGeometries, type GeometryPlan } from './bakeGeometries.js';
+import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes, sentencesOf } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
 import type { FirstFrame } from './FirstFrame.js';
@@ -23,6 +23,7 @@ import { failure } from './failure.js';
 import { fieldFrames } from './fieldFrames.js';
 import { crossingMaterials, geometryPlans, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import { HatchedScene, type SkippedMesh } from './HatchedScene.js';
+import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
@@ -77,7 +78,8 @@ const FRAME_SHARE = 0.1;
  *   that are hatched already, so that after meshes were added another call hatches them; and, with an `error`, those whose
  *   geometry cannot be baked or whose geometry or material was replaced during the call.
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
- *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines.
+ *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines. Lines that follow the form
+ *   continue where the borders of meshes meet.
  * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it.
  *   No map is drawn for materials that need none.
  * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
@@ -235,7 +237,12 @@ async function laterFormsOf(
   frame: FirstFrame | null,
 ): Promise<LaterForms | null> {
   if ([...plans.values()].every(({ form }) => !form)) return null;
-  const { LaterForms } = await import('./LaterForms.js');
+  const [{ LaterForms }, { formGroups }] = await Promise.all([
+    import('./LaterForms.js'),
+    import('./jointForms/formGroups.js'),
+  ]);
+  const groups = await runSliced(formGroups(planned, plans), { signal: options.signal });
+  for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
   return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, frame);
 }
 

@@ -1,15 +1,19 @@
 import type { BufferGeometry } from 'three';
-import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from '../geometry/prepareHatchingGeometry.js';
+import type { JointForm } from '../bake/bakeJointForms.js';
+import { type PrepareHatchingGeometryOptions, prepareWithForm } from '../geometry/prepareHatchingGeometry.js';
 import { maxWorkers } from '../worker/maxWorkers.js';
-
-/** What one geometry is baked for. */
-export type GeometryPlan = Pick<PrepareHatchingGeometryOptions, 'layout' | 'form'>;
+import { cornerCount } from './jointForms/cornerCount.js';
+import type { GeometryPlan } from './jointForms/FormGroup.js';
+import { progressParts } from './progressParts.js';
 
 /** The number of corners that are baked at the same time, unless one geometry has more: a bake takes some hundred bytes for each. */
 const MAX_CORNERS = 6_000_000;
 
 /** The number of corners that is worth another worker, which takes as long to start as a bake of some ten thousand triangles. */
 const CORNERS_PER_WORKER = 600_000;
+
+/** The share of the work that the form takes where it is baked. */
+const FORM_SHARE = 0.75;
 
 /** The listeners that are called while geometries are baked. */
 export interface BakeListeners {
@@ -20,7 +24,8 @@ export interface BakeListeners {
 }
 
 /**
- * Bakes geometries, several at a time if there is work for several workers. A faulty geometry does not stop the others.
+ * Bakes geometries, several at a time if there is work for several workers: first the forms that they share. A faulty geometry does
+ * not stop the others.
  *
  * @param plans the geometries, each with its options
  * @returns for each geometry the prepared one, or the TypeError or RangeError that names its fault
@@ -28,9 +33,28 @@ export interface BakeListeners {
 export async function bakeGeometries(
   plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
   options: PrepareHatchingGeometryOptions,
+  listeners: BakeListeners,
+): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
+  const grouped = new Map([...plans].filter(([, { group }]) => group));
+  if (grouped.size === 0) return bakeEach(plans, new Map(), options, listeners);
+  const { bakeGroups } = await import('./jointForms/bakeGroups.js');
+  const share = (FORM_SHARE * cornersOf(grouped.keys())) / Math.max(1, cornersOf(plans.keys()));
+  const [onForm, onBake] = progressParts(options.onProgress, [share, 1 - share]);
+  const forms = await bakeGroups(grouped, { ...options, onProgress: onForm });
+  return bakeEach(plans, forms, { ...options, onProgress: onBake }, listeners);
+}
+
+const cornersOf = (geometries: Iterable<BufferGeometry>): number =>
+  [...geometries].reduce((sum, geometry) => sum + cornerCount(geometry), 0);
+
+/** Bakes geometries with the forms that some of them share. */
+async function bakeEach(
+  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+  forms: ReadonlyMap<BufferGeometry, JointForm>,
+  options: PrepareHatchingGeometryOptions,
   { onBaked, onCount }: BakeListeners,
 ): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
-  const total = [...plans.keys()].reduce((sum, geometry) => sum + cornerCount(geometry), 0);
+  const total = cornersOf(plans.keys());
   const results = new Map<BufferGeometry, BufferGeometry | Error>();
   // Any other error stops all bakes, so that none goes on after the promise was rejected.
   const stop = new AbortController();
@@ -48,8 +72,9 @@ export async function bakeGeometries(
   };
 
   let corners = 0;
-  const report = (): void => options.onProgress?.(total > 0 ? corners / total : 1);
-  async function bakeOne(geometry: BufferGeometry, plan: GeometryPlan): Promise<void> {
+  const report = (): void => options.onProgress?.(total > 0 ? Math.min(corners / total, 1) : 1);
+  async function bakeOne(geometry: BufferGeometry, { layout, form }: GeometryPlan): Promise<void> {
+    const shared = forms.get(geometry) ?? 'alone';
     const count = cornerCount(geometry);
     let share = 0;
     const onProgress = (progress: number): void => {
@@ -58,12 +83,11 @@ export async function bakeGeometries(
       notify(report);
     };
     try {
-      const prepared = await prepareHatchingGeometry(geometry, {
-        ...options,
-        ...plan,
-        onProgress,
-        signal: stop.signal,
-      });
+      const prepared = await prepareWithForm(
+        geometry,
+        { ...options, layout, form: shared !== 'light' && form, onProgress, signal: stop.signal },
+        typeof shared === 'string' ? null : shared,
+      );
       onBaked(prepared);
       results.set(geometry, prepared);
     } catch (error) {
@@ -103,7 +127,3 @@ export async function bakeGeometries(
   // The results come in the order of `plans`, whichever bake was finished first.
   return new Map([...plans.keys()].map((geometry) => [geometry, results.get(geometry)!]));
 }
-
-/** The number of corners of a geometry, whatever its draw range. */
-export const cornerCount = ({ index, attributes }: BufferGeometry): number =>
-  (index ?? attributes.position)?.count ?? 0;

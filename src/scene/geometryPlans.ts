@@ -2,7 +2,7 @@ import type { BufferGeometry, Material, Mesh } from 'three';
 import { followsForm, formFieldOf, formOf, needsAdjacency } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
-import type { GeometryPlan } from './bakeGeometries.js';
+import type { GeometryPlan } from './jointForms/FormGroup.js';
 import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
 
 /** A mesh to hatch, with its geometry and material before. */

@@ -1,4 +1,4 @@
-import { bakeRequestBuffers } from '../bake/bakeRequestBuffers.js';
+import { bakeRequestBuffers, jointRequestBuffers } from '../bake/bakeRequestBuffers.js';
 import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
 import { imageBuffers } from '../hatchImages/imageBuffers.js';
 import { occlusionMeshBuffers, occlusionSceneBuffers } from '../occlusion/occlusionBuffers.js';
@@ -7,6 +7,7 @@ import type { TaskName, TaskRequest } from './tasks.js';
 const buffersOf: { [Name in TaskName]: (request: TaskRequest<Name>) => ArrayBuffer[] } = {
   bakeCorners: bakeRequestBuffers,
   bakeIndexed: bakeRequestBuffers,
+  bakeJointForms: jointRequestBuffers,
   bakePull: bakeRequestBuffers,
   searchContours: contourSearchBuffers,
   generateHatchImages: () => [],

@@ -1,5 +1,6 @@
 import { bakeCorners, bakeCornersResultBuffers } from '../bake/bakeCorners.js';
 import { bakeIndexed, bakeIndexedResultBuffers } from '../bake/bakeIndexed.js';
+import { bakeJointForms, jointFormsBuffers } from '../bake/bakeJointForms.js';
 import { bakePull, bakePullResultBuffers } from '../bake/bakePull.js';
 import { type ContourSearchResult, searchContours } from '../features/contourCandidates.js';
 import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
@@ -29,6 +30,7 @@ const thresholdBuffers = (levels: ThresholdLevel[]): ArrayBuffer[] =>
 export const tasks = {
   bakeCorners: /* @__PURE__ */ task({ run: bakeCorners, resultBuffers: bakeCornersResultBuffers }),
   bakeIndexed: /* @__PURE__ */ task({ run: bakeIndexed, resultBuffers: bakeIndexedResultBuffers }),
+  bakeJointForms: /* @__PURE__ */ task({ run: bakeJointForms, resultBuffers: jointFormsBuffers }),
   bakePull: /* @__PURE__ */ task({ run: bakePull, resultBuffers: bakePullResultBuffers }),
   searchContours: /* @__PURE__ */ task({
     run: searchContours,

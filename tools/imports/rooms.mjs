@@ -47,6 +47,7 @@ export const ROOMS = {
     'material',
     'outlines',
   ],
+  'scene/jointForms': [],
   'index.ts': [
     'adjacency',
     'strokes',

@@ -12,6 +12,7 @@ const field = (ofCorner: number[], count: number, slope = 16): FormField => ({
   values: Float32Array.from({ length: 2 * count }, (_, i) => i + 0.1),
   slopes: Float32Array.from({ length: 3 * count }, (_, i) => slope * Math.sin(i + 1)),
   crossings: Float32Array.from({ length: 3 * count }, (_, i) => slope * Math.cos(i + 1)),
+  radius: 1,
   statistics: { singularPoints: 0, addedVertices: 0 },
 });
 

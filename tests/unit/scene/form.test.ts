@@ -1,5 +1,21 @@
-import { BoxGeometry, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, TorusGeometry } from 'three';
-import { expect, test } from 'vitest';
+import {
+  Bone,
+  BoxGeometry,
+  type BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  Skeleton,
+  SkinnedMesh,
+  SphereGeometry,
+  TorusGeometry,
+  Uint16BufferAttribute,
+} from 'three';
+import { describe, expect, test } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from '../../../src/scene/ApplyHatchingOptions.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
@@ -77,4 +93,103 @@ test('options override both, and may ask for a field or refuse it', () => {
   expect(planOf(ring(), plain).form).toBe(false);
   expect(planOf(ring(), plain, { form: true }).form).toEqual({ auto: false, up: [0, 1, 0] });
   expect(planOf(new Mesh(ring().geometry, new MeshBasicMaterial()), plain).form).toBe(false);
+});
+
+describe('meshes whose borders meet', () => {
+  const material = new MeshStandardMaterial();
+  /** The upper or lower half of something like an egg that leans. */
+  const half = (isUpper: boolean): BufferGeometry => {
+    const geometry = new SphereGeometry(1, 24, 12, 0, 2 * Math.PI, isUpper ? 0 : Math.PI / 2, Math.PI / 2);
+    const { position } = geometry.scale(1, isUpper ? 1.6 : 0.7, 1).attributes;
+    for (let i = 0; i < position.count; i++) position.setX(i, position.getX(i) + 0.4 * position.getY(i) ** 2);
+    return geometry;
+  };
+  const formed = (mesh: Mesh) => mesh.geometry.hasAttribute('formValue');
+
+  /** For each vertex of the seam of the first its φ, and that of the second at the same place, once for each copy of the vertex. */
+  const alongSeam = (first: Mesh, second: Mesh): [number, number[]][] => {
+    const places = ({ geometry }: Mesh) => {
+      const { position, formValue } = geometry.attributes;
+      return Array.from({ length: position.count }, (_, i) => i)
+        .filter((i) => Math.abs(position.getY(i)) < 1e-6)
+        .map((i) => ({ x: position.getX(i), z: position.getZ(i), value: formValue.getX(i) }));
+    };
+    const others = places(second);
+    return places(first).map(({ x, z, value }) => [
+      value,
+      others.filter((other) => Math.hypot(other.x - x, other.z - z) < 1e-5).map((other) => other.value),
+    ]);
+  };
+
+  /** Whether lines run on: φ′ = ±φ + j, with a j that is a multiple of 4. */
+  const runsOn = (a: number, b: number): boolean =>
+    [b - a, b + a].some((jump) => Math.abs(jump / 4 - Math.round(jump / 4)) < 1e-3);
+
+  const shareOfSeam = (first: Mesh, second: Mesh): number => {
+    const seam = alongSeam(first, second);
+    expect(seam.length).toBeGreaterThan(23);
+    return seam.filter(([value, others]) => others.some((other) => runsOn(value, other))).length / seam.length;
+  };
+
+  test('share one field: lines run on from one to the other', async () => {
+    const [upper, lower] = [new Mesh(half(true), material), new Mesh(half(false), material)];
+    await applyHatching(new Group().add(upper, lower), { material: following });
+    expect(shareOfSeam(upper, lower)).toBe(1);
+  });
+
+  test('so do skins of one skeleton at rest, wherever their bones are', async () => {
+    const [upper, lower] = [true, false].map((isUpper) => {
+      const geometry = half(isUpper);
+      const { count } = geometry.attributes.position;
+      geometry.setAttribute('skinIndex', new Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+      const weights = Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0));
+      geometry.setAttribute('skinWeight', new Float32BufferAttribute(weights, 4));
+      return new SkinnedMesh(geometry, material);
+    });
+    const bone = new Bone();
+    const skeleton = new Skeleton([bone]);
+    // The node of a skinned mesh does not count in glTF.
+    lower.position.set(5, 0, 0);
+    for (const mesh of [upper, lower]) mesh.bind(skeleton, new Matrix4());
+    bone.position.set(0, 7, 0);
+    await applyHatching(new Group().add(bone, upper, lower), { material: following });
+    expect(shareOfSeam(upper, lower)).toBe(1);
+  });
+
+  test('but not those of instances, of geometries that meshes share, of other angles, or apart', async () => {
+    const instanced = new InstancedMesh(half(false), material, 1);
+    instanced.setMatrixAt(0, new Matrix4());
+    const twice = half(false);
+    const away = new Mesh(half(false), material);
+    away.position.y = -0.5;
+    const crossed = new Mesh(half(false), material.clone());
+    for (const [lower, ...others] of [
+      [instanced],
+      [new Mesh(twice, material), new Mesh(twice, material)],
+      [away],
+      [crossed],
+    ]) {
+      const upper = new Mesh(half(true), material);
+      const crossAngle = (mesh: Mesh) => (mesh === crossed ? 1.2 : 1);
+      await applyHatching(new Group().add(upper, lower, ...others), {
+        material: (_, mesh) => ({ ...following, crossAngle: crossAngle(mesh) }),
+      });
+      expect([upper, lower].every(formed)).toBe(true);
+      expect(shareOfSeam(upper, lower)).toBeLessThan(0.5);
+    }
+  });
+
+  test('a faulty one is skipped, and the other is baked by itself', async () => {
+    const [upper, lower] = [new Mesh(half(true), material), new Mesh(half(false), material)];
+    const progress: number[] = [];
+    const hatched = applyHatching(new Group().add(upper, lower), {
+      material: following,
+      onProgress: (value) => progress.push(value),
+    });
+    lower.geometry.attributes.position.setX(30, Number.NaN);
+    expect((await hatched).skipped.map(({ mesh }) => mesh)).toEqual([lower]);
+    expect(formed(upper)).toBe(true);
+    expect(progress).toEqual(progress.toSorted((a, b) => a - b));
+    expect(progress.at(-1)).toBe(1);
+  });
 });

@@ -40,6 +40,21 @@ test('a large mesh is drawn by the light until its field is there, with its outl
   expect(isFormed(second)).toBe(true);
 });
 
+test('a small mesh that touches a large one follows the form together with it', async () => {
+  const [first, second] = [
+    new Mesh(new TorusGeometry(1, 0.4, 16, 32, Math.PI), new MeshStandardMaterial()),
+    new Mesh(new TorusGeometry(1, 0.4, 16, 8, Math.PI), new MeshStandardMaterial()),
+  ];
+  second.rotation.z = Math.PI;
+  const hatched = await applyHatching(new Group().add(first, second), { material: following });
+  expect([first, second].map(isFormed)).toEqual([false, false]);
+  expect(await hatched.formReady).toEqual([first, second]);
+  // They turned out to touch: each has its share of one field, whose lines are as far apart.
+  const longest = [first, second].map(({ geometry }) => (geometry as BufferGeometry).attributes.formSlope.getW(0));
+  expect(longest[0]).toBe(longest[1]);
+  expect(isFormed(second)).toBe(true);
+});
+
 test('restore() puts the former geometry back after the change, and stops the bake before it', async () => {
   const mesh = large();
   const { geometry } = mesh;
@@ -169,6 +184,27 @@ test.each([
   draw(mesh);
   await hatched.formReady;
   expect(mesh.geometry).toBe(after);
+});
+
+test('lines that run on from mesh to mesh do so at the new angle', async () => {
+  const meshes = [0, 1].map((half) => {
+    const mesh = new Mesh(new TorusGeometry(1, 0.4, 8, 8, Math.PI), new MeshStandardMaterial());
+    mesh.rotation.z = half * Math.PI;
+    return mesh;
+  });
+  const scene = new Group().add(...meshes);
+  const joint = async (crossAngle: number) => {
+    const hatched = await applyHatching(scene, { material: { ...following, crossAngle } });
+    return { hatched, values: meshes.map(({ geometry }) => (geometry as BufferGeometry).attributes.formValue.array) };
+  };
+  const { hatched: first, values: wanted } = await joint(1.4);
+  first.dispose();
+  const { hatched, values } = await joint(1.1);
+  expect(values).not.toEqual(wanted);
+  for (const material of hatched.materials) material.crossAngle = 1.4;
+  for (const mesh of meshes) draw(mesh);
+  expect(await hatched.formReady).toEqual(meshes);
+  expect(meshes.map(({ geometry }) => (geometry as BufferGeometry).attributes.formValue.array)).toEqual(wanted);
 });
 
 test('an option that says the angle holds, whatever the material says', async () => {

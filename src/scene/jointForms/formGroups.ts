@@ -1,0 +1,93 @@
+import { Box3, type BufferAttribute, type BufferGeometry, Matrix4, type Mesh, type SkinnedMesh } from 'three';
+import type { HatchingFormOptions } from '../../geometry/HatchingFormOptions.js';
+import { groupCorners } from './bakeGroups.js';
+import type { FormGroup, GeometryPlan } from './FormGroup.js';
+
+/** More corners than these are not baked jointly. */
+const MOST_CORNERS = 6_000_000;
+
+/** How far boxes may lie apart, as a share of the larger one's diagonal. */
+const NEAR = 1e-5;
+
+/** A mesh whose geometry is no other's. */
+interface Candidate {
+  geometry: BufferGeometry;
+  /** To the space where it is compared: the world, or that of the bones at rest. */
+  matrix: Matrix4;
+  box: Box3;
+  form: HatchingFormOptions;
+}
+
+/**
+ * Groups the geometries to bake by whether their boxes touch at rest. Meshes are compared in the world, and skinned ones where
+ * their bones bind them. Geometries of several meshes, instances and batches are in no group. It yields after each mesh.
+ *
+ * @returns the group of each geometry that is in one
+ */
+export function* formGroups(
+  planned: readonly { mesh: Mesh; geometry: BufferGeometry }[],
+  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+): Generator<number, ReadonlyMap<BufferGeometry, FormGroup>, void> {
+  const uses = new Map<BufferGeometry, number>();
+  for (const { geometry } of planned) uses.set(geometry, (uses.get(geometry) ?? 0) + 1);
+  const spaces = new Map<object, Map<string, Candidate[]>>();
+  for (const [i, { mesh, geometry }] of planned.entries()) {
+    yield i / planned.length;
+    const form = plans.get(geometry)?.form;
+    if (typeof form !== 'object' || uses.get(geometry) !== 1 || 'isBatchedMesh' in mesh || 'isInstancedMesh' in mesh)
+      continue;
+    const { space, matrix } = restOf(mesh);
+    if (!(Math.abs(matrix.determinant()) > 0)) continue;
+    const kind = JSON.stringify({ ...form, up: null, front: null });
+    const kinds = spaces.get(space) ?? new Map<string, Candidate[]>();
+    spaces.set(space, kinds);
+    const box = new Box3().setFromBufferAttribute(geometry.attributes.position as BufferAttribute).applyMatrix4(matrix);
+    kinds.set(kind, [...(kinds.get(kind) ?? []), { geometry, matrix, box, form }]);
+  }
+  const groups = new Map<BufferGeometry, FormGroup>();
+  for (const kinds of spaces.values()) {
+    for (const candidates of kinds.values()) {
+      for (const members of touching(candidates)) {
+        const group = groupOf(members);
+        if (members.length === 1 || groupCorners(group) > MOST_CORNERS) continue;
+        for (const { geometry } of members) groups.set(geometry, group);
+      }
+    }
+  }
+  return groups;
+}
+
+/** Stands for the space of all meshes without a skin. */
+const WORLD = {};
+
+/** The space that a mesh shares with others, and its matrix to there, as it is at rest. */
+function restOf(mesh: Mesh): { space: object; matrix: Matrix4 } {
+  const { skeleton, bindMatrix } = mesh as SkinnedMesh;
+  const [bone] = skeleton?.bones ?? [];
+  return bone ? { space: bone, matrix: bindMatrix } : { space: WORLD, matrix: mesh.matrixWorld };
+}
+
+/** The candidates whose boxes touch, one by another. */
+function touching(candidates: readonly Candidate[]): Candidate[][] {
+  const groups = candidates.map((_, i) => [i]);
+  const order = candidates.map(({ box }, i) => ({ i, box: grown(box) })).sort((a, b) => a.box.min.x - b.box.min.x);
+  for (const [place, { i, box }] of order.entries()) {
+    for (let next = place + 1; next < order.length && order[next].box.min.x <= box.max.x; next++) {
+      const other = groups[order[next].i];
+      if (groups[i] === other || !box.intersectsBox(order[next].box)) continue;
+      const both = [...groups[i], ...other];
+      for (const member of both) groups[member] = both;
+    }
+  }
+  return [...new Set(groups)].map((group) => group.sort((a, b) => a - b).map((i) => candidates[i]));
+}
+
+const grown = (box: Box3): Box3 => box.clone().expandByScalar(NEAR * box.min.distanceTo(box.max));
+
+function groupOf(members: readonly Candidate[]): FormGroup {
+  const [{ matrix: first, form }] = members;
+  const toFirst = first.clone().invert();
+  const parts = members.map(({ geometry, matrix }) => ({ geometry, matrix: toFirst.clone().multiply(matrix) }));
+  parts[0].matrix = new Matrix4();
+  return { parts, form };
+}
