@@ -11,16 +11,14 @@ const NAMES = ['formValue', 'formSlope', 'formCrossing'] as const;
  *
  * @param form.crossAngle between lines and those that cross them, in radians
  * @param form.auto whether only shapes that have a form are drawn with it
- * @param onBaked called before a geometry is drawn with it
- * @returns the geometries that were made for it, and now are the meshes'
+ * @param onBaked called before a geometry is drawn in the place of the former one. Both are the same where it only gets other attributes
  */
 export async function bakeForm(
   root: Object3D,
   form: { crossAngle: number; auto: boolean },
   { signal, ...options }: { signal: AbortSignal; onProgress: (progress: number) => void },
-  onBaked: () => void,
-): Promise<BufferGeometry[]> {
-  const made: BufferGeometry[] = [];
+  onBaked: (former: BufferGeometry, made: BufferGeometry) => void,
+): Promise<void> {
   root.updateMatrixWorld();
   const meshes = meshesOf(root);
   const geometries = new Set(meshes.map(({ geometry }) => geometry));
@@ -40,16 +38,15 @@ export async function bakeForm(
     });
     done++;
     if (lineFieldOf(geometry) === 'light' && lineFieldOf(baked) === 'light') continue;
-    onBaked();
     if (geometry.index === null) {
+      onBaked(geometry, geometry);
       copyForm(baked, geometry);
     } else {
+      onBaked(geometry, baked);
       copyOcclusion(geometry, baked);
       for (const mesh of sharing) mesh.geometry = baked;
-      made.push(baked);
     }
   }
-  return made;
 }
 
 const statisticsOf = ({ userData }: BufferGeometry): HatchingStatistics => userData.hatching;

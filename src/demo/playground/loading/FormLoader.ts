@@ -5,6 +5,9 @@ import { formDrawn } from '../../settings/settingValues.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
+/** How long settings stay as they are before a form is baked anew, in milliseconds: a slider moves on. */
+const REST = 150;
+
 const LINES = 'laying lines along the form';
 const STROKES = 'laying strokes along the form';
 
@@ -18,7 +21,8 @@ export class FormLoader {
   /** The model and the way for which a bake was started, even if it failed or was cancelled. */
   private model: HatchedModel | undefined;
   private way: Way | undefined;
-  private made: BufferGeometry[] = [];
+  /** The geometries that were made for the model, and are drawn. */
+  private readonly made = new Set<BufferGeometry>();
 
   constructor(
     private readonly stage: Stage,
@@ -55,6 +59,7 @@ export class FormLoader {
   private start(): void {
     const { stage, settings } = this;
     const model = stage.model!;
+    const isAnew = this.model === model;
     this.model = model;
     const { upAxis, crossAngle } = settings;
     const { auto, hasLines } = formDrawn(settings)!;
@@ -63,21 +68,30 @@ export class FormLoader {
     const what = hasLines ? LINES : STROKES;
     void this.tasks.run('form', async (report, signal) => {
       report(what);
+      if (isAnew) await new Promise((resume) => setTimeout(resume, REST));
+      signal.throwIfAborted();
       const { bakeForm } = await import('../../drawing/bakeForm.js');
       signal.throwIfAborted();
       const onProgress = (progress: number): void => report(what, progress);
-      const made = await bakeForm(model.root, form, { signal, onProgress }, () => {
-        stage.frames.fadeIntoNext();
-        stage.frames.invalidate();
-      });
-      this.made.push(...made);
+      await bakeForm(model.root, form, { signal, onProgress }, (former, made) => this.exchange(former, made));
     });
+  }
+
+  /** Draws with another geometry in the next frame, or with the same one that has other lines. */
+  private exchange(former: BufferGeometry, made: BufferGeometry): void {
+    const { frames } = this.stage;
+    frames.fadeIntoNext();
+    frames.invalidate();
+    if (made === former) return;
+    this.made.add(made);
+    if (this.made.delete(former)) former.dispose();
   }
 
   /** Stops the bake and disposes of what it made, because the model is gone. */
   private letGo(): void {
     this.tasks.stop('form');
-    for (const geometry of this.made.splice(0)) geometry.dispose();
+    for (const geometry of this.made) geometry.dispose();
+    this.made.clear();
     this.model = undefined;
     this.way = undefined;
   }

@@ -1,4 +1,4 @@
-import { Group } from 'three';
+import { BufferGeometry, Group } from 'three';
 import { beforeEach, expect, test, vi } from 'vitest';
 import { bakeForm } from '../../../../../src/demo/drawing/bakeForm.js';
 import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
@@ -12,14 +12,15 @@ const begun = vi.mocked(bakeForm);
 
 beforeEach(() => {
   begun.mockReset();
-  begun.mockResolvedValue([]);
+  begun.mockResolvedValue();
 });
 
 /** A page that shows a model, and how to change its settings: what is to be baked then is baked at once. */
 function makePage(changes: Partial<Settings>) {
   const settings: Settings = { ...defaultSettings(), ...changes };
   const { status } = fakeStatus();
-  const stage = { model: { root: new Group() }, shown: { isStandIn: false }, quality: { milliseconds: 20 } };
+  const frames = { fadeIntoNext: vi.fn(), invalidate: vi.fn() };
+  const stage = { model: { root: new Group() }, shown: { isStandIn: false }, quality: { milliseconds: 20 }, frames };
   const tasks = new TaskRunner(status, { hasDrawing: () => true, onIdle: () => {} });
   const form = new FormLoader(stage as never, settings, tasks);
   const change = async (changed: Partial<Settings>): Promise<number> => {
@@ -28,7 +29,7 @@ function makePage(changes: Partial<Settings>) {
     await form.settled(new AbortController().signal);
     return begun.mock.calls.length;
   };
-  return { change };
+  return { change, stage, form };
 }
 
 test('strokes that follow the form have it baked whatever the shape is, and those that go by the light do not', async () => {
@@ -57,4 +58,34 @@ test('beside lines that leave it to the shape, strokes have the form baked for a
   expect(begun.mock.lastCall![1].auto).toBe(true);
   expect(await change({ compare: 'anchored', strokeField: 'form' })).toBe(2);
   expect(begun.mock.lastCall![1].auto).toBe(false);
+});
+
+test('each geometry fades into the next one, which frees what was made before it and nothing else', async () => {
+  const { change, stage, form } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+  const geometries = [0, 1, 2, 3].map(() => new BufferGeometry());
+  const freed: number[] = [];
+  for (const [i, geometry] of geometries.entries()) geometry.addEventListener('dispose', () => freed.push(i));
+  let drawn = 0;
+  begun.mockImplementation(async (_root, _form, _options, onBaked) => {
+    onBaked(geometries[drawn], geometries[++drawn]);
+    onBaked(geometries[drawn], geometries[drawn]);
+  });
+  await change({});
+  expect(freed).toEqual([]);
+  await change({ crossAngle: 70 });
+  await change({ crossAngle: 80 });
+  expect(freed).toEqual([1, 2]);
+  expect(stage.frames.fadeIntoNext).toHaveBeenCalledTimes(6);
+  stage.model = { root: new Group() };
+  form.update();
+  expect(freed).toEqual([1, 2, 3]);
+});
+
+test('while a slider moves nothing is baked, and then once', async () => {
+  const { change, form, stage } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+  expect(await change({})).toBe(1);
+  const changes = [70, 75, 80].map((crossAngle) => change({ crossAngle }));
+  await Promise.all(changes);
+  expect(begun.mock.calls.map(([, { crossAngle }]) => Math.round((crossAngle / Math.PI) * 180))).toEqual([60, 80]);
+  expect([form.isAwaited, stage.frames.invalidate.mock.calls.length]).toEqual([false, 0]);
 });

@@ -22,7 +22,7 @@ beforeEach(() => {
   vi.mocked(bakeForm).mockImplementation(
     (_, _form, { signal, onProgress }) =>
       new Promise((resolve, reject) => {
-        bakes.push({ end: () => resolve([]), report: onProgress });
+        bakes.push({ end: () => resolve(), report: onProgress });
         signal.addEventListener('abort', () => reject(signal.reason));
       }),
   );
