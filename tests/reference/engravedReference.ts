@@ -239,10 +239,10 @@ function cutShare(
   { places, share }: Along,
   period: number,
   into: number,
-  isOfForm: boolean,
+  repeat: number,
 ): number {
   const swell = 0.42;
-  const lot = lotOf(isOfForm ? Math.abs(line - Math.round(line)) : line);
+  const lot = lotOf(repeat < Infinity ? Math.abs(line - repeat * Math.round(line / repeat)) : line);
   const longer = smoothly(0.2, 0.8, into);
   const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
   const flattened = (t: number) => Math.hypot(t, 1 - t);
@@ -295,7 +295,7 @@ function ruledDarkness(
   const nearest = Math.round(value / period);
   const shareOf = (line: number): number =>
     settings.medium === 'woodcut'
-      ? cutShare(line, 1 - tone, along, period, 2 * shares.young, !!form)
+      ? cutShare(line, 1 - tone, along, period, 2 * shares.young, widest)
       : tone * (form ? 1 : lineFactor(line, handmade));
   let covered = 0;
   for (let line = nearest - 2; line <= nearest + 2; line += 0.5) {

@@ -36,14 +36,8 @@ float handTone(const in float pressure, const in float tone) {
 
 // A random number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
 float lotOf(const in float line) {
-  #ifdef FOLLOWS_FORM
-    // The same on both sides of a seam.
-    float number = abs(line - round(line));
-  #else
-    float number = line;
-  #endif // FOLLOWS_FORM
   // Few bits of such a number are set. Multiplied by the golden ratio, they are spread evenly (Fibonacci hashing).
-  uint spread = floatBitsToUint(number) * 0x9e3779b9u;
+  uint spread = floatBitsToUint(line) * 0x9e3779b9u;
   return float(spread >> 8u) / 16777216.0;
 }
 

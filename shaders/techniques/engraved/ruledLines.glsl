@@ -43,7 +43,7 @@ float ruledLines(const in Family family, const in float tone) {
   float x = family.value / period;
   float below = floor(x);
   #if MEDIUM == MEDIUM_WOODCUT
-    Cut cut = cutFor(tone, family.place / vec3(period, period, 1.0), 2.0 - 2.0 * spacing / pixels);
+    Cut cut = cutFor(family, tone, period, 2.0 - 2.0 * spacing / pixels);
   #endif // MEDIUM
   float oldRoom = 0.5 * spacing;
   float youngRoom = 0.5 * (pixels - spacing);
