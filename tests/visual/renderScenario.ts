@@ -10,6 +10,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { followsForm } from 'three-hatching/facts';
 import { plainLook } from '../../tools/plainLook.js';
 import { loadScenarioModel } from './scenarioModels.js';
 import type { Scenario, ScenarioLight } from './scenarios.js';
@@ -47,6 +48,7 @@ window.renderScenario = async (scenario, deviation = {}) => {
   const geometry = await prepareHatchingGeometry(await loadScenarioModel(scenario.model), {
     adjacency: true,
     outlines: scenario.outlines !== undefined,
+    form: followsForm(scenario.material),
   });
   tonalArtMap.texture.anisotropy = scenario.anisotropy ?? 1;
   const material = new HatchingMaterial(plainLook({ tonalArtMap, ...scenario.material }));

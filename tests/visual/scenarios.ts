@@ -47,6 +47,7 @@ export interface Scenario {
       | 'strokeLayers'
       | 'crossFrom'
       | 'levelRule'
+      | 'strokeField'
       | 'lineField'
       | 'handmade'
     >
@@ -220,6 +221,21 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'Anchored strokes, sized on the screen.',
     lights: sun(1.2, 1, 1),
     material: { technique: 'anchored', strokeRotation: QUARTER_TURN, sizedOnScreen: 1 },
+  },
+  {
+    ...dragon,
+    name: 'beyond-anchored-form',
+    figure: 0,
+    sentence: 'Anchored strokes along the form, sized on the screen, crossed by others in the darks.',
+    lights: sun(-1, 1.5, 1.2),
+    material: {
+      technique: 'anchored',
+      strokeField: 'form',
+      sizedOnScreen: 1,
+      reflectedLight: 0.3,
+      strokeLayers: 'tone',
+      crossFrom: 0.4,
+    },
   },
   {
     ...dragon,
