@@ -66,6 +66,19 @@ test('lines follow the form as soon as that is baked, also where a link asks for
   }
 });
 
+test('strokes follow the form once that is baked, and the light again where they are told to', async ({ page }) => {
+  const view = 'model=shell&technique=anchored&lightAzimuth=30';
+  const following = `${view}&strokeField=form`;
+  await openPlayground(page, following);
+  await idle(page);
+  const formed = await readDrawing(page);
+  await expect(page.getByLabel('Strokes follow')).toHaveValue('The form');
+  await follow(page, view);
+  expect(changedShare(formed, await readDrawing(page))).toBeGreaterThan(0.05);
+  await follow(page, following);
+  expect(changedShare(formed, await readDrawing(page))).toBeLessThan(0.01);
+});
+
 test('a picture that is saved while the form is baked waits for it', async ({ page }) => {
   const view = 'model=torus&technique=engraved&lightAzimuth=30';
   await openPlayground(page, view);
