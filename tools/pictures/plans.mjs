@@ -117,6 +117,24 @@ export const plansOf = (presets, techniques) => ({
       })),
     ),
   },
+  formStrokes: {
+    columns: 4,
+    pictures: [
+      { ...HAND, preset: 'pen', zoom: 0.95 },
+      { ...DRAGON, preset: 'crossHatching' },
+      { ...BUST, preset: 'crossHatching' },
+      { subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.95, preset: 'pencil' },
+    ].flatMap((picture) =>
+      ['light', 'form'].map((strokeField) => ({
+        ...picture,
+        shadows: true,
+        width: 450,
+        height: 450,
+        pixelRatio: 1.1,
+        material: { strokeField },
+      })),
+    ),
+  },
   engraved: {
     columns: 4,
     pictures: [
