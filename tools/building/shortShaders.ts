@@ -1,17 +1,35 @@
+import { readdirSync, readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
+import { sharedNames, withShortLocals } from './shortLocals.js';
 
-/** Shaders without comments, indentation and most spaces: three.js shows a program's text where it fails, and ships it everywhere else. */
+const FOLDER = fileURLToPath(new URL('../../shaders', import.meta.url));
+const IS_SHADER = /\.(glsl|vert|frag)$/;
+
+/**
+ * Shaders without comments, indentation and most spaces, and with local names of one letter: three.js shows a program's text where it fails,
+ * and ships it everywhere else.
+ */
 export const shortShaders: Plugin = {
   name: 'short-shaders',
   enforce: 'pre',
   apply: 'build',
   async load(id) {
     const [path, query] = id.split('?');
-    if (query !== 'raw' || !/\.(glsl|vert|frag)$/.test(path)) return null;
-    return `export default ${JSON.stringify(shortened(await readFile(path, 'utf8')))};`;
+    if (query !== 'raw' || !IS_SHADER.test(path)) return null;
+    shared ??= sharedNames(allShaders());
+    return `export default ${JSON.stringify(withShortLocals(shortened(await readFile(path, 'utf8')), shared))};`;
   },
 };
+
+let shared: ReadonlySet<string> | undefined;
+
+const allShaders = (): string[] =>
+  readdirSync(FOLDER, { recursive: true, encoding: 'utf8' })
+    .filter((path) => IS_SHADER.test(path))
+    .map((path) => shortened(readFileSync(join(FOLDER, path), 'utf8')));
 
 /** The same program in fewer characters. Every directive keeps its line. */
 export function shortened(text: string): string {
