@@ -18,6 +18,8 @@ export interface SkippedMesh {
 
 /** A scene hatched by `applyHatching`, which can be restored. */
 export class HatchedScene {
+  /** @internal */
+  readonly isHatchedScene = true;
   private changes: readonly LookChange[];
   /** The identities of the meshes. */
   private held: ReadonlySet<object>;

@@ -1,5 +1,4 @@
-import { type BufferGeometry, type Material, type Mesh, type Object3D, Sphere } from 'three';
-import { cornerLayout } from '../bake/cornerLayout.js';
+import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
 import { assertGeometry } from '../geometry/checkGeometry.js';
 import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { needsMap } from '../material/facts/lookFacts.js';
@@ -16,13 +15,12 @@ import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
-import { type ChosenMeshes, chooseMeshes, sentencesOf } from './chooseMeshes.js';
+import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
-import { fieldFrames } from './fieldFrames.js';
-import { crossingMaterials, geometryPlans, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
-import { HatchedScene, type SkippedMesh } from './HatchedScene.js';
+import { crossingMaterials, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
+import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
@@ -33,7 +31,7 @@ import type { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { progressParts } from './progressParts.js';
 import { sideBySide } from './sideBySide.js';
-import { isBatched, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
+import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** What `makeLooks` returns: the content of a `HatchedScene`. */
@@ -44,13 +42,11 @@ interface MadeLooks {
   skipped: SkippedMesh[];
   followers: MaterialFollower[];
   forms: LaterForms | null;
+  HatchedScene: typeof HatchedScene;
 }
 
 /** What users ask of a hatched scene first. */
 const ASKED_OF_SCENES = ['materials', 'outlines', 'skipped', 'restore', 'dispose'] as const;
-
-/** The default stroke scale: tiles of the map per radius of the scene. */
-const TILES_PER_RADIUS = 3;
 
 /** The share of the progress for the map, if one is made. */
 const MAP_SHARE = 0.2;
@@ -125,12 +121,8 @@ async function hatch(root: Object3D, given: ApplyHatchingOptions | PresetName): 
   try {
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
-    const { looks, materials, outlines, skipped, followers, forms } = await makeLooks(
-      root,
-      choice,
-      options,
-      disposables,
-    );
+    const made = await makeLooks(root, choice, options, disposables);
+    const { looks, materials, outlines, skipped, followers, forms, HatchedScene } = made;
     replaces?.dispose();
     releaseMeshes();
     releaseMeshes = claimMeshes(looks.map(({ mesh }) => mesh));
@@ -176,7 +168,8 @@ async function makeLooks(
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
   const plans = geometryPlans(planned, options);
   const forms = await laterFormsOf(plans, planned, options, prepare, disposables, firstFrame);
-  const [baked, maps] = await sideBySide(
+  // What dresses the meshes is fetched while they are baked.
+  const [baked, maps, dressing] = await sideBySide(
     signal,
     (stop) =>
       bakeGeometries(
@@ -186,17 +179,19 @@ async function makeLooks(
       ),
     (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
     async () => {
-      await Promise.all(replacer.materials.map(fetchPartOf));
+      const [dressing] = await Promise.all([import('./dressing.js'), ...replacer.materials.map(fetchPartOf)]);
       asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
+      return dressing;
     },
   );
   forms?.drawMeanwhile(baked);
+  const { assertNoFailure, changedMeanwhile, collectLooks, finishLooks, HatchedScene, hasChanged } = dressing;
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
   skipped.push(...unreadable);
   if (looks.length === 0) assertNoFailure(skipped);
   for (const material of named) material.tonalArtMap = maps.get(material.tonalArtMap as StrokeStyleName) ?? null;
   signal?.throwIfAborted();
-  const finishing = finish(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
+  const finishing = finishLooks(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
   const allOutlines = await runSliced(finishing, { signal });
   if (firstFrame) {
     firstFrame.compile(looks, allOutlines, true);
@@ -217,6 +212,7 @@ async function makeLooks(
     skipped: [...leftAlone, ...skipped],
     followers: replacer.followers,
     forms,
+    HatchedScene,
   };
 }
 
@@ -253,12 +249,6 @@ async function outlineMakerOf({ outlines }: ApplyHatchingOptions): Promise<Outli
   return new OutlineMaker(outlines === true ? {} : outlines);
 }
 
-/** @throws TypeError that names the first meshes that could not be hatched */
-function assertNoFailure(skipped: readonly SkippedMesh[]): void {
-  if (skipped.length === 0) return;
-  throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
-}
-
 /** Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry. */
 function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable: SkippedMesh[] } {
   const seen: OldLook[] = [];
@@ -284,79 +274,4 @@ function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Gen
     yield planned.length / looks.length;
   }
   return planned;
-}
-
-/** Divides the meshes into those that get a new look and those that are skipped. */
-function collectLooks(
-  planned: readonly PlannedMesh[],
-  baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>,
-): { looks: MeshLook[]; skipped: SkippedMesh[] } {
-  const looks: MeshLook[] = [];
-  const skipped: SkippedMesh[] = [];
-  for (const plan of planned) {
-    const { mesh, material } = plan;
-    const geometry = isBatched(mesh) ? batchGeometry(plan) : baked.get(plan.geometry)!;
-    if (geometry instanceof Error) skipped.push(failure(mesh, geometry));
-    else if (hasChanged(plan)) skipped.push(changedMeanwhile(mesh));
-    else looks.push({ mesh, geometry, material, fieldFrame: undefined });
-  }
-  return { looks, skipped };
-}
-
-const hasChanged = ({ mesh, geometry, oldMaterial }: OldLook): boolean =>
-  mesh.geometry !== geometry || mesh.material !== oldMaterial;
-
-const changedMeanwhile = (mesh: Mesh): SkippedMesh =>
-  failure(
-    mesh,
-    new Error(
-      'applyHatching: it was given another geometry or material while it was being baked. Call applyHatching again.',
-    ),
-  );
-
-/** The geometry of a BatchedMesh, or the reason why it cannot be hatched. */
-function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
-  const { mesh, geometry } = plan;
-  if (needsNoAdjacency(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
-  return new TypeError(
-    `applyHatching: the ${describeObject(mesh)} has no triangle adjacency. Use the technique 'anchored' for it, or fill it with results of prepareHatchingGeometry(geometry, { adjacency: true }).`,
-  );
-}
-
-/**
- * Sets the size of the strokes, and gives every look its coordinate frame and its outlines. It yields after each look, since a scene
- * may have thousands of meshes.
- *
- * @returns the outlines, which are not yet added to the scene
- */
-function* finish(
-  root: Object3D,
-  { looks, claimed }: { looks: readonly MeshLook[]; claimed: readonly Mesh[] },
-  replacer: MaterialReplacer,
-  { tilesPerWorldUnit, outlineMaker }: { tilesPerWorldUnit: number | undefined; outlineMaker: OutlineMaker | null },
-): Generator<number, readonly HatchingOutlines[], void> {
-  // The strokes of meshes that were added have the size of those that are hatched already.
-  const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
-  const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
-  replacer.setTilesPerUnit(tilesPerWorldUnit ?? TILES_PER_RADIUS / radius);
-  const fieldFrameOf = fieldFrames(root, center);
-  for (const look of looks) {
-    look.fieldFrame = fieldFrameOf(look.mesh);
-    outlineMaker?.addOutlines(look);
-    yield 0;
-  }
-  return outlineMaker?.outlines ?? [];
-}
-
-/** A sphere around all meshes, in world space. If there are none, it is the unit sphere about the origin. */
-function* sphereAround(looks: readonly (MeshLook | Mesh)[]): Generator<number, Sphere, void> {
-  const whole = new Sphere();
-  for (const look of looks) {
-    const { mesh, geometry } = 'isMesh' in look ? { mesh: look, geometry: look.geometry } : look;
-    if (isBatched(mesh) && mesh.boundingSphere === null) mesh.computeBoundingSphere();
-    const sphere = isBatched(mesh) ? mesh.boundingSphere! : geometry.boundingSphere!;
-    for (const matrix of worldMatrices(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
-    yield 0;
-  }
-  return whole.radius > 0 && Number.isFinite(whole.radius) ? whole : new Sphere(undefined, 1);
 }

@@ -2,7 +2,6 @@ import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geo
 import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
-import { HatchedScene } from './HatchedScene.js';
 import { isToBeMade } from './makeMaps.js';
 import type { PresetName } from './presets.js';
 import { withPreset } from './withPreset.js';
@@ -67,7 +66,7 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
     tonalArtMap = null,
   } = options;
   const { renderer, camera } = options;
-  if (replaces !== undefined && !(replaces instanceof HatchedScene)) {
+  if (replaces !== undefined && replaces?.isHatchedScene !== true) {
     throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
   }
   if ((renderer === undefined) !== (camera === undefined) || (renderer && !('isWebGLRenderer' in renderer))) {

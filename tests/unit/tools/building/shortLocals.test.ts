@@ -35,7 +35,7 @@ test('a function that includes another file keeps its names', () => {
  * exchanged.
  */
 function pattern(text: string): (string | number)[] {
-  const words = text.match(/\.?\w+|[^\s\w]/g) ?? [];
+  const words: string[] = text.match(/\.?\w+|[^\s\w]/g) ?? [];
   return words.map((word) => (/^[a-z_]\w*$/i.test(word) ? words.indexOf(word) : word));
 }
 
