@@ -15,17 +15,20 @@ export function writePropertyData(table: Table, techniques: Readonly<Record<stri
   return `${HEADER}import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
 
 ${types.join('\n')}
-/** The default of every property; colours as 0xrrggbb. */
-export const HATCHING_DEFAULTS = {
-${rows.map(([name, row]) => `${name}: ${defaultSource(row)},`).join('\n')}
-} as const;
-
 /** Every property of \`HatchingMaterial\`, by name. */
 export const HATCHING_PROPERTIES = {
 ${rows.map(([name, row]) => `${name}: { ${runtimeFields(name, row).join(', ')} },`).join('\n')}
 } as const satisfies Record<string, HatchingProperty>;
 
 export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;
+
+/** The default of every property; colours as 0xrrggbb. */
+export const HATCHING_DEFAULTS = /* @__PURE__ */ defaults();
+
+function defaults(): { readonly [Name in HatchingPropertyName]: (typeof HATCHING_PROPERTIES)[Name]['default'] } {
+  const entries = Object.entries(HATCHING_PROPERTIES).map(([name, property]) => [name, property.default]);
+  return Object.fromEntries(entries);
+}
 
 /** What the material needs to know of every technique. */
 export const HATCHING_TECHNIQUES = {
@@ -92,7 +95,7 @@ export type ${type} = ${Object.keys(choices)
 }
 
 function runtimeFields(name: string, row: PropertyRow): string[] {
-  const fields = [`kind: '${row.kind}'`];
+  const fields = [`kind: '${row.kind}'`, `default: ${defaultSource(row)}`];
   if (row.kind === 'color') fields.push(`uniform: '${row.uniform ?? name}'`);
   if (row.kind === 'texture' || ((row.kind === 'number' || row.kind === 'vector2') && row.uniform !== false))
     fields.push(`uniform: '${name}'`);

@@ -18,6 +18,8 @@ export interface HatchingOther extends UsedByTechniques {
 
 /** What every property has. */
 export interface UsedByTechniques {
+  /** Colours as 0xrrggbb, vectors as arrays. */
+  default: unknown;
   /** The techniques that read it. Left out: all. */
   techniques?: readonly string[];
 }
