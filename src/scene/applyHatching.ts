@@ -179,7 +179,7 @@ async function makeLooks(
       ),
     (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
     async () => {
-      const [dressing] = await Promise.all([import('./dressing.js'), ...replacer.materials.map(fetchPartOf)]);
+      const [dressing] = await Promise.all([import('./dressing/dressing.js'), ...replacer.materials.map(fetchPartOf)]);
       asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
       return dressing;
     },

@@ -1,20 +1,20 @@
 /** What gives meshes their new looks once they are baked. It is fetched while they are. */
 import { type BufferGeometry, type Mesh, type Object3D, Sphere } from 'three';
-import { cornerLayout } from '../bake/cornerLayout.js';
-import { describeObject } from '../mistakes/describeObject.js';
-import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
-import { sentencesOf } from './chooseMeshes.js';
-import { failure } from './failure.js';
+import { cornerLayout } from '../../bake/cornerLayout.js';
+import { describeObject } from '../../mistakes/describeObject.js';
+import type { HatchingOutlines } from '../../outlines/HatchingOutlines.js';
+import { sentencesOf } from '../chooseMeshes.js';
+import { failure } from '../failure.js';
+import { needsNoAdjacency, type OldLook, type PlannedMesh } from '../geometryPlans.js';
+import type { SkippedMesh } from '../HatchedScene.js';
+import type { MaterialReplacer } from '../MaterialReplacer.js';
+import type { MeshLook } from '../MeshLook.js';
+import type { OutlineMaker } from '../OutlineMaker.js';
+import { isBatched } from '../surfaceMeshes.js';
+import { worldMatrices } from '../worldMatrices.js';
 import { fieldFrames } from './fieldFrames.js';
-import { needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
-import type { SkippedMesh } from './HatchedScene.js';
-import type { MaterialReplacer } from './MaterialReplacer.js';
-import type { MeshLook } from './MeshLook.js';
-import type { OutlineMaker } from './OutlineMaker.js';
-import { isBatched } from './surfaceMeshes.js';
-import { worldMatrices } from './worldMatrices.js';
 
-export { HatchedScene } from './HatchedScene.js';
+export { HatchedScene } from '../HatchedScene.js';
 
 /** The default stroke scale: tiles of the map per radius of the scene. */
 const TILES_PER_RADIUS = 3;

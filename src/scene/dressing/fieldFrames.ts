@@ -1,6 +1,6 @@
 import { Matrix4, type Mesh, type Object3D, type Vector3 } from 'three';
-import { isBatched } from './surfaceMeshes.js';
-import { worldMatrices, worldScale } from './worldMatrices.js';
+import { isBatched } from '../surfaceMeshes.js';
+import { worldMatrices, worldScale } from '../worldMatrices.js';
 
 /**
  * Returns a function that computes the matrix from the object space of a mesh to a coordinate frame that all meshes share: the
