@@ -224,8 +224,12 @@ const isSame = (a: BufferGeometry, b: BufferGeometry): boolean => identityOf(a) 
 
 /** Copies what `bakeOcclusion` has written meanwhile. The corners of both geometries are the same. */
 function copyOcclusion(from: BufferGeometry, to: BufferGeometry): void {
-  const source = from.attributes[hatchNormal.name] as BufferAttribute;
-  const target = to.attributes[hatchNormal.name] as BufferAttribute;
-  for (let corner = 0; corner < cornerCount(to); corner++)
-    target.setW(to.index?.getX(corner) ?? corner, source.getW(from.index?.getX(corner) ?? corner));
+  const { array: source } = from.attributes[hatchNormal.name] as BufferAttribute;
+  const { array: target } = to.attributes[hatchNormal.name] as BufferAttribute;
+  const vertices = from.index?.array;
+  const newVertices = to.index?.array;
+  // Not by the methods of attributes, which would block the page for longer than a frame where there are millions of corners.
+  for (let corner = 0, count = cornerCount(to); corner < count; corner++)
+    target[4 * (newVertices ? newVertices[corner] : corner) + 3] =
+      source[4 * (vertices ? vertices[corner] : corner) + 3];
 }

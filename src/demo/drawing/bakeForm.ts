@@ -65,7 +65,9 @@ function copyForm(from: BufferGeometry, to: BufferGeometry): void {
 
 /** Copies what `bakeOcclusion` has written to the vertices of a geometry. The corners of both are the same. */
 function copyOcclusion(from: BufferGeometry, to: BufferGeometry): void {
-  const [source, target] = [from, to].map(({ attributes }) => attributes.hatchNormal);
-  for (let corner = 0; corner < from.index!.count; corner++)
-    target.setW(to.index!.getX(corner), source.getW(from.index!.getX(corner)));
+  const [source, target] = [from, to].map(({ attributes }) => attributes.hatchNormal.array);
+  const [vertices, newVertices] = [from, to].map(({ index }) => index!.array);
+  // Not by the methods of attributes, which would block the page for longer than a frame where there are millions of corners.
+  for (let corner = 0; corner < vertices.length; corner++)
+    target[4 * newVertices[corner] + 3] = source[4 * vertices[corner] + 3];
 }
