@@ -1,6 +1,7 @@
 import { Box3, type BufferAttribute, type BufferGeometry, Matrix4, type Mesh, type SkinnedMesh } from 'three';
 import type { HatchingFormOptions } from '../../geometry/HatchingFormOptions.js';
 import { groupCorners } from './bakeGroups.js';
+import { cornerCount } from './cornerCount.js';
 import type { FormGroup, GeometryPlan } from './FormGroup.js';
 
 /** More corners than these are not baked jointly. */
@@ -14,7 +15,6 @@ interface Candidate {
   geometry: BufferGeometry;
   /** To the space where it is compared: the world, or that of the bones at rest. */
   matrix: Matrix4;
-  box: Box3;
   form: HatchingFormOptions;
 }
 
@@ -37,17 +37,18 @@ export function* formGroups(
     if (typeof form !== 'object' || uses.get(geometry) !== 1 || 'isBatchedMesh' in mesh || 'isInstancedMesh' in mesh)
       continue;
     const { space, matrix } = restOf(mesh);
-    if (!(Math.abs(matrix.determinant()) > 0)) continue;
+    if (cornerCount(geometry) > MOST_CORNERS || !(Math.abs(matrix.determinant()) > 0)) continue;
     const kind = JSON.stringify({ ...form, up: null, front: null });
     const kinds = spaces.get(space) ?? new Map<string, Candidate[]>();
     spaces.set(space, kinds);
-    const box = new Box3().setFromBufferAttribute(geometry.attributes.position as BufferAttribute).applyMatrix4(matrix);
-    kinds.set(kind, [...(kinds.get(kind) ?? []), { geometry, matrix, box, form }]);
+    const alike = kinds.get(kind) ?? [];
+    kinds.set(kind, alike);
+    alike.push({ geometry, matrix, form });
   }
   const groups = new Map<BufferGeometry, FormGroup>();
   for (const kinds of spaces.values()) {
     for (const candidates of kinds.values()) {
-      for (const members of touching(candidates)) {
+      for (const members of yield* touching(candidates)) {
         const group = groupOf(members);
         if (members.length === 1 || groupCorners(group) > MOST_CORNERS) continue;
         for (const { geometry } of members) groups.set(geometry, group);
@@ -67,22 +68,35 @@ function restOf(mesh: Mesh): { space: object; matrix: Matrix4 } {
   return bone ? { space: bone, matrix: bindMatrix } : { space: WORLD, matrix: mesh.matrixWorld };
 }
 
-/** The candidates whose boxes touch, one by another. */
-function touching(candidates: readonly Candidate[]): Candidate[][] {
+/** The candidates whose boxes touch, one by another. It yields after each box. */
+function* touching(candidates: readonly Candidate[]): Generator<number, Candidate[][], void> {
   const groups = candidates.map((_, i) => [i]);
-  const order = candidates.map(({ box }, i) => ({ i, box: grown(box) })).sort((a, b) => a.box.min.x - b.box.min.x);
+  const order: { i: number; box: Box3 }[] = [];
+  // A box takes time, and one mesh touches none.
+  for (const [i, candidate] of (candidates.length > 1 ? candidates : []).entries()) {
+    const box = grownBox(candidate);
+    // One that is empty or not a number belongs to a geometry that cannot be baked.
+    if (Number.isFinite(box.min.distanceTo(box.max))) order.push({ i, box });
+    yield i / candidates.length;
+  }
+  order.sort((a, b) => a.box.min.x - b.box.min.x);
   for (const [place, { i, box }] of order.entries()) {
     for (let next = place + 1; next < order.length && order[next].box.min.x <= box.max.x; next++) {
       const other = groups[order[next].i];
       if (groups[i] === other || !box.intersectsBox(order[next].box)) continue;
-      const both = [...groups[i], ...other];
-      for (const member of both) groups[member] = both;
+      const [small, large] = groups[i].length < other.length ? [groups[i], other] : [other, groups[i]];
+      for (const member of small) groups[member] = large;
+      large.push(...small);
     }
+    yield place / order.length;
   }
   return [...new Set(groups)].map((group) => group.sort((a, b) => a - b).map((i) => candidates[i]));
 }
 
-const grown = (box: Box3): Box3 => box.clone().expandByScalar(NEAR * box.min.distanceTo(box.max));
+function grownBox({ geometry, matrix }: Candidate): Box3 {
+  const box = new Box3().setFromBufferAttribute(geometry.attributes.position as BufferAttribute).applyMatrix4(matrix);
+  return box.expandByScalar(NEAR * box.min.distanceTo(box.max));
+}
 
 function groupOf(members: readonly Candidate[]): FormGroup {
   const [{ matrix: first, form }] = members;

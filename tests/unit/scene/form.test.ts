@@ -179,14 +179,17 @@ describe('meshes whose borders meet', () => {
     }
   });
 
-  test('a faulty one is skipped, and the other is baked by itself', async () => {
+  test.each<[string, (geometry: BufferGeometry) => void]>([
+    ['position', ({ attributes }) => attributes.position.setX(30, Number.NaN)],
+    ['index', ({ index }) => index!.setX(30, 60_000)],
+  ])('one with a faulty %s is skipped, and the other is baked by itself', async (_, spoil) => {
     const [upper, lower] = [new Mesh(half(true), material), new Mesh(half(false), material)];
+    spoil(lower.geometry);
     const progress: number[] = [];
     const hatched = applyHatching(new Group().add(upper, lower), {
       material: following,
       onProgress: (value) => progress.push(value),
     });
-    lower.geometry.attributes.position.setX(30, Number.NaN);
     expect((await hatched).skipped.map(({ mesh }) => mesh)).toEqual([lower]);
     expect(formed(upper)).toBe(true);
     expect(progress).toEqual(progress.toSorted((a, b) => a - b));
