@@ -86,6 +86,29 @@ test('lines that leave it to the shape hatch anew, as they need other geometry',
   expect(mesh.geometry).not.toBe(geometry);
 });
 
+test('strokes that come to follow the form hatch anew, and turn across it or to another angle in place', async () => {
+  const { mesh, hatcher, next } = atWork({ tonalArtMap: SMALL_MAP });
+  await next();
+  const geometries = [mesh.geometry];
+  for (const material of [
+    { strokeField: 'form' },
+    { strokeField: 'acrossForm' },
+    { strokeField: 'acrossForm', crossAngle: 1 },
+    { strokeField: 'light' },
+    { technique: 'engraved', lineField: 'form' },
+  ] as const) {
+    hatcher.update({ tonalArtMap: SMALL_MAP, material });
+    await next();
+    expect(materialOf(mesh).strokeField).toBe('strokeField' in material ? material.strokeField : 'light');
+    geometries.push(mesh.geometry);
+  }
+  const [light, form, across, atAngle, lightAgain, lines] = geometries;
+  expect(form).not.toBe(light);
+  expect([across, atAngle, lightAgain]).toEqual([form, form, form]);
+  expect(lines).not.toBe(form);
+  expect(lines.hasAttribute('formValue')).toBe(true);
+});
+
 test('a technique that needs other geometry, other creases and other options of the bake hatch anew', async () => {
   const { mesh, hatcher, next } = atWork({ preset: 'technical' });
   await next();
