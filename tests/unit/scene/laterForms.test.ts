@@ -7,6 +7,7 @@ import { outlineDataOf } from '../../../src/geometry/OutlineData.js';
 import type * as preparing from '../../../src/geometry/prepareHatchingGeometry.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
+import { disposeHatchingWorkers } from '../../../src/worker/runTask.js';
 
 // What counts as large is some hundred triangles here.
 vi.mock('../../../src/geometry/prepareHatchingGeometry.js', async (original) => ({
@@ -215,4 +216,18 @@ test('an option that says the angle holds, whatever the material says', async ()
   draw(mesh);
   expect(await hatched.formReady).toEqual([]);
   expect(mesh.geometry).toBe(geometry);
+});
+
+test('if the workers are disposed of meanwhile, lines go by the light, and the console says it in one sentence', async () => {
+  const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+  const mesh = large();
+  const hatched = await applyHatching(new Group().add(mesh), {
+    material: following,
+    onFormProgress: () => disposeHatchingWorkers(),
+  });
+  expect(await hatched.formReady).toEqual([]);
+  expect(isFormed(mesh)).toBe(false);
+  expect(warn).toHaveBeenCalledOnce();
+  expect(warn.mock.calls[0].join()).toContain('lines go by the light');
+  warn.mockRestore();
 });
