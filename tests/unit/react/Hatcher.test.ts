@@ -14,6 +14,7 @@ import {
 } from 'three';
 import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets, TonalArtMap } from 'three-hatching';
 import { expect, test, vi } from 'vitest';
+import { noteFormAngle } from '../../../src/geometry/formAngles.js';
 import { Hatcher } from '../../../src/react/Hatcher.js';
 
 // What counts as large is some hundred triangles here.
@@ -360,4 +361,26 @@ test('a large mesh that follows the form only later is drawn once more, and not 
   expect(materialOf(mesh).ink.getHexString()).toBe('123456');
   expect(mesh.geometry).toBe(geometry);
   expect(hatched).toHaveLength(3);
+});
+
+test('at another angle of crossing lines geometry is baked anew while the former is drawn, and the scene is not hatched again', async () => {
+  const { mesh, hatcher, hatched, formed, next } = atWork({ preset: 'technical' });
+  await next();
+  mesh.geometry = new TorusGeometry(1, 0.4, 8, 16);
+  const material = { technique: 'engraved', lineField: 'form', crossAngle: 1 } as const;
+  hatcher.update({ material });
+  await next();
+  const { geometry } = mesh;
+  hatcher.update({ material: { ...material, crossAngle: 1.2 } });
+  await next();
+  expect(mesh.geometry).toBe(geometry);
+  // What a frame does.
+  noteFormAngle(geometry, materialOf(mesh));
+  await formed;
+  expect(mesh.geometry).not.toBe(geometry);
+  hatcher.follow();
+  hatcher.update({ material: { ...material, crossAngle: 1.2, ink: '#123456' } });
+  await next();
+  expect(materialOf(mesh).ink.getHexString()).toBe('123456');
+  expect(hatched).toHaveLength(4);
 });
