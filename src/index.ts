@@ -21,6 +21,7 @@ export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
 export type { HatchingMaterialOptions, HatchingMaterialProperties } from './material/HatchingMaterialProperties.js';
 export type { HatchingMaterialJSON } from './material/hatchingJSON.js';
+export type { PropertyFields } from './material/PropertyFields.js';
 export type { Vector2Like } from './material/vectorValues.js';
 export { HatchingOutlineMaterial, type HatchingOutlineParameters } from './outlines/HatchingOutlineMaterial.js';
 export { HatchingOutlines } from './outlines/HatchingOutlines.js';
