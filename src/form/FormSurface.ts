@@ -1,13 +1,17 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { fanCurvatures } from '../features/fanCurvatures.js';
+import { triangleOf } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import type { HeatEquation } from '../normals/assembleHeatEquation.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { fanDirections } from '../normals/fanDirections.js';
-import { diffuse, startFlow } from '../normals/smoothFanNormals.js';
+import { startFlow } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FormOptions } from './FormOptions.js';
+import { findParts, type Parts } from './findParts.js';
 import { formTwins } from './formTwins.js';
+import { strokeNormals } from './strokeNormals.js';
 
 /** The surface that a form field is computed on. Creases are borders here: lines on one side know nothing of the other. */
 export interface FormSurface {
@@ -27,6 +31,8 @@ export interface FormSurface {
   heat: HeatEquation;
   /** The bounding radius of the mesh. */
   radius: number;
+  /** For each fan the bounding radius of its connected part, as a share of that of the mesh. */
+  partShares: Float32Array<ArrayBuffer>;
 }
 
 type Adjacency = Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>;
@@ -44,24 +50,31 @@ export function* formSurface(
   radius: number,
   options: FormOptions,
 ): Generator<number, FormSurface, void> {
-  const cut = yield* asPhase(formTwins(twins, adjacency.areaNormals, radius), 0, 0.15);
-  return yield* asPhase(surfaceWithin(mesh, adjacency, cut, radius, options), 0.15, 1);
+  const parts = yield* asPhase(findParts(mesh, twins, adjacency.areaNormals, radius), 0, 0.05);
+  const cut = yield* asPhase(formTwins(twins, adjacency.areaNormals, radius, parts), 0.05, 0.2);
+  return yield* asPhase(surfaceWithin(mesh, adjacency, cut, radius, parts, options), 0.2, 1);
 }
 
-/** Prepares the surface with no borders but those of `twins`. */
+/** Prepares the surface with no borders but those of `twins`. `parts` are connected across creases too. */
 export function* surfaceWithin(
   mesh: TriangleMesh,
   { canonicalCorners, areaNormals }: Adjacency,
   twins: Int32Array<ArrayBuffer>,
   radius: number,
+  parts: Parts,
   { smoothing }: FormOptions,
 ): Generator<number, FormSurface, void> {
   const fans = yield* asPhase(buildFans(twins), 0, 0.05);
   const surface = { mesh, twins, canonicalCorners, areaNormals, fans };
+  const partShares = new Float32Array(fans.count);
+  yield* forEachChunk(fans.ofCorner.length, (start, end) => {
+    for (let corner = start; corner < end; corner++)
+      partShares[fans.ofCorner[corner]] = parts.shares[parts.ofTriangle[triangleOf(corner)]];
+  });
   const flow = yield* asPhase(startFlow(surface), 0.05, 0.2);
-  const [smoothed] = yield* asPhase(diffuse(flow, [smoothing * radius]), 0.2, 0.8);
+  const smoothed = yield* asPhase(strokeNormals(flow, smoothing * radius, partShares), 0.2, 0.8);
   const normals = yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.8, 0.85);
   const tensors = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, normals), 0.85, 1);
   const { heat } = flow;
-  return { mesh, twins, areaNormals, fans, normals, tensors, masses: heat.masses, heat, radius };
+  return { mesh, twins, areaNormals, fans, normals, tensors, masses: heat.masses, heat, radius, partShares };
 }

@@ -3,8 +3,9 @@ import { cutSharpEdges } from '../normals/cutSharpEdges.js';
 import { findPatches } from '../normals/findPatches.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import type { Parts } from './findParts.js';
 
-/** A patch smaller than a disc of this radius has no lines of its own. A share of the bounding radius. */
+/** A patch smaller than a disc of this radius has no lines of its own. A share of the bounding radius of its part. */
 const SMALLEST_RADIUS = 0.04;
 
 /**
@@ -14,19 +15,26 @@ const SMALLEST_RADIUS = 0.04;
  *
  * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`)
  * @param radius the bounding radius of the mesh
+ * @param parts the parts that `twins` connect
  * @returns a copy of `twins` with NO_TWIN at these creases
  */
 export function* formTwins(
   twins: Int32Array<ArrayBuffer>,
   areaNormals: Float64Array<ArrayBuffer>,
   radius: number,
+  parts: Parts,
 ): Generator<number, Int32Array<ArrayBuffer>, void> {
   const sharpTwins = twins.slice();
   yield* asPhase(cutSharpEdges(sharpTwins, areaNormals), 0, 0.7);
   const { ofTriangle, areas } = yield* asPhase(findPatches({ twins: sharpTwins, areaNormals }), 0.7, 0.9);
   const smallest = Math.PI * (SMALLEST_RADIUS * radius) ** 2;
   const isLarge = new Uint8Array(areas.length);
-  for (const [patch, area] of areas.entries()) isLarge[patch] = Number(area >= smallest);
+  yield* forEachChunk(ofTriangle.length, (start, end) => {
+    for (let triangle = start; triangle < end; triangle++) {
+      const patch = ofTriangle[triangle];
+      isLarge[patch] = Number(areas[patch] >= smallest * parts.shares[parts.ofTriangle[triangle]] ** 2);
+    }
+  });
   const cut = twins.slice();
   yield* asPhase(
     forEachChunk(twins.length, (start, end) => cutRange(sharpTwins, ofTriangle, isLarge, cut, start, end)),

@@ -50,16 +50,21 @@ export function* startFlow(surface: FanSurface): Generator<number, NormalFlow, v
   return { normals, heat: yield* asPhase(assembleHeatEquation(surface, masses), 0.4, 1) };
 }
 
-/** Smooths normals that were prepared for it, as `smoothFanNormals` does. */
+/**
+ * Smooths normals that were prepared for it, as `smoothFanNormals` does.
+ *
+ * @param shares for each fan the share of the radii that is used around it, at most 1. Default: 1 everywhere
+ */
 export function* diffuse(
   { normals, heat }: NormalFlow,
   radii: readonly number[],
+  shares?: Float32Array,
 ): Generator<number, Float32Array<ArrayBuffer>[], void> {
   const smoothed = radii.map(() => normals);
   const flows = planFlows(radii, highestRate(heat));
   for (const [i, { rate, parts }] of flows.entries()) {
     const series = parts.map(({ steps }) => heatSeries(steps, TOLERANCE));
-    const task = flow(heat, normals.slice(), rate, series);
+    const task = flow(heat, normals.slice(), rate, shares, series);
     const results = yield* asPhase(task, i / flows.length, (i + 1) / flows.length);
     for (const [k, { radius }] of parts.entries()) smoothed[radius] = results[k];
   }
@@ -168,12 +173,15 @@ function* flow(
   heat: HeatEquation,
   normals: Float32Array<ArrayBuffer>,
   rate: number,
+  shares: Float32Array | undefined,
   series: readonly (readonly number[])[],
 ): Generator<number, Float32Array<ArrayBuffer>[], void> {
   const fanCount = heat.masses.length;
   const results = series.map(([first]) => scaled(normals, first));
   const steps = new Float64Array(fanCount);
   for (let fan = 0; fan < fanCount; fan++) steps[fan] = 1 / (Math.max(rate * heat.masses[fan], heat.degrees[fan]) || 1);
+  // Heat spreads over a share of the radius in that share, squared, of the time.
+  if (shares) for (let fan = 0; fan < fanCount; fan++) steps[fan] *= shares[fan] ** 2;
   let current = normals;
   let previous = new Float32Array(normals.length);
   const passes = Math.max(...series.map(({ length }) => length)) - 1;

@@ -13,12 +13,15 @@ export interface LineTargets {
   right: Float64Array<ArrayBuffer>;
   /** The part of `right` that curvature asks for: the direction that is the most convex. */
   curved: Float64Array<ArrayBuffer>;
-  /** For each fan how far its two principal curvatures lie apart: half their difference, times the bounding radius. */
+  /** For each fan how far its two principal curvatures lie apart: half their difference, times the bounding radius of its part. */
   anisotropy: Float32Array<ArrayBuffer>;
 }
 
 /** The anisotropy at which curvature counts half. */
 const HALF_ANISOTROPY = 1;
+
+/** From this anisotropy on, that of a limb of a thirtieth of the radius, directions reach the less far the thinner the limb is. */
+const THIN_ANISOTROPY = 15;
 
 /** How much `up` counts, beside curvature that is decided. */
 const UP_WEIGHT = 0.2;
@@ -59,7 +62,7 @@ export function* curvatureLines(
 }
 
 function measureRange(
-  { masses, tensors, radius }: FormSurface,
+  { masses, tensors, radius, partShares }: FormSurface,
   frames: Float32Array,
   signs: Int8Array,
   perMass: number,
@@ -71,7 +74,7 @@ function measureRange(
 ): void {
   for (let fan = start; fan < end; fan++) {
     const i = FRAME_FLOATS * fan;
-    const scale = signs[fan] * radius;
+    const scale = signs[fan] * partShares[fan] * radius;
     const ux = frames[i];
     const uy = frames[i + 1];
     const uz = frames[i + 2];
@@ -95,8 +98,9 @@ function measureRange(
     const qx = 0.5 * scale * (ux * kux + uy * kuy + uz * kuz - vx * kvx - vy * kvy - vz * kvz);
     const qy = scale * (vx * kux + vy * kuy + vz * kuz);
     const length = Math.sqrt(qx * qx + qy * qy);
-    const mass = perMass * masses[fan];
-    const decided = mass / (length + HALF_ANISOTROPY);
+    const mass = (perMass * masses[fan]) / partShares[fan] ** 2;
+    const reached = Math.max(1, length / THIN_ANISOTROPY);
+    const decided = (mass * reached * reached) / (length + HALF_ANISOTROPY);
     // The tangent across the axis, as long as the axis' part in the tangent plane.
     const hx = -(axis[0] * vx + axis[1] * vy + axis[2] * vz);
     const hy = axis[0] * ux + axis[1] * uy + axis[2] * uz;

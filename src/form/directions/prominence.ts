@@ -4,14 +4,15 @@ import type { FormSurface } from '../FormSurface.js';
 import { normalized, type Vector, viewedFrom } from './axes.js';
 
 /** The natural logarithm of how much more counts what faces the front than what faces the sides. */
-const FRONT_EXPONENT = 1.2;
+const FRONT_EXPONENT = 1;
 
-/** The same for what faces up: objects are seen from above rather than from below. */
-const UP_EXPONENT = 0.4;
+/** The same for what faces up: objects are seen from above rather than from below, and their shadows lie there. */
+const UP_EXPONENT = 1.2;
 
 /**
- * How much each fan shows: what faces the front counts eleven times as much as the back. Where a field of lines turns costs as much as
- * it shows. Singular points, around which it turns most, so leave the front for the sides, the back and below.
+ * How much each fan shows: what faces the front counts seven times as much as the back, and what faces up eleven times as much as what
+ * faces down. Where a field of lines turns costs as much as it shows. Singular points, around which it turns most, so leave the front
+ * for the sides, the back and below.
  *
  * @param signs see `bendSigns`
  */

@@ -6,6 +6,7 @@ import { directionField } from '../../../src/form/directions/directionField.js';
 import { faceDirections } from '../../../src/form/directions/faceDirections.js';
 import { FORM_DEFAULTS, type FormOptions } from '../../../src/form/FormOptions.js';
 import { type FormSurface, formSurface, surfaceWithin } from '../../../src/form/FormSurface.js';
+import { findParts } from '../../../src/form/findParts.js';
 import { formTwins } from '../../../src/form/formTwins.js';
 import { triangleOf } from '../../../src/mesh/corners.js';
 import { disjointSets, join, rootOf } from '../../../src/mesh/disjointSets.js';
@@ -21,15 +22,20 @@ export function twinsOf(mesh: TriangleMesh) {
   const whole = finish(consistentTwins(adjacency));
   const sharp = whole.slice();
   finish(cutSharpEdges(sharp, adjacency.areaNormals));
-  const twins = finish(formTwins(whole, adjacency.areaNormals, bounds.radius));
-  return { adjacency, radius: bounds.radius, whole, sharp, twins };
+  const parts = finish(findParts(mesh, whole, adjacency.areaNormals, bounds.radius));
+  const twins = finish(formTwins(whole, adjacency.areaNormals, bounds.radius, parts));
+  return { adjacency, radius: bounds.radius, parts, whole, sharp, twins };
 }
 
 /** All of a form field that comes before its phase. Without `creases` the surface is whole. */
 export function frontOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, creases = true) {
   const all = { ...FORM_DEFAULTS, ...options };
-  const { adjacency, radius, whole } = twinsOf(mesh);
-  const surface = finish((creases ? formSurface : surfaceWithin)(mesh, adjacency, whole, radius, all));
+  const { adjacency, radius, parts, whole } = twinsOf(mesh);
+  const surface = finish(
+    creases
+      ? formSurface(mesh, adjacency, whole, radius, all)
+      : surfaceWithin(mesh, adjacency, whole, radius, parts, all),
+  );
   const field = finish(directionField(surface, all));
   const directions = finish(faceDirections(surface, field));
   return { mesh, surface, field, directions, seam: finish(cutForm(surface, directions)) };

