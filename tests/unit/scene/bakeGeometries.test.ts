@@ -96,7 +96,7 @@ test('as many are baked at a time as there are cores, but fewer large ones, and 
     return new PlaneGeometry().setIndex(new BufferAttribute(index, 1));
   };
   expect(await mostAtOnce(3, plane(6))).toBe(1);
-  expect(await mostAtOnce(3, plane(150_000))).toBe(2);
+  expect(await mostAtOnce(3, plane(300_000))).toBe(2);
   expect(await mostAtOnce(5, plane(900_000))).toBe(4);
   expect(await mostAtOnce(3, plane(2_499_999))).toBe(2);
 });
