@@ -272,7 +272,7 @@ const wantsAdjacency = ({ adjacency = false, technique }: PrepareHatchingGeometr
   adjacency || (technique !== undefined && HATCHING_TECHNIQUES[technique].vertexData === 'adjacency');
 
 function checkValues(options: PrepareHatchingGeometryOptions, creaseAngle: number): void {
-  const { adjacency = false, technique, layout = 'auto', smoothingRadius = 0, weldTolerance = 0, outlines } = options;
+  const { adjacency = false, technique, layout = 'auto', smoothingRadius, weldTolerance, outlines } = options;
   if (typeof adjacency !== 'boolean') {
     throw new TypeError(
       `prepareHatchingGeometry: adjacency is ${String(adjacency)}. Pass true or false, or leave the option out.`,
@@ -295,31 +295,24 @@ function checkValues(options: PrepareHatchingGeometryOptions, creaseAngle: numbe
   }
   checkAngle('creaseAngle', creaseAngle);
   if (outlines !== undefined && typeof outlines !== 'boolean') checkLines(outlines);
-  if (!(smoothingRadius >= 0 && smoothingRadius < Infinity)) {
-    throw new RangeError(
-      `prepareHatchingGeometry: smoothingRadius is ${smoothingRadius}. Pass a length in object units, 0 or more, or leave the option out.`,
-    );
-  }
-  if (!(weldTolerance >= 0 && weldTolerance < Infinity)) {
-    throw new RangeError(
-      `prepareHatchingGeometry: weldTolerance is ${String(weldTolerance)}. Pass a share of the bounding radius, 0 or more, such as 1e-6, or leave the option out.`,
-    );
-  }
+  checkSize('smoothingRadius', smoothingRadius);
+  checkSize('weldTolerance', weldTolerance, 'a share of the bounding radius, 0 or more, such as 1e-6');
 }
 
 function checkLines(outlines: OutlineOptions): void {
   checkNames('prepareHatchingGeometry', 'outlines', outlines, OUTLINE_OPTIONS);
-  if (outlines.featureAngle !== undefined) checkAngle('outlines.featureAngle', outlines.featureAngle);
-  const { creaseLength = 0 } = outlines;
-  if (creaseLength >= 0 && creaseLength < Infinity) return;
-  throw new RangeError(
-    `prepareHatchingGeometry: outlines.creaseLength is ${creaseLength}. Pass a length in object units, 0 or more, or leave the option out.`,
-  );
+  checkAngle('outlines.featureAngle', outlines.featureAngle);
+  checkSize('outlines.creaseLength', outlines.creaseLength);
 }
 
-function checkAngle(name: string, angle: number): void {
+function checkAngle(name: string, angle = 0): void {
   if (angle >= 0 && angle <= Math.PI) return;
   throw new RangeError(
     `prepareHatchingGeometry: ${name} is ${angle}. Pass an angle in radians from 0 to π; 60 degrees is Math.PI / 3.`,
   );
+}
+
+function checkSize(name: string, size = 0, wanted = 'a length in object units, 0 or more'): void {
+  if (size >= 0 && size < Infinity) return;
+  throw new RangeError(`prepareHatchingGeometry: ${name} is ${String(size)}. Pass ${wanted}, or leave the option out.`);
 }
