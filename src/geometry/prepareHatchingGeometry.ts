@@ -1,6 +1,7 @@
 import type { BufferGeometry } from 'three';
 import type { BakeRequest } from '../bake/bakeCorners.js';
 import type { OutlineRequest } from '../bake/bakeOutlines.js';
+import type { FormRequest } from '../bake/bakeSurface.js';
 import type { VertexWords } from '../bake/expandPerCorner.js';
 import type { FormField } from '../form/FormField.js';
 import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../material/facts/hatchingProperties.js';
@@ -12,7 +13,7 @@ import type { TaskOptions } from '../worker/TaskOptions.js';
 import { checkGeometry } from './checkGeometry.js';
 import { type CornerRange, cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
-import { formRequest, type HatchingFormOptions } from './HatchingFormOptions.js';
+import type { HatchingFormOptions } from './HatchingFormOptions.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import type { NotBaked } from './preparedGeometry.js';
 import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
@@ -187,17 +188,6 @@ export async function prepareWithForm(
   const source = extractSource(geometry, range, kept);
   const { mesh, copied, ...repairs } = source;
   const own: NotBaked = { ...repairs, createWorker: options.createWorker };
-  const request = {
-    label,
-    creaseAngle,
-    smoothingRadius: options.smoothingRadius,
-    weldTolerance: options.weldTolerance,
-    wantsNormals: repairs.computedNormals > 0,
-    outlines: outlineRequest(options.outlines, range),
-    form: formRequest('prepareHatchingGeometry', options.form),
-    // One that was baked for other triangles does not fit.
-    bakedForm: bakedForm?.ofCorner.length === mesh.indices.length ? bakedForm : null,
-  };
   const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
   const isUnchanged = rememberSource(geometry);
   const extractAgain = () => {
@@ -205,12 +195,23 @@ export async function prepareWithForm(
     return extractSource(geometry, range, kept);
   };
 
-  if (layout === 'indexed') {
-    const place = { name: 'position', isMorphTarget: false, attribute: position };
-    const attributes = [
-      { ...place, ...extractWords(position, position.count) },
-      ...kept.map((entry, i) => ({ ...entry, ...copied[i] })),
-    ];
+  const place = { name: 'position', isMorphTarget: false, attribute: position };
+  const positions = layout === 'indexed' ? extractWords(position, position.count) : null;
+  // From here on the geometry may change.
+  const request = {
+    label,
+    creaseAngle,
+    smoothingRadius: options.smoothingRadius,
+    weldTolerance: options.weldTolerance,
+    wantsNormals: repairs.computedNormals > 0,
+    outlines: outlineRequest(options.outlines, range),
+    form: await formRequestOf(options),
+    // One that was baked for other triangles does not fit.
+    bakedForm: bakedForm?.ofCorner.length === mesh.indices.length ? bakedForm : null,
+  };
+
+  if (positions) {
+    const attributes = [{ ...place, ...positions }, ...kept.map((entry, i) => ({ ...entry, ...copied[i] }))];
     const again = () => ({ ...request, mesh: extractAgain().mesh });
     const baking = runTask('bakeIndexed', { ...request, mesh }, options, again);
     const [result, { applyIndexed }] = await Promise.all([baking, import('./bakedGeometry.js')]);
@@ -229,6 +230,13 @@ export async function prepareWithForm(
     applyCorners(prepared, kept, { ...result, ...own });
   }
   return prepared;
+}
+
+/** The request for a form field, if one is asked for. Its defaults and its checks are fetched then. */
+async function formRequestOf({ form }: PrepareHatchingGeometryOptions): Promise<FormRequest | null> {
+  if (form === undefined || form === false) return null;
+  const { formRequest } = await import('./HatchingFormOptions.js');
+  return formRequest('prepareHatchingGeometry', form);
 }
 
 /** Copies of the data of a geometry that the bake needs, repaired where necessary. */
