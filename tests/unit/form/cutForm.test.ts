@@ -1,11 +1,18 @@
 import { existsSync, readFileSync } from 'node:fs';
-import { CapsuleGeometry, IcosahedronGeometry, TorusKnotGeometry } from 'three';
+import {
+  CapsuleGeometry,
+  ConeGeometry,
+  CylinderGeometry,
+  IcosahedronGeometry,
+  SphereGeometry,
+  TorusKnotGeometry,
+} from 'three';
 import { describe, expect, test } from 'vitest';
 import { NO_TWIN, nextCorner, triangleOf } from '../../../src/mesh/corners.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { meshFrom, moebius } from '../features/surfaces.js';
 import { cube, patch, sphere, together, torus } from '../mesh/shapes.js';
-import { frontOf, piecesOf, singularPoints } from './fronts.js';
+import { borderTurns, frontOf, piecesOf, singularPoints } from './fronts.js';
 import { readObj } from './readObj.js';
 
 const knot = () => meshFrom(new TorusKnotGeometry(0.7, 0.24, 160, 24, 2, 3));
@@ -38,6 +45,22 @@ describe('the indices of singular points sum to the Euler characteristic', () =>
       [0, 0],
       [2, 2],
     ]);
+  });
+
+  test.each([
+    ['a cylinder with lids', () => meshFrom(new CylinderGeometry(0.5, 0.5, 2, 48, 24)), 3, 2],
+    ['a cone with its lid', () => meshFrom(new ConeGeometry(0.8, 1, 48, 24)), 2, 2],
+    ['half a ball, open', () => meshFrom(new SphereGeometry(1, 48, 24, 0, 2 * Math.PI, 0, Math.PI / 2)), 1, 1],
+    ['an open cylinder', () => meshFrom(new CylinderGeometry(0.5, 0.5, 2, 48, 24, true)), 1, 0],
+    ['a cube, each face ruled in its way', () => cube(6), 6, 6],
+    ['a hilly patch', () => patch(16, 14, (u, v) => [u, v, 0.3 * Math.sin(5 * u) * Math.cos(4 * v)]), 1, 1],
+  ])('less what borders turn, between creases: %s', (_, shape, count, euler) => {
+    const front = frontOf(shape());
+    const pieces = piecesOf(front.surface, front.seam);
+    expect(pieces).toHaveLength(count);
+    expect(pieces.reduce((sum, piece) => sum + piece.euler, 0)).toBe(euler);
+    const index = pieces.reduce((sum, piece) => sum + piece.index, 0);
+    expect(index + borderTurns(front)).toBeCloseTo(euler, 5);
   });
 
   const folder = new URL('../../../../shared/models/', import.meta.url);

@@ -8,11 +8,12 @@ import { FORM_DEFAULTS, type FormOptions } from '../../../src/form/FormOptions.j
 import { type FormSurface, formSurface, surfaceWithin } from '../../../src/form/FormSurface.js';
 import { findParts } from '../../../src/form/findParts.js';
 import { formTwins } from '../../../src/form/formTwins.js';
-import { triangleOf } from '../../../src/mesh/corners.js';
+import { NO_TWIN, nextCorner, previousCorner, triangleOf } from '../../../src/mesh/corners.js';
 import { disjointSets, join, rootOf } from '../../../src/mesh/disjointSets.js';
 import { measureBounds } from '../../../src/mesh/measureBounds.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { cutSharpEdges } from '../../../src/normals/cutSharpEdges.js';
+import { cross, dot } from '../features/surfaces.js';
 import { finish } from '../mesh/meshes.js';
 
 /** The twins of a mesh: all of them, those less the sharp edges, and those less the creases that are borders of the field. */
@@ -74,6 +75,39 @@ export function piecesOf({ twins, fans }: FormSurface, { halfTurns }: FormSeam):
     piece.index += halfTurns[fan] / 2;
   }
   return [...pieces.values()];
+}
+
+/**
+ * How often the border of a whole surface turns, as one walks along it with the surface on the left, against the field of directions:
+ * once around a disc that is ruled one way, and not at all around one of rings.
+ */
+export function borderTurns({ mesh: { positions, indices }, surface, directions }: ReturnType<typeof frontOf>): number {
+  const { twins } = surface;
+  /** The angle from the direction of a corner's face to the edge from it to another corner, about the normal of the face. */
+  const angleTo = (corner: number, other: number): number => {
+    const face = 3 * triangleOf(corner);
+    const u = [...directions.across.subarray(face, face + 3)];
+    const n = [...directions.normals.subarray(face, face + 3)];
+    const edge = [0, 1, 2].map((axis) => positions[3 * indices[other] + axis] - positions[3 * indices[corner] + axis]);
+    return Math.atan2(dot(cross(n, u), edge), dot(u, edge));
+  };
+  let angle = 0;
+  for (const [border, twin] of twins.entries()) {
+    if (twin !== NO_TWIN) continue;
+    // From the border that ends here, across the faces of the fan, to the border that starts here.
+    angle += Math.PI;
+    for (let corner = nextCorner(border); ; ) {
+      const within = angleTo(corner, previousCorner(corner)) - angleTo(corner, nextCorner(corner));
+      angle -= within - 2 * Math.PI * Math.floor(within / (2 * Math.PI));
+      const across = twins[corner];
+      if (across === NO_TWIN) break;
+      const next = nextCorner(across);
+      const turn = angleTo(next, across) - angleTo(corner, nextCorner(corner));
+      angle += turn - Math.PI * Math.round(turn / Math.PI);
+      corner = next;
+    }
+  }
+  return angle / (2 * Math.PI);
 }
 
 /** The position of each singular point. */
