@@ -1,4 +1,5 @@
 import { Box3, type BufferAttribute, type BufferGeometry, Matrix4, type Mesh, type SkinnedMesh } from 'three';
+import { checkGeometry } from '../../geometry/checkGeometry.js';
 import type { HatchingFormOptions } from '../../geometry/HatchingFormOptions.js';
 import { groupCorners } from './bakeGroups.js';
 import { cornerCount } from './cornerCount.js';
@@ -36,6 +37,7 @@ export function* formGroups(
     const form = plans.get(geometry)?.form;
     if (typeof form !== 'object' || uses.get(geometry) !== 1 || 'isBatchedMesh' in mesh || 'isInstancedMesh' in mesh)
       continue;
+    if (!isReadable(geometry)) continue;
     const { space, matrix } = restOf(mesh);
     if (cornerCount(geometry) > MOST_CORNERS || !(Math.abs(matrix.determinant()) > 0)) continue;
     const kind = JSON.stringify({ ...form, up: null, front: null });
@@ -56,6 +58,16 @@ export function* formGroups(
     }
   }
   return groups;
+}
+
+/** Whether the positions of a geometry can be read. What bakes it names the fault otherwise. */
+function isReadable(geometry: BufferGeometry): boolean {
+  try {
+    checkGeometry(geometry);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 /** Stands for the space of all meshes without a skin. */

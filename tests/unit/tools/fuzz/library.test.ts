@@ -125,6 +125,7 @@ const PREPARE = {
   smoothingRadius: [0, 0.1, 1],
   weldTolerance: [0, 0.01],
   outlines: [true, false, { featureAngle: 1 }],
+  form: [true, 'auto', { crossAngle: 1 }, { up: [0, 0, 1], front: [0, 0, 0], smoothing: 0.02, reach: 1 }],
 };
 
 async function geometryCase(random: Random): Promise<'good' | 'refused'> {
@@ -132,11 +133,18 @@ async function geometryCase(random: Random): Promise<'good' | 'refused'> {
   const options = oddOptions(random, Object.keys(PREPARE), PREPARE);
   return outcome(/^prepareHatchingGeometry: /, async () => {
     const prepared = await prepareHatchingGeometry(geometry, options);
-    for (const name of ['position', 'normal', 'uv', 'color', 'skinIndex', 'skinWeight', 'hatchNormal']) {
-      const { array } = (prepared.attributes[name] as BufferAttribute | undefined) ?? { array: [] };
-      checkNumbers(name, array);
+    const baked = ['hatchNormal', 'formValue', 'formSlope', 'formCrossing'];
+    for (const name of ['position', 'normal', 'uv', 'color', 'skinIndex', 'skinWeight', ...baked]) {
+      const attribute = prepared.attributes[name] as BufferAttribute | undefined;
+      if (attribute) checkNumbers(name, drawnNumbers(prepared, attribute));
     }
   });
+}
+
+/** The numbers of the vertices that are drawn. What no triangle has is left as it was. */
+function drawnNumbers({ index }: BufferGeometry, { array, itemSize }: BufferAttribute): ArrayLike<number> {
+  if (!index) return array;
+  return [...new Set(index.array)].flatMap((vertex) => [...array.slice(vertex * itemSize, (vertex + 1) * itemSize)]);
 }
 
 /** A few meshes below each other, perhaps in a circle. */
@@ -161,7 +169,9 @@ function oddScene(random: Random): Object3D {
 async function sceneCase(random: Random): Promise<'good' | 'refused'> {
   const root = oddScene(random);
   const hatched = await outcome(/^(applyHatching|prepareHatchingGeometry): /, async () => {
-    const { skipped } = await applyHatching(root, { tonalArtMap: null });
+    const lineField = random.pick(['light', 'form', 'auto'] as const);
+    const material = random.chance(0.3) ? { technique: 'engraved' as const, lineField } : undefined;
+    const { skipped } = await applyHatching(root, { tonalArtMap: null, material });
     for (const { error } of skipped) if (error) checkRefusal(/^(applyHatching|prepareHatchingGeometry): /, error);
   });
   const occluded = await outcome(/^bakeOcclusion: /, async () => {
