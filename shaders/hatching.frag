@@ -42,7 +42,9 @@ varying vec3 vViewPosition;
 #include "toneNormals"
 #include "occlude"
 #include "radiance"
+#include "lightness"
 #include "tone"
+#include "localColor"
 #include "hatch"
 #include "shadowStrokes"
 #include "printedColor"
@@ -63,8 +65,10 @@ void main() {
   #if TONE_NORMAL == TONE_NORMAL_SMOOTH
     #include <normal_fragment_maps>
   #endif // TONE_NORMAL
-  HatchingSurface material =
-    HatchingSurface(normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0));
+  HatchingSurface material = HatchingSurface(
+    normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0),
+    localDarkness(diffuseColor.rgb, totalEmissiveRadiance)
+  );
   #include <lights_fragment_begin>
   occludeLights(material);
   addIndirectRadiance(material);
@@ -77,7 +81,7 @@ void main() {
     parameters = turnedInShadow(parameters);
   #endif // TURNS_IN_SHADOW
 
-  vec4 printed = printedColor(paper * diffuseColor.rgb, inked * hatchInShadow(parameters, tone, material));
+  vec4 printed = printedColor(paper * filledColor(diffuseColor.rgb), inked * hatchInShadow(parameters, tone, material));
   diffuseColor.a *= printed.a;
   #include <alphatest_fragment>
   #include <alphahash_fragment>

@@ -2,6 +2,7 @@
 uniform vec3 diffuse;
 uniform vec3 paper;
 uniform float paperOpacity;
+uniform float colorFill;
 uniform float opacity;
 
 #include <common>
@@ -17,7 +18,7 @@ uniform float opacity;
 #include <clipping_planes_pars_fragment>
 
 void main() {
-  vec4 diffuseColor = vec4(paper * diffuse, paperOpacity * opacity);
+  vec4 diffuseColor = vec4(diffuse, paperOpacity * opacity);
   #include <clipping_planes_fragment>
   #include <logdepthbuf_fragment>
   #include <map_fragment>
@@ -25,7 +26,7 @@ void main() {
   #include <alphamap_fragment>
   #include <alphatest_fragment>
   #include <alphahash_fragment>
-  vec3 outgoingLight = diffuseColor.rgb;
+  vec3 outgoingLight = paper * mix(vec3(1.0), diffuseColor.rgb, colorFill);
   #include <opaque_fragment>
   #include <tonemapping_fragment>
   #include <colorspace_fragment>

@@ -3,7 +3,7 @@ uniform vec3 ink;
 uniform vec3 paper;
 uniform float paperOpacity;
 
-// ground: paper times surface colour. darkness: of the hatch.
+// ground: paper times what is printed of the surface colour. darkness: of the hatch.
 vec4 printedColor(const in vec3 ground, const in float darkness) {
   #if INK_BLEND == INK_BLEND_MULTIPLY
     vec3 stroke = ground * ink;

@@ -10,6 +10,7 @@ struct HatchingSurface {
   ToneNormals normals; // the same
   PerToneNormal radiance;
   PerToneNormal shadowed; // what shadows have taken of it, where TELLS_SHADOWS
+  float darkness; // of its own colour, as far as that becomes tone
 };
 
 float cosines(const in vec3 direction, const in vec3 normal) {

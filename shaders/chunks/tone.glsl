@@ -19,6 +19,12 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
   return highlightKept(clamp(curvedTone(tone), 0.0, 1.0));
 }
 
+// A dark colour brings the tone nearer to that of no light at all: with dark ink, it is printed over it.
+PerToneNormal darkenedByColor(const in PerToneNormal tone, const in HatchingSurface surface) {
+  if (surface.darkness == 0.0) return tone;
+  return mix(tone, toneFromRadiance(PerToneNormal(0.0)), surface.darkness);
+}
+
 // The tone that the light of the surface prints, shadows included.
 PerToneNormal shadedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
@@ -27,7 +33,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     // Nor where all of it arrives, whatever a curve makes of blank paper.
     return max(toneFromRadiance(arriving) - arriving * toneFromRadiance(PerToneNormal(1.0)), 0.0);
   #else
-    return toneFromRadiance(surface.radiance);
+    return darkenedByColor(toneFromRadiance(surface.radiance), surface);
   #endif // TONE_MODEL
 }
 
@@ -36,6 +42,6 @@ PerToneNormal unshadowedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     return PerToneNormal(0.0);
   #else
-    return toneFromRadiance(surface.radiance + surface.shadowed);
+    return darkenedByColor(toneFromRadiance(surface.radiance + surface.shadowed), surface);
   #endif // TONE_MODEL
 }

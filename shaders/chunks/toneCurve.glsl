@@ -9,10 +9,8 @@
 
 PerToneNormal curvedTone(const in PerToneNormal tone) {
   #if TONE_CURVE == TONE_CURVE_PERCEPTUAL
-    // 1 − L*/100 of CIE lightness: half the paper is covered where the light looks half as light as white.
-    PerToneNormal radiance = 1.0 - tone;
-    PerToneNormal bright = 1.16 * pow(radiance, PerToneNormal(1.0 / 3.0)) - 0.16;
-    return 1.0 - mix(9.032963 * radiance, bright, step(216.0 / 24389.0, radiance));
+    // Half the paper is covered where the light looks half as light as white.
+    return 1.0 - lightness(1.0 - tone);
   #elif TONE_CURVE == TONE_CURVE_POINTS
     PerToneNormal curved = PerToneNormal(toneCurveStart);
     for (int i = 0; i < TONE_CURVE_SPANS; i++) {

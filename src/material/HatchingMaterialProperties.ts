@@ -190,6 +190,12 @@ export interface HatchingMaterialOptions {
    */
   occlusion: number;
   /**
+   * How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a
+   * colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as
+   * it is. Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
+   */
+  localTone: number;
+  /**
    * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
    * `0`.
    */
@@ -240,10 +246,15 @@ export interface HatchingMaterialOptions {
   emissiveMap: Texture | null;
   /** Colour of the strokes. Default black. */
   ink: ColorRepresentation;
-  /** Colour of the ground between strokes, multiplied by the surface colour. Default white. */
+  /** Colour of the ground between strokes, multiplied by the surface colour as far as `colorFill` says. Default white. */
   paper: ColorRepresentation;
   /** Surface colour. Default white. */
   color: ColorRepresentation;
+  /**
+   * How much of the surface's own colour, be it of `color`, `map` or the vertices, is printed on the paper: nothing at
+   * 0, and in between a tint of it, on which strokes are easier to read. Share in [0, 1]. Default `1`.
+   */
+  colorFill: number;
   /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */
   inkBlend: InkBlend;
   /**
@@ -436,6 +447,12 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   occlusion: number;
   /**
+   * How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a
+   * colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as
+   * it is. Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
+   */
+  localTone: number;
+  /**
    * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
    * `0`.
    */
@@ -486,10 +503,15 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   emissiveMap: Texture | null;
   /** Colour of the strokes. Default black. */
   readonly ink: Color;
-  /** Colour of the ground between strokes, multiplied by the surface colour. Default white. */
+  /** Colour of the ground between strokes, multiplied by the surface colour as far as `colorFill` says. Default white. */
   readonly paper: Color;
   /** Surface colour. Default white. */
   readonly color: Color;
+  /**
+   * How much of the surface's own colour, be it of `color`, `map` or the vertices, is printed on the paper: nothing at
+   * 0, and in between a tint of it, on which strokes are easier to read. Share in [0, 1]. Default `1`.
+   */
+  colorFill: number;
   /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */
   inkBlend: InkBlend;
   /**

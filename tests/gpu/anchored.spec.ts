@@ -91,6 +91,11 @@ const cases: AnchoredCase[] = [
       ],
     },
   },
+  {
+    name: 'local tone, in a shadow that crosses',
+    lights: [blocked, ambient],
+    material: { color: [0.3, 0.12, 0.5], localTone: 0.8, colorFill: 0, shadowStrokes: 'cross' },
+  },
   { name: 'reflected light', lights: [spot], material: { reflectedLight: 0.4 } },
   { name: 'second layer under two lights', lights: crossed, material: { strokeLayers: 'lights' } },
   {

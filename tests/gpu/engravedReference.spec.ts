@@ -128,6 +128,17 @@ const cases: EngravedCase[] = [
   { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
   { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
   { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
+  {
+    name: 'local tone, of light ink on dark paper',
+    material: {
+      ...{ color: [0.3, 0.12, 0.5], localTone: 0.8, colorFill: 0, reflectedLight: 0.4 },
+      toneCurve: [
+        [0, 0.95],
+        [0.6, 0.3],
+        [1, 0.05],
+      ],
+    },
+  },
   ...(['tone', 'cross', 'reorient'] as const).flatMap((shadowStrokes) => [
     { name: `in shadow, ${shadowStrokes}`, lights: [blocked, ambient], material: { shadowStrokes } },
     {

@@ -209,6 +209,17 @@ const cases: Case[] = [
     mesh: torus,
     material: { ink: [0.2, 0.5, 0.9], paper: [0.9, 0.8, 0.6], color: [0.5, 0.9, 0.7], inkBlend: 'multiply' },
   },
+  ...(['triangle', 'adjacency'] as const).map((technique) => ({
+    name: `local tone without a fill, ${technique}`,
+    mesh: torus,
+    material: { technique, color: [0.5, 0.1, 0.2] as Vec3, localTone: 1, colorFill: 0 },
+  })),
+  {
+    name: 'some local tone of a colour nearly black, on a tint of it',
+    mesh: torus,
+    material: { color: [0.01, 0.004, 0.006], localTone: 0.7, colorFill: 0.4, toneCurve: 'perceptual' },
+    lights: [point, ambient],
+  },
 ];
 
 type ShadeArguments = Parameters<HatchingReference['shade']>;

@@ -98,4 +98,6 @@ export const defaults: ReferenceMaterial = {
   ink: [0, 0, 0],
   paper: [1, 1, 1],
   color: [1, 1, 1],
+  localTone: 0,
+  colorFill: 1,
 };

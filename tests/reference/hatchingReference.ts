@@ -52,6 +52,8 @@ export interface ReferenceMaterial {
   ink: Vec3;
   paper: Vec3;
   color: Vec3;
+  localTone: number;
+  colorFill: number;
 }
 
 /** Darkness ∈ [0, 1] of hatch image `tone` at (u, v), in tiles, on a level. */
@@ -305,14 +307,22 @@ export class HatchingReference {
       // Reflected light is a hemisphere of that light from the other side.
       radiance += (material.reflectedLight * luminance(arriving.coneless) * (1 - cosine)) / (2 * Math.PI);
     }
+    // A colour that looks half as light as white brings it half way to the tone of no light, as far as it counts.
+    const darkness = material.localTone * (1 - lightness(luminance(material.color)));
+    return (1 - darkness) * this.printedTone(radiance) + darkness * this.printedTone(0);
+  }
+
+  /** What a radiance prints on a white surface. */
+  private printedTone(radiance: number): number {
+    const { toneModel, toneSteps, toneCurve } = this.scene.material;
     let tone = 1 - clamp01(radiance);
-    if (material.toneModel === 'toon') {
-      const last = Math.max(material.toneSteps - 1, 1);
+    if (toneModel === 'toon') {
+      const last = Math.max(toneSteps - 1, 1);
       tone = Math.floor(tone * last + 0.5) / last;
     }
-    if (material.toneCurve === 'linear') return tone;
-    if (material.toneCurve === 'perceptual') return 1 - lightness(1 - tone);
-    return curveThrough(material.toneCurve, tone);
+    if (toneCurve === 'linear') return tone;
+    if (toneCurve === 'perceptual') return 1 - lightness(1 - tone);
+    return curveThrough(toneCurve, tone);
   }
 
   /** The layers of strokes that together give a tone, 1 − T = Π (1 − Tᵢ). */
@@ -422,8 +432,8 @@ export class HatchingReference {
     }
     const darkness = 1 - blank[0] * blank[1] * blank[2];
     const { material } = this.scene;
-    const { paper, color } = material;
-    const ground = paper.map((c, i) => c * color[i]);
+    const { paper, color, colorFill } = material;
+    const ground = paper.map((c, i) => c * (1 - colorFill + colorFill * color[i]));
     const stroke = material.ink.map((c, i) => (material.inkBlend === 'multiply' ? c * ground[i] : c));
     return ground.map((c, i) => c * (1 - darkness) + stroke[i] * darkness) as Vec3;
   }

@@ -27,6 +27,7 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   shininess: { measure: 'exponent', when: { toneModel: ['phong'] } },
   reflectedLight: { measure: 'share' },
   occlusion: { measure: 'share' },
+  localTone: { measure: 'share' },
   highlightTone: { measure: 'tone' },
   highlightSoftness: { measure: 'share', when: { highlightTone: { not: 0 } } },
   normalMap: { when: { toneNormal: ['smooth'] } },
@@ -37,5 +38,6 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   aoMapIntensity: { measure: 'factor', when: { aoMap: { not: null } } },
   lightMapIntensity: { measure: 'factor', when: { lightMap: { not: null } } },
   emissiveIntensity: { measure: 'factor' },
+  colorFill: { measure: 'share' },
   paperOpacity: { measure: 'share' },
 };

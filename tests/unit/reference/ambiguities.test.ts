@@ -29,6 +29,8 @@ const material: ReferenceMaterial = {
   ink: [0, 0, 0],
   paper: [1, 1, 1],
   color: [1, 1, 1],
+  localTone: 0,
+  colorFill: 1,
 };
 const lamp = (...position: Vec3): ReferenceLight => ({ type: 'point', color: [9, 9, 9], position, decay: 0 });
 const sun = (...position: Vec3): ReferenceLight => ({ type: 'directional', color: [3, 3, 3], position });

@@ -14,7 +14,7 @@ export const COLOUR = {
     group: 'Colour',
     default: 0xffffff,
     defaultWords: 'white',
-    sentence: 'Colour of the ground between strokes, multiplied by the surface colour.',
+    sentence: 'Colour of the ground between strokes, multiplied by the surface colour as far as `colorFill` says.',
   },
   color: {
     kind: 'color',
@@ -23,6 +23,15 @@ export const COLOUR = {
     defaultWords: 'white',
     uniform: 'diffuse',
     sentence: 'Surface colour.',
+  },
+  colorFill: {
+    kind: 'number',
+    group: 'Colour',
+    default: 1,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    sentence:
+      "How much of the surface's own colour, be it of `color`, `map` or the vertices, is printed on the paper: nothing at 0, and in between a tint of it, on which strokes are easier to read.",
   },
   inkBlend: {
     kind: 'choice',

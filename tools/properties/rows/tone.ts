@@ -78,6 +78,15 @@ export const TONE = {
     sentence:
       'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
   },
+  localTone: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    sentence:
+      "How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is. Presets draw colours by it in ink alone, with a `colorFill` of 0.",
+  },
   highlightTone: {
     kind: 'number',
     group: 'Tone',
