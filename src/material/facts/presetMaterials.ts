@@ -28,6 +28,9 @@ const CHALKED = [
   [1, 0],
 ] as const;
 
+/** Ink alone: the colours of surfaces are hatched as tones, and the darkest of them still show their form. */
+const INK_ALONE = { localTone: 0.8, colorFill: 0 } as const;
+
 const BLACK = '#1c1a17';
 const WHITE = '#f7f3e8';
 
@@ -45,6 +48,7 @@ const makeMaterials = () =>
       crossAngle: Math.PI / 3,
       toneCurve: 'printed',
       reflectedLight: 0.35,
+      ...INK_ALONE,
       ink: BLACK,
       paper: WHITE,
     },
@@ -59,6 +63,7 @@ const makeMaterials = () =>
       crossAngle: Math.PI / 2,
       toneCurve: 'printed',
       reflectedLight: 0.25,
+      ...INK_ALONE,
       ink: BLACK,
       paper: WHITE,
       tonalArtMap: 'contours',
@@ -73,6 +78,7 @@ const makeMaterials = () =>
       handmade: 0.4,
       toneCurve: 'printed',
       reflectedLight: 0.4,
+      ...INK_ALONE,
       ink: BLACK,
       paper: WHITE,
     },
@@ -86,6 +92,7 @@ const makeMaterials = () =>
       handmade: 0.1,
       toneCurve: 'printed',
       reflectedLight: 0.3,
+      ...INK_ALONE,
       ink: '#18332f',
       paper: '#f6f4e9',
     },
@@ -98,6 +105,7 @@ const makeMaterials = () =>
       handmade: 0,
       toneCurve: 'printed',
       reflectedLight: 0.25,
+      ...INK_ALONE,
       ink: BLACK,
       paper: WHITE,
     },
@@ -111,6 +119,7 @@ const makeMaterials = () =>
       handmade: 0.6,
       toneCurve: CUT,
       reflectedLight: 0.15,
+      ...INK_ALONE,
       ink: '#120e0a',
       paper: '#ece0c4',
     },
@@ -124,6 +133,7 @@ const makeMaterials = () =>
       strokeLayers: 'single',
       toneCurve: 'printed',
       reflectedLight: 0.3,
+      ...INK_ALONE,
       ink: BLACK,
       paper: WHITE,
     },
@@ -143,6 +153,7 @@ const makeMaterials = () =>
       smudge: 0.2,
       toneCurve: RUBBED,
       reflectedLight: 0.4,
+      ...INK_ALONE,
       ink: '#34343a',
       paper: '#fbfaf6',
     },
@@ -160,6 +171,7 @@ const makeMaterials = () =>
       smudge: 0.5,
       toneCurve: RUBBED,
       reflectedLight: 0.3,
+      ...INK_ALONE,
       ink: '#1d1a19',
       paper: '#e6dccb',
     },
@@ -177,6 +189,7 @@ const makeMaterials = () =>
       smudge: 0.25,
       toneCurve: CHALKED,
       reflectedLight: 0,
+      ...INK_ALONE,
       ink: '#f4f1e6',
       paper: '#2f3a38',
     },

@@ -32,6 +32,7 @@ export const TONE_SETTINGS = inGroup('Tone', 'hand', {
   },
   blendAngle: numberOf('blendAngle', { label: 'Blend up to' }),
   highlightTone: numberOf('highlightTone', { label: 'Blank below', max: 60 }),
+  localTone: numberOf('localTone', { label: 'Local tone', ends: ['white', 'by colour'] }),
 });
 
 /** Ink, paper and surfaces. */
@@ -44,7 +45,8 @@ export const COLOUR_SETTINGS = inGroup('Colours', 'hand', {
     label: 'Surfaces',
     owner: 'scene',
     default: 'shown',
-    choices: { shown: 'In their own colours', paper: 'White as paper' },
+    choices: { shown: 'By their own colours', paper: 'White as paper' },
   },
+  colorFill: numberOf('colorFill', { label: 'Fill', ends: ['ink alone', 'coloured'] }),
   color: colorOf('color', { label: 'Model' }),
 });
