@@ -1,13 +1,15 @@
+import type { HatchingPreset } from 'three-hatching';
 import { Drawing } from './Drawing.js';
 import { elementStyle } from './elementStyle.js';
 import { warnOfMissingSource } from './missingSource.js';
 import { Painter } from './Painter.js';
-import { readControls, readLight, readPreset } from './readAttributes.js';
+import { readColorFill, readControls, readLight, readPreset } from './readAttributes.js';
 import { type Arrangement, ViewControls } from './ViewControls.js';
 
 const PROPERTIES = {
   src: 'src',
   preset: 'preset',
+  'color-fill': 'colorFill',
   light: 'light',
   controls: 'controls',
   alt: 'alt',
@@ -16,7 +18,7 @@ const PROPERTIES = {
   'ktx2-path': 'ktx2Path',
 } as const;
 /** The attributes whose change loads the model again. */
-const OF_MODEL: readonly string[] = ['src', 'preset', 'draco-path', 'ktx2-path'];
+const OF_MODEL: readonly string[] = ['src', 'preset', 'color-fill', 'draco-path', 'ktx2-path'];
 /** A model is loaded when it is this near to the visible part of the page. */
 const LOAD_MARGIN = '300px';
 /** The largest number of pixels per CSS pixel. More of them take long and show little. */
@@ -34,6 +36,7 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | --- | --- |
  * | `src` | URL of a glTF or GLB file |
  * | `preset` | name of a preset of the library; `pen` by default |
+ * | `color-fill` | how much of the model's own colours is printed under the ink, from 0 to 1; 0 by default |
  * | `light` | azimuth and elevation of the light in degrees, such as `-45 40` |
  * | `controls` | lets visitors turn the model and its light; with `controls="light"` only the light |
  * | `alt` | describes the picture in words; empty if it is decoration |
@@ -49,6 +52,7 @@ export class HatchedModelElement extends Base {
 
   declare src: string;
   declare preset: string;
+  declare colorFill: string;
   declare light: string;
   declare controls: string;
   declare alt: string;
@@ -153,7 +157,7 @@ export class HatchedModelElement extends Base {
         return;
       }
       this.hadSource = true;
-      const preset = readPreset(this.getAttribute('preset'));
+      const preset = withFill(readPreset(this.getAttribute('preset')), readColorFill(this.getAttribute('color-fill')));
       readLight(this.getAttribute('light'));
       this.painter ??= Painter.acquire(this.onRestored);
       const drawing = await Drawing.load(
@@ -295,6 +299,10 @@ for (const [name, property] of Object.entries(PROPERTIES)) {
     configurable: true,
   });
 }
+
+/** A preset with another fill, if one is asked for. */
+const withFill = (preset: HatchingPreset, colorFill: number | undefined): HatchingPreset =>
+  colorFill === undefined ? preset : { ...preset, material: { ...preset.material, colorFill } };
 
 const resolve = (address: string): string => new URL(address, document.baseURI).href;
 

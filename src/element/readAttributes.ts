@@ -29,6 +29,22 @@ export function readPreset(text: string | null): HatchingPreset {
 }
 
 /**
+ * Reads how much of the model's own colours is printed under the ink.
+ *
+ * @param text the attribute, a number; null or '' leaves it to the preset
+ * @throws Error if it is no number between 0 and 1
+ */
+export function readColorFill(text: string | null): number | undefined {
+  const word = text?.trim();
+  if (!word) return undefined;
+  const fill = Number(word);
+  if (fill >= 0 && fill <= 1) return fill;
+  throw new Error(
+    `The color-fill is "${text}", but must be a number from 0, ink alone, to 1, the colours of the model.`,
+  );
+}
+
+/**
  * Reads the direction of the light.
  *
  * @param text the attribute: azimuth and elevation in degrees, such as `-45 40`; null or '' for the default

@@ -336,7 +336,7 @@ test.describe('<hatched-model>', () => {
       <style>hatched-model { width: 200px; height: 150px }</style>
       <script type="importmap">${JSON.stringify({ imports })}</script>
       <script type="module">import 'three-hatching/element';</script>
-      ${['draco', 'draco', 'ktx2', 'meshopt'].map((name) => `<hatched-model src="${name}.glb" alt="${name}"></hatched-model>`).join('')}`;
+      ${['draco', 'draco', 'ktx2', 'meshopt'].map((name) => `<hatched-model src="${name}.glb" color-fill="1" alt="${name}"></hatched-model>`).join('')}`;
     await page.route(`${server.url}/packed/**`, (route) => {
       const name = new URL(route.request().url()).pathname.replace('/packed/', '');
       // As hosts of single pages do: what is not there is the page.

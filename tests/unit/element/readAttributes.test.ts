@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { presets } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
-import { readControls, readLight, readPreset } from '../../../src/element/readAttributes.js';
+import { readColorFill, readControls, readLight, readPreset } from '../../../src/element/readAttributes.js';
 
 describe('preset', () => {
   test.each([null, '', '  '])('is the pen for %o', (text) => expect(readPreset(text)).toBe(presets.pen));
@@ -12,6 +12,20 @@ describe('preset', () => {
 
   test.each(['oils', 'Pen', 'toString', '__proto__'])('names all there are, instead of %s', (name) => {
     expect(() => readPreset(name)).toThrow(`There is no preset "${name}". There are pen, crossHatching, engraving,`);
+  });
+});
+
+describe('color-fill', () => {
+  test.each([
+    [null, undefined],
+    ['', undefined],
+    ['0', 0],
+    [' 0.4 ', 0.4],
+    ['1', 1],
+  ])('%o is %o', (text, fill) => expect(readColorFill(text)).toBe(fill));
+
+  test.each(['red', '-0.1', '1.5', '40%', 'NaN'])('%o is refused', (text) => {
+    expect(() => readColorFill(text)).toThrow(`The color-fill is "${text}", but must be a number from 0`);
   });
 });
 
