@@ -32,6 +32,7 @@ varying vec3 vViewPosition;
 #include <normal_pars_fragment>
 #include "shadowMaps"
 #include "shadows"
+#include "shadowDissolve"
 #include <bumpmap_pars_fragment>
 #include <normalmap_pars_fragment>
 #include <logdepthbuf_pars_fragment>
@@ -70,6 +71,9 @@ void main() {
     localDarkness(diffuseColor.rgb, totalEmissiveRadiance)
   );
   #include <lights_fragment_begin>
+  #ifdef DISSOLVES_SHADOWS
+    dissolveShadows(geometryPosition);
+  #endif // DISSOLVES_SHADOWS
   occludeLights(material);
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);

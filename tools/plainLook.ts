@@ -5,6 +5,9 @@ const PLAIN: HatchingMaterialParameters = {
   toneCurve: 'linear',
   reflectedLight: 0,
   crossFrom: 0.52,
+  shadowTone: 1,
+  shadowFade: 0,
+  shadowDirection: 'strokes',
 };
 
 /**
@@ -16,7 +19,7 @@ const PLAIN: HatchingMaterialParameters = {
 export function plainLook(look: HatchingMaterialParameters = {}): HatchingMaterialParameters {
   const { technique = 'adjacency', tonalArtMap = null } = look;
   const plain = { ...PLAIN, technique, tonalArtMap };
-  if (technique === 'engraved') return { ...plain, sizedOnScreen: 0, lineSpacing: 5, ...look };
+  if (technique === 'engraved') return { ...plain, sizedOnScreen: 0, lineSpacing: 5, shadowSpacing: 1, ...look };
   if (technique !== 'anchored') return { ...plain, ...look };
   return {
     ...plain,

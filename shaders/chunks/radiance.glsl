@@ -40,14 +40,17 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
   #ifdef TELLS_SHADOWS
     surface.shadowed += (1.0 - lightShadow) * arriving;
     arriving *= lightShadow;
+    #ifdef DISSOLVES_SHADOWS
+      shadowTakes[lightsMet] = luminance(light.color) * max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - lightShadow);
+    #endif // DISSOLVES_SHADOWS
     #ifdef REORIENTS_IN_SHADOW
       float taken = max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - 2.0 * lightShadow);
       isLightShadowed[lightsMet] = taken > LEAST_RESPONSE;
-      lightsMet++;
       lightSent += luminance(light.color);
       lightTaken += luminance(light.color) * taken;
     #endif // REORIENTS_IN_SHADOW
     lightShadow = 1.0;
+    lightsMet++;
   #endif // TELLS_SHADOWS
   surface.radiance += arriving;
 }

@@ -3,6 +3,7 @@
   #define TELLS_SHADOWS
 
   float lightShadow = 1.0; // of the light at hand: 1 where all of it arrives, 0 where nothing does
+  int lightsMet = 0; // as three's chunk walks over them
 
   float tellShadow(const in float shadow) {
     lightShadow = shadow;
@@ -16,7 +17,6 @@
 
     // Noted as three's chunk walks over the lights, by their number.
     bool isLightShadowed[LIGHTS_WITH_DIRECTION];
-    int lightsMet = 0;
     float lightSent = 0.0; // luminance of all lights together, without their shadows
     float lightTaken = 0.0; // what shadows take of it, less what they let pass
 

@@ -31,7 +31,11 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
     PerToneNormal arriving = (surface.radiance + 1e-6) / (surface.radiance + surface.shadowed + 1e-6);
     // Nor where all of it arrives, whatever a curve makes of blank paper.
-    return max(toneFromRadiance(arriving) - arriving * toneFromRadiance(PerToneNormal(1.0)), 0.0);
+    PerToneNormal tone = max(toneFromRadiance(arriving) - arriving * toneFromRadiance(PerToneNormal(1.0)), 0.0);
+    #ifdef DISSOLVES_SHADOWS
+      tone *= shadowTone * shadowLeft;
+    #endif // DISSOLVES_SHADOWS
+    return tone;
   #else
     return darkenedByColor(toneFromRadiance(surface.radiance), surface);
   #endif // TONE_MODEL

@@ -8,6 +8,7 @@ import type {
   LevelRule,
   LineField,
   Medium,
+  ShadowDirection,
   ShadowStrokes,
   StrokeAnchor,
   StrokeField,
@@ -158,6 +159,30 @@ export interface HatchingMaterialOptions {
   smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
+  /**
+   * How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone
+   * after the tone curve. At one half a shadow on the ground is lighter than the darks of the body. Tone in [0, 1].
+   * Default `1`, for `'anchored'` `0.5`, for `'engraved'` `0.5`. Only with `toneModel` `'shadow'`.
+   */
+  shadowTone: number;
+  /**
+   * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
+   * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
+   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'` `1`,
+   * for `'engraved'` `1`. Only with `toneModel` `'shadow'`.
+   */
+  shadowFade: number;
+  /**
+   * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
+   * `'strokes'`, for `'anchored'` `'away'`, for `'engraved'` `'away'`. Only with `toneModel` `'shadow'`. Another value
+   * builds another program.
+   */
+  shadowDirection: ShadowDirection | 'auto';
+  /**
+   * How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the
+   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraved'`, with `toneModel` `'shadow'`.
+   */
+  shadowSpacing: number;
   /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
   toneSteps: number;
   /**
@@ -414,6 +439,31 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
+  /**
+   * How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone
+   * after the tone curve. At one half a shadow on the ground is lighter than the darks of the body. Tone in [0, 1].
+   * Default `1`, for `'anchored'` `0.5`, for `'engraved'` `0.5`. Only with `toneModel` `'shadow'`.
+   */
+  shadowTone: number;
+  /**
+   * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
+   * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
+   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'` `1`,
+   * for `'engraved'` `1`. Only with `toneModel` `'shadow'`.
+   */
+  shadowFade: number;
+  /**
+   * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
+   * `'strokes'`, for `'anchored'` `'away'`, for `'engraved'` `'away'`. Only with `toneModel` `'shadow'`. Another value
+   * builds another program.
+   */
+  get shadowDirection(): ShadowDirection;
+  set shadowDirection(value: ShadowDirection | 'auto');
+  /**
+   * How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the
+   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraved'`, with `toneModel` `'shadow'`.
+   */
+  shadowSpacing: number;
   /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
   toneSteps: number;
   /**

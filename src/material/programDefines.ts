@@ -2,7 +2,7 @@ import type { Texture } from 'three';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from './facts/hatchingProperties.js';
-import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency } from './facts/lookFacts.js';
+import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency, runsAway } from './facts/lookFacts.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import {
@@ -24,6 +24,14 @@ export interface ProgramFacts {
   hasForm: boolean;
 }
 
+/** How strokes of shadows that run away from the light are drawn, whatever the look says of those of the model. */
+const AWAY: Partial<Record<HatchingPropertyName, string>> = {
+  lineField: 'towards',
+  shadowStrokes: 'tone',
+  strokeField: 'light',
+  strokeLayers: 'single',
+};
+
 /** How the shader knows a curve. */
 const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
   curve === 'linear' || curve === 'perceptual' ? curve : 'points';
@@ -38,6 +46,7 @@ export function programDefines(
 ): Record<string, number | string | undefined> {
   const { technique, toneCurve, sizedOnScreen } = material;
   const defines: Record<string, number | string | undefined> = {};
+  const isAway = runsAway(material);
   let usesFirstChannel = false;
   for (const name of propertyNames) {
     const property: HatchingProperty = HATCHING_PROPERTIES[name];
@@ -49,7 +58,7 @@ export function programDefines(
     if (!('define' in property) || property.define === undefined) continue;
     const wanted = material[name];
     const isUsed = isUsedBy(technique, property) && knowsChoice(technique, property, wanted);
-    const value = isUsed ? wanted : defaultOf(name, technique);
+    const value = (isAway && AWAY[name]) || (isUsed ? wanted : defaultOf(name, technique));
     if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
     else defines[property.define] = value ? '' : undefined;
   }

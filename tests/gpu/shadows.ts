@@ -106,6 +106,52 @@ function ball(): THREE.Mesh {
   return mesh;
 }
 
+/** Half the width of the board, and where it rises from the ground, at 45°. */
+const BOARD = { x: 0.6, y: 0.8 } as const;
+
+/** A board that leans over the plane: it stands on the line x = −0.6 and rises to x = 0.6. It is visible only by its shadow. */
+function board(): THREE.Mesh {
+  const { x, y } = BOARD;
+  const corners = [
+    [-x, -y, 0],
+    [x, -y, 2 * x],
+    [x, y, 2 * x],
+    [-x, y, 0],
+  ].map((corner) => new THREE.Vector3(...corner));
+  const geometry = new THREE.BufferGeometry().setFromPoints(corners).setIndex([0, 1, 2, 0, 2, 3]);
+  const mesh = new THREE.Mesh(
+    geometry,
+    new THREE.MeshBasicMaterial({ colorWrite: false, depthWrite: false, side: THREE.DoubleSide }),
+  );
+  mesh.castShadow = true;
+  return mesh;
+}
+
+/**
+ * For each pixel, bottom row first, how far the board is along the light, as a share of the width that the shadow's camera sees at the
+ * plane; NaN where it casts no shadow, or close to the border of its shadow.
+ */
+function boardDistances(kind: LightKind, light: ShadowLight): Float32Array {
+  const [place, ray, hit] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
+  const axis = light.position.clone().normalize();
+  const camera = light.shadow.camera as THREE.OrthographicCamera;
+  return Float32Array.from({ length: SIZE * SIZE }, (_, i) => {
+    place.set(((i % SIZE) + 0.5) / (SIZE / 2) - 1, (Math.floor(i / SIZE) + 0.5) / (SIZE / 2) - 1, 0);
+    ray.copy(light.position);
+    if (kind !== 'directional') ray.sub(place);
+    const width = {
+      directional: camera.right - camera.left,
+      spot: 2 * Math.tan((light as THREE.SpotLight).angle) * ray.dot(axis),
+      point: 2 * Math.max(Math.abs(ray.x), Math.abs(ray.y), Math.abs(ray.z)),
+    }[kind as 'directional' | 'spot' | 'point'];
+    ray.normalize();
+    const distance = (place.x + BOARD.x) / (ray.z - ray.x);
+    hit.copy(place).addScaledVector(ray, distance);
+    const isInside = distance > 0.05 && hit.x < BOARD.x - 0.1 && Math.abs(hit.y) < BOARD.y - 0.1;
+    return isInside ? distance / width : Number.NaN;
+  });
+}
+
 /** The outline of the ball's shadow under a directional light, as a black disc. */
 function ellipse(light: ShadowLight): THREE.Mesh {
   const towards = light.position.clone().normalize();
@@ -219,6 +265,8 @@ const shading = {
   casting,
   clearances,
   ball,
+  board,
+  boardDistances,
   ellipse,
   strokeMap,
   ground,

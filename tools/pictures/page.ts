@@ -243,15 +243,8 @@ function groundBelow(object: Group): Mesh {
   return ground;
 }
 
-/** A shadow on paper is no darker than the dark side of what casts it. */
-const DARKEST_SHADOW = 0.62;
-
 function showOnlyShadows(material: HatchingMaterial): void {
   material.toneModel = 'shadow';
-  material.toneCurve = [
-    [0, 0],
-    [1, DARKEST_SHADOW],
-  ];
   material.paperOpacity = 0;
   material.transparent = true;
   material.depthWrite = false;

@@ -3,6 +3,12 @@
 #include "lineCoverage"
 
 uniform float lineSpacing; // pixels between lines, or 256ths of a tile
+#if TONE_MODEL == TONE_MODEL_SHADOW
+  uniform float shadowSpacing; // times lineSpacing
+  #define WANTED_SPACING (shadowSpacing * lineSpacing)
+#else
+  #define WANTED_SPACING lineSpacing
+#endif // TONE_MODEL
 uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that none shimmer
 
 // How far the edge of a line fades, in pixels.
@@ -31,8 +37,8 @@ float powerOf2(const in float octave) {
 // The darkness of a family.
 float ruledLines(const in Family family, const in float tone) {
   float perPixel = max(family.perPixel, 1e-12);
-  float onObject = octaves(lineSpacing / 256.0 * family.rise);
-  float onScreen = octaves(lineSpacing * perPixel);
+  float onObject = octaves(WANTED_SPACING / 256.0 * family.rise);
+  float onScreen = octaves(WANTED_SPACING * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
   octave = min(octave, family.coarsest);
   float period = powerOf2(ceil(octave));

@@ -101,6 +101,13 @@ export type Medium = 'ink' | 'dry' | 'stipple' | 'woodcut';
 export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon' | 'shadow';
 
 /**
+ * Which way the strokes of the tone model `'shadow'` run.
+ * - `away`: in one layer, away from the light: a long stroke thins out along the shadow and ends with it.
+ * - `strokes`: as those of any other surface, by all the properties of strokes.
+ */
+export type ShadowDirection = 'away' | 'strokes';
+
+/**
  * The normal that tone is computed from.
  * - `face`: the normal of the flat triangle, as in the paper by Suarez et al.
  * - `smooth`: the interpolated vertex normal.
@@ -235,6 +242,34 @@ export const HATCHING_PROPERTIES = {
     default: 'lambert',
     define: 'TONE_MODEL',
     choices: ['lambert', 'halfLambert', 'phong', 'toon', 'shadow'],
+  },
+  shadowTone: {
+    kind: 'number',
+    default: 1,
+    uniform: 'shadowTone',
+    defaultFor: { anchored: 0.5, engraved: 0.5 },
+    range: { from: 0, to: 1 },
+  },
+  shadowFade: {
+    kind: 'number',
+    default: 0,
+    uniform: 'shadowFade',
+    defaultFor: { anchored: 1, engraved: 1 },
+    range: { from: 0 },
+  },
+  shadowDirection: {
+    kind: 'choice',
+    default: 'strokes',
+    define: 'SHADOW_DIRECTION',
+    choices: ['away', 'strokes'],
+    defaultFor: { triangle: 'strokes', adjacency: 'strokes', anchored: 'away', engraved: 'away' },
+  },
+  shadowSpacing: {
+    kind: 'number',
+    default: 1.4,
+    uniform: 'shadowSpacing',
+    range: { above: 0 },
+    techniques: ['engraved'],
   },
   toneSteps: { kind: 'number', default: 4, uniform: 'toneSteps', range: { from: 2 } },
   shininess: { kind: 'number', default: 30, uniform: 'shininess', range: { from: 0 } },

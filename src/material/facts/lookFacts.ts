@@ -63,9 +63,16 @@ export function usesThresholds(given: HatchingLook): boolean {
 export const needsAdjacency = (look: HatchingLook): boolean =>
   HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].vertexData === 'adjacency';
 
+/** Whether a look shows shadows alone, in one layer of strokes that run away from the light. Allocates nothing. */
+export function runsAway(given: HatchingLook): boolean {
+  const look = spelledOut(given);
+  return look.toneModel === 'shadow' && valueIn(look, 'shadowDirection') === 'away';
+}
+
 /** The property by which the lines or strokes of a look may follow the form; undefined if they cannot. Allocates nothing. */
 export function formFieldOf(given: HatchingLook): 'lineField' | 'strokeField' | undefined {
   const look = spelledOut(given);
+  if (runsAway(look)) return undefined;
   const technique = techniqueOf(look);
   if (isUsedBy(technique, HATCHING_PROPERTIES.lineField)) return 'lineField';
   // Dots have no direction.

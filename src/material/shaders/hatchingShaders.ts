@@ -1,10 +1,10 @@
 import { ShaderLib } from 'three';
 import type { HatchingTechnique } from '../facts/hatchingProperties.js';
 import { environmentLayout } from './environmentLayout.js';
-import { lightChunks } from './lightKinds.js';
+import { lightChunks, shadowChunks } from './lightKinds.js';
 import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
-import { shadowMapsChunk } from './shadowMaps.js';
+import { shadowDepthChunk, shadowMapsChunk } from './shadowMaps.js';
 
 /** The text of a program's two stages. Our includes are resolved; three resolves its own when it compiles. */
 export interface Shaders {
@@ -74,6 +74,8 @@ const sharedChunks = (): Record<string, string> => ({
   mapTransforms: mapTransformsChunk(),
   packing: packingChunk(),
   shadowMaps: shadowMapsChunk(),
+  shadowDepth: shadowDepthChunk(),
+  ...shadowChunks(),
   ...lightChunks(),
 });
 

@@ -13,6 +13,22 @@ interface LightKind {
   from: 'afar' | 'place' | 'sky';
   /** three's function that says how much of such a light passes its shadow map, as it is called. */
   shadow?: string;
+  /** Its shadow maps, where they are flat or cubes; those of a sun are cascades. */
+  maps?: FlatMaps | CubeMaps;
+}
+
+/** Shadow maps of a kind of light, as three's chunks have them. */
+interface CubeMaps {
+  /** The number of such lights that cast shadows. They are the first of their kind. */
+  count: string;
+  /** The varying of the places in the maps. */
+  place: string;
+}
+
+interface FlatMaps extends CubeMaps {
+  /** The uniform of the matrices that lead there, which three.js declares in the vertex shader, and the number of them. */
+  matrix: string;
+  matrices: string;
 }
 
 const SHADOW = 'getShadow(map, size, intensity, bias, radius, at)';
@@ -23,10 +39,38 @@ const CUBE_SHADOW = 'getPointShadow(map, size, intensity, bias, radius, at, near
  * file of shaders/ names any of them.
  */
 const LIGHT_KINDS: readonly LightKind[] = [
-  { name: 'Point', count: 'NUM_POINT_LIGHTS', from: 'place', shadow: CUBE_SHADOW },
-  { name: 'Spot', count: 'NUM_SPOT_LIGHTS', from: 'place', shadow: SHADOW },
+  {
+    name: 'Point',
+    count: 'NUM_POINT_LIGHTS',
+    from: 'place',
+    shadow: CUBE_SHADOW,
+    maps: { count: 'NUM_POINT_LIGHT_SHADOWS', place: 'vPointShadowCoord' },
+  },
+  {
+    name: 'Spot',
+    count: 'NUM_SPOT_LIGHTS',
+    from: 'place',
+    shadow: SHADOW,
+    maps: {
+      count: 'NUM_SPOT_LIGHT_SHADOWS',
+      place: 'vSpotLightCoord',
+      matrix: 'spotLightMatrix',
+      matrices: 'NUM_SPOT_LIGHT_COORDS',
+    },
+  },
   { name: 'Sun', count: 'NUM_SUN_LIGHTS', from: 'afar', shadow: 'getSunShadow(map, light, index)' },
-  { name: 'Directional', count: 'NUM_DIR_LIGHTS', from: 'afar', shadow: SHADOW },
+  {
+    name: 'Directional',
+    count: 'NUM_DIR_LIGHTS',
+    from: 'afar',
+    shadow: SHADOW,
+    maps: {
+      count: 'NUM_DIR_LIGHT_SHADOWS',
+      place: 'vDirectionalShadowCoord',
+      matrix: 'directionalShadowMatrix',
+      matrices: 'NUM_DIR_LIGHT_SHADOWS',
+    },
+  },
   { name: 'Hemisphere', count: 'NUM_HEMI_LIGHTS', from: 'sky' },
 ];
 
@@ -66,18 +110,62 @@ export function lightChunks(): Record<string, string> {
   };
 }
 
-/** In the form that three.js unrolls: some drivers warn of a loop that runs once. */
+/**
+ * Chunks that walk over shadow maps, as those of {@link lightChunks} walk over lights, at a `viewPosition` and with a `light` of the shader:
+ *
+ * - `eachFlatShadow` visits every flat one by `VISIT_SHADOW(number, map, matrix, at, shadow)`: the number of its light, the map, the matrix
+ *   that leads to it from the world, the place in it, and three's struct of the shadow. `shadowMatrices` declares the matrices.
+ * - `eachCubeShadow` visits every cube by `VISIT_SHADOW(number, map, at, shadow)`.
+ */
+export function shadowChunks(): Record<string, string> {
+  const kinds = knownKinds();
+  const flat: string[] = [];
+  const cubes: string[] = [];
+  const matrices: string[] = [];
+  for (const [i, { name, from, maps }] of kinds.entries()) {
+    if (!maps) continue;
+    const { count, place } = maps;
+    const lower = name.toLowerCase();
+    const map = `${lower}ShadowMap[i]`;
+    const at = `${place}[i]`;
+    const shadow = `${lower}LightShadows[i]`;
+    const number = numberAfter(kinds.slice(0, i));
+    if ('matrix' in maps) {
+      const { matrix, matrices: most } = maps;
+      matrices.push(`#if ${count} > 0\nuniform mat4 ${matrix}[${most}];\n#endif\n`);
+      const visit = `${readLight(name, from)}\nVISIT_SHADOW(${number}, ${map}, ${matrix}[i], ${at}, ${shadow})`;
+      flat.push(unrolled(count, visit));
+    } else {
+      cubes.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${at}, ${shadow})`));
+    }
+  }
+  const end = '#undef VISIT_SHADOW';
+  return {
+    shadowMatrices: matrices.join(''),
+    eachFlatShadow: flat.join('') + end,
+    eachCubeShadow: cubes.join('') + end,
+  };
+}
+
 function loopOver({ name, count, from }: LightKind, before: readonly LightKind[], writesLight: boolean): string {
-  const source = `${name.toLowerCase()}Lights[i]`;
-  const number = [...before.map((kind) => kind.count), 'UNROLLED_LOOP_INDEX'].join(' + ');
-  const place = from === 'place' ? 'viewPosition, ' : '';
-  return `#if ${count} > 0
+  const visit = `VISIT_LIGHT(${name.toLowerCase()}Lights[i], ${numberAfter(before)})`;
+  return unrolled(count, `${writesLight ? readLight(name, from) : ''}\n${visit}`);
+}
+
+/** The number of a light among all that have a direction. */
+const numberAfter = (before: readonly LightKind[]): string =>
+  [...before.map((kind) => kind.count), 'UNROLLED_LOOP_INDEX'].join(' + ');
+
+/** Writes what arrives of a light into `light`. */
+const readLight = (name: string, from: LightKind['from']): string =>
+  `get${name}LightInfo(${name.toLowerCase()}Lights[i], ${from === 'place' ? 'viewPosition, ' : ''}light);`;
+
+/** A loop in the form that three.js unrolls: some drivers warn of one that runs once. */
+const unrolled = (count: string, body: string): string => `#if ${count} > 0
 #pragma unroll_loop_start
 for (int i = 0; i < ${count}; i++) {
-${writesLight ? `get${name}LightInfo(${source}, ${place}light);` : ''}
-VISIT_LIGHT(${source}, ${number})
+${body}
 }
 #pragma unroll_loop_end
 #endif
 `;
-}

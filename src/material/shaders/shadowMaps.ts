@@ -28,4 +28,26 @@ export function shadowMapsChunk(source = ShaderChunk.shadowmap_pars_fragment): s
   return `#if defined(USE_SHADOWMAP) && defined(SHADOWMAP_TYPE_PCF)${included('steadyKernel')}#endif\n${steady}`;
 }
 
+/**
+ * How the depths in shadow maps are told: by the installed three.js, and by the type of the maps, which it defines when it compiles.
+ * Versions before 0.182 pack depths, and lay out the cubes of point lights flat: there nothing is told of these.
+ */
+export function shadowDepthChunk(source = ShaderChunk.shadowmap_pars_fragment): string {
+  const isPacked = source.includes('unpackRGBAToDepth');
+  const types = isPacked
+    ? `#ifdef SHADOWMAP_TYPE_VSM
+#define SHADOW_DEPTH(texel) unpackRGBATo2Half(texel).x
+#else
+#define SHADOW_DEPTH(texel) unpackRGBAToDepth(texel)
+#endif`
+    : `#ifdef SHADOWMAP_TYPE_PCF
+#define SHADOW_MAPS_COMPARE
+#define CUBE_SHADOW_MAP samplerCubeShadow
+#elif defined(SHADOWMAP_TYPE_BASIC)
+#define CUBE_SHADOW_MAP samplerCube
+#endif
+#define SHADOW_DEPTH(texel) texel.r`;
+  return `${types}${included('depth')}`;
+}
+
 const included = (name: string): string => `\n#include "shadowMaps/${name}"\n`;

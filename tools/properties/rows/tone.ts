@@ -19,6 +19,53 @@ export const TONE = {
     default: 'lambert',
     sentence: 'How light becomes tone.',
   },
+  shadowTone: {
+    kind: 'number',
+    group: 'Tone',
+    default: 1,
+    defaultFor: { anchored: 0.5, engraved: 0.5 },
+    measure: 'tone',
+    range: { from: 0, to: 1 },
+    when: { toneModel: ['shadow'] },
+    sentence:
+      "How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone after the tone curve. At one half a shadow on the ground is lighter than the darks of the body.",
+  },
+  shadowFade: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    defaultFor: { anchored: 1, engraved: 1 },
+    measure: 'factor',
+    range: { from: 0 },
+    when: { toneModel: ['shadow'] },
+    sentence:
+      "How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it: the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1: nothing is left at a distance of one width; 2: at half of one ([shadows.md](shadows.md)).",
+  },
+  shadowDirection: {
+    kind: 'choice',
+    group: 'Tone',
+    type: 'ShadowDirection',
+    typeSentence: "Which way the strokes of the tone model `'shadow'` run.",
+    choices: {
+      away: 'in one layer, away from the light: a long stroke thins out along the shadow and ends with it.',
+      strokes: 'as those of any other surface, by all the properties of strokes.',
+    },
+    default: 'strokes',
+    defaultFor: ofTechniques(({ vertexData }) => (vertexData === 'hatchNormal' ? 'away' : 'strokes')),
+    when: { toneModel: ['shadow'] },
+    sentence: "Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again.",
+  },
+  shadowSpacing: {
+    kind: 'number',
+    group: 'Tone',
+    default: 1.4,
+    measure: 'factor',
+    range: { above: 0 },
+    techniques: ['engraved'],
+    when: { toneModel: ['shadow'] },
+    sentence:
+      "How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the ground is calmer than the body.",
+  },
   toneSteps: {
     kind: 'number',
     group: 'Tone',

@@ -1,0 +1,43 @@
+import { describe, expect, test } from 'vitest';
+import { formFieldOf, runsAway } from '../../../src/material/facts/lookFacts.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
+
+const SHADOW = { toneModel: 'shadow' } as const;
+
+describe('shadows alone', () => {
+  test("are light, dissolve and run away from the light, but not with the techniques of the paper", () => {
+    const valuesOf = (technique: HatchingMaterialParameters['technique']) => {
+      const { shadowTone, shadowFade, shadowDirection } = new HatchingMaterial({ technique, ...SHADOW });
+      return [shadowTone, shadowFade, shadowDirection];
+    };
+    for (const technique of ['triangle', 'adjacency'] as const) expect(valuesOf(technique)).toEqual([1, 0, 'strokes']);
+    for (const technique of ['anchored', 'engraved'] as const) expect(valuesOf(technique)).toEqual([0.5, 1, 'away']);
+  });
+
+  test('that run away from the light are drawn in one layer by the same program, whatever the look says', () => {
+    const crossed = { shadowStrokes: 'cross', strokeLayers: 'tone', strokeField: 'form' } as const;
+    const plain = { shadowStrokes: 'tone', strokeLayers: 'single', strokeField: 'light' } as const;
+    const [away, single] = [crossed, plain].map((look) => new HatchingMaterial({ ...SHADOW, ...look }).defines);
+    expect(away).toEqual(single);
+    const asStrokes = new HatchingMaterial({ ...SHADOW, ...crossed, shadowDirection: 'strokes' }).defines;
+    expect(asStrokes).not.toEqual({ ...single, SHADOW_DIRECTION: asStrokes.SHADOW_DIRECTION });
+  });
+
+  test('that run away from the light are neither turned nor crossed', () => {
+    const { uniforms } = new HatchingMaterial({ ...SHADOW, strokeRotation: 0.3, crossFrom: 0.2 });
+    expect(uniforms.strokeDirection.value.toArray()).toEqual([expect.closeTo(0), 1]);
+    expect(uniforms.crossFrom.value).toBe(1);
+    const other = new HatchingMaterial({ strokeRotation: 0.3, crossFrom: 0.2 });
+    expect(other.uniforms.strokeDirection.value.toArray()).toEqual([Math.cos(0.3), Math.sin(0.3)]);
+    expect(other.uniforms.crossFrom.value).toBe(0.2);
+  });
+
+  test('ask of no geometry for its form', () => {
+    const look = { technique: 'engraved', lineField: 'form' } as const;
+    expect(formFieldOf(look)).toBe('lineField');
+    expect(formFieldOf({ ...look, ...SHADOW })).toBeUndefined();
+    expect(runsAway({ ...look, ...SHADOW, shadowDirection: 'strokes' })).toBe(false);
+    expect(runsAway(look)).toBe(false);
+  });
+});
