@@ -18,6 +18,7 @@ const core = [
   /first frame in an environment/,
   /make the tone of three's Lambert/,
   /(outside a shadow no stroke|under one light strokes run across|the tone of shadows alone)/,
+  /loses it evenly with the distance.*PCF, (directional|spot)/,
   /strokes turn to the lights that arrive.*shadow of (directional|spot|point)/,
 ];
 

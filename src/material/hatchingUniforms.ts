@@ -3,7 +3,7 @@ import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { runsAway } from './facts/lookFacts.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 
@@ -145,18 +145,14 @@ export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolea
   }
 }
 
-/** The rotation by which strokes of a map, and lines that are cut `'towards'` the light, run away from it. */
-const AWAY_ROTATION = { strokes: Math.PI / 2, lines: 0 } as const;
-
 /** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
 export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
   u.blendCosine.value = Math.cos(material.blendAngle);
   // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
   const { tilesPerUnit: scale, strokeOffset: offset } = material;
   const isAway = runsAway(material);
-  const rotation = isAway
-    ? AWAY_ROTATION[HATCHING_TECHNIQUES[material.technique].map === 'none' ? 'lines' : 'strokes']
-    : material.strokeRotation;
+  // Strokes of a map run towards the light, and away from it, at a right angle.
+  const rotation = isAway ? Math.PI / 2 : material.strokeRotation;
   const cos = Math.cos(rotation);
   const sin = Math.sin(rotation);
   u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);

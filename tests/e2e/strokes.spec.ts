@@ -182,12 +182,17 @@ test('a model stands on its shadow or on a floor; a picture without paper keeps 
   const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };
   const ink: Record<string, number> = {};
   for (const look of ['none', 'shadow', 'floor']) {
-    await openPlayground(page, `${view}&shadows=on&ground=${look}&pictureGround=strokes`);
+    await openPlayground(page, `${view}&shadows=on&ground=${look}&shadowTone=100&shadowFade=0&pictureGround=strokes`);
     ink[look] = meanInk(await readDrawing(page), below);
   }
   expect(ink.shadow - ink.none).toBeGreaterThan(0.03);
   // The floor is light, and its lines are thin on so small a sheet.
   expect(ink.floor - ink.shadow).toBeGreaterThan(0.015);
+  // By default it is lighter, and dissolves.
+  await openPlayground(page, `${view}&shadows=on&ground=shadow&pictureGround=strokes`);
+  const light = meanInk(await readDrawing(page), below) - ink.none;
+  expect(light).toBeGreaterThan(0.005);
+  expect(light).toBeLessThan(0.6 * (ink.shadow - ink.none));
   // Crossing shadows are another drawing of the same tone.
   await openPlayground(page, `${view}&shadows=on&ground=floor`);
   const darkened = await readDrawing(page);

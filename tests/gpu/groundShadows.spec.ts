@@ -25,6 +25,8 @@ for (const [filter, kind] of maps) {
       async ([filter, kind]) => {
         const { lightOf, casting, board, boardDistances, ground, rendererOf, sceneOf, draw } = window.shading;
         const light = casting(await lightOf(kind), 1);
+        // A bias moves the caster; only depths that are stored as halves need one.
+        if (filter !== 'VSM') light.shadow.bias = 0;
         const plane = await ground('triangle', { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5 }, true);
         const scene = sceneOf(plane, board(), light);
         const distances = boardDistances(kind, light);
@@ -65,7 +67,8 @@ for (const technique of ['anchored', 'engraved'] as const) {
         toneModel: 'shadow',
         shadowTone: 0.4,
         shadowStrokes: 'cross',
-        ...(technique === 'engraved' ? { lineField: 'x', crossFrom: 0.1 } : { strokeLayers: 'tone', crossFrom: 0.1 }),
+        crossFrom: 0.1,
+        ...(technique === 'engraved' ? { lineField: 'x' } : { strokeLayers: 'tone', strokeRotation: 0.6 }),
       });
       const scene = sceneOf(plane, ball(), light);
       return (['away', 'strokes'] as const).map((shadowDirection) => {
@@ -75,10 +78,10 @@ for (const technique of ['anchored', 'engraved'] as const) {
         // The mean of gradients as directions of the doubled angle: strokes lie across it.
         const tensor = new THREE.Vector2();
         let sum = 0;
-        for (let i = 0; i < away.length - SIZE - 1; i++) {
+        for (let i = SIZE; i < away.length - SIZE; i++) {
           if (away[i] > -3) continue;
-          const x = pixels[4 * (i + 1)] - pixels[4 * i];
-          const y = pixels[4 * (i + SIZE)] - pixels[4 * i];
+          const x = pixels[4 * (i + 1)] - pixels[4 * (i - 1)];
+          const y = pixels[4 * (i + SIZE)] - pixels[4 * (i - SIZE)];
           tensor.x += x * x - y * y;
           tensor.y += 2 * x * y;
           sum += x * x + y * y;
@@ -90,6 +93,7 @@ for (const technique of ['anchored', 'engraved'] as const) {
     }, technique);
     const [away, strokes] = angles;
     expect(away.off).toBeLessThan(Math.sin(0.1));
-    expect(away.coherence).toBeGreaterThan(1.2 * strokes.coherence);
+    expect(away.coherence).toBeGreaterThan(0.85);
+    expect(strokes.off).toBeGreaterThan(0.3);
   });
 }

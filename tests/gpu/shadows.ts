@@ -147,7 +147,7 @@ function boardDistances(kind: LightKind, light: ShadowLight): Float32Array {
     ray.normalize();
     const distance = (place.x + BOARD.x) / (ray.z - ray.x);
     hit.copy(place).addScaledVector(ray, distance);
-    const isInside = distance > 0.05 && hit.x < BOARD.x - 0.1 && Math.abs(hit.y) < BOARD.y - 0.1;
+    const isInside = distance > 0.25 && hit.x < BOARD.x - 0.1 && Math.abs(hit.y) < BOARD.y - 0.1;
     return isInside ? distance / width : Number.NaN;
   });
 }

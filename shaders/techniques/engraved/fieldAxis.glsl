@@ -11,9 +11,26 @@ vec3 across(const in vec3 axis) {
 
 uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes are turned from the tangent to the light
 
+#if TONE_MODEL == TONE_MODEL_SHADOW && SHADOW_DIRECTION == SHADOW_DIRECTION_AWAY
+  #define RUNS_AWAY
+
+  // Across the light and across the ground, whose lines run away from the light then. The axis that leans least from the normal stands for
+  // the ground: it is the same all over it, so that no line breaks.
+  vec3 acrossGround(const in vec3 light) {
+    vec3 size = abs(vFieldNormal);
+    vec3 up = size.y >= size.x && size.y >= size.z ? vec3(0.0, 1.0, 0.0) : size.z >= size.x ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 side = cross(light, up);
+    // A light overhead has no side.
+    float sine = length(side);
+    return sine > 1e-3 ? side / sine : across(light);
+  }
+#endif // TONE_MODEL
+
 // light: towards it, unit, and one over its distance, field space.
 Field firstField(const in vec4 light) {
-  #if LINE_FIELD == LINE_FIELD_LIGHT
+  #ifdef RUNS_AWAY
+    return Field(acrossGround(light.xyz), 0.0);
+  #elif LINE_FIELD == LINE_FIELD_LIGHT
     return Field(strokeDirection.x * light.xyz + strokeDirection.y * across(light.xyz), strokeDirection.x * light.w);
   #elif LINE_FIELD == LINE_FIELD_TOWARDS
     return Field(strokeDirection.x * across(light.xyz) - strokeDirection.y * light.xyz, -strokeDirection.y * light.w);
@@ -23,7 +40,7 @@ Field firstField(const in vec4 light) {
     return Field(vec3(0.0, 1.0, 0.0), 0.0);
   #else
     return Field(vec3(0.0, 0.0, 1.0), 0.0);
-  #endif // LINE_FIELD
+  #endif // RUNS_AWAY
 }
 
 // The value at a point, 0 at the origin: |P_L| − |P − P_L| in a form that holds at any distance, and without an end is P·axis.

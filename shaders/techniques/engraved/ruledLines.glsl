@@ -25,13 +25,26 @@ float powerOf2(const in float octave) {
   return intBitsToFloat(int((octave + 127.0) * 8388608.0));
 }
 
+#ifdef DISSOLVES_SHADOWS
+  // Where a shadow dissolves its lines end one by one: the first of them so early, as a share of what is left of it.
+  #define FIRST_END 0.4
+
+  // What a line has of the width that it would have if all thinned out together.
+  float lineLeft(const in float line) {
+    float end = FIRST_END * lotOf(line);
+    return max(shadowLeft - end, 0.0) / ((1.0 - end) * max(shadowLeft, 1e-3));
+  }
+#else
+  #define lineLeft(line) 1.0
+#endif // DISSOLVES_SHADOWS
+
 #if MEDIUM == MEDIUM_WOODCUT
   #include "technique/carving"
 #elif defined(FOLLOWS_FORM)
   #define WIDTH_OF(line) tone
 #else
   // How wide a line is, as a share of the room it has.
-  #define WIDTH_OF(line) (tone * handWidth(line))
+  #define WIDTH_OF(line) (tone * handWidth(line) * lineLeft(line))
 #endif // MEDIUM
 
 // The darkness of a family.

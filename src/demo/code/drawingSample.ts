@@ -216,7 +216,7 @@ function groundPart({ settings, groundHeight }: CodeDrawing): Part {
   const { size, parts } = GROUND;
   const kind =
     settings.ground === 'shadow'
-      ? `\n  toneModel: 'shadow', // nothing but shadows\n  transparent: true,\n  paperOpacity: 0,\n  depthWrite: false,`
+      ? `\n  toneModel: 'shadow', // nothing but shadows\n  shadowTone: ${round(settings.shadowTone / 100)},\n  shadowFade: ${round(settings.shadowFade / 100)},\n  transparent: true,\n  paperOpacity: 0,\n  depthWrite: false,`
       : '';
   return {
     three: ['Mesh', 'PlaneGeometry'],

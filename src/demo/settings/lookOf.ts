@@ -23,6 +23,10 @@ export interface Look {
   /** What the model stands on, and whether that is to be seen: debug views look at the model. */
   readonly ground: Settings['ground'];
   readonly showsGround: boolean;
+  /** The properties of a ground that shows shadows alone. */
+  readonly groundShadow: Readonly<
+    Required<Pick<HatchingMaterialParameters, 'toneModel' | 'shadowTone' | 'shadowFade'>>
+  >;
   /** The colour of what nothing is drawn on. */
   readonly paper: string;
   /** Rotations about x, y and z, in radians, that turn the model's up axis to the top. */
@@ -53,6 +57,7 @@ export function lookOf(settings: Settings): Look {
     showsSurfaceColors: shown.surfaceColors === 'shown',
     ground,
     showsGround: ground !== 'none' && !isDebugView,
+    groundShadow: { toneModel: 'shadow', shadowTone: shown.shadowTone / 100, shadowFade: shown.shadowFade / 100 },
     paper,
     upright: UPRIGHT[upAxis],
     lights: lightingOf(shown),

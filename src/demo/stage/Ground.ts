@@ -50,7 +50,7 @@ export class Ground {
     if (this.kind === 'none') return;
     if (!this.isMade) void this.make();
     parameterSetter(look.drawn)(this.material);
-    if (this.kind === 'shadow') this.material.toneModel = 'shadow';
+    if (this.kind === 'shadow') Object.assign(this.material, look.groundShadow);
     this.showPaper(true);
     this.freePrograms();
   }

@@ -6,7 +6,7 @@ import type { HatchingMaterialParameters } from '../../../src/material/HatchingM
 const SHADOW = { toneModel: 'shadow' } as const;
 
 describe('shadows alone', () => {
-  test("are light, dissolve and run away from the light, but not with the techniques of the paper", () => {
+  test('are light, dissolve and run away from the light, but not with the techniques of the paper', () => {
     const valuesOf = (technique: HatchingMaterialParameters['technique']) => {
       const { shadowTone, shadowFade, shadowDirection } = new HatchingMaterial({ technique, ...SHADOW });
       return [shadowTone, shadowFade, shadowDirection];

@@ -27,6 +27,7 @@ const strength = (label: string, fallback: number, added: Partial<NumberRow> = {
 const FREE = { secondLight: ['free'] } as const;
 const SPOT = { lightKind: ['spot'] } as const;
 const SHADOWED = { shadows: ['on'] } as const;
+const ON_SHADOW = { ...SHADOWED, ground: ['shadow'] } as const;
 
 /** The lights, and the shadows that they cast. */
 export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
@@ -91,6 +92,29 @@ export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
     when: SHADOWED,
     default: 'none',
     choices: { none: 'Nothing', shadow: 'Its shadow', floor: 'A floor' },
+  },
+  shadowTone: {
+    kind: 'number',
+    label: 'Shadow tone',
+    owner: 'hand',
+    when: ON_SHADOW,
+    default: 50,
+    unit: '%',
+    min: 10,
+    max: 100,
+    step: 1,
+  },
+  shadowFade: {
+    kind: 'number',
+    label: 'Shadow dissolves',
+    owner: 'hand',
+    when: ON_SHADOW,
+    default: 100,
+    unit: '%',
+    min: 0,
+    max: 300,
+    step: 5,
+    ends: ['nowhere', 'near the model'],
   },
   secondLight: {
     kind: 'choice',

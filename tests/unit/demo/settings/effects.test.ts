@@ -51,6 +51,8 @@ describe('a setting has an effect', () => {
     ['outlineWidth', {}, true],
     ['ground', { shadows: 'off' }, false],
     ['shadowStrokes', { shadows: 'on' }, true],
+    ['shadowTone', { shadows: 'on', ground: 'floor' }, false],
+    ['shadowFade', { shadows: 'on', ground: 'shadow' }, true],
     ['lightDistance', {}, false],
     ['lightDistance', { lightKind: 'spot' }, true],
     ['spotAngle', { lightKind: 'point' }, false],
@@ -71,7 +73,7 @@ describe('a setting has an effect', () => {
     const some: Partial<Settings>[] = [
       { shadows: 'on', secondLight: 'free', lightKind: 'spot', strokeDirection: 'angle', pictureSize: 'own' },
       { technique: 'anchored', medium: 'dry', toneModel: 'phong', pictureSize: 'a4' },
-      { technique: 'engraved', toneModel: 'toon' },
+      { technique: 'engraved', toneModel: 'toon', shadows: 'on', ground: 'shadow' },
       { technique: 'adjacencyCrisp' },
     ];
     const unused = SETTING_KEYS.filter((key) => !some.some((changes) => used(key, changes)));
