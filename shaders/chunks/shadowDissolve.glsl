@@ -8,37 +8,13 @@
   #include "shadowMatrices"
   #include "shadowDepth"
 
-  // What shadows take of each light, by its number, as three's chunk walks over them; and how much of the shadows is left.
-  float shadowTakes[LIGHTS_WITH_DIRECTION];
-  float shadowLeft = 1.0;
-
-  // A sampler that compares does not tell the depth of what casts the shadow, only whether that lies before a depth. So its distance is
-  // found by halving: in as many steps as it takes to show no bands.
+  // The steps in which the distance is found: so many that no bands show.
   #define HALVINGS 7
   #define LAST_STEP (1.0 / 128.0)
 
-  // Looks for the distance from a point, as a share of the reach of the shadow, and gives what is left at that distance. PASSES(distance,
-  // away): how much light passes what lies beyond that distance, at a place so far from the point in radii of the soft edge. The outer half
-  // of an edge lies beside its caster: what is darkest near the point decides.
-  #define FIND_LEFT(PASSES) \
-    vec2 away = vec2(0.0); \
-    float passing = PASSES(0.0, away); \
-    for (int i = 0; i < 4; i++) { \
-      vec2 corner = vec2(i < 2 ? -1.0 : 1.0, i % 2 == 0 ? -1.0 : 1.0); \
-      float there = PASSES(0.0, corner); \
-      if (there < passing - 1e-3) { \
-        passing = there; \
-        away = corner; \
-      } \
-    } \
-    float most = 0.5 + 0.5 * passing; \
-    float before = 0.0; \
-    float span = 0.5; \
-    for (int i = 0; i < HALVINGS; i++) { \
-      if (PASSES(before + span, away) < most) before += span; \
-      span *= 0.5; \
-    } \
-    return 1.0 - before / (1.0 - LAST_STEP);
+  // What shadows take of each light, by its number, as three's chunk walks over them; and how much of the shadows is left.
+  float shadowTakes[LIGHTS_WITH_DIRECTION];
+  float shadowLeft = 1.0;
 
   // matrix: from the world to the map. at: the point in the map. toLight: unit, world space. radius: of the soft edge, as a share of the map.
   float leftOfFlat(
@@ -49,8 +25,8 @@
     vec4 lastRow = vec4(matrix[0][3], matrix[1][3], matrix[2][3], 0.0);
     float reach = at.w / (length(row - 0.5 * lastRow) * shadowFade);
     vec4 towards = reach * (matrix * vec4(toLight, 0.0));
-    #define PASSES_FLAT(distance, away) passesFlat(map, at + (distance) * towards, (away) * radius, bias)
-    FIND_LEFT(PASSES_FLAT)
+    #define PASSES(distance, away) passesFlat(map, at + (distance) * towards, (away) * radius, bias)
+    #include "shadowSearch"
   }
 
   #ifdef CUBE_SHADOW_MAP
@@ -64,8 +40,8 @@
       mat2x3 aside = radius * mat2x3(tangent, cross(direction, tangent));
       vec3 onAxes = abs(fromLight);
       float reach = 2.0 * max(max(onAxes.x, onAxes.y), onAxes.z) / shadowFade;
-      #define PASSES_CUBE(distance, away) passesCube(map, direction + aside * (away), lightDistance - reach * (distance), range, bias)
-      FIND_LEFT(PASSES_CUBE)
+      #define PASSES(distance, away) passesCube(map, direction + aside * (away), lightDistance - reach * (distance), range, bias)
+      #include "shadowSearch"
     }
   #endif // CUBE_SHADOW_MAP
 
