@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { ShaderChunk } from 'three';
 import { afterEach, describe, expect, test } from 'vitest';
-import { lightChunks, lightCountDefine } from '../../../../src/material/shaders/lightKinds.js';
+import { lightChunks, lightCountDefine, shadowChunks } from '../../../../src/material/shaders/lightKinds.js';
 
 const { lights_pars_begin } = ShaderChunk;
 
@@ -60,6 +60,33 @@ describe('the walks over lights', () => {
     }
     const told = [...lightShadows.matchAll(/^#define (get\w*Shadow)\(/gm)].map(([, name]) => name);
     expect(new Set(told)).toEqual(new Set(['getShadow', 'getPointShadow', 'getSunShadow']));
+  });
+
+  test("visit the shadow maps that three's own walk reads, by the number of their light, flat ones and cubes apart", () => {
+    const { lights_fragment_begin, shadowmap_pars_vertex } = ShaderChunk;
+    const theirs = [...lights_fragment_begin.matchAll(/\bget(Point)?Shadow\( (\w+)\[ i \],.*? (v\w+)\[ i \]/g)].map(
+      ([, cube, map, at]) => ({ isCube: cube !== undefined, map, at }),
+    );
+    expect(theirs).toHaveLength(3);
+    const { shadowMatrices, eachFlatShadow, eachCubeShadow } = shadowChunks();
+    for (const { isCube, map, at } of theirs) {
+      const visit = new RegExp(
+        `VISIT_SHADOW\\(([^,]*), ${map}\\[i\\], (?:\\w+\\[i\\], )?${at}\\[i\\], \\w+LightShadows\\[i\\]\\)`,
+      );
+      const [chunk, other] = isCube ? [eachCubeShadow, eachFlatShadow] : [eachFlatShadow, eachCubeShadow];
+      expect(chunk).toMatch(visit);
+      expect(other).not.toContain(map);
+      const kind = map.replace('ShadowMap', '');
+      const number = new RegExp(`VISIT_LIGHT\\(${kind}Lights\\[i\\], ([^)]*)\\)`).exec(lightChunks().eachLight)?.[1];
+      expect(visit.exec(chunk)?.[1]).toBe(number);
+    }
+    for (const [, name, count] of shadowMatrices.matchAll(/uniform mat4 (\w+)\[(\w+)\];/g)) {
+      expect(shadowmap_pars_vertex).toMatch(new RegExp(`uniform mat4 ${name}\\[ ${count} \\];`));
+    }
+    for (const chunk of [eachFlatShadow, eachCubeShadow]) {
+      expect(chunk.replace(/NUM_\w+_SHADOWS/g, '2').replace(UNROLLED, '')).not.toContain('for (');
+      expect(chunk.endsWith('#undef VISIT_SHADOW')).toBe(true);
+    }
   });
 
   test('leave out what the installed three.js does not have', () => {

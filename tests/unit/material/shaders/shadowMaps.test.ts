@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { ShaderChunk } from 'three';
 import { describe, expect, test } from 'vitest';
 import { resolveIncludes } from '../../../../src/material/shaders/resolveIncludes.js';
-import { shadowMapsChunk } from '../../../../src/material/shaders/shadowMaps.js';
+import { shadowDepthChunk, shadowMapsChunk } from '../../../../src/material/shaders/shadowMaps.js';
 
 const chunkOf = (version: string) => {
   const file = readFileSync(
@@ -79,6 +79,17 @@ describe('the filter of shadow maps', () => {
     const theirs = chunkOf(version);
     expect(theirs).toContain('unpackRGBAToDepth');
     expect(shadowMapsChunk(theirs)).toBe(theirs);
+  });
+
+  test('depths are told as each version stores them', () => {
+    for (const version of ['three-oldest', 'three-middle']) {
+      const packed = shadowDepthChunk(chunkOf(version));
+      expect(packed).toContain('unpackRGBAToDepth(texel)');
+      expect(packed).not.toMatch(/#define (SHADOW_MAPS_COMPARE|CUBE_SHADOW_MAP)/);
+    }
+    const present = shadowDepthChunk(chunkOf('three'));
+    expect(present).toMatch(/#ifdef SHADOWMAP_TYPE_PCF\n#define SHADOW_MAPS_COMPARE/);
+    expect(present).not.toContain('unpack');
   });
 
   test('that someone has put in place of three’s stays', () => {
