@@ -31,6 +31,7 @@ export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/Adap
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
+export { type FlatteringLight, flatteringLight } from './scene/flattering/flatteringLight.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';

@@ -12,6 +12,7 @@ export const ROOMS = {
   form: ['slices', 'mesh', 'adjacency', 'normals', 'features'],
   bake: ['slices', 'mesh', 'adjacency', 'normals', 'features', 'form'],
   occlusion: ['slices', 'mesh'],
+  lighting: [],
   strokes: [],
   hatchImages: ['slices', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
@@ -46,8 +47,10 @@ export const ROOMS = {
     'geometry',
     'material',
     'outlines',
+    'lighting',
   ],
   'scene/jointForms': [],
+  'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
   'index.ts': [
     'adjacency',
     'strokes',
@@ -114,6 +117,6 @@ export const ROOMS = {
 
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
-  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion'],
+  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'lighting'],
   ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command'],
 ];

@@ -1,0 +1,83 @@
+import type { SeenSurface } from './seenSurface.js';
+import { shareOfShade } from './shareOfShade.js';
+
+type Vector = readonly [x: number, y: number, z: number];
+
+/** The axes of a view, as unit vectors in world space, and where the top of the world is. */
+export interface ViewAxes {
+  right: Vector;
+  up: Vector;
+  toEye: Vector;
+  top: Vector;
+}
+
+/** A direction to a light, of length 1, and the share of shade under it. */
+export interface ChosenLight {
+  direction: [x: number, y: number, z: number];
+  shade: number;
+}
+
+/** The share of what is seen that should lie in shade, and by how much it may miss that before it is worse than another direction. */
+const SHADE = { wanted: 0.4, tolerance: 0.03 };
+/** The light of a portrait: three-quarter from the front, in degrees from the viewer, and how far another may be from it. */
+const THREE_QUARTER = { azimuth: 45, elevation: 40, tolerance: 25 };
+/** The directions that are tried, in degrees from the viewer: to the left and right, all from the front and from above. */
+const AZIMUTHS = { least: 15, most: 70, step: 5 };
+const ELEVATIONS = { least: 15, most: 65, step: 5 };
+/** How much worse a light from the right must be than one from the left, as most people draw with their right hand. */
+const LEFT_ADVANTAGE = 0.25;
+/** The sine of the least height above the horizon: lower, a light would cast long shadows. */
+const LEAST_HEIGHT = Math.sin(Math.PI / 9);
+
+/**
+ * Chooses a light that shows a surface well: from the upper left or right in front, so that about two fifths of what is seen lie in
+ * shade. The same surface gets the same light.
+ */
+export function chooseLight(surface: SeenSurface, axes: ViewAxes): ChosenLight {
+  let best: ChosenLight | undefined;
+  let least = Infinity;
+  for (const isAboveHorizon of [true, false]) {
+    for (const { azimuth, elevation } of candidates()) {
+      const direction = directionOf(azimuth, elevation, axes);
+      if (isAboveHorizon && dot(direction, axes.top) < LEAST_HEIGHT) continue;
+      const shade = shareOfShade(surface, direction);
+      const ideal = directionOf(Math.sign(azimuth) * THREE_QUARTER.azimuth, THREE_QUARTER.elevation, axes);
+      const away = degrees(Math.acos(Math.min(1, dot(direction, ideal))));
+      const cost =
+        ((shade - SHADE.wanted) / SHADE.tolerance) ** 2 +
+        (away / THREE_QUARTER.tolerance) ** 2 +
+        (azimuth > 0 ? LEFT_ADVANTAGE : 0);
+      if (cost >= least) continue;
+      least = cost;
+      best = { direction, shade };
+    }
+    // Seen from below, no light in front may be above the horizon.
+    if (best) break;
+  }
+  return best!;
+}
+
+/** All directions that are tried. Those to the left have a negative azimuth. */
+function* candidates(): Generator<{ azimuth: number; elevation: number }, void, void> {
+  for (const side of [-1, 1]) {
+    for (let azimuth = AZIMUTHS.least; azimuth <= AZIMUTHS.most; azimuth += AZIMUTHS.step) {
+      for (let elevation = ELEVATIONS.least; elevation <= ELEVATIONS.most; elevation += ELEVATIONS.step) {
+        yield { azimuth: side * azimuth, elevation };
+      }
+    }
+  }
+}
+
+/** A direction that is given from the viewer. */
+function directionOf(azimuth: number, elevation: number, { right, up, toEye }: ViewAxes): [number, number, number] {
+  const level = Math.cos(radians(elevation));
+  const sideways = level * Math.sin(radians(azimuth));
+  const upwards = Math.sin(radians(elevation));
+  const forwards = level * Math.cos(radians(azimuth));
+  const along = (axis: 0 | 1 | 2): number => sideways * right[axis] + upwards * up[axis] + forwards * toEye[axis];
+  return [along(0), along(1), along(2)];
+}
+
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const radians = (angle: number): number => (angle * Math.PI) / 180;
+const degrees = (angle: number): number => (angle * 180) / Math.PI;
