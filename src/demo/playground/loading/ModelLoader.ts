@@ -16,6 +16,7 @@ import { SETTINGS, type Settings } from '../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import type { lightModel } from './lightModel.js';
 import { type CaptionContent, ModelCaption } from './ModelCaption.js';
 import type { ShownFiles } from './sortDrop.js';
 
@@ -25,6 +26,8 @@ interface LoadedModel {
   read: ReadModel | BuiltInScene;
   shown?: ShownFiles;
   drawing?: BundledDrawing | undefined;
+  /** Lights the model for its view; undefined if its light is known. */
+  light?: typeof lightModel | undefined;
 }
 
 /** A model by the value of its setting, with its files if it is the user's own. */
@@ -64,7 +67,12 @@ export class ModelLoader {
   shownFiles: ShownFiles = { files: [], missing: [] };
   /** The state of the page that a stand-in has changed. */
   private beforeStandIn:
-    | { upAxis: Settings['upAxis']; title: string; caption: CaptionContent | undefined; place: CameraView | undefined }
+    | {
+        settings: Pick<Settings, 'upAxis' | 'lightAzimuth' | 'lightElevation'>;
+        title: string;
+        caption: CaptionContent | undefined;
+        place: CameraView | undefined;
+      }
     | undefined;
   /** The shown model, as the value of its setting. */
   private shownModel: Settings['model'];
@@ -178,9 +186,13 @@ export class ModelLoader {
 
   private showOwn(files: readonly ModelFile[], way: WayToShow): Promise<void> {
     return this.show({ model: 'file', files }, way, async (report, signal) => {
-      const read = await loadModelFiles(files, { signal, onStage: report });
+      const [read, { lightModel }] = await Promise.all([
+        loadModelFiles(files, { signal, onStage: report }),
+        import('./lightModel.js'),
+      ]);
       const { name: title, missing, unpacked, drawing } = read;
-      return { title, read, shown: { files, missing, unpacked }, drawing };
+      const light = way.isRestored || !way.isFramed || drawing ? undefined : lightModel;
+      return { title, read, shown: { files, missing, unpacked }, drawing, light };
     });
   }
 
@@ -230,7 +242,7 @@ export class ModelLoader {
     { isFramed, isRestored }: WayToShow,
   ): void {
     const { settings, stage } = this;
-    const { title, read, view, drawing } = loaded;
+    const { title, read, view, drawing, light } = loaded;
     const hasStandIn = stage.shown.isStandIn;
     this.beforeStandIn = undefined;
     this.shownModel = model;
@@ -248,18 +260,20 @@ export class ModelLoader {
     stage.shown.set(next, view);
     // The user may have moved the camera while the stand-in was shown.
     if (isFramed && !hasStandIn) stage.view.frame();
+    if (!hasStandIn) light?.(stage, settings);
     if (isRestored) this.onChange('restored');
     else this.onChange('opened', { isOther: isFramed, drawing });
     page.lamp.hidden = false;
   }
 
   /** Draws a large mesh at once, as well as it can be drawn before it is prepared. */
-  private showStandIn({ read, title, view }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
+  private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
     const { stage, settings } = this;
     const standIn = standInOf(read, settings);
     if (!standIn) return;
+    const { upAxis, lightAzimuth, lightElevation } = settings;
     this.beforeStandIn ??= {
-      upAxis: settings.upAxis,
+      settings: { upAxis, lightAzimuth, lightElevation },
       title: document.title,
       caption: this.caption.content,
       place: stage.view.ownPlace,
@@ -268,6 +282,7 @@ export class ModelLoader {
     this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
     stage.shown.setStandIn(standIn, view);
     if (isFramed) stage.view.frame();
+    light?.(stage, settings);
   }
 
   /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
@@ -275,7 +290,7 @@ export class ModelLoader {
     const { stage, settings, beforeStandIn: before } = this;
     if (!before) return;
     this.beforeStandIn = undefined;
-    settings.upAxis = before.upAxis;
+    Object.assign(settings, before.settings);
     stage.shown.removeStandIn();
     document.title = before.title;
     this.caption.show(before.caption);

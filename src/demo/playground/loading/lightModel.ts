@@ -1,0 +1,23 @@
+import { MathUtils, Spherical } from 'three';
+import { flatteringLight } from 'three-hatching';
+import { acceptSetting } from '../../settings/acceptSetting.js';
+import { lookOf } from '../../settings/lookOf.js';
+import type { Settings } from '../../settings/settings.js';
+import type { Stage } from '../../stage/Stage.js';
+
+/** Lights the shown model for its view, and applies the settings with that. A module of its own, which is fetched with the first file. */
+export function lightModel(stage: Stage, settings: Settings): void {
+  // The model is seen upright from here on.
+  stage.apply(lookOf(settings));
+  if (!stage.model) return;
+  const { direction } = flatteringLight(stage.model.root, stage.camera);
+  if (settings.lightFollows === 'viewer') direction.applyQuaternion(stage.camera.quaternion.clone().invert());
+  const { theta, phi } = new Spherical().setFromVector3(direction);
+  const place = { lightAzimuth: MathUtils.radToDeg(theta), lightElevation: 90 - MathUtils.radToDeg(phi) };
+  for (const key of ['lightAzimuth', 'lightElevation'] as const) {
+    settings[key] = acceptSetting(key, place[key]) as number;
+  }
+  stage.apply(lookOf(settings));
+  // The shadow is another one now.
+  if (stage.view.isFramed) stage.view.frame();
+}
