@@ -9,9 +9,10 @@ import {
   type Object3D,
   PerspectiveCamera,
   Scene,
+  Spherical,
   Vector3,
 } from 'three';
-import { applyHatching, type HatchedScene, type HatchingPreset } from 'three-hatching';
+import { applyHatching, flatteringLight, type HatchedScene, type HatchingPreset } from 'three-hatching';
 import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
@@ -81,6 +82,13 @@ export class Drawing {
     return this.preset.material.paper ?? 'white';
   }
 
+  /** The direction to a light that suits a view of the whole model. @param aspect width of the picture divided by its height */
+  lightFor(eye: Direction, aspect: number): Direction {
+    this.look(eye, 1, aspect);
+    const { theta, phi } = new Spherical().setFromVector3(flatteringLight(this.model, this.camera).direction);
+    return { azimuth: MathUtils.radToDeg(theta), elevation: 90 - MathUtils.radToDeg(phi) };
+  }
+
   /**
    * Sets the positions of light and camera.
    *
@@ -88,10 +96,14 @@ export class Drawing {
    * @param aspect width of the picture divided by its height
    */
   arrange(light: Direction, eye: Direction, zoom: number, aspect: number): void {
-    const { camera } = this;
     before.copy(this.light.position);
     putAt(this.light.position, light, LIGHT_DISTANCE);
     if (!this.light.position.equals(before)) this.renewShadow();
+    this.look(eye, zoom, aspect);
+  }
+
+  private look(eye: Direction, zoom: number, aspect: number): void {
+    const { camera } = this;
     putAt(camera.position, eye, this.distance(MathUtils.degToRad(eye.elevation), aspect) / zoom);
     camera.lookAt(0, 0, 0);
     camera.aspect = aspect;

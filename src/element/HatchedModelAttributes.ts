@@ -6,9 +6,8 @@ export interface HatchedModelAttributes {
   src?: string | undefined;
   /** The name of a preset. Default: `pen`. */
   preset?: PresetName | undefined;
-  /** How much of the model's own colours is printed under the ink, from 0, ink alone, to 1. Default: that of the preset, 0. */
   'color-fill'?: number | string | undefined;
-  /** Azimuth and elevation of the light in degrees. Default: `-45 40`. */
+  /** Azimuth and elevation of the light in degrees. Default: one that suits the first view of the model. */
   light?: string | undefined;
   /** Whether visitors may turn the model and its light; with `light` only the light. Default: false. */
   controls?: boolean | 'light' | undefined;

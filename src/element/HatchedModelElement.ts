@@ -3,7 +3,7 @@ import { Drawing } from './Drawing.js';
 import { elementStyle } from './elementStyle.js';
 import { warnOfMissingSource } from './missingSource.js';
 import { Painter } from './Painter.js';
-import { readColorFill, readControls, readLight, readPreset } from './readAttributes.js';
+import { type Direction, readColorFill, readControls, readLight, readPreset } from './readAttributes.js';
 import { type Arrangement, ViewControls } from './ViewControls.js';
 
 const PROPERTIES = {
@@ -23,7 +23,9 @@ const OF_MODEL: readonly string[] = ['src', 'preset', 'color-fill', 'draco-path'
 const LOAD_MARGIN = '300px';
 /** The largest number of pixels per CSS pixel. More of them take long and show little. */
 const MAX_PIXEL_RATIO = 2;
-const EYE = { azimuth: 0, elevation: 8 } as const;
+const EYE: Direction = { azimuth: 0, elevation: 8 };
+/** The light until there is a model: from the upper left, as in most drawings of right-handed people. */
+const FIRST_LIGHT: Direction = { azimuth: -45, elevation: 40 };
 const HINT = 'Arrow keys turn the model, with Shift the light; plus and minus zoom; Home resets everything.';
 
 // There is no HTMLElement on a server, but the module must be importable there too.
@@ -37,7 +39,7 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | `src` | URL of a glTF or GLB file |
  * | `preset` | name of a preset of the library; `pen` by default |
  * | `color-fill` | how much of the model's own colours is printed under the ink, from 0 to 1; 0 by default |
- * | `light` | azimuth and elevation of the light in degrees, such as `-45 40` |
+ * | `light` | azimuth and elevation of the light in degrees, such as `-45 40`; by default one that suits the first view of the model |
  * | `controls` | lets visitors turn the model and its light; with `controls="light"` only the light |
  * | `alt` | describes the picture in words; empty if it is decoration |
  * | `poster` | URL of a picture that is shown until the model is drawn |
@@ -63,7 +65,9 @@ export class HatchedModelElement extends Base {
   private readonly canvas = document.createElement('canvas');
   private readonly image = document.createElement('img');
   private readonly message = document.createElement('p');
-  private readonly arrangement: Arrangement = home(null);
+  /** The light that suits the model. */
+  private suitingLight = FIRST_LIGHT;
+  private readonly arrangement: Arrangement = this.home;
   private viewControls: ViewControls | undefined;
   private painter: Painter | undefined;
   private drawing: Drawing | undefined;
@@ -92,13 +96,8 @@ export class HatchedModelElement extends Base {
   connectedCallback(): void {
     // An element that was moved within the page has kept everything.
     if (this.near) return;
-    this.viewControls = new ViewControls(
-      this.canvas,
-      this.arrangement,
-      () => home(this.getAttribute('light')),
-      this.invalidate,
-    );
-    Object.assign(this.arrangement.light, home(this.getAttribute('light')).light);
+    this.viewControls = new ViewControls(this.canvas, this.arrangement, () => this.home, this.invalidate);
+    Object.assign(this.arrangement.light, this.home.light);
     this.near = new IntersectionObserver(this.onNear, { rootMargin: LOAD_MARGIN });
     this.near.observe(this);
     this.resizes = new ResizeObserver(this.invalidate);
@@ -176,6 +175,7 @@ export class HatchedModelElement extends Base {
       }
       this.drawing?.dispose();
       this.drawing = drawing;
+      this.lightModel(drawing);
       this.say('');
       this.invalidate();
       this.dispatchEvent(new Event('load'));
@@ -186,9 +186,32 @@ export class HatchedModelElement extends Base {
     }
   }
 
+  /** Lights a new model for its first view, unless an attribute or a visitor has chosen the light. */
+  private lightModel(drawing: Drawing): void {
+    const { light } = this.arrangement;
+    const before = this.home.light;
+    const aspect = this.clientWidth / this.clientHeight;
+    // An element without a size will get one.
+    this.suitingLight = drawing.lightFor(EYE, aspect > 0 && aspect < Infinity ? aspect : 1);
+    if (light.azimuth === before.azimuth && light.elevation === before.elevation) {
+      Object.assign(light, this.home.light);
+    }
+  }
+
+  /** The arrangement that visitors find, and go back to. */
+  private get home(): Arrangement {
+    let light: Direction | undefined;
+    try {
+      light = readLight(this.getAttribute('light'));
+    } catch {
+      // Loading reports the error.
+    }
+    return { light: { ...(light ?? this.suitingLight) }, eye: { ...EYE }, zoom: 1 };
+  }
+
   private showLight(): void {
     try {
-      Object.assign(this.arrangement.light, readLight(this.getAttribute('light')));
+      Object.assign(this.arrangement.light, readLight(this.getAttribute('light')) ?? this.suitingLight);
     } catch (error) {
       this.fail(error as Error);
       return;
@@ -308,18 +331,3 @@ const resolve = (address: string): string => new URL(address, document.baseURI).
 
 /** The URL of a folder, with a slash at its end. */
 const folderOf = (path: string): string | undefined => (path ? resolve(path.replace(/\/*$/, '/')) : undefined);
-
-/**
- * The initial arrangement.
- *
- * @param light the attribute, which may be invalid
- */
-function home(light: string | null): Arrangement {
-  let direction = readLight(null);
-  try {
-    direction = readLight(light);
-  } catch {
-    // Loading reports the error.
-  }
-  return { light: direction, eye: { ...EYE }, zoom: 1 };
-}

@@ -12,8 +12,6 @@ export interface Direction {
 export type Controls = 'none' | 'orbit' | 'light';
 
 const DEFAULT_PRESET: PresetName = 'pen';
-/** The default light comes from the upper left, as in most drawings of right-handed people. */
-const DEFAULT_LIGHT: Direction = { azimuth: -45, elevation: 40 };
 const MAX_ELEVATION = 90;
 
 /**
@@ -47,12 +45,13 @@ export function readColorFill(text: string | null): number | undefined {
 /**
  * Reads the direction of the light.
  *
- * @param text the attribute: azimuth and elevation in degrees, such as `-45 40`; null or '' for the default
+ * @param text the attribute: azimuth and elevation in degrees, such as `-45 40`
+ * @returns undefined for null or '': the model gets a light that suits its first view
  * @throws Error if it does not consist of two numbers, or the elevation is not between −90 and 90
  */
-export function readLight(text: string | null): Direction {
+export function readLight(text: string | null): Direction | undefined {
   const words = (text ?? '').split(/[\s,]+/).filter(Boolean);
-  if (words.length === 0) return { ...DEFAULT_LIGHT };
+  if (words.length === 0) return undefined;
   const [azimuth, elevation] = words.map(Number);
   if (words.length === 2 && Number.isFinite(azimuth) && Math.abs(elevation) <= MAX_ELEVATION) {
     return { azimuth, elevation };

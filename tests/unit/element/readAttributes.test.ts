@@ -31,8 +31,6 @@ describe('color-fill', () => {
 
 describe('light', () => {
   test.each([
-    [null, -45, 40],
-    ['', -45, 40],
     ['30 20', 30, 20],
     ['  -120,5.5 ', -120, 5.5],
     ['720 -90', 720, -90],
@@ -44,10 +42,7 @@ describe('light', () => {
     expect(() => readLight(text)).toThrow(`The light is "${text}", but must be its azimuth and elevation`);
   });
 
-  test('does not hand out its default, which drags would change', () => {
-    readLight(null).azimuth = 0;
-    expect(readLight(null).azimuth).toBe(-45);
-  });
+  test.each([null, '', '  '])('is that of the model for %o', (text) => expect(readLight(text)).toBeUndefined());
 });
 
 test('controls turn the model, or the light alone', () => {
