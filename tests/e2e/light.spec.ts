@@ -1,5 +1,14 @@
 import type { Page } from '@playwright/test';
-import { dragLamp, lampPlace, middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import {
+  dragLamp,
+  drop,
+  lampPlace,
+  middleOf,
+  openPlayground,
+  readDrawing,
+  ready,
+} from '../../tools/browser/playground.js';
+import { file, octahedronObj } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { angleBetween, changedShare, meanInk, type Region, strokeDirection } from './pictures.js';
 
@@ -310,4 +319,19 @@ test('hollows become darker when asked for, by the light of the page', async ({ 
   expect(changedShare(open, hollow)).toBeGreaterThan(0.01);
   const [before, after] = [open, hollow].map((picture) => meanInk(picture, { left: 0, top: 0, right: 1, bottom: 1 }));
   expect(after).toBeGreaterThan(before + 0.002);
+});
+
+test('a model that is opened is lit from the upper front, and Undo takes its light back', async ({ page }) => {
+  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=170&lightElevation=-30');
+  await drop(page, [file('octahedron.obj', octahedronObj)]);
+  await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
+  const suiting = await lampPlace(page);
+  expect(suiting.elevation).toBeGreaterThan(15);
+  await expect(page.locator('#lamp')).toHaveAttribute('aria-valuetext', /in front of the model/);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.locator('#model-name')).not.toHaveText('octahedron.obj');
+  expect(await lampPlace(page)).toMatchObject({ azimuth: 170, elevation: -30 });
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
+  expect(await lampPlace(page)).toEqual(suiting);
 });
