@@ -22,7 +22,10 @@ declare module 'virtual:form-sources' {
     code: string;
   }
   const sources: Readonly<
-    Record<'shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot' | 'makeFish', FormSource>
+    Record<
+      'shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot' | 'makeFish' | 'makeHouse' | 'makeDrapery',
+      FormSource
+    >
   >;
   export default sources;
 }

@@ -16,6 +16,8 @@ const FORMS = {
   landscape: 'forms.ts',
   knot: 'forms.ts',
   makeFish: 'makeFish.ts',
+  makeHouse: 'makeHouse.ts',
+  makeDrapery: 'makeDrapery.ts',
 } as const;
 
 /** Gives copied code the very functions that make the page's own models, as JavaScript: `import sources from 'virtual:form-sources'`. */

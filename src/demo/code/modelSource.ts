@@ -78,10 +78,12 @@ geometry.setAttribute('position', new Float32BufferAttribute(positions.flat(), 3
       };
     case 'sphere':
       return shapeSource('new IcosahedronGeometry(1, 12)', [], ['IcosahedronGeometry']);
-    case 'fish': {
-      const { code: functions, ...source } = forms.makeFish;
-      return { ...source, functions, code: 'const { root: model, animations } = makeFish();', hasClips: true };
-    }
+    case 'fish':
+      return { ...sceneSource('makeFish', 'model, animations'), hasClips: true };
+    case 'house':
+      return sceneSource('makeHouse', 'model');
+    case 'drapery':
+      return sceneSource('makeDrapery', 'model');
     case 'bust':
       return {
         imports: [
@@ -113,6 +115,15 @@ model.quaternion.set(Math.SQRT1_2, 0, Math.SQRT1_2, 0); // its fingers up, its b
       return { ...shapeSource(`${model}()`, imports, classes), functions };
     }
   }
+}
+
+/** A scene that one of our functions makes. @param taken what is taken of it: `root` as `model`, and perhaps its clips */
+function sceneSource(
+  form: 'makeFish' | 'makeHouse' | 'makeDrapery',
+  taken: 'model' | 'model, animations',
+): ModelSource {
+  const { code: functions, ...source } = forms[form];
+  return { ...source, functions, code: `const { root: ${taken} } = ${form}();` };
 }
 
 /** A shape of three.js with the vertices merged that are doubled for texture coordinates, as the page draws it. */

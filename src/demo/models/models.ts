@@ -78,6 +78,22 @@ const builtIn = {
   gears: form('Gears', 'gears'),
   landscape: { ...form('Landscape', 'landscape'), view: [0.6, 0.62, 1] },
   knot: form('Knot', 'knot'),
+  house: {
+    title: 'House',
+    view: [0.75, 0.4, 1],
+    async load() {
+      const { makeHouse } = await import('./makeHouse.js');
+      return { kind: 'scene', name: 'House', upAxis: 'y', scene: makeHouse() };
+    },
+  },
+  drapery: {
+    title: 'Draped cloth',
+    view: [0.25, 0.42, 1],
+    async load() {
+      const { makeDrapery } = await import('./makeDrapery.js');
+      return { kind: 'scene', name: 'Draped cloth', upAxis: 'y', scene: makeDrapery() };
+    },
+  },
   cube: { ...threeShape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
   sphere: threeShape('Sphere', async () => new IcosahedronGeometry(1, 12)),
 } satisfies Record<string, BuiltIn>;

@@ -29,6 +29,8 @@ const MODELS = {
   gears: 'Gears',
   landscape: 'Landscape',
   knot: 'Knot',
+  house: 'House',
+  drapery: 'Draped cloth',
   cube: 'Cube',
   sphere: 'Sphere',
   file: 'Your own',
