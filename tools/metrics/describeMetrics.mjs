@@ -1,6 +1,9 @@
 import { flipsAt, isKept, requirements, toneError } from './requirements.mjs';
 
-/** @typedef {import('./page.js').ModelMetrics} ModelMetrics */
+/**
+ * @typedef {import('./page.js').ModelMetrics} ModelMetrics
+ * @typedef {import('./flatTones.js').FlatTones} FlatTones
+ */
 
 const colours = {
   anchored: '#0b0b0b',
@@ -23,8 +26,8 @@ const figure = (value) =>
       ? value.toExponential(0)
       : value.toFixed(3);
 
-/** The page of the docs. @param {{ renderer: string, models: Record<string, ModelMetrics> }} report */
-export function describeMetrics({ renderer, models }) {
+/** The page of the docs. @param {{ renderer: string, models: Record<string, ModelMetrics>, flatTones: FlatTones }} report */
+export function describeMetrics({ renderer, models, flatTones }) {
   return `# Measured strokes
 
 Written by \`npm run metrics\`; drawn by ${renderer}. Every technique is measured on the same geometry, in the same run,
@@ -104,6 +107,40 @@ ${table(
       m.strokeLength === undefined ? '' : figure(m.strokeLength),
     ];
   }),
+)}
+`,
+  )
+  .join('\n')}
+${describeFlatTones(flatTones)}`;
+}
+
+/** Flat tones of the looks that are made of dots and grain. @param {FlatTones} flatTones */
+function describeFlatTones(flatTones) {
+  return `## Flat tones
+
+Presets on a wall in even tones, 256 pixels wide, without their tone curves.
+
+- **ink**: mean darkness. Stipple closes from half tone on, and is solid from 0.85 on.
+- **dots** and **specks**: pieces of ink and pieces of paper on 10,000 pixels, each with the pixels of the middle one. Below half tone
+  dots lie apart on one piece of paper; specks are what is left of it between dots that have grown together.
+- **4 px** to **64 px**: the spectrum, as the standard deviation of the tone in octaves of wavelength, by the longest of each. Marbling
+  is what there is in the last two.
+- **coherence**: as above. That of dots is near 0; grain that runs along the strokes is nearer to 1.
+
+${Object.entries(flatTones)
+  .map(
+    ([look, tones]) => `### ${look}
+
+${table(
+  ['tone', 'ink', 'dots', 'specks', '4 px', '8 px', '16 px', '32 px', '64 px', 'coherence'],
+  tones.map(({ tone, ink, pieces, bands, coherence }) => [
+    tone,
+    figure(ink),
+    `${pieces.ink.toFixed(0)} of ${pieces.inkArea}`,
+    `${pieces.paper.toFixed(0)} of ${pieces.paperArea}`,
+    ...bands.map(figure),
+    Number.isFinite(coherence) ? figure(coherence) : '',
+  ]),
 )}
 `,
   )

@@ -9,6 +9,7 @@ import {
 import { counts, followsForm, needsMap } from 'three-hatching/facts';
 import { HATCHING_TECHNIQUES } from '../../src/material/facts/hatchingProperties.js';
 import { plainLook } from '../plainLook.js';
+import { type FlatTones, measureFlatTones } from './flatTones.js';
 import { loadModel, type ModelName } from './loadModel.js';
 import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
 import { greyness } from './measures/greyness.js';
@@ -73,6 +74,7 @@ export interface ModelMetrics {
 declare global {
   interface Window {
     measureModel(model: ModelName, plan: Plan, text?: string): Promise<ModelMetrics>;
+    measureFlatTones(): Promise<FlatTones>;
   }
 }
 
@@ -102,6 +104,11 @@ document.body.append(renderer.domElement);
 let tonalArtMap: TonalArtMap | undefined;
 /** Length by spacing of strokes as the map draws them. */
 let drawnLength: number | undefined;
+
+window.measureFlatTones = async () => {
+  await HatchingMaterial.preload();
+  return measureFlatTones(renderer);
+};
 
 window.measureModel = async (name, plan, text) => {
   tonalArtMap ??= await TonalArtMap.generate();

@@ -47,6 +47,8 @@ const server = await createServer({
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
 const measured = {};
+/** Undefined where only some models are measured. */
+let flatTones;
 try {
   const page = await browser.newPage();
   page.on('console', (message) => {
@@ -67,13 +69,14 @@ try {
     );
     console.log(`${name}: ${((performance.now() - start) / 1000).toFixed(0)} s`);
   }
+  if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
 } finally {
   await browser.close();
   await server.close();
 }
 
 const { renderer } = await describeRenderer();
-const report = { renderer, models: measured };
+const report = { renderer, models: measured, flatTones };
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {

@@ -91,9 +91,18 @@ describe('requirements', () => {
 describe('the page of the docs', () => {
   it('holds every model and technique, and what was not measured as an empty cell', () => {
     const models = modelsWith('bunny', { dolly: undefined, zoom: undefined, coherence: 0.5 }, 'engraved') as never;
-    const page = describeMetrics({ renderer: 'a renderer', models });
+    const pieces = { ink: 649, inkArea: 2, paper: 556, paperArea: 3 };
+    const flat = { tone: 0.5, ink: 0.499, pieces, bands: [0.2, 0.1, 0.03, 0.02, 0.01] };
+    const flatTones = {
+      stipple: [
+        { ...flat, coherence: 0.17 },
+        { ...flat, coherence: NaN },
+      ],
+    };
+    const page = describeMetrics({ renderer: 'a renderer', models, flatTones });
     for (const name of ['sphere', 'bunny', 'dragon11k', 'dragon871k']) expect(page).toContain(`### ${name}, 11,000`);
     expect(page).not.toMatch(/undefined|NaN|null/);
+    expect(page).toContain('| 0.5 | 0.499 | 649 of 2 | 556 of 3 | 0.200 | 0.100 | 0.030 | 0.020 | 0.010 | 0.170 |');
     expect(page, 'what is missed').toContain('**0.500 (bunny)**');
     expect(page.match(/\*\*0\.\d+ /g), 'nothing else').toHaveLength(1);
     expect(drawMetrics(models)).not.toMatch(/undefined|NaN/);

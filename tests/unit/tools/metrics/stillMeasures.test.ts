@@ -1,10 +1,12 @@
 import { describe, expect, it } from 'vitest';
+import { countPieces } from '../../../../tools/metrics/measures/countPieces.js';
 import { edgeJump } from '../../../../tools/metrics/measures/edgeJump.js';
 import { greyness } from '../../../../tools/metrics/measures/greyness.js';
 import { meanInk } from '../../../../tools/metrics/measures/meanInk.js';
 import { strokeCoherence } from '../../../../tools/metrics/measures/strokeCoherence.js';
 import { strokeLength } from '../../../../tools/metrics/measures/strokeLength.js';
 import { halfSpread, strokeSpacing } from '../../../../tools/metrics/measures/strokeSpacing.js';
+import { toneSpectrum } from '../../../../tools/metrics/measures/toneSpectrum.js';
 import { noise, picture, stripes } from './images.js';
 
 describe('greyness', () => {
@@ -152,5 +154,41 @@ describe('strokeLength', () => {
     const whole = strokes(30, 0.4);
     const surface = whole.surface.map((_, i) => (i % 240 > 120 ? 0 : 255));
     expect(Math.abs(strokeLength({ ...whole, surface }) - 30)).toBeLessThan(4);
+  });
+});
+
+describe('countPieces', () => {
+  it('counts dots on paper, and specks of paper between dots', () => {
+    // A dot of two pixels by three in each square of ten.
+    const dots = picture(100, 100, (x, y) => (x % 10 < 2 && y % 10 < 3 ? 0 : 1));
+    expect(countPieces(dots)).toEqual({ ink: 100, inkArea: 6, paper: 1, paperArea: 9400 });
+    const specks = { ...dots, luminance: dots.luminance.map((l) => 1 - l) };
+    expect(countPieces(specks)).toEqual({ ink: 1, inkArea: 9400, paper: 100, paperArea: 6 });
+  });
+
+  it('joins at sides and not at corners', () => {
+    expect(countPieces(picture(100, 100, (x, y) => (x + y) % 2)).ink).toBe(5000);
+  });
+});
+
+describe('toneSpectrum', () => {
+  it('finds a wave in the band of its wavelength, with its deviation', () => {
+    for (const [band, wavelength] of [3, 6, 12, 24, 48].entries()) {
+      const wave = picture(256, 256, (x, y) => 0.5 + 0.2 * Math.sin((2 * Math.PI * (0.6 * x + 0.8 * y)) / wavelength));
+      const bands = toneSpectrum(wave);
+      expect(bands[band]).toBeCloseTo(0.2 / Math.SQRT2, 2);
+      for (const [other, deviation] of bands.entries()) if (other !== band) expect(deviation).toBeLessThan(0.03);
+    }
+  });
+
+  it('shares noise among bands by the waves that they hold', () => {
+    const random = noise(3);
+    const bands = toneSpectrum(picture(256, 256, () => random()));
+    for (let i = 1; i < bands.length; i++) expect(bands[i - 1] / bands[i]).toBeCloseTo(2, 0);
+    expect(bands[0]).toBeCloseTo(Math.sqrt((Math.PI * (1 / 4 - 1 / 16)) / 12), 2);
+  });
+
+  it('is nothing for an even grey', () => {
+    for (const deviation of toneSpectrum(picture(64, 64, () => 0.3))) expect(deviation).toBeLessThan(1e-6);
   });
 });
