@@ -4,7 +4,8 @@
 #endif // TELLS_SHADOWS
 
 float hatchInShadow(const in HatchingParameters h, const in PerToneNormal tone, const in HatchingSurface surface) {
-  #if defined(TELLS_SHADOWS) && SHADOW_STROKES == SHADOW_STROKES_CROSS
+  // Dots cannot cross one another, and two sets of them would clot.
+  #if defined(TELLS_SHADOWS) && SHADOW_STROKES == SHADOW_STROKES_CROSS && MEDIUM != MEDIUM_STIPPLE
     // The strokes of the light run on through the shadow. It lies over them as a layer of its own, which adds what the tone
     // lacks: 1 − (1 − T)/(1 − T_unshadowed).
     PerToneNormal unshadowed = unshadowedTone(surface);

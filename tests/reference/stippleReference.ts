@@ -43,6 +43,15 @@ function planesOf(normal: Vec3): { axis: Vec3; share: number }[] {
   })).filter(({ share }) => share >= 0.02);
 }
 
+/** The share of the paper that dots cover: up to half tone the tone, and all of it from 0.85 on. */
+const coverOf = (tone: number) => Math.min(1, tone + 0.15 * (Math.max(0, tone - 0.5) / 0.35) ** 2);
+
+/** The shift of the set along both axes of a plane, per axis of space and in tiles. */
+const SHIFTS: readonly Vec3[] = [
+  [3.17, 7.71, 5.39],
+  [7.71, 5.39, 3.17],
+];
+
 /** The convention for two axes in a plane. */
 function acrossAxis(axis: Vec3): [Vec3, Vec3] {
   const u = unit(Math.abs(axis[0]) > Math.abs(axis[2]) ? [-axis[1], axis[0], 0] : [0, -axis[2], axis[1]]);
@@ -98,7 +107,9 @@ export class StippleReference {
     const pull = Math.max(dot(n, toViewer), 0.5);
     const between = unit(n.map((x, i) => pull * x + toViewer[i]) as Vec3);
     const { toScreen, lie } = this.screenMap(place, n);
-    const blank = { black: 1, white: 1 };
+    const cover = coverOf(tone);
+    if (cover >= 1) return 1;
+    let blank = 1;
     for (const { axis, share } of planesOf(between)) {
       const [u, v] = acrossAxis(axis);
       const moves = [u, v].map((side) => {
@@ -106,36 +117,23 @@ export class StippleReference {
         const lifted = side.map((x, i) => x - (axis[i] * dot(side, lie)) / dot(axis, lie)) as Vec3;
         return toScreen(lifted);
       }) as [Vec2, Vec2];
-      const at: Vec2 = [dot(place, u), dot(place, v)];
-      const shares = this.shares(tone);
-      for (const kind of ['black', 'white'] as const) {
-        const whole = shares[kind];
-        const own = 1 - Math.max(1 - whole, 1e-6) ** share;
-        const [a, b, c] = kind === 'black' ? [3.17, 7.71, 5.39] : [4.73, 1.93, 8.29];
-        const shifted = at.map(
-          (coordinate, i) => coordinate + dot(axis, i === 0 ? [a, b, c] : [b, c, a]) / settings.tilesPerUnit,
-        ) as Vec2;
-        blank[kind] *= 1 - this.dots(shifted, moves, share, own, whole);
-      }
+      const at = [u, v].map((side, i) => dot(place, side) + dot(axis, SHIFTS[i]) / settings.tilesPerUnit) as Vec2;
+      blank *= 1 - this.dots(at, moves, 1 - (1 - cover) ** share);
     }
-    return tone <= 0.5 ? 1 - blank.black : 1 - blank.black * (1 - blank.white);
+    // The last specks of paper fill.
+    return 1 - blank * Math.min(1, (1 - cover) / 0.03);
   }
 
-  /** The share that black dots cover, and the share of the rest that white dots cover: none below half tone, all of the light above 0.6. */
-  private shares(tone: number): { black: number; white: number } {
-    const black = tone <= 0.5 ? tone : Math.max(0, 0.5 - (tone - 0.5) * 5);
-    return { black, white: tone <= 0.5 ? 0 : (1 - tone) / (1 - black) };
-  }
-
-  /** The ink of one plane. `moves` are the pixels for a step along each of its axes, and `share` is its share of all dots. */
-  private dots(at: Vec2, moves: [Vec2, Vec2], share: number, own: number, all: number): number {
+  /** The ink of one plane, whose dots cover `own`. `moves` are the pixels for a step along each of its axes. */
+  private dots(at: Vec2, moves: [Vec2, Vec2], own: number): number {
     const { tilesPerUnit, strokeWidth, sizedOnScreen, edgePixels } = this.scene.settings;
     const pixelArea = Math.abs(moves[0][0] * moves[1][1] - moves[0][1] * moves[1][0]);
     // A dot at half tone has 0.8 of its room as diameter. Dots per unit of length.
     const onPaper = Math.sqrt(pixelArea) / (strokeWidth / 0.8);
     const onObject = Math.min(64 * tilesPerUnit, onPaper);
-    const thinned = Math.sqrt(share) * Math.min(1, Math.max(2 * all, 0.008)) ** 0.25;
-    const octave = Math.log2(onObject ** (1 - sizedOnScreen) * onPaper ** sizedOnScreen * thinned);
+    // Discs of one size that fall at random leave exp(−their area) blank. The number of dots is nearly that of these.
+    const crowded = (Math.log(1 - Math.max(own, 0.02)) / Math.log(0.5)) ** 0.45;
+    const octave = Math.log2(onObject ** (1 - sizedOnScreen) * onPaper ** sizedOnScreen * crowded);
     const cells = 2 ** (Math.floor(octave) + 1);
     const into = octave - Math.floor(octave);
     const dotArea = (areaFor(own, into) * pixelArea) / cells ** 2 / (0.25 + 0.75 * meanGrown(into));

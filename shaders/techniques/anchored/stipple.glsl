@@ -24,16 +24,20 @@ uniform float sizedOnScreen; // 0: dots spaced on the object, 1: on the screen
 #define DOTS_PER_TILE 64.0
 // The diameter of a dot at half tone as a share of the distance between dots: 0.8² π/4 is one half.
 #define DOT_SHARE 0.8
+// Dots of one size that were thrown at random would be as many as −log(1 − what they cover). These lie evenly and overlap less: with
+// this power of it they keep their size in the lights, and shrink as they crowd.
+#define CROWDING 0.9
 // From this tone on down dots lie no further apart, and only grow smaller.
-#define LEAST_DENSE_SHARE 0.004
-// Black dots alone give a tone up to the first of these, white dots on black alone one from the second on.
-#define JOINING vec2(0.5, 0.6)
+#define LEAST_DENSE_SHARE 0.02
+// From the first tone on dots close faster than the tone deepens; from the second on nothing is left between them.
+#define CLOSING vec2(0.5, 0.85)
+// Where dots cover as much as this, what is left of the paper begins to fill: a speck of it would be seen.
+#define FILLING 0.97
 // Components of unit vectors along the diagonals of a square and of a cube: 1/√2 and 1/√3.
 #define SQUARE_DIAGONAL 0.70710678
 #define CUBE_DIAGONAL 0.57735027
-// Shifts of the set for black dots and for white ones along each axis, in tiles: any numbers that bring no two dots together.
-#define BLACK_SHIFT vec3(3.17, 7.71, 5.39)
-#define WHITE_SHIFT vec3(4.73, 1.93, 8.29)
+// Shift of the set along each axis, in tiles: any numbers that bring no two dots together.
+#define SET_SHIFT vec3(3.17, 7.71, 5.39)
 
 // The three planes next to a direction: across the axis nearest to it, across the bisector of the two nearest, and across the
 // diagonal of all three.
@@ -84,58 +88,46 @@ ScreenMap roundScreenMap(const in vec3 n) {
   return map;
 }
 
-// What black dots cover, and white ones of what those leave: together they give the tone.
-vec2 blackAndWhite(const in float tone) {
-  float black = tone > JOINING.x ? JOINING.x * max(JOINING.y - tone, 0.0) / (JOINING.y - JOINING.x) : tone;
-  return vec2(black, (1.0 - tone) / (1.0 - black));
+// What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid.
+float coverOf(const in float tone) {
+  float way = clamp((tone - CLOSING.x) / (CLOSING.y - CLOSING.x), 0.0, 1.0);
+  return min(tone + (1.0 - CLOSING.y) * way * way, 1.0);
 }
 
-// Cells of the set per object unit, as a logarithm to base 2, at half tone. Of several planes each has a share of the dots.
-float octaveOf(const in PlaneOnScreen plane, const in float share) {
+// Cells of the set per object unit, as a logarithm to base 2, where dots cover half.
+float octaveOf(const in PlaneOnScreen plane) {
   float onObject = log2(tilesPerUnit * DOTS_PER_TILE);
   float onScreen = -0.5 * log2(max(abs(plane.area), 1e-30)) - log2(dotPixels / DOT_SHARE);
-  return mix(min(onObject, onScreen), onScreen, sizedOnScreen) + 0.5 * log2(share);
+  return mix(min(onObject, onScreen), onScreen, sizedOnScreen);
 }
 
-// Takes away what the dots across an axis cover of the blanks that black dots and white ones leave.
-void printPlane(
-  const in vec3 point, const in vec3 axis, const in float share, const in vec2 covers, const in ScreenMap onScreen, inout vec2 blank
-) {
+// What the dots across an axis cover.
+float dotsAcross(const in vec3 point, const in vec3 axis, const in float cover, const in ScreenMap onScreen) {
   vec3 u = normalize(anyTangent(axis));
   vec3 v = cross(axis, u);
   PlaneOnScreen plane = planeOnScreen(screenGradient(u, onScreen), screenGradient(v, onScreen));
-  float octave = octaveOf(plane, share);
+  float crowding = 0.5 * CROWDING * log2(-log2(1.0 - max(cover, LEAST_DENSE_SHARE)));
   vec2 place = vec2(dot(point, u), dot(point, v));
-  // A loop that ends early, not branches, of which some devices compute either side.
-  int last = covers.y < 1.0 ? 1 : 0;
-  for (int kind = covers.x > 0.0 ? 0 : 1; kind <= last; kind++) {
-    bool isBlack = kind == 0;
-    float cover = isBlack ? covers.x : covers.y;
-    // Planes are printed over one another.
-    float own = 1.0 - pow(max(1.0 - cover, 1e-6), share);
-    // A lighter tone has fewer dots and smaller ones, both by its square root: by the fourth root to each side.
-    float sparser = 0.25 * log2(clamp(2.0 * cover, 2.0 * LEAST_DENSE_SHARE, 1.0));
-    vec3 setShift = isBlack ? BLACK_SHIFT : WHITE_SHIFT;
-    vec2 shift = vec2(dot(axis, setShift), dot(axis, setShift.yzx)) / tilesPerUnit;
-    float covered = dotsAt(place + shift, plane, octave + sparser, own);
-    blank *= isBlack ? vec2(1.0 - covered, 1.0) : vec2(1.0, 1.0 - covered);
-  }
+  vec2 shift = vec2(dot(axis, SET_SHIFT), dot(axis, SET_SHIFT.yzx)) / tilesPerUnit;
+  return dotsAt(place + shift, plane, octaveOf(plane) + crowding, cover);
 }
 
 float hatchLayer(const in HatchingParameters h, const in float tone) {
+  float cover = coverOf(tone);
+  float blank = 1.0 - cover;
+  if (cover <= 0.0 || cover >= 1.0) return cover;
   vec3 toViewer = normalize(readViewToAnchor() * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition));
   // The normal of a sheet that is seen from behind looks the other way.
   vec3 front = dot(h.normal, toViewer) < -0.5 ? -h.normal : h.normal;
   StipplePlanes planes = planesNear(directionOfNeedles(front, toViewer));
   ScreenMap onScreen = roundScreenMap(front);
-  vec2 covers = blackAndWhite(tone);
-  vec2 blank = vec2(1.0);
+  float left = 1.0;
   for (int i = 0; i < 3; i++) {
     float share = max(planes.shares.x, max(planes.shares.y, planes.shares.z));
     if (share < LEAST_SHARE) break;
     vec3 axis = takePlane(planes, share);
-    printPlane(h.point, axis, share, covers, onScreen, blank);
+    // Planes are printed over one another.
+    left *= 1.0 - dotsAcross(h.point, axis, 1.0 - pow(blank, share), onScreen);
   }
-  // Without white dots nothing lies on the black ones.
-  return covers.y < 1.0 ? 1.0 - blank.x * (1.0 - blank.y) : 1.0 - blank.x;
+  return 1.0 - left * min(blank / (1.0 - FILLING), 1.0);
 }

@@ -127,7 +127,7 @@ const makeMaterials = () =>
       technique: 'anchored',
       sizedOnScreen: 1,
       anchorSpacing: 0.4,
-      strokeWidth: 2.6,
+      strokeWidth: 1.8,
       strokeRotation: Math.PI / 2,
       medium: 'stipple',
       strokeLayers: 'single',

@@ -11,7 +11,7 @@ export const MEDIUM = {
       ink: 'ink or paper, and nothing between.',
       dry: 'pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which lies on the screen.',
       stipple:
-        'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone. Draws without a map.',
+        'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone; from a tone of 0.85 on they leave no paper. Draws without a map.',
       woodcut: 'lines that are cut white out of black: wedges that widen with the light and end in points.',
     },
     default: 'ink',
