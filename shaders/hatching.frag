@@ -46,6 +46,7 @@ varying vec3 vViewPosition;
 #include "lightness"
 #include "tone"
 #include "localColor"
+#include "technique/emphasised"
 #include "hatch"
 #include "shadowStrokes"
 #include "printedColor"
@@ -78,14 +79,15 @@ void main() {
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
   material.radiance += luminance(totalEmissiveRadiance);
-  PerToneNormal tone = shadedTone(material);
+  PerToneNormal tone = emphasised(shadedTone(material));
   HatchingParameters parameters = readHatchingParameters();
   // For frames that are made per vertex: those made per fragment know already which lights arrive.
   #ifdef TURNS_IN_SHADOW
     parameters = turnedInShadow(parameters);
   #endif // TURNS_IN_SHADOW
 
-  vec4 printed = printedColor(paper * filledColor(diffuseColor.rgb), inked * hatchInShadow(parameters, tone, material));
+  vec3 ground = paper * emphasisedColor(filledColor(diffuseColor.rgb));
+  vec4 printed = printedColor(ground, inked * hatchInShadow(parameters, tone, material));
   diffuseColor.a *= printed.a;
   #include <alphatest_fragment>
   #include <alphahash_fragment>

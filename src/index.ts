@@ -14,6 +14,7 @@ export type { HatchImages } from './hatchImages/HatchImages.js';
 export type { MapDrawing } from './hatchImages/hatchImageOptions.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
 export type { HatchingMap } from './material/checkTonalArtMap.js';
+export { SceneExtent } from './material/emphasis/SceneExtent.js';
 // The types of all choices.
 export type * from './material/facts/hatchingProperties.js';
 export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';

@@ -62,7 +62,7 @@ void coverPiece(const in Piece piece, const in int corner) {
     else if (end.z > z) cutAt(z, end, to, start, from);
   }
 
-  vec2 halves = 0.5 * outlineWidth * vec2(from.weight, to.weight);
+  vec2 halves = 0.5 * outlineWidth * vec2(from.weight * outlineEmphasisAt(start), to.weight * outlineEmphasisAt(end));
   vec3 nearStart = lifted(start, liftOf(from, piece, halves.x * unitsToPixel(start), scale));
   vec3 nearEnd = lifted(end, liftOf(to, piece, halves.y * unitsToPixel(end), scale));
   vec4 clipStart = projectionMatrix * vec4(nearStart, 1.0);

@@ -16,6 +16,7 @@
 #include "outlines/featureEdge"
 #include "outlines/shade"
 #include "outlines/hiding"
+#include "emphasis"
 #include "outlines/cover"
 
 uniform vec4 eye; // object space; w is 0 for an orthographic camera, and xyz then a direction

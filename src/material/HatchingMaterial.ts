@@ -23,6 +23,7 @@ import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
+import { writeEmphasis } from './emphasis/emphasis.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
 import { defaultOf } from './facts/defaultOf.js';
@@ -271,7 +272,7 @@ export class HatchingMaterial extends PropertyFields {
       const switches = programSwitches(this);
       if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
       this.drawnSwitches = switches;
-      this.writeUniforms(renderer.getPixelRatio(), renderer.capabilities.maxTextureSize);
+      this.writeUniforms(renderer, camera);
     }
     // Each camera of an ArrayCamera has its own part of the target.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
@@ -368,19 +369,20 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /** Properties are plain values; only here are they written into uniforms. Allocates nothing. */
-  private writeUniforms(pixelRatio = 1, maxTextureSize = Infinity): void {
+  private writeUniforms(renderer?: WebGLRenderer, camera?: Camera): void {
     const u = this.uniforms;
     const isOfThresholds = usesThresholds(this);
     const chosen = this.drawsWithMap ? this.mapInUse() : null;
-    const map = fittingMap(chosen, isOfThresholds, maxTextureSize);
+    const map = fittingMap(chosen, isOfThresholds, renderer?.capabilities.maxTextureSize ?? Infinity);
     writePropertyUniforms(this, u);
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
-    writeSizeUniforms(this, chosen, pixelRatio, u);
+    writeSizeUniforms(this, chosen, renderer?.getPixelRatio() ?? 1, u);
     this.inUse.part?.writeUniforms?.(u);
     writeMapUniforms(map, isOfThresholds, u);
     u.inked.value = Number(map !== null || !this.drawsWithMap);
     writeComputedUniforms(this, u);
+    writeEmphasis(this, u, renderer, camera);
   }
 
   /** The map to draw with, if it is there. That of a style is asked for once a renderer draws or compiles, and not before. */

@@ -1,4 +1,5 @@
 import type { MaterialParameters, NormalMapTypes } from 'three';
+import type { SceneExtent } from './emphasis/SceneExtent.js';
 import type { PresetName } from './facts/presetMaterials.js';
 import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
 
@@ -11,6 +12,8 @@ export type HatchingMaterialParameters = MaterialParameters &
     defines?: Record<string, unknown> | undefined;
     /** The space of `normalMap`: `TangentSpaceNormalMap`, the default, or `ObjectSpaceNormalMap`. */
     normalMapType?: NormalMapTypes | undefined;
+    /** How far the scene reaches, by which `depthFade` measures depth. */
+    extent?: SceneExtent | null | undefined;
     fog?: boolean | undefined;
     wireframe?: boolean | undefined;
     clipping?: boolean | undefined;

@@ -231,6 +231,24 @@ export interface HatchingMaterialOptions {
    */
   highlightSoftness: number;
   /**
+   * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
+   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`:
+   * 0.7 in scenes that `applyHatching` dressed, where what is seen is more than three times as deep as the sheet's
+   * shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`. Only
+   * `'anchored'`, `'engraved'`.
+   */
+  depthFade: number | 'auto';
+  /**
+   * Where it begins to fade: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene.
+   * Default `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
+   */
+  depthNear: number;
+  /**
+   * Where it has faded as much as it does, in the same units. Depths of the scene. Default `1`. Only `'anchored'`,
+   * `'engraved'`, with `depthFade` other than `0`.
+   */
+  depthFar: number;
+  /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.
    */
@@ -512,6 +530,24 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * Default `0`. Only with `highlightTone` other than `0`.
    */
   highlightSoftness: number;
+  /**
+   * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
+   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`:
+   * 0.7 in scenes that `applyHatching` dressed, where what is seen is more than three times as deep as the sheet's
+   * shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`. Only
+   * `'anchored'`, `'engraved'`.
+   */
+  depthFade: number | 'auto';
+  /**
+   * Where it begins to fade: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene.
+   * Default `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
+   */
+  depthNear: number;
+  /**
+   * Where it has faded as much as it does, in the same units. Depths of the scene. Default `1`. Only `'anchored'`,
+   * `'engraved'`, with `depthFade` other than `0`.
+   */
+  depthFar: number;
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.

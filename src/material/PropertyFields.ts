@@ -1,6 +1,8 @@
 import { Color, ShaderMaterial, Vector2 } from 'three';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
+import { isWord } from './checkValues.js';
+import type { SceneExtent } from './emphasis/SceneExtent.js';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
@@ -12,9 +14,14 @@ import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export abstract class PropertyFields extends ShaderMaterial {
+  /**
+   * How far the scene reaches, by which `depthFade` measures depth; `applyHatching` sets it. Without one its units are those of the world,
+   * from the eye. Default: null.
+   */
+  extent: SceneExtent | null = null;
   private hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   /** Numbers that were set. The others follow the technique. */
-  private numbers: Partial<Record<HatchingPropertyName, number | null>> = {};
+  private numbers: Partial<Record<HatchingPropertyName, number | 'auto' | null>> = {};
 
   constructor() {
     super();
@@ -27,9 +34,10 @@ export abstract class PropertyFields extends ShaderMaterial {
   /** @throws Error if `value` is none of the property's choices */
   protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
 
-  /** Numbers that were never set stay so. */
-  protected copyNumbers({ numbers }: PropertyFields): void {
+  /** Numbers that were never set stay so. The extent is that of the same scene. */
+  protected copyNumbers({ numbers, extent }: PropertyFields): void {
     this.numbers = { ...numbers };
+    this.extent = extent;
   }
 
   private define(name: HatchingPropertyName): void {
@@ -56,8 +64,7 @@ export abstract class PropertyFields extends ShaderMaterial {
           return this.numbers[name] ?? defaultOf(name, this.technique);
         },
         set(value) {
-          const canBeNull = HATCHING_DEFAULTS[name] === null;
-          this.numbers[name] = canBeNull && value === null ? null : checkNumber(name, value, property.range);
+          this.numbers[name] = isWord(name, value) ? value : checkNumber(name, value, property.range);
         },
       };
     return {

@@ -29,7 +29,7 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   switch (property.kind) {
     case 'number':
-      if (value !== null || HATCHING_DEFAULTS[name] !== null) checkNumber(name, value, property.range);
+      if (!isWord(name, value)) checkNumber(name, value, property.range);
       break;
     case 'choice':
     case 'switch':
@@ -51,6 +51,10 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
       checkHatchingMap(value as HatchingMap);
   }
 }
+
+/** Whether a number may be set to this, which is none: `null` or `'auto'`, where that is the default. */
+export const isWord = (name: HatchingPropertyName, value: unknown): boolean =>
+  typeof value !== 'number' && value === HATCHING_DEFAULTS[name];
 
 /** @throws Error unless `value` is one of the choices of a property; TypeError unless it is a boolean, for a property that is a switch */
 export function checkChoice(name: HatchingPropertyName, value: unknown): void {

@@ -2,6 +2,7 @@ import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vecto
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
+import { createEmphasisUniforms } from './emphasis/emphasis.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { runsAway } from './facts/lookFacts.js';
@@ -14,6 +15,7 @@ export function createHatchingUniforms(): Uniforms {
   const uniforms: Uniforms = UniformsUtils.merge([
     UniformsLib.lights,
     UniformsLib.fog,
+    createEmphasisUniforms(),
     {
       alphaTest: { value: 0 },
       inked: { value: 1 },

@@ -1,9 +1,10 @@
 import type { Camera, Vector2, Vector4 } from 'three';
 
 /** What three's cameras have beside the fields of `Camera`. */
-type ViewedCamera = Camera & {
+export type ViewedCamera = Camera & {
   view?: {
     enabled: boolean;
+    fullWidth: number;
     fullHeight: number;
     offsetX: number;
     offsetY: number;

@@ -4,6 +4,7 @@ import {
   type Camera,
   Frustum,
   type InstancedMesh,
+  type Material,
   Matrix4,
   type Mesh,
   Object3D,
@@ -19,6 +20,7 @@ import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { canDeform, deforms } from '../material/deformation/canDeform.js';
 import { deformationOf } from '../material/deformation/deformationOf.js';
+import { type EmphasisLook, writeEmphasis } from '../material/emphasis/emphasis.js';
 import { writePictureOffset } from '../material/pictureOffset.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -266,6 +268,7 @@ export class HatchingOutlines extends Object3D {
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) (uniforms.viewport.value as Vector4).copy(viewport);
     else renderer.getCurrentViewport(uniforms.viewport.value as Vector4);
+    writeEmphasis(emphasisOf(mesh), uniforms, renderer, camera);
     writePictureOffset(uniforms.toothOffset.value as Vector2, camera, uniforms.viewport.value as Vector4);
   }
 
@@ -298,6 +301,13 @@ export class HatchingOutlines extends Object3D {
     this.lists.set(camera, list);
     return list;
   }
+}
+
+/** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
+function emphasisOf({ material }: Mesh): EmphasisLook | null {
+  const isHatching = (one: Material): boolean => 'isHatchingMaterial' in one;
+  const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
+  return found ? (found as Material & EmphasisLook) : null;
 }
 
 /** Whether the surface is not drawn, since no material of the mesh is visible: neither are its outlines then. */

@@ -1,4 +1,5 @@
 import { type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'three';
+import { createEmphasisUniforms } from '../material/emphasis/emphasis.js';
 import { keptFromProxies } from '../material/hatchingUniforms.js';
 import { OUTLINE_NUMBER_NAMES } from './outlineProperties.js';
 
@@ -8,6 +9,7 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
     UniformsUtils.merge([
       UniformsLib.lights,
       UniformsLib.fog,
+      createEmphasisUniforms(),
       Object.fromEntries(OUTLINE_NUMBER_NAMES.map((name) => [name, { value: 0 }])),
       {
         ink: { value: null },

@@ -1,5 +1,6 @@
 import type { Material, Mesh } from 'three';
 import { deforms } from '../material/deformation/canDeform.js';
+import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
@@ -43,6 +44,11 @@ export class MaterialReplacer {
   /** Gives the strokes the same size in world space, for all materials whose parameters set no `tilesPerUnit`. */
   setTilesPerUnit(tilesPerWorldUnit: number): void {
     for (const [material, scale] of this.scales) material.tilesPerUnit = tilesPerWorldUnit * scale;
+  }
+
+  /** Says how far the scene reaches to all materials whose parameters say nothing else. */
+  setExtent(extent: SceneExtent): void {
+    for (const material of this.materials) material.extent ??= extent;
   }
 
   dispose(): void {

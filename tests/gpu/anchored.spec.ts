@@ -38,6 +38,7 @@ const form = [
 
 const cases: AnchoredCase[] = [
   { name: 'directional light' },
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
   { name: 'point light', lights: [point] },
   { name: 'spot light', lights: [spot] },
   { name: 'hemisphere light alone', lights: [hemisphere] },

@@ -148,6 +148,19 @@ const cases: EngravedCase[] = [
       material: { shadowStrokes },
     },
   ]),
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
+  {
+    name: 'fading with its depth, seen at a slant by an orthographic camera',
+    mesh: wall,
+    matrixWorld: leaning,
+    isOrthographic: true,
+    material: { depthFade: 1, depthNear: 2, depthFar: 4.5 },
+  },
+  {
+    name: 'crossed by shadow, fading',
+    lights: [blocked, ambient],
+    material: { shadowStrokes: 'cross', depthFade: 0.6, depthNear: 2, depthFar: 4 },
+  },
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 

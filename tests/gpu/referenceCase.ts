@@ -52,11 +52,12 @@ export const centreOf = (positions: readonly number[]): Vec3 =>
   }) as Vec3;
 
 /** The reference of what all techniques share: lights and tone. */
-export const referenceOf = ({ matrixWorld, orthographic, lights, material }: HatchingSpec): HatchingReference =>
+export const referenceOf = ({ matrixWorld, orthographic, camera, lights, material }: HatchingSpec): HatchingReference =>
   new HatchingReference({
     matrixWorld,
     eye,
     orthographic: !!orthographic,
+    view: camera.view,
     lights,
     material: material as ReferenceMaterial,
     tones: 2,

@@ -32,6 +32,7 @@ const cases: StippleCase[] = [
   { name: 'orthographic camera', isOrthographic: true },
   { name: 'seen at a slant', mesh: wall, matrixWorld: leaning },
   { name: 'seen at a slant by an orthographic camera', mesh: wall, matrixWorld: leaning, isOrthographic: true },
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
   { name: 'in shadow', lights: [blocked, ambient] },
 ];
 

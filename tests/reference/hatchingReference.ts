@@ -54,6 +54,10 @@ export interface ReferenceMaterial {
   color: Vec3;
   localTone: number;
   colorFill: number;
+  /** How much tone fades from one depth to another, in view units. Default: it does not. */
+  depthFade?: number;
+  depthNear?: number;
+  depthFar?: number;
 }
 
 /** Darkness ∈ [0, 1] of hatch image `tone` at (u, v), in tiles, on a level. */
@@ -64,6 +68,8 @@ export interface ReferenceScene {
   /** World position of the eye; for an orthographic camera, the world direction towards it. */
   eye: Vec3;
   orthographic?: boolean;
+  /** From world to view space; for what depends on depth. */
+  view?: number[];
   lights: ReferenceLight[];
   material: ReferenceMaterial;
   tones: number;
@@ -309,7 +315,18 @@ export class HatchingReference {
     }
     // A colour that looks half as light as white brings it half way to the tone of no light, as far as it counts.
     const darkness = material.localTone * (1 - lightness(luminance(material.color)));
-    return (1 - darkness) * this.printedTone(radiance) + darkness * this.printedTone(0);
+    const printed = (1 - darkness) * this.printedTone(radiance) + darkness * this.printedTone(0);
+    return this.emphasis(position) * printed;
+  }
+
+  /** A factor on the tone: the air takes what it takes by e^(−3 t), of which all is taken at the far end. */
+  private emphasis(position: Vec3): number {
+    const { view, material } = this.scene;
+    const { depthFade = 0, depthNear = 0, depthFar = 1 } = material;
+    if (depthFade === 0) return 1;
+    const depth = -vec3.transformMat4([0, 0, 0], position, view as unknown as mat4)[2];
+    const way = clamp01((depth - depthNear) / (depthFar - depthNear));
+    return 1 - (depthFade * Math.expm1(-3 * way)) / Math.expm1(-3);
   }
 
   /** What a radiance prints on a white surface. */

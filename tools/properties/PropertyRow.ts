@@ -4,7 +4,7 @@ import type { StrokeStyleName } from '../../src/strokes/strokeStyleNames.js';
 /** A property of the material: one row of the table. What is left out does not apply. */
 export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
 
-export type PropertyGroup = 'Strokes' | 'Medium' | 'Tone' | 'Surface' | 'Colour' | 'Checking';
+export type PropertyGroup = 'Strokes' | 'Medium' | 'Tone' | 'Composition' | 'Surface' | 'Colour' | 'Checking';
 
 interface BaseRow {
   group: PropertyGroup;
@@ -19,8 +19,8 @@ interface BaseRow {
 /** A uniform of the same name, unless `uniform` says otherwise; `false` where other uniforms are computed from it. */
 export interface NumberRow extends BaseRow {
   kind: 'number';
-  /** `null`: no number is asked for, and null may be set. */
-  default: number | null;
+  /** `null`: no number is asked for, and null may be set. `'auto'`: the material finds one, and `'auto'` may be set. */
+  default: number | null | 'auto';
   /** The default under a technique that has another. */
   defaultFor?: Readonly<Record<string, number>>;
   /** How the default is written where digits would hide what it is. */

@@ -32,7 +32,8 @@ export function describe(row: PropertyRow): PropertyDescription {
 function describeDefault(row: PropertyRow): string {
   switch (row.kind) {
     case 'number': {
-      const words = (value: number | null): string => (value === Math.PI / 2 ? 'Math.PI / 2' : `${value}`);
+      const words = (value: number | null | 'auto'): string =>
+        value === Math.PI / 2 ? 'Math.PI / 2' : value === 'auto' ? `'auto'` : `${value}`;
       return withOthers(row.defaultSource ?? words(row.default), row.defaultFor, words);
     }
     case 'vector2':

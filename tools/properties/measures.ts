@@ -10,6 +10,7 @@ const WORDS: Readonly<Record<HatchingMeasure, string>> = {
   tileParts: '256ths of a tile',
   tilesPerUnit: 'tiles of the tonal art map per unit of object space',
   share: 'share',
+  depths: 'depths of the scene',
   tone: 'tone',
   factor: 'factor',
   count: 'count',

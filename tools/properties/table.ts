@@ -1,6 +1,7 @@
 import type { PropertyRow } from './PropertyRow.js';
 import { CHECKING } from './rows/checking.js';
 import { COLOUR } from './rows/colour.js';
+import { COMPOSITION } from './rows/composition.js';
 import { MEDIUM } from './rows/medium.js';
 import { STROKES } from './rows/strokes.js';
 import { SURFACE } from './rows/surface.js';
@@ -14,6 +15,7 @@ export const PROPERTIES = {
   ...STROKES,
   ...MEDIUM,
   ...TONE,
+  ...COMPOSITION,
   ...SURFACE,
   ...COLOUR,
   ...CHECKING,

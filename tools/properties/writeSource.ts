@@ -126,7 +126,7 @@ const list = (names: readonly string[]): string => `[${names.map((name) => `'${n
 function defaultSource(row: PropertyRow): string {
   switch (row.kind) {
     case 'number':
-      return row.defaultSource ?? `${row.default}`;
+      return row.defaultSource ?? JSON.stringify(row.default);
     case 'color':
       return `0x${row.default.toString(16).padStart(6, '0')}`;
     default:
@@ -137,7 +137,7 @@ function defaultSource(row: PropertyRow): string {
 function valueType(row: PropertyRow): string {
   switch (row.kind) {
     case 'number':
-      return row.default === null ? 'number | null' : 'number';
+      return typeof row.default === 'number' ? 'number' : `number | ${JSON.stringify(row.default)}`;
     case 'color':
       return 'Color';
     case 'vector2':

@@ -9,6 +9,7 @@ import { LENS } from '../stage/view/createCamera.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
 import {
+  compositionParameters,
   drawnWithMap,
   mapSource,
   materialParameters,
@@ -172,7 +173,7 @@ function lookPart({ model, settings }: CodeDrawing): Part {
   if (preset) {
     hatching.push('presets', 'scalePreset');
     before = `const preset = scalePreset(presets.${preset}, ${SHARE});\n`;
-    look = ['...preset.material'];
+    look = ['...preset.material', ...compositionParameters(settings)];
     if (settings.surfaceColors === 'paper') own.push(`color: 'white'`, 'map: null', 'vertexColors: false');
     rest = '  ...preset,\n';
   } else {
@@ -225,6 +226,7 @@ function groundPart({ settings, groundHeight }: CodeDrawing): Part {
 const groundMaterial = new HatchingMaterial({
   ...look,
   tonalArtMap: hatching.materials[0].tonalArtMap,
+  extent: hatching.materials[0].extent,
   tilesPerUnit,
   color: '${settings.color}',${kind}
 });

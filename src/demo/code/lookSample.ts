@@ -12,6 +12,7 @@ import {
   needsMap,
   pixelPower,
 } from 'three-hatching/facts';
+import { compositionLook } from '../settings/compositionLook.js';
 import { countsFor } from '../settings/effects.js';
 import { isSize, materialLook, TWINS, type Twin } from '../settings/materialLook.js';
 import { outlineLook } from '../settings/outlineLook.js';
@@ -59,6 +60,7 @@ export function materialParameters(settings: Settings, isScene: boolean, factor?
     if (isSize(twin)) parameters.push(sizeSource(settings, twin, factor));
     else if (!isDefault(look, property)) parameters.push(`${property}: ${valueSource(settings, twin)}`);
   }
+  parameters.push(...compositionParameters(settings));
   if (!isScene) {
     parameters.push(
       `color: '${settings.color}'`,
@@ -66,6 +68,20 @@ export function materialParameters(settings: Settings, isScene: boolean, factor?
     );
   } else if (settings.surfaceColors === 'paper') parameters.push(`color: 'white'`, 'map: null', 'vertexColors: false');
   return parameters;
+}
+
+/** The parameters of composition that are not at their defaults, which presets leave alone. */
+export function compositionParameters(settings: Settings): string[] {
+  const look = materialLook(settings);
+  const twins = TWINS.filter(({ key }) => SETTINGS[key].group === 'Composition');
+  const own = Object.entries(compositionLook(settings)) as [HatchingPropertyName, unknown][];
+  const entries = [
+    ...own.map(([name, value]) => [name, inSource(value)] as const),
+    ...twins.map((twin) => [twin.property, valueSource(settings, twin)] as const),
+  ];
+  return entries
+    .filter(([name]) => counts(look, name) && !isDefault(look, name))
+    .map(([name, source]) => `${name}: ${source}`);
 }
 
 /** Whether the technique of a look has the value of a property by itself. Colours are compared as colours. */

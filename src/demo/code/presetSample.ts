@@ -1,6 +1,7 @@
 import type { PresetName } from 'three-hatching';
 import type { Settings } from '../settings/settings.js';
 import { lightSample } from './lightSample.js';
+import { compositionParameters } from './lookSample.js';
 import { inQuotes } from './modelSource.js';
 
 /**
@@ -32,9 +33,11 @@ scene.add(mesh);`,
       ];
   if (!isScene) classes.push('Mesh');
   const isPaper = isScene && settings.surfaceColors === 'paper';
-  const material = isPaper
-    ? `\n  material: { ...presets.${preset}.material, color: 'white', map: null, vertexColors: false },`
-    : '';
+  const own = [
+    ...(isPaper ? [`color: 'white'`, 'map: null', 'vertexColors: false'] : []),
+    ...compositionParameters(settings),
+  ];
+  const material = own.length > 0 ? `\n  material: { ...presets.${preset}.material, ${own.join(', ')} },` : '';
   return `import { ${[...new Set(classes)].sort().join(', ')} } from 'three';
 ${isScene ? "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';\n" : ''}import { applyHatching, presets } from 'three-hatching';
 

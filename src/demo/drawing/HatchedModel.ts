@@ -8,7 +8,13 @@ import {
   type Object3D,
   type Texture,
 } from 'three';
-import type { HatchingMaterial, HatchingOutlineMaterial, HatchingOutlines, TonalArtMap } from 'three-hatching';
+import type {
+  HatchingMaterial,
+  HatchingOutlineMaterial,
+  HatchingOutlines,
+  SceneExtent,
+  TonalArtMap,
+} from 'three-hatching';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
 import type { Motion } from './Motion.js';
@@ -95,6 +101,11 @@ export class HatchedModel {
       return { mesh, drawn: mesh.material, compared: mesh.material };
     });
     this.outlineMaterials = new Set(outlines.map(({ material }) => material));
+  }
+
+  /** How far it reaches, by which all that is drawn measures depth. */
+  get extent(): SceneExtent | null {
+    return this.pairs[0]?.drawn.extent ?? null;
   }
 
   /** Gives the materials a look. */

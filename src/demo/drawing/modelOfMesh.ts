@@ -1,5 +1,5 @@
 import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
-import { HatchingMaterial, HatchingOutlines } from 'three-hatching';
+import { HatchingMaterial, HatchingOutlines, SceneExtent } from 'three-hatching';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { PlainMesh } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
@@ -23,14 +23,16 @@ export async function modelOfMesh(
 ): Promise<HatchedModel> {
   const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, outlines: true });
   const textures = pictures.map((picture) => picture && textureOf(picture));
+  const root = new Group();
+  const extent = new SceneExtent(root, geometry.boundingBox!);
   const materials = (mesh.ranges ?? [{ picture: -1 }]).map(({ picture }) => {
     const map = textures[picture] ?? null;
     const alphaTest = map && pictures[picture]?.cutOut ? CUT_OUT : 0;
-    return new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side, map, alphaTest });
+    return new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side, map, alphaTest, extent });
   });
   const drawn = new Mesh(geometry, mesh.ranges ? materials : materials[0]);
   const outlines = new HatchingOutlines(drawn);
-  const root = new Group().add(drawn.add(outlines));
+  root.add(drawn.add(outlines));
   return new HatchedModel(
     root,
     geometry.boundingBox!,

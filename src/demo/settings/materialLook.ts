@@ -1,6 +1,7 @@
 import { MathUtils, Vector2 } from 'three';
 import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique, Vector2Like } from 'three-hatching';
 import { counts, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
+import { compositionLook } from './compositionLook.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import type { Setting } from './table/Setting.js';
 import { unitOf } from './table/units.js';
@@ -57,6 +58,7 @@ export function materialLook(
     strokeRotation: rotationOf(settings, technique),
     strokeOffset: new Vector2(offsetU, offsetV),
     toneCurve: TONE_CURVES[settings.toneCurve],
+    ...compositionLook(settings),
     ...propertiesOf(OTHERS, settings),
   };
 }

@@ -33,11 +33,18 @@ export function presetOf(settings: Settings): PresetName | undefined {
 /** What the page adds to a preset's hand: shadows, on the model and below it, and dark hollows. */
 const SHADED = { shadows: 'on', shadowStrokes: 'cross', ground: 'shadow', occlusion: 60 } as const;
 
+/** Composition, which is the model's own again. */
+const PLAIN = Object.fromEntries(
+  settingsOf('scene')
+    .filter((key) => SETTINGS[key].group === 'Composition')
+    .map((key) => [key, SETTINGS[key].default]),
+);
+
 /**
  * What the button of a preset sets: its hand, and all else that makes the picture of a model under lights where they are. So it is
  * the same picture whatever was chosen before.
  */
-export const wholeLook = (name: PresetName) => ({ ...presetLook(name), ...SHADED });
+export const wholeLook = (name: PresetName) => ({ ...presetLook(name), ...SHADED, ...PLAIN });
 
 /** What the page shows at first, without a link: a print. */
 export const firstView = (): Settings => ({ ...defaultSettings(), ...wholeLook('engraving') });

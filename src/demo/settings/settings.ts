@@ -1,3 +1,4 @@
+import { COMPOSITION_SETTINGS } from './table/compositionSettings.js';
 import { DRAWING_SETTINGS } from './table/drawingSettings.js';
 import { LIGHT_SETTINGS } from './table/lightSettings.js';
 import { OUTLINE_SETTINGS } from './table/outlineSettings.js';
@@ -14,6 +15,7 @@ export const SETTINGS = {
   ...TONE_SETTINGS,
   ...COLOUR_SETTINGS,
   ...LIGHT_SETTINGS,
+  ...COMPOSITION_SETTINGS,
   ...VIEW_SETTINGS,
   ...PICTURE_SETTINGS,
   ...VIDEO_SETTINGS,

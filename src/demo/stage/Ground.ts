@@ -1,5 +1,5 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
-import { HatchingMaterial, prepareHatchingGeometry, type TonalArtMap } from 'three-hatching';
+import { HatchingMaterial, prepareHatchingGeometry, type SceneExtent, type TonalArtMap } from 'three-hatching';
 import { BLANK } from '../drawing/HatchedModel.js';
 import { parameterSetter } from '../drawing/parameterSetter.js';
 import { materialSizesIn } from '../drawing/picturedSizes.js';
@@ -38,6 +38,11 @@ export class Ground {
 
   get height(): number {
     return this.holder.position.y;
+  }
+
+  /** What stands on it, by which it fades with its depth. */
+  set extent(extent: SceneExtent | null) {
+    this.material.extent = extent;
   }
 
   set tonalArtMap(map: TonalArtMap) {

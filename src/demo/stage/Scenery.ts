@@ -55,6 +55,7 @@ export class Scenery {
     const { shown, ground, upright } = this;
     upright.updateMatrix();
     if (!shown.model) return undefined;
+    ground.extent = shown.model.extent;
     ground.height = shown.model.bounds.clone().applyMatrix4(upright.matrix).min.y;
     return turned(shown.model.outline, upright.matrix);
   }

@@ -110,6 +110,7 @@ export type HatchingMeasure =
   | 'tileParts'
   | 'tilesPerUnit'
   | 'share'
+  | 'depths'
   | 'tone'
   | 'factor'
   | 'count'

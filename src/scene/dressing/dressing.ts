@@ -12,6 +12,7 @@ import type { MeshLook } from '../MeshLook.js';
 import type { OutlineMaker } from '../OutlineMaker.js';
 import { isBatched } from '../surfaceMeshes.js';
 import { worldMatrices } from '../worldMatrices.js';
+import { extentOf } from './extentOf.js';
 import { fieldFrames } from './fieldFrames.js';
 
 export { HatchedScene } from '../HatchedScene.js';
@@ -74,6 +75,7 @@ export function* finishLooks(
   const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
   const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
   replacer.setTilesPerUnit(tilesPerWorldUnit ?? TILES_PER_RADIUS / radius);
+  replacer.setExtent(yield* extentOf(root, [...looks, ...hatchedBefore]));
   const fieldFrameOf = fieldFrames(root, center);
   for (const look of looks) {
     look.fieldFrame = fieldFrameOf(look.mesh);

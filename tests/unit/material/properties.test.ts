@@ -27,7 +27,7 @@ const names = rows.map(([name]) => name);
 function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
   switch (row.kind) {
     case 'number':
-      return Math.max((row.default ?? 4) / 2 + 0.25, row.range?.from ?? 0);
+      return typeof row.default === 'number' ? Math.max(row.default / 2 + 0.25, row.range?.from ?? 0) : 0.25;
     case 'color':
       return new Color('tomato');
     case 'vector2':

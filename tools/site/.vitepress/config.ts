@@ -66,6 +66,7 @@ export default defineConfig({
         'lines',
         'shadows',
         'occlusion',
+        'composition',
         'media',
         'form',
         'deformation',

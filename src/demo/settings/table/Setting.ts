@@ -57,6 +57,7 @@ export const SETTING_GROUPS = [
   'Tone',
   'Colours',
   'Light',
+  'Composition',
   'View',
   'Picture',
   'Video',

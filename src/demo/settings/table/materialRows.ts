@@ -33,7 +33,7 @@ export function numberOf(
     property,
     unit: name,
     step,
-    default: fallback === null ? Number.NaN : toSetting(fallback),
+    default: typeof fallback === 'number' ? toSetting(fallback) : Number.NaN,
     ...added,
     min: least,
     max: most,

@@ -42,6 +42,7 @@ export const UNITS: Readonly<Record<HatchingMeasure, Unit>> = {
   tileParts: asIs('/256 tile', 0.1),
   tilesPerUnit: asIs('tiles', 0.1),
   share: PERCENT,
+  depths: PERCENT,
   tone: PERCENT,
   factor: asIs('', 0.1),
   count: asIs('', 1),

@@ -64,6 +64,9 @@ describe('a setting has an effect', () => {
     ['pictureDpi', { pictureSize: 'own' }, true],
     ['pictureDpi', { pictureSize: '2' }, false],
     ['pictureGround', { pictureLayers: 'apart' }, false],
+    ['depthStrength', { technique: 'engraved' }, false],
+    ['depthStrength', { technique: 'engraved', depth: 'on' }, true],
+    ['depth', { technique: 'triangle' }, false],
     ['model', {}, true],
   ])('%s with %j: %s', (key, changes, expected) => {
     expect(used(key, changes)).toBe(expected);
@@ -71,7 +74,14 @@ describe('a setting has an effect', () => {
 
   test('each with some others at least', () => {
     const some: Partial<Settings>[] = [
-      { shadows: 'on', secondLight: 'free', lightKind: 'spot', strokeDirection: 'angle', pictureSize: 'own' },
+      {
+        depth: 'on',
+        shadows: 'on',
+        secondLight: 'free',
+        lightKind: 'spot',
+        strokeDirection: 'angle',
+        pictureSize: 'own',
+      },
       { technique: 'anchored', medium: 'dry', toneModel: 'phong', pictureSize: 'a4' },
       { technique: 'engraved', toneModel: 'toon', shadows: 'on', ground: 'shadow' },
       { technique: 'adjacencyCrisp' },

@@ -1,0 +1,28 @@
+import { Box3, type Camera, type Object3D, type WebGLRenderer } from 'three';
+import { FrameStamp } from '../FrameStamp.js';
+import { type SeenDepths, seenDepths } from './seenDepths.js';
+
+/** How far a scene reaches: what `depthFade` measures depth by. The materials of a scene share one. */
+export class SceneExtent {
+  private readonly measured = new FrameStamp();
+  private readonly depths: SeenDepths = { front: 0, back: 1 };
+  private isSeen = false;
+
+  /**
+   * @param frame the object in whose space the box is; the box moves with it
+   * @param box around all that is drawn
+   */
+  constructor(
+    readonly frame: Object3D,
+    readonly box: Box3 = new Box3(),
+  ) {}
+
+  /** How near and how far it is seen in the present frame; null if nothing of it is. Measured once a frame; allocates nothing. @internal */
+  depthsFrom(renderer: WebGLRenderer, camera: Camera): Readonly<SeenDepths> | null {
+    if (!this.measured.isOf(renderer, camera)) {
+      this.measured.note(renderer, camera);
+      this.isSeen = seenDepths(this.box, this.frame.matrixWorld, camera, this.depths);
+    }
+    return this.isSeen ? this.depths : null;
+  }
+}

@@ -1,0 +1,125 @@
+import { type Box3, type Camera, Matrix4, Vector4 } from 'three';
+import type { ViewedCamera } from '../pictureOffset.js';
+
+/** The distances along the line of sight of the nearest and of the farthest place that a camera sees. */
+export interface SeenDepths {
+  front: number;
+  back: number;
+}
+
+/** Four numbers to a corner: x, y and w in clip space, and its depth. */
+const SIZE = 4;
+/** A rectangle has at most one more corner after each of the five cuts. */
+const MOST_CORNERS = 9;
+/** What is positive within the sheet, as factors on the numbers of a corner; the last plane is that of the eye. */
+const SHEET = [
+  [1, 0, 1, 0],
+  [-1, 0, 1, 0],
+  [0, 1, 1, 0],
+  [0, -1, 1, 0],
+  [0, 0, 0, 1],
+] as const;
+/** The corners of the six sides of a box, each as the number of three bits: x, y and z. */
+const FACES = [
+  [0, 2, 6, 4],
+  [1, 3, 7, 5],
+  [0, 1, 5, 4],
+  [2, 3, 7, 6],
+  [0, 1, 3, 2],
+  [4, 5, 7, 6],
+] as const;
+
+const toView = /* @__PURE__ */ new Matrix4();
+const corner = /* @__PURE__ */ new Vector4();
+let polygon = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
+let kept = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
+
+/**
+ * Finds how near and how far the sides of a box lie, as far as they are on the sheet. Of a picture that is drawn in tiles the sheet is the
+ * whole picture. Allocates nothing.
+ *
+ * @param frame the matrix from the space of the box to world space
+ * @returns whether any of it is seen; if not, `target` stays as it is
+ */
+export function seenDepths(box: Box3, frame: Matrix4, camera: Camera, target: SeenDepths): boolean {
+  toView.multiplyMatrices(camera.matrixWorldInverse, frame);
+  let [front, back] = [Infinity, -Infinity];
+  for (const face of FACES) {
+    for (let i = 0; i < face.length; i++) writeCorner(box, face[i], camera, i);
+    let count: number = face.length;
+    for (const plane of SHEET) count = cut(count, plane);
+    for (let i = 0; i < count; i++) {
+      front = Math.min(front, polygon[SIZE * i + 3]);
+      back = Math.max(back, polygon[SIZE * i + 3]);
+    }
+  }
+  if (!(back > 0 && back < Infinity)) return false;
+  target.front = Math.max(front, 0);
+  target.back = back;
+  return true;
+}
+
+/** Writes a corner of a box, given by three bits, as corner `i` of the polygon. */
+function writeCorner({ min, max }: Box3, bits: number, camera: Camera, i: number): void {
+  corner.set(bits & 1 ? max.x : min.x, bits & 2 ? max.y : min.y, bits & 4 ? max.z : min.z, 1).applyMatrix4(toView);
+  const depth = -corner.z;
+  corner.applyMatrix4(camera.projectionMatrix);
+  const { view } = camera as ViewedCamera;
+  if (view?.enabled) {
+    const { fullWidth, fullHeight, offsetX, offsetY, width, height } = view;
+    corner.x = (corner.x * width + (2 * offsetX + width - fullWidth) * corner.w) / fullWidth;
+    corner.y = (corner.y * height - (2 * offsetY + height - fullHeight) * corner.w) / fullHeight;
+  }
+  polygon[SIZE * i] = corner.x;
+  polygon[SIZE * i + 1] = corner.y;
+  polygon[SIZE * i + 2] = corner.w;
+  polygon[SIZE * i + 3] = depth;
+}
+
+/** Cuts away what lies beyond a plane (Sutherland and Hodgman, 1974). @returns the number of corners that are left */
+function cut(count: number, plane: (typeof SHEET)[number]): number {
+  let left = 0;
+  for (let i = 0; i < count; i++) {
+    const next = (i + 1) % count;
+    const [here, there] = [within(i, plane), within(next, plane)];
+    if (here >= 0) copyBetween(i, i, 0, left++);
+    if (here >= 0 !== there >= 0) copyBetween(i, next, here / (here - there), left++);
+  }
+  [polygon, kept] = [kept, polygon];
+  return left;
+}
+
+function within(i: number, plane: (typeof SHEET)[number]): number {
+  let sum = 0;
+  for (let k = 0; k < SIZE; k++) sum += plane[k] * polygon[SIZE * i + k];
+  return sum;
+}
+
+function copyBetween(from: number, to: number, share: number, target: number): void {
+  for (let k = 0; k < SIZE; k++) {
+    const [a, b] = [polygon[SIZE * from + k], polygon[SIZE * to + k]];
+    kept[SIZE * target + k] = a + share * (b - a);
+  }
+}
+
+/** In a scene this many times as deep as its sheet is wide, distance begins to count by itself. */
+const DEEP_FROM = 3;
+/** From here on it counts in full, so that nothing jumps while the camera moves. */
+const DEEP = 4;
+/** How much it counts then. */
+const STRENGTH = 0.7;
+
+/**
+ * How strongly a scene fades with its depth if nobody says so: not at all where what is seen is at most three times as deep as the shorter
+ * side of the sheet at its middle, the place half way from front to back on the sheet. There a railway's middle is not half its length away.
+ */
+export function automaticDepthFade({ front, back }: SeenDepths, camera: Camera): number {
+  const { elements } = camera.projectionMatrix;
+  const { view } = camera as ViewedCamera;
+  const [x, y] = view?.enabled ? [view.width / view.fullWidth, view.height / view.fullHeight] : [1, 1];
+  const isOrthographic = elements[15] === 1;
+  const middle = isOrthographic ? 1 : (2 * front * back) / (front + back);
+  const side = Math.min(2 / (elements[0] * x), 2 / (elements[5] * y)) * middle;
+  const depth = (back - front) / side;
+  return STRENGTH * Math.min(Math.max((depth - DEEP_FROM) / (DEEP - DEEP_FROM), 0), 1);
+}

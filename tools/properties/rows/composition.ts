@@ -1,0 +1,39 @@
+import type { PropertyRow } from '../PropertyRow.js';
+
+/** The techniques that draw with a plan of what matters; those of the paper by Suarez et al. draw all alike. */
+const techniques = ['anchored', 'engraved'] as const;
+
+/** The properties of composition: where the drawing has weight, and where it is left out. */
+export const COMPOSITION = {
+  depthFade: {
+    kind: 'number',
+    group: 'Composition',
+    default: 'auto',
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    uniform: false,
+    techniques,
+    sentence:
+      "How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`: 0.7 in scenes that `applyHatching` dressed, where what is seen is more than three times as deep as the sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere ([composition.md](composition.md)).",
+  },
+  depthNear: {
+    kind: 'number',
+    group: 'Composition',
+    default: 0,
+    measure: 'depths',
+    uniform: false,
+    techniques,
+    when: { depthFade: { not: 0 } },
+    sentence: 'Where it begins to fade: 0 is the nearest place of the scene that is seen, 1 the farthest.',
+  },
+  depthFar: {
+    kind: 'number',
+    group: 'Composition',
+    default: 1,
+    measure: 'depths',
+    uniform: false,
+    techniques,
+    when: { depthFade: { not: 0 } },
+    sentence: 'Where it has faded as much as it does, in the same units.',
+  },
+} as const satisfies Record<string, PropertyRow>;
