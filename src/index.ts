@@ -15,6 +15,7 @@ export type { MapDrawing } from './hatchImages/hatchImageOptions.js';
 export type { TonalArtMapSource } from './mapFiles/readSource.js';
 export type { HatchingMap } from './material/checkTonalArtMap.js';
 export { SceneExtent } from './material/emphasis/SceneExtent.js';
+export type { ToneFit } from './material/exposure/ToneFit.js';
 // The types of all choices.
 export type * from './material/facts/hatchingProperties.js';
 export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
@@ -32,6 +33,7 @@ export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/Adap
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
+export { fitExposure } from './scene/exposing/fitExposure.js';
 export { type FlatteringLight, flatteringLight } from './scene/flattering/flatteringLight.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';

@@ -2,6 +2,7 @@
 #include "toneCurve"
 
 uniform float toneSteps;
+uniform vec2 exposure; // what radiance is multiplied by, and what is added (src/material/exposure)
 // The ramp that tone is multiplied by, so that highlights stay blank paper: its slope, and its height at tone 0.
 uniform vec2 highlightRamp;
 
@@ -17,6 +18,10 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
   #endif // TONE_MODEL
   // A curve of points may leave the range by a rounding error; what follows takes roots of tone and of 1 − tone.
   return highlightKept(clamp(curvedTone(tone), 0.0, 1.0));
+}
+
+PerToneNormal exposed(const in PerToneNormal radiance) {
+  return exposure.x * radiance + exposure.y;
 }
 
 // A dark colour brings the tone nearer to that of no light at all: with dark ink, it is printed over it.
@@ -37,7 +42,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     #endif // DISSOLVES_SHADOWS
     return tone;
   #else
-    return darkenedByColor(toneFromRadiance(surface.radiance), surface);
+    return darkenedByColor(toneFromRadiance(exposed(surface.radiance)), surface);
   #endif // TONE_MODEL
 }
 
@@ -46,6 +51,6 @@ PerToneNormal unshadowedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     return PerToneNormal(0.0);
   #else
-    return darkenedByColor(toneFromRadiance(surface.radiance + surface.shadowed), surface);
+    return darkenedByColor(toneFromRadiance(exposed(surface.radiance + surface.shadowed)), surface);
   #endif // TONE_MODEL
 }

@@ -46,8 +46,9 @@ import {
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
 import { PropertyFields } from './PropertyFields.js';
+import { ExposureInUse } from './parts/ExposureInUse.js';
 import { PartInUse } from './parts/PartInUse.js';
-import { fetchPartOf, fetchParts } from './parts/parts.js';
+import { fetchParts, fetchPartsOf } from './parts/parts.js';
 import { writePictureOffset } from './pictureOffset.js';
 import { type ProgramFacts, programDefines, writeDefines } from './programDefines.js';
 import { defineRigid } from './programParameters.js';
@@ -91,6 +92,7 @@ export class HatchingMaterial extends PropertyFields {
   private shaders: Shaders | undefined;
   /** What the technique or the medium of the present shaders needs beside. */
   private readonly inUse = new PartInUse(() => this.writeProgram());
+  private readonly exposed = new ExposureInUse();
   /** What the program depends on beside the properties. */
   private readonly met: ProgramFacts = { hasEnvironment: false, vertexLayout: 'corner', hasForm: true };
   /** The frame for which the uniforms were last written. */
@@ -203,7 +205,7 @@ export class HatchingMaterial extends PropertyFields {
    */
   get ready(): Promise<void> {
     this.writeProgram();
-    return Promise.all([fetchPartOf(this), mapIsReady(needsMap(this) ? this.tonalArtMap : null)]).then(() => {});
+    return Promise.all([fetchPartsOf(this), mapIsReady(needsMap(this) ? this.tonalArtMap : null)]).then(() => {});
   }
 
   /**
@@ -273,6 +275,7 @@ export class HatchingMaterial extends PropertyFields {
       if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
       this.drawnSwitches = switches;
       this.writeUniforms(renderer, camera);
+      this.exposed.write(this, renderer, scene, camera, this.uniforms.exposure);
     }
     // Each camera of an ArrayCamera has its own part of the target.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;
@@ -395,6 +398,7 @@ export class HatchingMaterial extends PropertyFields {
   /** Brings choices to the shaders, those that are set together at once: the technique chooses the chunks, the others are defines. */
   private writeProgram(): void {
     if (this.isSettingValues) return;
+    this.exposed.fetch(this);
     if (!this.inUse.take(this)) {
       // Until the code is there, the surface looks as it did before, or like plain paper.
       if (!this.shaders) Object.assign(this, plainShaders(), { drawsWithMap: needsMap(this) });

@@ -196,6 +196,18 @@ export interface HatchingMaterialOptions {
    */
   toneNormal: ToneNormal | 'auto';
   /**
+   * What the light is multiplied by before it becomes tone. `'auto'` fits it to the lights and surfaces of the scene,
+   * so that lights, half tones and darks are those of a sphere in a single light of intensity π; it stays the same
+   * while only the camera moves. With a `toneCurve` of points that no preset has, `'auto'` is 1. Factor in (0, ∞), or
+   * `'auto'`. Default `1`. Only with `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
+   */
+  exposure: number | 'auto';
+  /**
+   * What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one. Factor in (0, ∞).
+   * Default `1`. Only with `exposure` `'auto'` and `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
+   */
+  exposureCompensation: number;
+  /**
    * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
    * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that
    * of printed line drawings, whose lights stay blank, and in whose deepest shade some paper shows. Or 2 to 8 points
@@ -495,6 +507,18 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   get toneNormal(): ToneNormal;
   set toneNormal(value: ToneNormal | 'auto');
+  /**
+   * What the light is multiplied by before it becomes tone. `'auto'` fits it to the lights and surfaces of the scene,
+   * so that lights, half tones and darks are those of a sphere in a single light of intensity π; it stays the same
+   * while only the camera moves. With a `toneCurve` of points that no preset has, `'auto'` is 1. Factor in (0, ∞), or
+   * `'auto'`. Default `1`. Only with `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
+   */
+  exposure: number | 'auto';
+  /**
+   * What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one. Factor in (0, ∞).
+   * Default `1`. Only with `exposure` `'auto'` and `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
+   */
+  exposureCompensation: number;
   /**
    * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
    * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that

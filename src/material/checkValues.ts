@@ -1,7 +1,7 @@
 import { Color, type Texture } from 'three';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
-import type { HatchingProperty } from './facts/HatchingProperty.js';
+import type { HatchingNumber, HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
@@ -52,9 +52,10 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
   }
 }
 
-/** Whether a number may be set to this, which is none: `null` or `'auto'`, where that is the default. */
+/** Whether a number may be set to this, which is none: `null` or `'auto'`, where that is the default or has a meaning. */
 export const isWord = (name: HatchingPropertyName, value: unknown): boolean =>
-  typeof value !== 'number' && value === HATCHING_DEFAULTS[name];
+  (typeof value !== 'number' && value === HATCHING_DEFAULTS[name]) ||
+  (value === 'auto' && (HATCHING_PROPERTIES[name] as HatchingNumber).isAuto === true);
 
 /** @throws Error unless `value` is one of the choices of a property; TypeError unless it is a boolean, for a property that is a switch */
 export function checkChoice(name: HatchingPropertyName, value: unknown): void {

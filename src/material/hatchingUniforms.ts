@@ -3,6 +3,7 @@ import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
 import { createEmphasisUniforms } from './emphasis/emphasis.js';
+import { isFitted } from './exposure/isFitted.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { runsAway } from './facts/lookFacts.js';
@@ -20,6 +21,7 @@ export function createHatchingUniforms(): Uniforms {
       alphaTest: { value: 0 },
       inked: { value: 1 },
       blendCosine: { value: 0 },
+      exposure: { value: new Vector2(1, 0) },
       highlightRamp: { value: new Vector2() },
       layerTurns: { value: new Vector4() },
       opacity: { value: 1 },
@@ -161,6 +163,8 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   u.strokeDirection.value.set(cos, sin);
   u.crossFrom.value = isAway ? 1 : material.crossFrom;
   const highlightReach = Math.max(material.highlightTone * material.highlightSoftness, 1e-6);
+  // What is fitted to a scene is written when that is drawn.
+  if (!isFitted(material)) u.exposure.value.set(material.exposure === 'auto' ? 1 : material.exposure, 0);
   u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
   // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
   const { crossAngle } = material;

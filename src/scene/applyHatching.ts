@@ -3,7 +3,7 @@ import { assertGeometry } from '../geometry/checkGeometry.js';
 import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import { fetchPartOf } from '../material/parts/parts.js';
+import { fetchPartsOf } from '../material/parts/parts.js';
 import { describeObject } from '../mistakes/describeObject.js';
 import { isPromise } from '../mistakes/isPromise.js';
 import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
@@ -179,7 +179,7 @@ async function makeLooks(
       ),
     (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
     async () => {
-      const [dressing] = await Promise.all([import('./dressing/dressing.js'), ...replacer.materials.map(fetchPartOf)]);
+      const [dressing] = await Promise.all([import('./dressing/dressing.js'), ...replacer.materials.map(fetchPartsOf)]);
       asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
       return dressing;
     },

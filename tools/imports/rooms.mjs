@@ -26,14 +26,21 @@ export const ROOMS = {
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],
   'material/deformation': ['shaders'],
+  'material/exposure': [
+    'facts',
+    '/src/material/HatchingMaterialProperties.ts',
+    '/src/material/fitToneCurve.ts',
+    '/src/material/FrameStamp.ts',
+  ],
   'material/parts': [
     'facts',
     'shaders',
     'deformation',
+    'exposure',
     '/src/material/HatchingMaterialProperties.ts',
     '/src/material/fieldFrameName.ts',
   ],
-  'material/firstDraw': ['facts', 'deformation', 'parts'],
+  'material/firstDraw': ['facts', 'deformation', 'exposure', 'parts'],
   outlines: ['mistakes', 'features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
   scene: [
     'mistakes',

@@ -30,6 +30,8 @@ export interface NumberRow extends BaseRow {
   measureOnScreen?: HatchingMeasure;
   /** Left out: every finite number. */
   range?: NumberRange;
+  /** Whether `'auto'` may be in its place beside a default that is a number. */
+  isAuto?: true;
   uniform?: false;
 }
 

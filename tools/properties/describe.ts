@@ -70,7 +70,8 @@ function describeMeasure(row: PropertyRow): string {
     `in ${describeRange(row.range)
       .replace(`${Math.PI / 2}`, 'π/2')
       .replace(`${Math.PI}`, 'π')}`;
-  return [measure, range].filter(Boolean).join(' ');
+  const number = [measure, range].filter(Boolean).join(' ');
+  return row.kind === 'number' && row.isAuto ? `${number}, or \`'auto'\`` : number;
 }
 
 const describeConditions = (when: HatchingCondition | readonly HatchingCondition[]): string =>

@@ -109,6 +109,7 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
   if ('defaultFor' in row && row.defaultFor) fields.push(`defaultFor: ${defaultForSource(row.defaultFor)}`);
   if (row.kind === 'number') {
     if (row.range) fields.push(`range: ${rangeSource(row.range)}`);
+    if (row.isAuto) fields.push('isAuto: true');
   }
   // Whether it needs its map the material itself asks.
   if (row.kind === 'tonalArtMap') fields.push(`when: ${JSON.stringify(row.when)}`);
@@ -137,6 +138,7 @@ function defaultSource(row: PropertyRow): string {
 function valueType(row: PropertyRow): string {
   switch (row.kind) {
     case 'number':
+      if (row.isAuto) return "number | 'auto'";
       return typeof row.default === 'number' ? 'number' : `number | ${JSON.stringify(row.default)}`;
     case 'color':
       return 'Color';

@@ -36,6 +36,8 @@ export interface HatchingNumber extends UsedByTechniques {
   kind: 'number';
   uniform?: string;
   range?: NumberRange;
+  /** Whether `'auto'` may be in its place beside a default that is a number. */
+  isAuto?: true;
   /** The default under a technique that has another. */
   defaultFor?: Readonly<Record<string, number>>;
 }

@@ -29,6 +29,11 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   shadowSpacing: { measure: 'factor', when: { toneModel: ['shadow'] } },
   toneSteps: { measure: 'count', when: { toneModel: ['toon'] } },
   shininess: { measure: 'exponent', when: { toneModel: ['phong'] } },
+  exposure: { measure: 'factor', when: { toneModel: ['lambert', 'halfLambert', 'phong', 'toon'] } },
+  exposureCompensation: {
+    measure: 'factor',
+    when: { exposure: ['auto'], toneModel: ['lambert', 'halfLambert', 'phong', 'toon'] },
+  },
   reflectedLight: { measure: 'share' },
   occlusion: { measure: 'share' },
   localTone: { measure: 'share' },

@@ -280,6 +280,8 @@ export const HATCHING_PROPERTIES = {
     choices: ['face', 'smooth'],
     defaultFor: { triangle: 'face', adjacency: 'face', anchored: 'smooth', engraved: 'smooth' },
   },
+  exposure: { kind: 'number', default: 1, range: { above: 0 }, isAuto: true },
+  exposureCompensation: { kind: 'number', default: 1, range: { above: 0 } },
   toneCurve: { kind: 'curve', default: 'linear', defaultFor: { anchored: 'printed', engraved: 'printed' } },
   reflectedLight: {
     kind: 'number',

@@ -28,8 +28,11 @@ const CHALKED = [
   [1, 0],
 ] as const;
 
-/** Ink alone: the colours of surfaces are hatched as tones, and the darkest of them still show their form. */
-const INK_ALONE = { localTone: 0.8, colorFill: 0 } as const;
+/**
+ * Ink alone: the colours of surfaces are hatched as tones, and the darkest of them still show their form. The light is exposed so that there
+ * are lights, half tones and darks.
+ */
+const INK_ALONE = { exposure: 'auto', localTone: 0.8, colorFill: 0 } as const;
 
 const BLACK = '#1c1a17';
 const WHITE = '#f7f3e8';

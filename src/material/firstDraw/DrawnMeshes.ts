@@ -21,8 +21,8 @@ async function check(): Promise<void> {
 }
 
 /** Whether a material has its code, and its map if it draws with one. */
-const isWhole = ({ technique, medium, tonalArtMap, uniforms }: DrawnMaterial): boolean =>
-  isFetched(technique, medium) && (uniforms.inked.value === 1 || tonalArtMap === null);
+const isWhole = (material: DrawnMaterial): boolean =>
+  isFetched(material) && (material.uniforms.inked.value === 1 || material.tonalArtMap === null);
 
 /** Knows which meshes one material has drawn, and has new ones checked for mistakes. */
 export class DrawnMeshes {

@@ -6,6 +6,7 @@ import type { HatchingLook } from '../facts/lookFacts.js';
 export interface DrawnMaterial extends Material, HatchingLook {
   readonly technique: HatchingTechnique;
   readonly medium: Medium;
+  readonly exposure: number | 'auto';
   readonly lights: boolean;
   readonly uniforms: Readonly<Record<string, IUniform>>;
   readonly ready: Promise<void>;

@@ -1,6 +1,7 @@
 import type { BufferAttribute, Color, Object3D } from 'three';
 import { hatchNormal } from '../../bake/hatchNormal.js';
 import { identityOf } from '../../geometry/identityOf.js';
+import { isFitted } from '../exposure/isFitted.js';
 import type { FirstDraw } from './FirstDraw.js';
 import { lightOn, luminance } from './lightOn.js';
 import type { NoteMistake } from './NoteMistake.js';
@@ -24,8 +25,10 @@ export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake)
   judged.add(identityOf(scene));
   const sphere = worldSphere(lit.map(({ mesh }): Object3D => mesh));
   const { least, most, hasForm } = lightOn(sphere, scene, camera);
-  if (least > TOO_BRIGHT) note('tooBright', first, scene, rounded(least));
-  else if (most >= TOO_DARK && hasForm) return;
+  // What is exposed by itself takes any light that there is.
+  const isExposed = lit.every(({ material }) => isFitted(material));
+  if (least > TOO_BRIGHT && !isExposed) note('tooBright', first, scene, rounded(least));
+  else if ((most >= TOO_DARK || (most > 0 && isExposed)) && hasForm) return;
   else if (lit.some(hasOwnForm)) return;
   else if (most === 0) note('noLight', first, scene);
   else if (!hasForm) note('ambientOnly', first, scene);

@@ -1,4 +1,5 @@
-import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, WebGLRenderer } from 'three';
+import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, Scene, WebGLRenderer } from 'three';
+import type { ToneFit } from '../exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
 import type { VertexLayout } from '../shaders/shaderConventions.js';
@@ -23,4 +24,6 @@ export interface MaterialPart {
   ): VertexLayout | undefined;
   /** Builds what other programs it needs for a mesh. */
   compile?(renderer: WebGLRenderer, mesh: Mesh): void;
+  /** The exposure that is fitted to a scene which is being drawn. Allocates nothing while nothing in it changes. */
+  sceneExposure?(renderer: WebGLRenderer, scene: Scene, camera: Camera): ToneFit;
 }

@@ -7,6 +7,7 @@ const FETCH = {
   stipple: () => import('./stipple.js'),
   engraved: () => import('./engraved.js'),
   perTriangle: () => import('./perTriangle.js'),
+  exposure: () => import('./exposure.js'),
 };
 
 export type PartName = keyof typeof FETCH;
@@ -16,6 +17,7 @@ const NAMES: Readonly<Record<PartName, string>> = {
   stipple: 'the medium "stipple"',
   engraved: 'the technique "engraved"',
   perTriangle: 'the techniques "triangle" and "adjacency"',
+  exposure: 'at the exposure "auto"',
 };
 
 const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
@@ -28,14 +30,22 @@ export function partNameOf(technique: HatchingTechnique, medium: Medium): PartNa
   return medium === 'dry' || medium === 'stipple' ? medium : null;
 }
 
+/** What the parts that a material needs follow from. */
+export interface LookOfParts {
+  readonly technique: HatchingTechnique;
+  readonly medium: Medium;
+  readonly exposure: number | 'auto';
+}
+
+/** All the parts that a look needs. */
+const partNamesOf = ({ technique, medium, exposure }: LookOfParts): PartName[] =>
+  [partNameOf(technique, medium), exposure === 'auto' ? ('exposure' as const) : null].filter((name) => name !== null);
+
 /** A part that was fetched before; undefined if it was not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
 
 /** Whether nothing has to be fetched for a look. */
-export function isFetched(technique: HatchingTechnique, medium: Medium): boolean {
-  const name = partNameOf(technique, medium);
-  return name === null || fetched.has(name);
-}
+export const isFetched = (look: LookOfParts): boolean => partNamesOf(look).every((name) => fetched.has(name));
 
 /**
  * Fetches a part, once. If that fails, as it does without a network, it says so, and the next call tries again.
@@ -68,10 +78,9 @@ const failure = (name: PartName, cause: unknown): Error =>
     { cause },
   );
 
-/** Fetches the part that a look needs, if any. */
-export async function fetchPartOf(look: { technique: HatchingTechnique; medium: Medium }): Promise<void> {
-  const name = partNameOf(look.technique, look.medium);
-  if (name) await fetchPart(name);
+/** Fetches the parts that a look needs, if any. */
+export async function fetchPartsOf(look: LookOfParts): Promise<void> {
+  await Promise.all(partNamesOf(look).map(fetchPart));
 }
 
 /** Fetches all parts. */

@@ -98,6 +98,28 @@ export const TONE = {
     sentence:
       "The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again.",
   },
+  exposure: {
+    kind: 'number',
+    group: 'Tone',
+    default: 1,
+    measure: 'factor',
+    range: { above: 0 },
+    isAuto: true,
+    uniform: false,
+    when: { toneModel: ['lambert', 'halfLambert', 'phong', 'toon'] },
+    sentence:
+      "What the light is multiplied by before it becomes tone. `'auto'` fits it to the lights and surfaces of the scene, so that lights, half tones and darks are those of a sphere in a single light of intensity π; it stays the same while only the camera moves. With a `toneCurve` of points that no preset has, `'auto'` is 1 ([lights-and-tone.md](lights-and-tone.md#exposure)).",
+  },
+  exposureCompensation: {
+    kind: 'number',
+    group: 'Tone',
+    default: 1,
+    measure: 'factor',
+    range: { above: 0 },
+    uniform: false,
+    when: { exposure: ['auto'], toneModel: ['lambert', 'halfLambert', 'phong', 'toon'] },
+    sentence: 'What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one.',
+  },
   toneCurve: {
     kind: 'curve',
     group: 'Tone',

@@ -1,0 +1,143 @@
+import {
+  type Color,
+  type DirectionalLight,
+  type HemisphereLight,
+  type Light,
+  type LightProbe,
+  Matrix4,
+  type PointLight,
+  type Scene,
+  type SpotLight,
+  Vector3,
+} from 'three';
+import { type Harmonics, harmonicsOf, irradianceFrom } from './environmentHarmonics.js';
+import type { SceneContents } from './SceneContents.js';
+
+/** A light with a direction, as numbers in world space. */
+interface Lamp {
+  luminance: number;
+  /** The unit vector to one that is far away, or where one at a place is. */
+  at: Vector3;
+  isFar: boolean;
+  distance: number;
+  decay: number;
+  /** Of a spot: from its target to it, of length 1, and the cosines where its cone ends and where it is whole. */
+  axis: Vector3 | undefined;
+  outer: number;
+  inner: number;
+}
+
+/** A hemisphere light: the direction to its sky, the mean of its two luminances and half their difference. */
+interface Sky {
+  up: Vector3;
+  mean: number;
+  difference: number;
+}
+
+/** What arrives at a point, as radiances of a white surface. */
+export interface Arriving {
+  /** From lamps. */
+  direct: number;
+  /** From all around. */
+  indirect: number;
+  /** What the surroundings reflect of the lamps, if they reflect all of it. */
+  reflected: number;
+}
+
+const luminance = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+const positionOf = (object: { matrixWorld: Matrix4 }): Vector3 =>
+  new Vector3().setFromMatrixPosition(object.matrixWorld);
+
+/** The lights of a scene as they arrive at points with normals: what the shaders compute, but for shadows. */
+export class LightsAround {
+  private readonly lamps: Lamp[] = [];
+  private readonly skies: Sky[] = [];
+  private ambient = 0;
+  private readonly probes: Harmonics = new Float64Array(9);
+  private readonly environment: Harmonics | undefined;
+  private readonly intoEnvironment = new Matrix4();
+  private readonly environmentIntensity: number;
+  private readonly turned = new Vector3();
+  private readonly toLamp = new Vector3();
+
+  constructor({ lights, scene }: Pick<SceneContents, 'lights' | 'scene'>) {
+    for (const light of lights) this.add(light);
+    const { environment = null, environmentIntensity = 1, environmentRotation } = scene as Scene;
+    this.environment = environment ? harmonicsOf(environment) : undefined;
+    this.environmentIntensity = environmentIntensity;
+    if (environmentRotation) this.intoEnvironment.makeRotationFromEuler(environmentRotation).transpose();
+  }
+
+  private add(light: Light): void {
+    const full = light.intensity * luminance(light.color);
+    if ('isAmbientLight' in light) this.ambient += full;
+    else if ('isHemisphereLight' in light) {
+      const ground = light.intensity * luminance((light as HemisphereLight).groundColor);
+      this.skies.push({
+        up: positionOf(light).normalize(),
+        mean: (full + ground) / 2,
+        difference: (full - ground) / 2,
+      });
+    } else if ('isLightProbe' in light) {
+      const { coefficients } = (light as LightProbe).sh;
+      for (const [i, { x, y, z }] of coefficients.entries())
+        this.probes[i] += light.intensity * (0.2126 * x + 0.7152 * y + 0.0722 * z);
+    } else if ('isDirectionalLight' in light) {
+      const at = positionOf(light)
+        .sub(positionOf((light as DirectionalLight).target))
+        .normalize();
+      this.lamps.push({ ...FAR, luminance: full, at });
+    } else if ('isPointLight' in light || 'isSpotLight' in light) this.lamps.push(lampAt(light as PointLight, full));
+  }
+
+  /** What arrives at a point with a normal, in world space. Allocates nothing. @param isHalfLambert whether it reaches round the surface */
+  arriveAt(position: Vector3, normal: Vector3, isHalfLambert: boolean, result: Arriving): void {
+    let [direct, reflected] = [0, 0];
+    for (const lamp of this.lamps) {
+      let { luminance: sent, at: toLamp } = lamp;
+      let cone = 1;
+      if (!lamp.isFar) {
+        toLamp = this.toLamp.subVectors(lamp.at, position);
+        const distance = toLamp.length();
+        toLamp.divideScalar(distance);
+        sent *= attenuation(distance, lamp);
+        if (lamp.axis) cone = smoothstep(lamp.outer, lamp.inner, toLamp.dot(lamp.axis));
+      }
+      const cosine = normal.dot(toLamp);
+      direct += sent * cone * (isHalfLambert ? (0.5 * cosine + 0.5) ** 2 : Math.max(cosine, 0));
+      reflected += sent * (0.5 - 0.5 * cosine);
+    }
+    let indirect = this.ambient + irradianceFrom(this.probes, normal);
+    for (const { up, mean, difference } of this.skies) indirect += mean + difference * normal.dot(up);
+    if (this.environment) {
+      this.turned.copy(normal).transformDirection(this.intoEnvironment);
+      indirect += this.environmentIntensity * irradianceFrom(this.environment, this.turned);
+    }
+    result.direct = direct / Math.PI;
+    result.indirect = Math.max(0, indirect) / Math.PI;
+    result.reflected = reflected / Math.PI;
+  }
+}
+
+const FAR = { isFar: true, distance: 0, decay: 0, axis: undefined, outer: 0, inner: 0 } as const;
+
+function lampAt(light: PointLight | SpotLight, full: number): Lamp {
+  const { distance, decay } = light;
+  const lamp = { ...FAR, isFar: false, luminance: full, at: positionOf(light), distance, decay };
+  if (!('target' in light)) return lamp;
+  const axis = positionOf(light).sub(positionOf(light.target)).normalize();
+  const outer = Math.cos(light.angle);
+  return { ...lamp, axis, outer, inner: Math.cos(light.angle * (1 - light.penumbra)) };
+}
+
+/** As three.js has it. */
+function attenuation(length: number, { distance, decay }: Lamp): number {
+  const left = 1 / Math.max(length ** decay, 0.01);
+  return distance > 0 ? left * Math.max(0, Math.min(1, 1 - (length / distance) ** 4)) ** 2 : left;
+}
+
+function smoothstep(from: number, to: number, value: number): number {
+  if (to <= from) return Number(value >= to);
+  const t = Math.max(0, Math.min(1, (value - from) / (to - from)));
+  return t * t * (3 - 2 * t);
+}

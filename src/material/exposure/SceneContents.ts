@@ -1,0 +1,163 @@
+import type {
+  BufferGeometry,
+  DirectionalLight,
+  HemisphereLight,
+  InstancedMesh,
+  Light,
+  LightProbe,
+  LOD,
+  Material,
+  Matrix4,
+  Mesh,
+  Object3D,
+  Scene,
+  SkinnedMesh,
+  SpotLight,
+} from 'three';
+import { hatchNormal } from '../../bake/hatchNormal.js';
+import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
+import { isFitted } from './isFitted.js';
+import { versionOf } from './surfaceSamples.js';
+
+/**
+ * The lights of a scene and the meshes whose exposure is fitted to them, with all that the fit depends on as numbers, so that it is
+ * known when one has changed. Of things with several levels of detail, which go with the camera, it is the first.
+ */
+export class SceneContents {
+  readonly meshes: Mesh[] = [];
+  /** Of each mesh the material whose exposure is fitted: of several, the first. */
+  readonly materials: HatchingMaterialProperties[] = [];
+  readonly lights: Light[] = [];
+  scene: Object3D | undefined;
+  private facts = new Float64Array(256);
+  private count = 0;
+  private meshCount = 0;
+  private hasChanged = false;
+
+  /**
+   * Reads a scene whose world matrices are up to date. Allocates nothing while nothing is added.
+   *
+   * @param layers the mask of the layers whose lights count
+   * @returns whether anything is other than when it was read before
+   */
+  read(scene: Object3D, layers: number): boolean {
+    const before = this.count;
+    this.scene = scene;
+    this.count = this.meshCount = this.lights.length = 0;
+    this.hasChanged = false;
+    this.visit(scene, layers);
+    this.noteEnvironment(scene as Scene);
+    this.meshes.length = this.materials.length = this.meshCount;
+    return this.hasChanged || this.count !== before;
+  }
+
+  private note(fact: number): void {
+    if (this.count === this.facts.length) {
+      const longer = new Float64Array(2 * this.count);
+      longer.set(this.facts);
+      this.facts = longer;
+    }
+    // Infinity, as of a draw range, is equal to itself; what is no number is none every time.
+    if (this.facts[this.count] !== fact) {
+      this.facts[this.count] = fact;
+      this.hasChanged ||= !Number.isNaN(fact);
+    }
+    this.count++;
+  }
+
+  private visit(object: Object3D, layers: number): void {
+    if ('isLight' in object) this.noteLight(object as Light, layers);
+    else if ('isMesh' in object) this.noteMesh(object as Mesh);
+    const { children } = object;
+    const finest = 'isLOD' in object ? (object as LOD).levels[0]?.object : undefined;
+    for (let i = 0; i < children.length; i++) {
+      const child = children[i];
+      if (finest ? child === finest : child.visible) this.visit(child, layers);
+    }
+  }
+
+  private noteLight(light: Light, layers: number): void {
+    if ((light.layers.mask & layers) === 0) return;
+    this.lights.push(light);
+    this.note(light.id);
+    this.noteColor(light);
+    this.noteMatrix(light.matrixWorld);
+    const { target, distance, decay, angle, penumbra } = light as SpotLight;
+    if (target) this.noteMatrix(target.matrixWorld);
+    if (distance !== undefined) this.note(distance);
+    if (decay !== undefined) this.note(decay);
+    if (angle !== undefined) this.note(angle);
+    if (penumbra !== undefined) this.note(penumbra);
+    if ('groundColor' in light) this.noteColor({ color: (light as HemisphereLight).groundColor, intensity: 0 });
+    if ('sh' in light)
+      for (const color of (light as LightProbe).sh.coefficients) this.noteVector(color.x, color.y, color.z);
+  }
+
+  private noteMesh(mesh: Mesh): void {
+    const material = fittedMaterial(mesh.material);
+    if (!material || !mesh.geometry?.attributes.position || 'isBatchedMesh' in mesh) return;
+    this.meshes[this.meshCount] = mesh;
+    this.materials[this.meshCount++] = material;
+    this.note(mesh.id);
+    this.noteGeometry(mesh.geometry);
+    this.noteMaterial(material);
+    this.noteMatrix(mesh.matrixWorld);
+    if ('isInstancedMesh' in mesh) {
+      this.note((mesh as InstancedMesh).count);
+      this.note(versionOf((mesh as InstancedMesh).instanceMatrix));
+    }
+    const bone = (mesh as SkinnedMesh).skeleton?.bones[0];
+    if (bone) this.noteMatrix(bone.matrixWorld);
+  }
+
+  private noteGeometry({ id, attributes, index, drawRange }: BufferGeometry): void {
+    this.note(id);
+    this.note(versionOf(attributes.position));
+    this.note(versionOf(attributes[hatchNormal.name]));
+    this.note(versionOf(index));
+    this.note(drawRange.start);
+    this.note(drawRange.count);
+  }
+
+  private noteMaterial(material: HatchingMaterialProperties): void {
+    this.note(material.id);
+    this.note(material.side);
+    this.note(Number(material.toneModel === 'halfLambert'));
+    this.note(material.reflectedLight);
+    this.note(material.occlusion);
+    this.noteColor({ color: material.emissive, intensity: material.emissiveIntensity });
+  }
+
+  private noteEnvironment({ environment, environmentIntensity, environmentRotation }: Scene): void {
+    this.note(environment?.id ?? -1);
+    if (!environment) return;
+    this.note(environment.version);
+    this.note(environmentIntensity);
+    this.noteVector(environmentRotation.x, environmentRotation.y, environmentRotation.z);
+  }
+
+  private noteColor({ color, intensity }: Pick<DirectionalLight, 'color' | 'intensity'>): void {
+    this.note(intensity);
+    this.noteVector(color.r, color.g, color.b);
+  }
+
+  private noteMatrix({ elements }: Matrix4): void {
+    for (let i = 0; i < 16; i++) this.note(elements[i]);
+  }
+
+  private noteVector(x: number, y: number, z: number): void {
+    this.note(x);
+    this.note(y);
+    this.note(z);
+  }
+}
+
+const isFittedMaterial = (material: Material | null | undefined): boolean =>
+  !!material?.visible &&
+  'isHatchingMaterial' in material &&
+  isFitted(material as unknown as HatchingMaterialProperties);
+
+function fittedMaterial(material: Material | Material[]): HatchingMaterialProperties | undefined {
+  const found = Array.isArray(material) ? material.find(isFittedMaterial) : isFittedMaterial(material) && material;
+  return found ? (found as unknown as HatchingMaterialProperties) : undefined;
+}

@@ -1,0 +1,164 @@
+import { type CubeTexture, DataUtils, HalfFloatType, SRGBColorSpace, type Texture, Vector3 } from 'three';
+
+/** Nine coefficients of spherical harmonics, as three's `SphericalHarmonics3` orders them; of luminance. */
+export type Harmonics = Float64Array;
+
+/** Pixels of an image: their luminance in linear light, from the first row of the file. */
+interface Luminances {
+  width: number;
+  height: number;
+  at(column: number, row: number): number;
+}
+
+/** At most so many rows of an image are looked at, and so many columns. */
+const MOST_ROWS = 128;
+/** What an environment is taken for that cannot be read, because it is on the graphics card alone: light from above, as in a room. */
+const ROOM = /* @__PURE__ */ Float64Array.of(3.2, 0.7, 0, 0, 0, 0, 0, 0, 0);
+
+const known = new WeakMap<Texture, { version: number; harmonics: Harmonics }>();
+
+/** The light of an environment. It is worked out once for each version of its texture. */
+export function harmonicsOf(texture: Texture): Harmonics {
+  const before = known.get(texture);
+  if (before?.version === texture.version) return before.harmonics;
+  const harmonics = project(texture) ?? ROOM;
+  known.set(texture, { version: texture.version, harmonics });
+  return harmonics;
+}
+
+/** The irradiance at a surface with a normal, as three's shader chunks have it. */
+export function irradianceFrom(c: Harmonics, { x, y, z }: Vector3): number {
+  return (
+    0.886227 * c[0] +
+    1.023328 * (c[1] * y + c[2] * z + c[3] * x) +
+    0.858086 * (c[4] * x * y + c[5] * y * z + c[7] * x * z) +
+    c[6] * (0.743125 * z * z - 0.247708) +
+    0.429043 * c[8] * (x * x - y * y)
+  );
+}
+
+const direction = /* @__PURE__ */ new Vector3();
+
+function project(texture: Texture): Harmonics | undefined {
+  const sums = new Float64Array(10);
+  if ('isCubeTexture' in texture) {
+    const faces: unknown = (texture as CubeTexture).images;
+    if (!Array.isArray(faces) || faces.length !== 6) return undefined;
+    // three.js mirrors cubes of images.
+    const mirror = texture.isRenderTargetTexture ? 1 : -1;
+    for (const [face, image] of faces.entries()) {
+      const pixels = luminances(image, texture);
+      if (!pixels) return undefined;
+      addImage(sums, pixels, (s, t) => {
+        cubeDirection(face, 2 * s - 1, 2 * t - 1);
+        const size = direction.lengthSq();
+        direction.x *= mirror;
+        direction.normalize();
+        return size ** -1.5;
+      });
+    }
+  } else {
+    const pixels = luminances(texture.image, texture);
+    if (!pixels || texture.isRenderTargetTexture) return undefined;
+    addImage(sums, pixels, (s, t) => {
+      const height = Math.PI * (texture.flipY ? 0.5 - t : t - 0.5);
+      const around = 2 * Math.PI * (s - 0.5);
+      direction.set(Math.cos(height) * Math.cos(around), Math.sin(height), Math.cos(height) * Math.sin(around));
+      return Math.cos(height);
+    });
+  }
+  return sums[9] > 0 ? sums.subarray(0, 9).map((sum) => (4 * Math.PI * sum) / sums[9]) : undefined;
+}
+
+/** Adds an image to the coefficients. @param place writes the direction of a place in it, and returns how large a pixel is there */
+function addImage(
+  sums: Float64Array,
+  { width, height, at }: Luminances,
+  place: (s: number, t: number) => number,
+): void {
+  const down = Math.max(1, Math.ceil(height / MOST_ROWS));
+  const along = Math.max(1, Math.ceil(width / (2 * MOST_ROWS)));
+  for (let row = 0; row < height; row += down) {
+    for (let column = 0; column < width; column += along) {
+      const size = place((column + along / 2) / width, (row + down / 2) / height);
+      const light = size * at(column, row);
+      if (!(light < Infinity)) continue;
+      const { x, y, z } = direction;
+      const basis = [
+        0.282095,
+        ...[0.488603 * y, 0.488603 * z, 0.488603 * x],
+        ...[1.092548 * x * y, 1.092548 * y * z, 0.315392 * (3 * z * z - 1)],
+        ...[1.092548 * x * z, 0.546274 * (x * x - y * y)],
+      ];
+      for (let i = 0; i < 9; i++) sums[i] += light * basis[i];
+      sums[9] += size;
+    }
+  }
+}
+
+/** A direction to a place of a face of a cube, not of unit length, in the order and with the axes of OpenGL. */
+function cubeDirection(face: number, s: number, t: number): void {
+  switch (face) {
+    case 0:
+      direction.set(1, -t, -s);
+      break;
+    case 1:
+      direction.set(-1, -t, s);
+      break;
+    case 2:
+      direction.set(s, 1, t);
+      break;
+    case 3:
+      direction.set(s, -1, -t);
+      break;
+    case 4:
+      direction.set(s, -t, 1);
+      break;
+    default:
+      direction.set(-s, -t, -1);
+  }
+}
+
+/** The pixels of an image, if this thread can read them. */
+function luminances(image: unknown, texture: Texture): Luminances | undefined {
+  const { width, height, data } = pixelsOf(image) ?? {};
+  if (!width || !height || !data) return undefined;
+  const channels = data.length / (width * height);
+  const isHalf = texture.type === HalfFloatType;
+  const most = data instanceof Uint8Array || data instanceof Uint8ClampedArray ? 255 : 1;
+  const isEncoded = texture.colorSpace === SRGBColorSpace;
+  const value = (i: number): number => {
+    const stored = isHalf ? DataUtils.fromHalfFloat(data[i]) : data[i] / most;
+    if (!isEncoded) return stored;
+    return stored < 0.04045 ? stored / 12.92 : ((stored + 0.055) / 1.055) ** 2.4;
+  };
+  const at = (column: number, row: number): number => {
+    const i = channels * (row * width + column);
+    return channels < 3 ? value(i) : 0.2126 * value(i) + 0.7152 * value(i + 1) + 0.0722 * value(i + 2);
+  };
+  return { width, height, at };
+}
+
+interface Pixels {
+  width: number;
+  height: number;
+  data: ArrayLike<number>;
+}
+
+function pixelsOf(given: unknown): Pixels | undefined {
+  // A face of a cube may be a texture of data itself.
+  const image = (
+    (given as Partial<Texture> | null)?.isTexture ? (given as Texture).image : given
+  ) as Partial<Pixels> | null;
+  if (!image) return undefined;
+  if (image.data && ArrayBuffer.isView(image.data)) return image as Pixels;
+  if (typeof OffscreenCanvas === 'undefined') return undefined;
+  try {
+    const context = new OffscreenCanvas(2 * MOST_ROWS, MOST_ROWS).getContext('2d')!;
+    context.drawImage(image as unknown as CanvasImageSource, 0, 0, 2 * MOST_ROWS, MOST_ROWS);
+    return context.getImageData(0, 0, 2 * MOST_ROWS, MOST_ROWS);
+  } catch {
+    // An image of another site, or none yet.
+    return undefined;
+  }
+}

@@ -1,0 +1,25 @@
+import type { Camera, Object3D, Scene, WebGLRenderer } from 'three';
+import { FrameStamp } from '../FrameStamp.js';
+import { ExposureFit } from './ExposureFit.js';
+import type { ToneFit } from './ToneFit.js';
+
+interface Kept {
+  readonly fit: ExposureFit;
+  /** The frame in which it was last brought up to date. */
+  readonly updated: FrameStamp;
+}
+
+/** By the root of the scene. */
+const kept = new WeakMap<Object3D, Kept>();
+
+/** The fit of a scene that is being drawn. It is looked for anew once a frame, and only if something has changed. */
+export function sceneExposure(renderer: WebGLRenderer, scene: Scene, camera: Camera): ToneFit {
+  let known = kept.get(scene);
+  if (!known) {
+    known = { fit: new ExposureFit(), updated: new FrameStamp() };
+    kept.set(scene, known);
+  }
+  if (known.updated.isOf(renderer, camera)) return known.fit.fit;
+  known.updated.note(renderer, camera);
+  return known.fit.update(scene, camera.layers.mask);
+}

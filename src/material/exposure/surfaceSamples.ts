@@ -1,0 +1,161 @@
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { hatchNormal } from '../../bake/hatchNormal.js';
+
+/**
+ * Points spread evenly over the surface of a geometry, in its own space and at rest. The first few of them are spread as evenly as all.
+ */
+export interface SurfaceSamples {
+  readonly count: number;
+  readonly area: number;
+  /** Whether all of it faces the same way. */
+  readonly isFlat: boolean;
+  readonly positions: Float32Array;
+  /** Those of the triangles, of length 1. */
+  readonly normals: Float32Array;
+  /** Ambient occlusion as it was baked; 0 where none was. */
+  readonly occlusion: Float32Array;
+}
+
+/** The least cosine between two normals of what is flat. */
+const FLAT = Math.cos(Math.PI / 180);
+
+interface Kept {
+  readonly facts: readonly number[];
+  readonly samples: SurfaceSamples;
+}
+
+const known = new WeakMap<BufferGeometry, Kept>();
+
+type Attribute = BufferAttribute | InterleavedBufferAttribute;
+
+/** How often an attribute was changed; −1 for none. */
+export const versionOf = (attribute: Attribute | null | undefined): number =>
+  attribute ? ('version' in attribute ? attribute.version : attribute.data.version) : -1;
+
+/**
+ * The samples of a geometry. They are taken once, and again when it has changed; the same geometry has the same samples everywhere.
+ *
+ * @param wanted how many samples; powers of two are spread most evenly
+ * @param mostTriangles of larger geometries only so many triangles are looked at, each for its neighbours
+ */
+export function surfaceSamples(geometry: BufferGeometry, wanted: number, mostTriangles: number): SurfaceSamples {
+  const { attributes, drawRange, index } = geometry;
+  const facts = [
+    ...[wanted, mostTriangles, drawRange.start, drawRange.count],
+    ...[attributes.position, index, attributes[hatchNormal.name]].map(versionOf),
+  ];
+  const before = known.get(geometry);
+  if (before?.facts.every((fact, i) => fact === facts[i])) return before.samples;
+  const samples = takeSamples(geometry, wanted, mostTriangles);
+  known.set(geometry, { facts, samples });
+  return samples;
+}
+
+/** Reads corners of triangles. */
+class Corners {
+  readonly triangles: number;
+  private readonly start: number;
+  private readonly position: Attribute;
+  private readonly baked: Attribute | undefined;
+  private readonly xyz = new Float64Array(9);
+
+  constructor(private readonly geometry: BufferGeometry) {
+    const { drawRange, index, attributes } = geometry;
+    this.position = attributes.position;
+    const baked = attributes[hatchNormal.name];
+    this.baked = baked?.itemSize === hatchNormal.itemSize ? baked : undefined;
+    const available = index ? index.count : this.position.count;
+    this.start = Math.max(0, drawRange.start);
+    const end = Math.min(available, drawRange.start + drawRange.count);
+    this.triangles = Math.max(0, Math.floor((end - this.start) / 3));
+  }
+
+  /** The nine coordinates of a triangle, which the next call overwrites. */
+  read(triangle: number): Float64Array {
+    const { xyz, position } = this;
+    for (let corner = 0; corner < 3; corner++) {
+      const vertex = this.vertex(triangle, corner);
+      xyz[3 * corner] = position.getX(vertex);
+      xyz[3 * corner + 1] = position.getY(vertex);
+      xyz[3 * corner + 2] = position.getZ(vertex);
+    }
+    return xyz;
+  }
+
+  occlusion(triangle: number, corner: number): number {
+    return this.baked ? Math.max(0, -this.baked.getW(this.vertex(triangle, corner))) : 0;
+  }
+
+  private vertex(triangle: number, corner: number): number {
+    const entry = this.start + 3 * triangle + corner;
+    return this.geometry.index ? this.geometry.index.getX(entry) : entry;
+  }
+}
+
+const normal = new Float64Array(3);
+
+/** Writes the normal of a triangle, as long as twice its area. @returns that length; 0 where a coordinate is no number */
+function writeNormal(xyz: Float64Array): number {
+  const [ax, ay, az] = xyz;
+  const [ux, uy, uz] = [xyz[3] - ax, xyz[4] - ay, xyz[5] - az];
+  const [vx, vy, vz] = [xyz[6] - ax, xyz[7] - ay, xyz[8] - az];
+  normal[0] = uy * vz - uz * vy;
+  normal[1] = uz * vx - ux * vz;
+  normal[2] = ux * vy - uy * vx;
+  const length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  return length < Infinity ? length : 0;
+}
+
+function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: number): SurfaceSamples {
+  const corners = new Corners(geometry);
+  const step = Math.max(1, Math.ceil(corners.triangles / mostTriangles));
+  const sums = new Float64Array(Math.ceil(corners.triangles / step));
+  let sum = 0;
+  for (let i = 0; i < sums.length; i++) {
+    sum += writeNormal(corners.read(i * step));
+    sums[i] = sum;
+  }
+  const count = sum > 0 ? wanted : 0;
+  const positions = new Float32Array(3 * count);
+  const normals = new Float32Array(3 * count);
+  const occlusion = new Float32Array(count);
+  let isFlat = true;
+  for (let i = 0; i < count; i++) {
+    // Halton's points: one coordinate chooses the triangle, two the place in it.
+    const triangle = step * firstAbove(sums, (inverse(i, 2) + 0.5 / count) * sum);
+    const root = Math.sqrt(inverse(i + 1, 3));
+    const across = inverse(i + 1, 5);
+    const shares = [1 - root, root * (1 - across), root * across];
+    const xyz = corners.read(triangle);
+    const length = writeNormal(xyz);
+    for (let axis = 0; axis < 3; axis++) {
+      positions[3 * i + axis] = shares[0] * xyz[axis] + shares[1] * xyz[3 + axis] + shares[2] * xyz[6 + axis];
+      normals[3 * i + axis] = normal[axis] / length;
+    }
+    for (let corner = 0; corner < 3; corner++) occlusion[i] += shares[corner] * corners.occlusion(triangle, corner);
+    isFlat &&= normals[0] * normals[3 * i] + normals[1] * normals[3 * i + 1] + normals[2] * normals[3 * i + 2] > FLAT;
+  }
+  return { count, area: (step * sum) / 2, isFlat, positions, normals, occlusion };
+}
+
+/** The first place in rising sums that lies above a value. */
+function firstAbove(sums: Float64Array, value: number): number {
+  let [low, high] = [0, sums.length - 1];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sums[middle] > value) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+/** The digits of a number mirrored at the point (van der Corput): in [0, 1), and evenly spread for all numbers up to any. */
+function inverse(value: number, base: number): number {
+  let [rest, digit, sum] = [value, 1 / base, 0];
+  while (rest > 0) {
+    sum += (rest % base) * digit;
+    rest = Math.floor(rest / base);
+    digit /= base;
+  }
+  return sum;
+}

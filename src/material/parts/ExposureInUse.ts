@@ -1,0 +1,32 @@
+import type { Camera, IUniform, Scene, Vector2, WebGLRenderer } from 'three';
+import { isFitted } from '../exposure/isFitted.js';
+import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
+import { fetchedPart, fetchPart } from './parts.js';
+
+/** The exposure of one material, where that is fitted to the scene. */
+export class ExposureInUse {
+  private isAwaited = false;
+
+  /** Asks for the code that fits an exposure, if a material needs it. */
+  fetch({ exposure }: HatchingMaterialProperties): void {
+    if (exposure !== 'auto' || this.isAwaited) return;
+    this.isAwaited = true;
+    // The failure is told of where it happens.
+    fetchPart('exposure').catch(() => {});
+  }
+
+  /** Writes the exposure that suits the scene which is being drawn, as soon as the code is there. */
+  write(
+    material: HatchingMaterialProperties,
+    renderer: WebGLRenderer,
+    scene: Scene,
+    camera: Camera,
+    { value }: IUniform<Vector2>,
+  ): void {
+    this.fetch(material);
+    if (!isFitted(material)) return;
+    const { exposureCompensation: factor } = material;
+    const fit = fetchedPart('exposure')?.sceneExposure?.(renderer, scene, camera);
+    value.set(factor * (fit?.scale ?? 1), factor * (fit?.offset ?? 0));
+  }
+}
