@@ -163,8 +163,9 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   u.strokeDirection.value.set(cos, sin);
   u.crossFrom.value = isAway ? 1 : material.crossFrom;
   const highlightReach = Math.max(material.highlightTone * material.highlightSoftness, 1e-6);
-  // What is fitted to a scene is written when that is drawn.
-  if (!isFitted(material)) u.exposure.value.set(material.exposure === 'auto' ? 1 : material.exposure, 0);
+  // What is fitted to a scene follows when that is drawn.
+  const { exposure, exposureCompensation } = material;
+  u.exposure.value.set(exposure !== 'auto' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
   u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
   // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
   const { crossAngle } = material;

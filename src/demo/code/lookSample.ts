@@ -48,6 +48,10 @@ export function materialParameters(settings: Settings, isScene: boolean, factor?
   if (countsFor(look, 'strokeDirection')) parameters.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
   if (shiftsStrokes(settings)) parameters.push(`strokeOffset: new Vector2(${settings.offsetU}, ${settings.offsetV})`);
   if (!isDefault(look, 'toneCurve')) parameters.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
+  for (const property of ['exposure', 'exposureCompensation'] as const) {
+    if (counts(look, property) && !isDefault(look, property))
+      parameters.push(`${property}: ${inSource(look[property])}`);
+  }
   for (const twin of TWINS) {
     const { key, property } = twin;
     const { owner }: Setting = SETTINGS[key];

@@ -52,6 +52,7 @@ export function materialLook(
   technique: Settings['technique'] = settings.technique,
 ): HatchingMaterialParameters {
   const { offsetU, offsetV } = settings;
+  const isFitted = settings.exposure === 'auto';
   return {
     technique: techniqueOf(technique),
     crisp: technique === 'adjacencyCrisp',
@@ -59,6 +60,9 @@ export function materialLook(
     strokeOffset: new Vector2(offsetU, offsetV),
     toneCurve: TONE_CURVES[settings.toneCurve],
     ...compositionLook(settings),
+    exposure: isFitted ? 'auto' : 1,
+    // The strength of the light alone would change nothing.
+    exposureCompensation: isFitted ? settings.lightStrength / 100 : 1,
     ...propertiesOf(OTHERS, settings),
   };
 }
@@ -76,13 +80,14 @@ export const materialSizes = (settings: Settings): HatchingMaterialParameters =>
 
 /** The settings that give a material these parameters. Others stay as they are. */
 export function settingsOfMaterial(parameters: HatchingMaterialParameters): Partial<Settings> {
-  const { technique, crisp, strokeRotation, strokeOffset, toneCurve } = parameters;
+  const { technique, crisp, strokeRotation, strokeOffset, toneCurve, exposure } = parameters;
   const given = TWINS.filter(({ property }) => parameters[property] !== undefined);
   return {
     ...(technique && { technique: technique === 'adjacency' && crisp ? 'adjacencyCrisp' : technique }),
     ...(strokeRotation !== undefined && directionOf(strokeRotation)),
     ...(strokeOffset && offsetOf(strokeOffset)),
     ...(toneCurve && { toneCurve: nameOfCurve(toneCurve) }),
+    ...(exposure && { exposure: exposure === 'auto' ? exposure : 'fixed' }),
     ...Object.fromEntries(given.map(({ key, property }) => [key, toSetting(property, parameters[property])])),
   };
 }

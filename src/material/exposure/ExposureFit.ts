@@ -12,6 +12,7 @@ import {
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { fitTones } from './fitTones.js';
 import { type Arriving, LightsAround } from './LightsAround.js';
+import { openToLamps } from './openToLamps.js';
 import { SceneContents } from './SceneContents.js';
 import { type SurfaceSamples, surfaceSamples } from './surfaceSamples.js';
 import type { ToneFit } from './ToneFit.js';
@@ -27,8 +28,6 @@ const TRIANGLES_PER_SAMPLE = 1 << 4;
 const MOST_INSTANCES = 16;
 /** The directions in which a sphere faces its light, evenly spread. */
 const SPHERE_STEPS = 200;
-/** The occlusion from which on light with a direction loses as much as light from all around, as in `occlude.glsl`. */
-const CAVITY = 0.4;
 
 /** A surface in one place of the world. */
 interface Place {
@@ -139,23 +138,18 @@ function addPlace(arriving: WeightedValues, place: Place, lights: LightsAround, 
     const stretched = normal.length();
     normal.divideScalar(stretched);
     if (material.side === BackSide) normal.negate();
-    const taken = material.occlusion * occlusion[i];
-    const openToLamps = 1 - taken * cavity(occlusion[i]);
+    const open = openToLamps(occlusion[i], material.occlusion);
+    const openToSky = 1 - material.occlusion * occlusion[i];
     // Of two sides either may be seen, which is up to the camera.
     const sides = material.side === DoubleSide ? 2 : 1;
     for (let side = 0; side < sides; side++) {
       lights.arriveAt(position, normal, isHalfLambert, light);
       const around = light.indirect + material.reflectedLight * light.reflected;
-      const radiance = openToLamps * light.direct + (1 - taken) * around + emitted;
+      const radiance = open * light.direct + openToSky * around + emitted;
       arriving.add(radiance, (weight * samples.area * determinant * stretched) / (count * sides));
       normal.negate();
     }
   }
-}
-
-function cavity(occlusion: number): number {
-  const t = Math.min(1, occlusion / CAVITY);
-  return t * t * (3 - 2 * t);
 }
 
 /** A material for each way to answer to light, with the area that has it. */

@@ -25,8 +25,7 @@ export class ExposureInUse {
   ): void {
     this.fetch(material);
     if (!isFitted(material)) return;
-    const { exposureCompensation: factor } = material;
     const fit = fetchedPart('exposure')?.sceneExposure?.(renderer, scene, camera);
-    value.set(factor * (fit?.scale ?? 1), factor * (fit?.offset ?? 0));
+    if (fit) value.set(fit.scale, fit.offset).multiplyScalar(material.exposureCompensation);
   }
 }

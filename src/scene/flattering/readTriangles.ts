@@ -10,6 +10,7 @@ import {
 } from 'three';
 import { hatchNormal } from '../../bake/hatchNormal.js';
 import { createProjectedTriangles, type ProjectedTriangles } from '../../lighting/ProjectedTriangles.js';
+import { openToLamps } from '../../material/exposure/openToLamps.js';
 import { isHatching, materialsOf, surfaceMeshes } from '../surfaceMeshes.js';
 
 /** At most this many triangles are read. Of larger scenes, each stands for some of its neighbours. */
@@ -18,8 +19,6 @@ const MOST_TRIANGLES = 50_000;
 const DEFORMING_COST = 4;
 /** At most this many instances of a mesh are read. */
 const MOST_INSTANCES = 256;
-/** The occlusion from which on light with a direction loses as much as light from all around, as in `occlude.glsl`. */
-const CAVITY = 0.4;
 
 /** A mesh, where it is drawn, and which of its triangles are read. */
 interface MeshReading {
@@ -176,15 +175,11 @@ function hiddenSide(mesh: Mesh, place: Matrix4): number {
   return (side === BackSide ? 1 : -1) * (place.determinant() < 0 ? -1 : 1);
 }
 
-/** The share of a light with a direction that hollows leave a vertex, as `occlude.glsl` has it. */
+/** The share of a light with a direction that hollows leave a vertex. */
 function opennessOf(mesh: Mesh): (vertex: number) => number {
   const material = materialsOf(mesh).find(isHatching);
   const baked = mesh.geometry.attributes[hatchNormal.name];
   const strength = material?.occlusion ?? 0;
   if (strength === 0 || baked?.itemSize !== hatchNormal.itemSize) return () => 1;
-  return (vertex) => {
-    const occlusion = Math.max(0, -baked.getW(vertex));
-    const t = Math.min(1, occlusion / CAVITY);
-    return 1 - strength * occlusion * t * t * (3 - 2 * t);
-  };
+  return (vertex) => openToLamps(Math.max(0, -baked.getW(vertex)), strength);
 }

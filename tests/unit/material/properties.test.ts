@@ -111,8 +111,8 @@ describe('every property', () => {
       return JSON.stringify([vertexShader, fragmentShader, defines, values]);
     };
     for (const [name, row] of rows) {
-      // Without a highlight its softness is nothing.
-      const base = { technique: row.techniques?.[0] ?? 'adjacency', highlightTone: 0.1 };
+      // Without a highlight its softness is nothing, and what is not fitted is not compensated.
+      const base = { technique: row.techniques?.[0] ?? 'adjacency', highlightTone: 0.1, exposure: 'auto' };
       const parameters = { ...base, tonalArtMap: changed.tonalArtMap, [name]: anotherValue(name, row) };
       const before = new HatchingMaterial({
         ...base,

@@ -31,6 +31,14 @@ const ON_SHADOW = { ...SHADOWED, ground: ['shadow'] } as const;
 
 /** The lights, and the shadows that they cast. */
 export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
+  exposure: {
+    kind: 'choice',
+    label: 'Exposure',
+    owner: 'hand',
+    partOf: 'exposure',
+    default: 'auto',
+    choices: { auto: 'Fitted to the model', fixed: 'As the lights are' },
+  },
   lightStrength: strength('Strength', 115, { owner: 'hand' }),
   lightAzimuth: degrees('Around', -54, 180),
   lightElevation: degrees('Height', 38, 89),

@@ -139,7 +139,13 @@ describe('what follows from a look', () => {
           if (row.kind === 'choice') expect(Object.keys(row.choices), name).toEqual(expect.arrayContaining([...named]));
           else
             expect(named, name).toEqual([
-              row.kind === 'switch' ? true : row.kind === 'texture' ? null : expect.any(Number),
+              row.kind === 'number' && row.isAuto
+                ? 'auto'
+                : row.kind === 'switch'
+                  ? true
+                  : row.kind === 'texture'
+                    ? null
+                    : expect.any(Number),
             ]);
         }
       }

@@ -250,6 +250,25 @@ describe('the light', () => {
     expect(await draw(ball(), { lights })).toEqual([]);
   });
 
+  test.each<[string, Light[], RegExp | undefined]>([
+    ['too weak', [sun(0.01)], undefined],
+    ['too strong', [sun(100), sun(1000)], undefined],
+    ['missing', [], /gets no light/],
+    ['ambient alone', [new AmbientLight(0xffffff, 0.1)], /same tone on all sides/],
+  ])('that is %s is told of, to an exposure of auto, if it shows no form', async (_, lights, sentence) => {
+    const mesh = ball(anchored({ exposure: 'auto' }));
+    expect(await draw(mesh, { lights })).toEqual(sentence ? about(sentence) : []);
+  });
+
+  test('is told of where a tone curve by hand takes the place of the exposure', async () => {
+    const curve = [
+      [0, 0],
+      [1, 0.9],
+    ] as const;
+    const mesh = ball(anchored({ exposure: 'auto', toneCurve: curve }));
+    expect(await draw(mesh, { lights: [sun(0.01)] })).toEqual(about(/too little light/));
+  });
+
   test('may come from an environment or a texture', async () => {
     const scene = new Scene();
     scene.environment = new Texture();

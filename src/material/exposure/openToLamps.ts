@@ -1,0 +1,13 @@
+/** The occlusion from which on light with a direction loses as much as light from all around. */
+const CAVITY = 0.4;
+
+/**
+ * The share of a light with a direction that hollows leave a surface, as `occlude.glsl` has it.
+ *
+ * @param occlusion as it was baked, from 0 to 1
+ * @param strength how much of it counts
+ */
+export function openToLamps(occlusion: number, strength: number): number {
+  const t = Math.min(1, occlusion / CAVITY);
+  return 1 - strength * occlusion * t * t * (3 - 2 * t);
+}
