@@ -34,8 +34,9 @@ bool zeroSet(
 Piece contour(const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c) {
   Piece piece = noPiece();
   if (zeroSet(a, b, c, vec3(a.facing, b.facing, c.facing), piece.start, piece.end)) {
-    piece.start.weight = contours * taperAt(piece.start.bend);
-    piece.end.weight = contours * taperAt(piece.end.bend);
+    weigh(piece.start, contours * taperAt(piece.start.bend), 0.0);
+    weigh(piece.end, contours * taperAt(piece.end.bend), 0.0);
+    piece.contour = 1.0;
   }
   return piece;
 }

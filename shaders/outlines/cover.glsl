@@ -1,5 +1,5 @@
 // From a piece of outline to the triangle on the screen that covers it.
-uniform float outlineWidth; // pixels
+uniform float accents;
 uniform vec4 viewport; // x, y, width, height in pixels
 uniform float objectScale; // view units per object unit: the mean over directions
 uniform float nearDistance;
@@ -12,9 +12,12 @@ uniform float nearDistance;
 
 void clearVaryings() {
   vEnds = vec4(0.0);
-  vHalfWidths = vec2(0.0);
+  vHalfWidths = vec4(0.0);
   vStart = vec4(0.0);
   vEnd = vec4(0.0);
+  vOvershoots = vec2(0.0);
+  vContour = 0.0;
+  vTolerance = 0.0;
   #ifdef WOBBLE
     vAnchorStart = vec3(0.0);
     vAnchorEnd = vec3(0.0);
@@ -39,6 +42,7 @@ void cutAt(const in float z, inout vec3 place, inout PieceEnd cut, const in vec3
   float t = (z - place.z) / (otherPlace.z - place.z);
   place = mix(place, otherPlace, t);
   cut.weight = mix(cut.weight, other.weight, t);
+  cut.innerWeight = mix(cut.innerWeight, other.innerWeight, t);
   cut.anchor = mix(cut.anchor, other.anchor, t);
   cut.overshoot = 0.0;
 }
@@ -62,7 +66,9 @@ void coverPiece(const in Piece piece, const in int corner) {
     else if (end.z > z) cutAt(z, end, to, start, from);
   }
 
-  vec2 halves = 0.5 * outlineWidth * vec2(from.weight * outlineEmphasisAt(start), to.weight * outlineEmphasisAt(end));
+  vec2 halfStart = halfWidthsAt(from, start);
+  vec2 halfEnd = halfWidthsAt(to, end);
+  vec2 halves = vec2(max(halfStart.x, halfStart.y), max(halfEnd.x, halfEnd.y)) * (1.0 + accents * piece.contour);
   vec3 nearStart = lifted(start, liftOf(from, piece, halves.x * unitsToPixel(start), scale));
   vec3 nearEnd = lifted(end, liftOf(to, piece, halves.y * unitsToPixel(end), scale));
   vec4 clipStart = projectionMatrix * vec4(nearStart, 1.0);
@@ -76,8 +82,6 @@ void coverPiece(const in Piece piece, const in int corner) {
   float slope = (depths.y - depths.x) / max(size, FRINGE);
   float middleDepth = 0.5 * (depths.x + depths.y);
   vec2 middle = 0.5 * (a + b);
-  a -= from.overshoot * along;
-  b += to.overshoot * along;
 
   float reach = max(max(halves.x, halves.y), 0.5) + FRINGE;
   #ifdef WOBBLE
@@ -92,7 +96,10 @@ void coverPiece(const in Piece piece, const in int corner) {
   gl_Position = vec4(2.0 * (pixel - viewport.xy) / viewport.zw - 1.0, middleDepth + slope * local.x, 1.0);
 
   vEnds = vec4(a, b);
-  vHalfWidths = halves;
+  vHalfWidths = vec4(halfStart.x, halfEnd.x, halfStart.y, halfEnd.y);
   vStart = vec4(start, -nearStart.z);
   vEnd = vec4(end, -nearEnd.z);
+  vOvershoots = vec2(from.overshoot, to.overshoot);
+  vContour = piece.contour;
+  vTolerance = toleranceOf(piece, max(unitsToPixel(start), unitsToPixel(end)), scale);
 }

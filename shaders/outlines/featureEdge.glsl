@@ -47,28 +47,32 @@ Piece featureEdge(
   bool isBorder = (flags & EDGE_BORDER) != 0u;
   // Creases that look away on either side cannot be seen; borders show their backs.
   if (!isBorder && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
-  if (isBorder) whole = borders;
 
   vec2 part;
   bool hasContour = !isBorder && contourAlong(left, right, part);
-  if (whole > 0.0) {
+  if (isBorder || whole > 0.0) {
     // Drawn from end to end, as wide as the contour where it is one.
-    bvec2 isContour = lessThan(left * right, vec2(0.0));
+    vec2 isContour = vec2(lessThan(left * right, vec2(0.0)));
+    vec2 ofContour = isBorder ? vec2(borders) : contours * isContour;
+    piece.contour = isBorder ? 1.0 : 0.5 * (isContour.x + isContour.y);
     piece.start = endBetween(leftStart, leftEnd, 0.0);
     piece.end = endBetween(leftStart, leftEnd, 1.0);
-    piece.start.weight = !isBorder && isContour.x ? max(contours, whole) : whole;
-    piece.end.weight = !isBorder && isContour.y ? max(contours, whole) : whole;
+    weigh(piece.start, ofContour.x, isBorder ? 0.0 : whole);
+    weigh(piece.end, ofContour.y, isBorder ? 0.0 : whole);
     if ((flags & EDGE_CORNER_AT_START) != 0u) piece.start.overshoot = overshoot;
     if ((flags & EDGE_CORNER_AT_END) != 0u) piece.end.overshoot = overshoot;
   } else if (hasContour) {
     piece.start = endBetween(leftStart, leftEnd, part.x);
     piece.end = endBetween(leftStart, leftEnd, part.y);
-    piece.start.weight = contours;
-    piece.end.weight = contours;
+    piece.contour = 1.0;
+    weigh(piece.start, contours, 0.0);
+    weigh(piece.end, contours, 0.0);
   } else {
     return piece;
   }
   piece.start.normal = seenNormal(leftStart, rightStart, sign);
   piece.end.normal = seenNormal(leftEnd, rightEnd, sign);
+  vec3 turn = cross(leftStart.normal, sign * rightStart.normal);
+  piece.isValley = !isBorder && dot(turn, leftEnd.position - leftStart.position) < 0.0;
   return piece;
 }

@@ -1,5 +1,6 @@
 // Hidden outlines. Each end is moved along its ray towards the eye before the depth test, so far that the surface it lies on does
-// not hide it, and hardly further; it stays where it is on the screen.
+// not hide it, and hardly further; it stays where it is on the screen. What lies before it by less is found by the fragments
+// (hierarchy.glsl).
 
 // The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by.
 #define LIFT_SHARE 0.004
@@ -17,6 +18,16 @@ float liftOf(const in PieceEnd end, const in Piece piece, const in float halfWid
   // the outline drowns.
   float rise = sqrt(2.0 * halfWidth * r / max(end.bend, 1e-3));
   return own + 2.0 * halfWidth + min(rise, MOST_RISE * r);
+}
+
+// By how much a surface may lie before the middle of its own outline, as a share of the bounding radius, for rounding.
+#define ROUNDING 0.0005
+// How far beside the middle of an outline fragments look for what hides it, in pixels, with the size of a pixel.
+#define LOOKED_BESIDE 2.0
+
+// How far the surface may lie before its own outline. pixel: in view units.
+float toleranceOf(const in Piece piece, const in float pixel, const in float scale) {
+  return (ROUNDING * radius + piece.ownCover) * scale + (piece.isValley ? LOOKED_BESIDE * EDGE_SLOPE * pixel : 0.0);
 }
 
 vec3 lifted(const in vec3 position, const in float lift) {

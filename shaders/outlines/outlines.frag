@@ -16,29 +16,40 @@ uniform float opacity;
   #include "outlines/dryOutline"
 #endif // TOOTH
 
-// The place along the piece that is nearest to a pixel: 0 at the start, 1 at the end, and outside of [0, 1] beyond them.
-float placeOf(const in vec2 pixel) {
-  vec2 along = vEnds.zw - vEnds.xy;
-  return dot(pixel - vEnds.xy, along) / max(dot(along, along), 1e-8);
-}
-
-// The same in space: of an outline that runs away from the eye, the nearer half takes more of the screen.
+// Of a place between the ends on the screen the place between them in space: of an outline that runs away from the eye, the
+// nearer half takes more of the screen.
 float alongLine(const in float t) {
   return isOrthographic ? t : t * vStart.z / mix(vEnd.z, vStart.z, t);
 }
 
+#include "outlines/sceneDepth"
+#include "outlines/hierarchy"
+
 void main() {
   vec2 pixel = gl_FragCoord.xy;
-  float place = placeOf(pixel);
+  vec2 ends = vEnds.zw - vEnds.xy;
+  float size = length(ends);
+  Spine spine = Spine(vEnds.xy, size > 1e-4 ? ends / size : vec2(1.0, 0.0), size);
+  float place = dot(pixel - spine.start, spine.along);
   #ifdef WOBBLE
-    pixel -= wobbleAt(mix(vAnchorStart, vAnchorEnd, alongLine(clamp(place, 0.0, 1.0))));
-    place = placeOf(pixel);
+    pixel -= wobbleAt(mix(vAnchorStart, vAnchorEnd, alongLine(clamp(place / max(size, 1e-4), 0.0, 1.0))));
+    place = dot(pixel - spine.start, spine.along);
   #endif // WOBBLE
-  float t = clamp(place, 0.0, 1.0);
-  float away = distance(pixel, mix(vEnds.xy, vEnds.zw, t));
-  float halfWidth = mix(vHalfWidths.x, vHalfWidths.y, t);
+  float onSpine = clamp(place, 0.0, size);
+  float t = onSpine / max(size, 1e-4);
+  float onOutline = clamp(place, -vOvershoots.x, size + vOvershoots.y);
+  float away = distance(pixel, spine.start + onOutline * spine.along);
+
+  vec2 halves = mix(vHalfWidths.xz, vHalfWidths.yw, t);
+  float halfWidth = halves.x;
+  if (away > max(max(halves.x, halves.y) * (1.0 + accents), 0.5) + 0.5) discard;
+  if (hasSceneDepth) {
+    vec2 seen = spine.start + onSpine * spine.along;
+    if (!isSeen(spine, seen)) discard;
+    halfWidth = halfWidthAt(spine, seen, halves);
+  }
   // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
-  float fringe = place == t ? 0.5 : 0.0;
+  float fringe = place == onOutline ? 0.5 : 0.0;
   float coverage = lineCoverage(away, halfWidth, fringe);
   #ifdef TOOTH
     coverage *= dryInk(min(away / max(halfWidth, 0.5), 1.0));

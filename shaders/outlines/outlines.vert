@@ -17,6 +17,7 @@
 #include "outlines/shade"
 #include "outlines/hiding"
 #include "emphasis"
+#include "outlines/width"
 #include "outlines/cover"
 
 uniform vec4 eye; // object space; w is 0 for an orthographic camera, and xyz then a direction
@@ -39,7 +40,7 @@ void main() {
   } else {
     piece = contour(a, b, c);
     if (suggestiveContours > 0.0 && !isPiece(piece)) piece = suggestiveContour(a, b, c, seenFrom);
-    piece.extent = extentAlong(a, b, c, seenFrom);
+    measureExtent(piece, a, b, c, seenFrom);
   }
   if (!isPiece(piece)) return;
 

@@ -1,7 +1,8 @@
-// Illustrators draw the side away from the light with a heavier outline.
+// Illustrators draw the side away from the light with a heavier outline, and leave it out between lit surface and paper.
 #include "lightLuminance"
 
 uniform vec2 shadeWeights; // lit, shaded
+uniform float lostEdges; // how much of the contours between lit surface and paper is lost
 
 // The direction that the light comes from at a point in view space: the mean of all lights by their luminance, not of unit length.
 vec3 meanLight(const in vec3 viewPosition) {
@@ -33,16 +34,29 @@ vec3 normalInView(const in vec3 normal) {
 // Up to the first of these, of (1 − N·L) / 2, an outline is as heavy as on the lit side, from the second on as in the shade.
 #define LIT 0.15
 #define SHADED 0.85
+// How far the surface just inside of a contour leans towards the eye: the share of that direction in its normal.
+#define INSIDE 0.5
+// The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it tapers to nothing, so
+// that the pen lifts instead of fading.
+#define LOST_RANGE 0.7
+#define LOST_TAPER 0.12
 
-// The weight of an outline at a point by the light that falls on the surface there.
-float shadeWeight(const in vec3 normal, const in vec3 light) {
-  float brightness = dot(light, light);
-  float shaded = brightness > 0.0 ? 0.5 - 0.5 * dot(normalInView(normal), light * inversesqrt(brightness)) : 0.5;
-  return mix(shadeWeights.x, shadeWeights.y, smoothstep(LIT, SHADED, shaded));
+// Shades an end. light: of unit length, or 0 where no light has a direction. sight: the direction to the eye. Both in view space.
+void shadeEnd(inout PieceEnd end, const in float contour, const in vec3 light, const in vec3 sight) {
+  vec3 normal = normalInView(end.normal);
+  float weight = mix(shadeWeights.x, shadeWeights.y, smoothstep(LIT, SHADED, 0.5 - 0.5 * dot(normal, light)));
+  end.weight *= weight;
+  end.innerWeight *= weight;
+  float inside = dot(normalize(normal + INSIDE * sight), light);
+  float lost = 1.0 - LOST_RANGE * lostEdges;
+  end.weight *= 1.0 - contour * smoothstep(lost, lost + LOST_TAPER, inside);
 }
 
 void shade(inout Piece piece) {
-  vec3 light = meanLight((objectToView() * vec4(0.5 * (piece.start.position + piece.end.position), 1.0)).xyz);
-  piece.start.weight *= shadeWeight(piece.start.normal, light);
-  piece.end.weight *= shadeWeight(piece.end.normal, light);
+  vec3 middle = (objectToView() * vec4(0.5 * (piece.start.position + piece.end.position), 1.0)).xyz;
+  vec3 light = meanLight(middle);
+  light /= max(length(light), 1e-20);
+  vec3 sight = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-middle);
+  shadeEnd(piece.start, piece.contour, light, sight);
+  shadeEnd(piece.end, piece.contour, light, sight);
 }

@@ -26,7 +26,7 @@ Piece suggestiveContour(const in OutlinePoint a, const in OutlinePoint b, const 
   float lean = length(w);
   float growth = radius * dot(gradient, w) / max(lean, 1e-6);
   float weight = suggestiveContours * smoothstep(LEAST_GROWTH, FULL_GROWTH, growth * smoothstep(LEAST_LEAN, FULL_LEAN, lean));
-  piece.start.weight = weight;
-  piece.end.weight = weight;
+  weigh(piece.start, 0.0, weight);
+  weigh(piece.end, 0.0, weight);
   return piece;
 }

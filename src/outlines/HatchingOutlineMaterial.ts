@@ -45,17 +45,32 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   declare outlineWidth: number;
   /** Weight of contours, along which the surface turns away from the eye, 0 or more; 0 draws none. Default 1. */
   declare contours: number;
+  /**
+   * Weight of contours and borders that have a surface behind them, as a share of their weight before the paper, 0 or more. A surface
+   * that lies more than half of the height of the view behind them is as good as paper. 1 draws all alike. Default 0.5.
+   */
+  declare innerContours: number;
   /** Weight of borders, where the surface ends, 0 or more; 0 draws none. Default 1. */
   declare borders: number;
-  /** Weight of creases, sharp edges with both sides visible, 0 or more; 0 draws none. Default 0.6. */
+  /** Weight of creases, sharp edges with both sides visible, 0 or more; 0 draws none. Default 0.35. */
   declare creases: number;
-  /** Weight of edges between groups of a geometry, on meshes with several materials, 0 or more; 0 draws none. Default 0.6. */
+  /** Weight of edges between groups of a geometry, on meshes with several materials, 0 or more; 0 draws none. Default 0.35. */
   declare materialBorders: number;
   /**
    * Weight of suggestive contours, where a contour would appear if the eye moved a little (DeCarlo et al., 2003), 0 or
    * more; 0 draws none. Every triangle is tested for them. Default 0; try 0.6.
    */
   declare suggestiveContours: number;
+  /**
+   * How much of the contours between a lit surface and the paper is lost, from 0 (nothing) to 1 (all that the light falls on). The
+   * brightest part is lost first. Default 0.2.
+   */
+  declare lostEdges: number;
+  /**
+   * How much heavier a contour becomes where another one ends behind it, as a share of its weight, 0 or more. The accent tapers over
+   * eight times `outlineWidth` to either side. Default 0.5.
+   */
+  declare accents: number;
   /**
    * Where a contour begins to taper, 0 or more. A contour ends where the surface stops curving away along the line of sight. It has
    * its full width where that curvature is at least `taper` divided by the bounding radius, and becomes narrower below. 0 ends it
@@ -72,7 +87,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   declare toothSize: number;
   /** Colour of the outlines. Default black. */
   ink: Color = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
-  /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.5, 1.4). */
+  /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.6, 1.7). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */

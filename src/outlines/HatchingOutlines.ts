@@ -28,6 +28,7 @@ import { tell } from '../mistakes/tell.js';
 import { ContourList } from './ContourList.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { InstanceList } from './InstanceList.js';
+import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
 
 const frustum = /* @__PURE__ */ new Frustum();
 const matrix = /* @__PURE__ */ new Matrix4();
@@ -80,6 +81,8 @@ export class HatchingOutlines extends Object3D {
   private ownsMaterial: boolean;
   /** The list of each camera. */
   private readonly lists = new Map<Camera, ContourList | InstanceList>();
+  /** What has copied the depth of the scene for these outlines. */
+  private readonly depths = new Set<SceneDepth>();
   private hasReported = false;
 
   /**
@@ -137,6 +140,8 @@ export class HatchingOutlines extends Object3D {
     if (this.ownsMaterial) this.material.dispose();
     for (const list of this.lists.values()) list.dispose();
     this.lists.clear();
+    for (const depth of this.depths) depth.dispose();
+    this.depths.clear();
   }
 
   /**
@@ -269,7 +274,16 @@ export class HatchingOutlines extends Object3D {
     if (viewport) (uniforms.viewport.value as Vector4).copy(viewport);
     else renderer.getCurrentViewport(uniforms.viewport.value as Vector4);
     writeEmphasis(emphasisOf(mesh), uniforms, renderer, camera);
+    this.bindSceneDepth(renderer, camera);
     writePictureOffset(uniforms.toothOffset.value as Vector2, camera, uniforms.viewport.value as Vector4);
+  }
+
+  private bindSceneDepth(renderer: WebGLRenderer, camera: Camera): void {
+    const { uniforms } = this.material;
+    const depth = sceneDepthOf(renderer);
+    this.depths.add(depth);
+    uniforms.sceneDepth.value = depth.read(camera, uniforms.viewport.value as Vector4);
+    uniforms.hasSceneDepth.value = uniforms.sceneDepth.value !== null;
   }
 
   private listFor(camera: Camera, data: OutlineData, mesh: Mesh): ContourList | InstanceList | null {

@@ -28,6 +28,8 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
         instancePlaces: { value: null },
         isListed: { value: false },
         eye: { value: new Vector4() },
+        hasSceneDepth: { value: false },
+        sceneDepth: { value: null },
         nearDistance: { value: 0 },
         objectScale: { value: 1 },
         viewport: { value: new Vector4() },

@@ -27,12 +27,22 @@ const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
   crossHatching: { outlineWidth: 1.4, wobble: 1, ink: BLACK },
   engraving: { outlineWidth: 1.5, ink: BLACK },
   banknote: { outlineWidth: 0.9, ink: '#18332f' },
-  technical: { outlineWidth: 1.6, creases: 1, materialBorders: 1, shadeWeights: [1, 1], ink: BLACK },
+  technical: {
+    outlineWidth: 1.6,
+    innerContours: 0.6,
+    creases: 0.6,
+    materialBorders: 0.6,
+    lostEdges: 0,
+    accents: 0,
+    shadeWeights: [1, 1],
+    ink: BLACK,
+  },
   woodcut: { outlineWidth: 3.2, ink: '#120e0a' },
   stipple: { outlineWidth: 1, ink: BLACK },
   pencil: { outlineWidth: 1.3, wobble: 1, tooth: 0.4, toothSize: 1.6, ink: '#34343a' },
   charcoal: { outlineWidth: 4, wobble: 1, tooth: 0.6, toothSize: 2, ink: '#1d1a19' },
-  chalk: { outlineWidth: 2.6, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
+  // Chalk draws the light on dark paper, so nothing of it is lost there.
+  chalk: { outlineWidth: 2.6, lostEdges: 0, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
 });
 
 /** The map that a material names, or draws with if it names none. */

@@ -12,11 +12,19 @@ import {
 } from 'three-hatching';
 import { outlineDataOf } from '../../src/geometry/OutlineData.js';
 import { loadModel } from '../../tools/metrics/loadModel.js';
+import { visibleLines, wrongLength } from './visibleLines.js';
 
 type Options = HatchingOutlineParameters & { layout?: PrepareHatchingGeometryOptions['layout']; isClear?: boolean };
 
-/** Weights that do not depend on light, so that widths are those asked for. */
-const EVEN = { shadeWeights: [1, 1] } as const;
+/** Weights that do not depend on light or on what lies behind, so that widths are those asked for; and creases that are easily found. */
+const EVEN = {
+  shadeWeights: [1, 1],
+  innerContours: 1,
+  creases: 0.6,
+  materialBorders: 0.6,
+  lostEdges: 0,
+  accents: 0,
+} as const;
 
 /** A white mesh with black outlines; `isClear`: the outlines alone, with nothing that hides them. */
 async function outlinedMesh(source: THREE.BufferGeometry, options: Options = {}) {
@@ -26,6 +34,23 @@ async function outlinedMesh(source: THREE.BufferGeometry, options: Options = {})
   const mesh = new THREE.Mesh(geometry, paper);
   mesh.add(new HatchingOutlines(mesh, { ...EVEN, ...parameters }));
   return mesh;
+}
+
+/** The same of instances. */
+async function outlinedInstances(
+  source: THREE.BufferGeometry,
+  places: readonly THREE.Matrix4[],
+  options: Options = {},
+): Promise<THREE.InstancedMesh> {
+  const { geometry, material, children } = await outlinedMesh(source, options);
+  const instances = new THREE.InstancedMesh(geometry, material, places.length);
+  places.forEach((place, i) => {
+    instances.setMatrixAt(i, place);
+  });
+  const [outlines] = children as HatchingOutlines[];
+  outlines.mesh = instances;
+  instances.add(outlines);
+  return instances;
 }
 
 const outlinesOf = (mesh: THREE.Object3D): HatchingOutlines =>
@@ -125,6 +150,7 @@ const lining = {
   outlineDataOf,
   EVEN,
   outlinedMesh,
+  outlinedInstances,
   outlinesOf,
   paperScene,
   lookFrom,
@@ -136,6 +162,8 @@ const lining = {
   total,
   mostDifferent,
   strayInk,
+  visibleLines,
+  wrongLength,
 };
 
 declare global {

@@ -11,7 +11,7 @@ const LIGHT_HAND = 1;
 const OVERSHOOT = 3;
 /** Weight that outlines lose in full light and gain in full shade, if the shade weight is 100 %. */
 const LOST_IN_LIGHT = 1;
-const GAINED_IN_SHADE = 0.8;
+const GAINED_IN_SHADE = 1.75;
 
 /** The parameters of outlines that settings stand for. */
 export type OutlineLook = ReturnType<typeof outlineLook>;
@@ -23,10 +23,13 @@ export function outlineLook(settings: Settings) {
   return {
     outlineWidth: settings.outlineWidth,
     contours: settings.outlineContours / 100,
+    innerContours: settings.outlineInner / 100,
     borders: settings.outlineBorders / 100,
     creases,
     materialBorders: creases,
     suggestiveContours: settings.outlineSuggestive / 100,
+    lostEdges: settings.outlineLost / 100,
+    accents: settings.outlineAccents / 100,
     shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
@@ -48,9 +51,12 @@ export function settingsOfOutlines(parameters: HatchingOutlineParameters): Parti
     outlines: 'on',
     outlineWidth: all.outlineWidth,
     outlineContours: percent(all.contours),
+    outlineInner: percent(all.innerContours),
     outlineBorders: percent(all.borders),
     outlineCreases: percent(all.creases),
     outlineSuggestive: percent(all.suggestiveContours),
+    outlineLost: percent(all.lostEdges),
+    outlineAccents: percent(all.accents),
     outlineShade: percent((1 - inLight) / LOST_IN_LIGHT),
     outlineHand: all.wobble,
   };

@@ -98,8 +98,11 @@ const looks: Record<string, Partial<Settings>> = {
   'other outlines': {
     outlineWidth: 3.3,
     outlineContours: 150,
+    outlineInner: 80,
     outlineCreases: 0,
     outlineSuggestive: 60,
+    outlineLost: 45,
+    outlineAccents: 110,
     outlineShade: 100,
     outlineHand: 3,
   },

@@ -1,0 +1,80 @@
+// Which outlines are seen, and how much they weigh by what lies behind them. A piece of outline is judged at its spine, the place
+// on it that is nearest to a pixel ("Two fast methods for high-quality line visibility", Cole and Finkelstein, 2010), so that an
+// outline is seen over its whole width or not at all.
+uniform float outlineWidth; // pixels
+uniform float accents; // how much heavier an outline becomes where it passes before another
+
+// Depths are compared this many pixels beside the spine: on one of its two sides nothing of its own surface lies before it.
+#define BESIDE 1.0
+// From where on beyond its side an outline looks for what lies behind it, pixels.
+#define BEYOND 1.5
+// A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does.
+#define BEGINS_AS_PAPER 0.25
+#define IS_PAPER 0.75
+// How far an accent reaches to either side, in widths of an outline, and in how many steps.
+#define ACCENT_REACH 8.0
+#define ACCENT_STEPS 4
+// From one step to the next, the depth behind an outline changes by these shares of the height of the view where another outline
+// begins to count, and does. What lies behind by less than the first is the outline's own surface.
+#define LEAST_JUMP 0.02
+#define FULL_JUMP 0.06
+
+struct Spine {
+  vec2 start; // pixels
+  vec2 along; // unit
+  float size; // pixels
+};
+
+float spineDepth(const in Spine spine, const in vec2 pixel) {
+  // A little further than the ends: so far from them, texels may lie.
+  float t = clamp(dot(pixel - spine.start, spine.along) / max(spine.size, 1e-3), -0.25, 1.25);
+  return mix(-vStart.z, -vEnd.z, alongLine(t));
+}
+
+// How far behind the outline that surface lies which is seen in a pixel.
+float gapAt(const in Spine spine, const in vec2 pixel) {
+  vec2 texel = floor(pixel) + 0.5;
+  return min(depthAt(texel) - spineDepth(spine, texel), NOWHERE);
+}
+
+bool isSeen(const in Spine spine, const in vec2 place) {
+  vec2 beside = BESIDE * vec2(-spine.along.y, spine.along.x);
+  if (!isInView(place + beside) || !isInView(place - beside)) return true;
+  return max(gapAt(spine, place + beside), gapAt(spine, place - beside)) >= -vTolerance;
+}
+
+// Whether what lies so far behind, as a share of the height of the view, is as good as paper.
+float paperness(const in float gap) {
+  return smoothstep(BEGINS_AS_PAPER, IS_PAPER, gap);
+}
+
+// Half the width of the outline at a place on its spine. halves: before the paper, and before a surface.
+float halfWidthAt(const in Spine spine, const in vec2 place, const in vec2 halves) {
+  if (vContour <= 0.0) return halves.x;
+  float height = viewHeightAt(spineDepth(spine, place));
+  vec2 beside = (max(halves.x, halves.y) + BEYOND) * vec2(-spine.along.y, spine.along.x);
+  float left = gapAt(spine, place + beside);
+  float right = gapAt(spine, place - beside);
+  vec2 outside = place + (left > right ? beside : -beside);
+  float here = min(max(left, right) / height, 1.0);
+
+  // Along the outline: the weight changes gradually where what lies behind it does, and an accent grows towards that place.
+  float paper = paperness(here);
+  float sum = 1.0;
+  float accent = 0.0;
+  float stride = ACCENT_REACH * outlineWidth / float(ACCENT_STEPS);
+  for (int side = -1; side <= 1; side += 2) {
+    float last = here;
+    for (int i = 1; i <= ACCENT_STEPS; i++) {
+      vec2 there = outside + float(side * i) * stride * spine.along;
+      float gap = min(gapAt(spine, there) / height, 1.0);
+      if (min(gap, last) < LEAST_JUMP || !isInView(there)) break;
+      float nearness = 1.0 - (float(i) - 0.5) / float(ACCENT_STEPS);
+      accent = max(accent, nearness * smoothstep(LEAST_JUMP, FULL_JUMP, abs(gap - last)));
+      paper += nearness * paperness(gap);
+      sum += nearness;
+      last = gap;
+    }
+  }
+  return mix(halves.y, halves.x, paper / sum) * (1.0 + vContour * accents * accent);
+}

@@ -1,0 +1,38 @@
+// The depth of what has been drawn before the outlines, all of it opaque (src/outlines/SceneDepth.ts).
+uniform bool hasSceneDepth;
+uniform highp sampler2D sceneDepth;
+uniform mat4 projectionMatrix;
+uniform float nearDistance;
+uniform vec4 viewport; // x, y, width, height in pixels
+
+// Further than anything in a scene.
+#define NOWHERE 1e30
+
+float clipDepth(const in float z) {
+  return (projectionMatrix[2][2] * z + projectionMatrix[3][2]) / (projectionMatrix[2][3] * z + projectionMatrix[3][3]);
+}
+
+// Beyond the view, which may be a tile of a picture, no depth is known.
+bool isInView(const in vec2 pixel) {
+  vec2 place = pixel - viewport.xy;
+  return all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, viewport.zw));
+}
+
+// How far before the eye the surface lies that is seen in a pixel, or in the nearest of the view; NOWHERE if nothing has been drawn there.
+float depthAt(const in vec2 pixel) {
+  vec2 place = clamp(pixel, viewport.xy, viewport.xy + viewport.zw - 1.0);
+  float depth = texelFetch(sceneDepth, ivec2(place), 0).x;
+  // A reversed depth is 1 at the near plane.
+  bool isReversed = clipDepth(-nearDistance) > 0.0;
+  if (isReversed ? depth <= 0.0 : depth >= 1.0) return NOWHERE;
+  #ifdef LOGARITHMIC_DEPTH
+    if (!isOrthographic) return exp2(2.0 * depth / logDepthBufFC) - 1.0;
+  #endif // LOGARITHMIC_DEPTH
+  float clip = isReversed ? depth : 2.0 * depth - 1.0;
+  return -(projectionMatrix[3][2] - clip * projectionMatrix[3][3]) / (clip * projectionMatrix[2][3] - projectionMatrix[2][2]);
+}
+
+// The height of the view at a distance from the eye, in view units.
+float viewHeightAt(const in float away) {
+  return 2.0 * (isOrthographic ? 1.0 : away) / projectionMatrix[1][1];
+}

@@ -1,0 +1,146 @@
+import {
+  type Camera,
+  DepthFormat,
+  DepthStencilFormat,
+  DepthTexture,
+  FloatType,
+  RedFormat,
+  type Texture,
+  type TextureDataType,
+  UnsignedInt248Type,
+  UnsignedIntType,
+  UnsignedShortType,
+  type Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+
+/** A format of depth that can be copied from and to. */
+interface Format {
+  type: TextureDataType;
+  format: DepthTexture['format'];
+}
+
+/** A copy that is more than this many times as large as needed is made anew. */
+const MAX_SPARE = 4;
+
+/** The formats that may be those of a depth of so many bits. The first is what browsers have made of a depth without a stencil. */
+function formatsOf(bits: number, isFloat: boolean): readonly Format[] {
+  if (isFloat) return [{ type: FloatType, format: DepthFormat }];
+  if (bits === 16) return [{ type: UnsignedShortType, format: DepthFormat }];
+  return [
+    { type: UnsignedInt248Type, format: DepthStencilFormat },
+    { type: UnsignedIntType, format: DepthFormat },
+  ];
+}
+
+/**
+ * Copies the depth of what a renderer has drawn so far in a frame, so that outlines can read it: once for each camera, when its first
+ * outlines are drawn, after all opaque objects.
+ */
+export class SceneDepth {
+  private copy: WebGLRenderTarget | null = null;
+  private frame = -1;
+  private camera: Camera | null = null;
+  private isCopied = false;
+  /** The format of the depth of each framebuffer, or null if it has none that can be copied. The canvas has no object. */
+  private readonly formats = new WeakMap<object, Format | null>();
+
+  constructor(private readonly renderer: WebGLRenderer) {}
+
+  /** The depth of the scene as a camera sees it in this frame; null if it cannot be read. @param viewport the part that is copied */
+  read(camera: Camera, viewport: Vector4): Texture | null {
+    const { frame } = this.renderer.info.render;
+    if (frame !== this.frame || camera !== this.camera) {
+      this.frame = frame;
+      this.camera = camera;
+      this.isCopied = this.update(camera, viewport);
+    }
+    return this.isCopied ? this.copy!.depthTexture : null;
+  }
+
+  /** Frees the copy. What reads it later makes another. */
+  dispose(): void {
+    this.copy?.dispose();
+    this.copy = null;
+    this.frame = -1;
+  }
+
+  private update(camera: Camera, viewport: Vector4): boolean {
+    const { renderer } = this;
+    // The framebuffers of virtual reality cannot be copied.
+    if (renderer.xr.isPresenting) return false;
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const framebuffer: WebGLFramebuffer | null = gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING);
+    const key = framebuffer ?? gl;
+    const known = this.formats.get(key);
+    if (known !== undefined) return known !== null && this.copyFrom(framebuffer, known, camera, viewport);
+    const found = this.candidates(gl, framebuffer).find((format) => {
+      // Errors of earlier calls are none of the copy's.
+      for (let i = 0; i < 8 && gl.getError() !== gl.NO_ERROR; i++);
+      this.copyFrom(framebuffer, format, camera, viewport);
+      return gl.getError() === gl.NO_ERROR;
+    });
+    this.formats.set(key, found ?? null);
+    return found !== undefined;
+  }
+
+  private candidates(gl: WebGL2RenderingContext, framebuffer: WebGLFramebuffer | null): readonly Format[] {
+    const at = framebuffer ? gl.DEPTH_ATTACHMENT : gl.DEPTH;
+    const ask = (what: number): number => gl.getFramebufferAttachmentParameter(gl.FRAMEBUFFER, at, what);
+    if (ask(gl.FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) === gl.NONE) return [];
+    const isFloat = ask(gl.FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) === gl.FLOAT;
+    return formatsOf(ask(gl.FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE), isFloat);
+  }
+
+  private copyFrom(from: WebGLFramebuffer | null, format: Format, camera: Camera, viewport: Vector4): true {
+    const { renderer } = this;
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const right = Math.ceil(viewport.x + viewport.z);
+    const top = Math.ceil(viewport.y + viewport.w);
+    const left = Math.max(0, Math.floor(viewport.x));
+    const bottom = Math.max(0, Math.floor(viewport.y));
+    const target = renderer.getRenderTarget();
+    const face = renderer.getActiveCubeFace();
+    const level = renderer.getActiveMipmapLevel();
+    renderer.setRenderTarget(this.copyOf(format, right, top));
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
+    gl.blitFramebuffer(left, bottom, right, top, left, bottom, right, top, gl.DEPTH_BUFFER_BIT, gl.NEAREST);
+    renderer.setRenderTarget(target, face, level);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, from);
+    // Each camera of an ArrayCamera draws into its own part of the target.
+    if ((camera as Camera & { viewport?: Vector4 }).viewport) renderer.state.viewport(viewport);
+    return true;
+  }
+
+  private copyOf({ type, format }: Format, width: number, height: number): WebGLRenderTarget {
+    const { copy } = this;
+    if (copy?.depthTexture?.type === type) {
+      const isLarge = copy.width >= width && copy.height >= height;
+      if (isLarge && copy.width * copy.height <= MAX_SPARE * width * height) return copy;
+    }
+    copy?.dispose();
+    const depthTexture = new DepthTexture(width, height, type);
+    depthTexture.format = format;
+    this.copy = new WebGLRenderTarget(width, height, {
+      // A framebuffer needs a colour; of one byte.
+      format: RedFormat,
+      depthTexture,
+      stencilBuffer: format === DepthStencilFormat,
+      generateMipmaps: false,
+    });
+    return this.copy;
+  }
+}
+
+const depths = new WeakMap<WebGLRenderer, SceneDepth>();
+
+/** The copy of the depth that outlines share which a renderer draws. */
+export function sceneDepthOf(renderer: WebGLRenderer): SceneDepth {
+  let depth = depths.get(renderer);
+  if (!depth) {
+    depth = new SceneDepth(renderer);
+    depths.set(renderer, depth);
+  }
+  return depth;
+}
