@@ -21,9 +21,6 @@
   uniform float crossFrom; // tone above which a second layer crosses the first
   uniform vec4 layerTurns; // cosine and sine of the angle from the first layer to the second, and to the third
 
-  // The tone left by the first layer from which on the third crosses the second. The tone is then half way from crossFrom to 1.
-  #define THIRD_FROM 0.375
-
   float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
     PerToneNormal first = takenOf(tone, crossFrom);
     PerToneNormal others = leftOf(tone, first);

@@ -39,7 +39,7 @@ export interface HatchingMaterialOptions {
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
    * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'` and `strokeField` `'light'`.
+   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -101,6 +101,12 @@ export interface HatchingMaterialOptions {
    */
   finestSpacing: number;
   /**
+   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, as strokes
+   * give way to others half as long while one comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0
+   * in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   */
+  strokeLength: number;
+  /**
    * How many layers of strokes there are. Default `'single'`, for `'anchored'` `'tone'`. Only `'triangle'`,
    * `'adjacency'`, `'anchored'`. Another value builds another program.
    */
@@ -135,9 +141,9 @@ export interface HatchingMaterialOptions {
    */
   shadowStrokes: ShadowStrokes;
   /**
-   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'woodcut'`
-   * is for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only `'anchored'`,
-   * `'engraved'`. Another value builds another program.
+   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'pen'` and
+   * `'woodcut'` are for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only
+   * `'anchored'`, `'engraved'`. Another value builds another program.
    */
   medium: Medium;
   /**
@@ -348,7 +354,7 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
    * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'woodcut'` and `strokeField` `'light'`.
+   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -410,6 +416,12 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   finestSpacing: number;
   /**
+   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, as strokes
+   * give way to others half as long while one comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0
+   * in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   */
+  strokeLength: number;
+  /**
    * How many layers of strokes there are. Default `'single'`, for `'anchored'` `'tone'`. Only `'triangle'`,
    * `'adjacency'`, `'anchored'`. Another value builds another program.
    */
@@ -445,9 +457,9 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   shadowStrokes: ShadowStrokes;
   /**
-   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'woodcut'`
-   * is for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only `'anchored'`,
-   * `'engraved'`. Another value builds another program.
+   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'pen'` and
+   * `'woodcut'` are for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only
+   * `'anchored'`, `'engraved'`. Another value builds another program.
    */
   medium: Medium;
   /**

@@ -1,7 +1,12 @@
 import type { Texture } from 'three';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import {
+  HATCHING_PROPERTIES,
+  HATCHING_TECHNIQUES,
+  type HatchingPropertyName,
+  type LineField,
+} from './facts/hatchingProperties.js';
 import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency, runsAway } from './facts/lookFacts.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
@@ -31,6 +36,12 @@ const AWAY: Partial<Record<HatchingPropertyName, string>> = {
   strokeField: 'light',
   strokeLayers: 'single',
 };
+
+/** What lines that would follow a form are cut by on shapes that have none. */
+function withoutForm({ medium }: HatchingMaterialProperties): LineField {
+  if (medium === 'pen') return 'slant';
+  return medium === 'woodcut' ? 'towards' : 'light';
+}
 
 /** How the shader knows a curve. */
 const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
@@ -66,7 +77,8 @@ export function programDefines(
   const form = formOf(material);
   if (field && form && (form === 'auto' || !hasForm)) {
     const { define, choices } = HATCHING_PROPERTIES[field];
-    defines[define] = (choices as readonly string[]).indexOf(hasForm ? 'form' : 'light');
+    const otherwise = form === 'auto' ? withoutForm(material) : 'light';
+    defines[define] = (choices as readonly string[]).indexOf(hasForm ? 'form' : otherwise);
   }
   defines.ENVIRONMENT = hasEnvironment ? '' : undefined;
   defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(material) ? vertexLayout : 'corner');

@@ -1,10 +1,15 @@
 // Lines that are cut white out of the block, as in a woodcut. A gouge goes in at a point, widens and comes out again: each line is a
 // row of wedges. What they leave between them is black, and ends in points too.
 
-// How far a cut swells and narrows from its mean, as a share of its room. Less white than this is left by separate wedges.
+#include "technique/strokeLengths"
+
+// How far a cut swells and narrows from its mean, as a share of its room, and of the mean: where white is rare, and where black is,
+// wedges are thinner, and not shorter.
 #define SWELL 0.42
-// Length of a wedge, in distances between lines, and the share of it in which it widens.
-#define CUT_LENGTH 11.0
+#define SWELL_SHARE 1.3
+// Where either is rarer than this, every other row ends.
+#define RARE 0.3
+// The share of a wedge in which it widens.
 #define WIDENING 0.7
 
 struct Cut {
@@ -12,29 +17,31 @@ struct Cut {
   vec4 waves; // two coordinates along the lines in wedges, at the two lengths
   vec2 shares; // of the second length, and of the first coordinate
   float swell;
-  #ifdef FOLLOWS_FORM
-    float repeat; // a distance between lines, in units of their values: what belongs to one belongs to the next so far away too
-  #endif // FOLLOWS_FORM
+  Family family;
 };
 
-// period: the distance between old lines. into: the octave, from 0 to 1.
-Cut cutFor(const in Family family, const in float tone, const in float period, const in float into) {
+// Octaves by which rows lie farther apart.
+float rowOctaves(const in float tone) {
+  return 1.0 - smoothstep(0.0, RARE, min(tone, 1.0 - tone));
+}
+
+Cut cutFor(const in HatchingParameters h, const in Family family, const in float tone) {
   Cut cut;
-  #ifdef FOLLOWS_FORM
-    cut.repeat = powerOf2(family.coarsest);
-  #endif // FOLLOWS_FORM
+  cut.family = family;
   float white = 1.0 - tone;
   float rare = min(white, tone);
-  // The mean of clamp(middle + SWELL u, 0, 1), for u even within [−1, 1], is what is white.
-  float middle = rare < SWELL ? sqrt(4.0 * SWELL * rare) - SWELL : rare;
+  // The mean of clamp(middle + swell u, 0, 1), for u even within [−1, 1], is what is white.
+  float swell = min(SWELL, SWELL_SHARE * rare);
+  float middle = rare < swell ? sqrt(4.0 * swell * rare) - swell : rare;
   cut.middle = white < 0.5 ? middle : 1.0 - middle;
-  vec2 wedges = family.place.xy / (CUT_LENGTH * period);
-  cut.waves = vec4(wedges, 2.0 * wedges);
-  cut.shares = vec2(smoothstep(0.2, 0.8, into), family.place.z);
+  Along along = alongLines(h, family);
+  vec2 wedges = along.places / along.period;
+  cut.waves = vec4(wedges, 0.5 * wedges);
+  cut.shares = vec2(along.longer, along.share);
   // Waves that are mixed are flatter.
   vec2 rest = 1.0 - cut.shares;
   vec2 left = cut.shares * cut.shares + rest * rest;
-  cut.swell = SWELL * inversesqrt(left.x * left.y);
+  cut.swell = swell * inversesqrt(left.x * left.y);
   return cut;
 }
 
@@ -45,15 +52,7 @@ vec4 gouge(const in vec4 x) {
 }
 
 float cutWidth(const in Cut cut, const in float line) {
-  #ifdef FOLLOWS_FORM
-    // The same on both sides of a seam.
-    float number = abs(line - cut.repeat * round(line / cut.repeat));
-  #else
-    float number = line;
-  #endif // FOLLOWS_FORM
-  vec4 waves = gouge(cut.waves + lotOf(number));
+  vec4 waves = gouge(cut.waves + lotOf(abs(numberOf(line, cut.family))));
   vec2 lengths = mix(waves.xy, waves.zw, cut.shares.x);
   return clamp(cut.middle + cut.swell * mix(lengths.y, lengths.x, cut.shares.y), 0.0, 1.0);
 }
-
-#define WIDTH_OF(line) cutWidth(cut, line)

@@ -22,7 +22,7 @@ float families(const in HatchingParameters h, const in float first, const in flo
     Family family = firstFamily(h);
     if (i > 0) family = crossingFamily(h, (i == 1) == isB, lean);
     float tone = handTone(h.pressure, i == 0 ? first : i == 1 ? second : third);
-    blank *= 1.0 - ruledLines(family, tone);
+    blank *= 1.0 - ruledLines(h, family, tone);
   }
   return 1.0 - blank;
 }
@@ -30,6 +30,15 @@ float families(const in HatchingParameters h, const in float first, const in flo
 // Any number of families leaves as much blank as the tone does, Π (1 − Tᵢ).
 float hatchLayer(const in HatchingParameters h, const in float tone) {
   float first = h.has * takenOf(tone, crossFrom);
-  float darkness = families(h, first, leftOf(tone, first), layerTurns.xy);
+  float others = leftOf(tone, first);
+  #if MEDIUM == MEDIUM_PEN
+    // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
+    float second = takenOf(others, THIRD_FROM);
+    float third = leftOf(others, second);
+    float darkness = 1.0 - (1.0 - families(h, first, second, layerTurns.xy))
+      * (1.0 - families(h, 0.0, third, vec2(layerTurns.x, -layerTurns.y)));
+  #else
+    float darkness = families(h, first, others, layerTurns.xy);
+  #endif // MEDIUM
   return tone >= 1.0 ? 1.0 : mix(tone, darkness, lineContrast);
 }

@@ -14,7 +14,7 @@ struct Family {
   float value;
   float perPixel; // its change from one pixel to the next
   float rise; // its change along the surface, per tile, by which lines are spaced on the object
-  vec3 place; // along the lines, as two coordinates and the share of the first
+  vec3 gradient; // of any length; lines lie across it
   float coarsest; // the octave of the lines that lie farthest apart
 };
 

@@ -24,7 +24,7 @@ struct HatchingParameters {
   float slope; // its change along the surface
   float has; // how far the first family has lines
   vec3 sideB, sideC; // across its axis; other families lean towards one of them
-  vec3 alongFirst; // the place by those two, and how much more the first of them changes along its lines
+  vec3 gradient; // of the first family's function, unit
   float shareB; // of what crosses, by how well its lines run across those of the first on the surface
 };
 
@@ -36,32 +36,29 @@ HatchingParameters readHatchingParameters() {
   h.point = handPoint(vFieldPoint, waves);
   h.pressure = handPressure(waves);
   h.onScreen = screenMap(normal, objectToField * readViewToAnchor());
-  vec3 gradient;
-  h.value = fieldAt(field, h.point, gradient);
-  h.valueOnScreen = screenGradient(gradient, h.onScreen);
-  h.slope = max(length(cross(normal, gradient)), 1e-6);
+  h.value = fieldAt(field, h.point, h.gradient);
+  h.valueOnScreen = screenGradient(h.gradient, h.onScreen);
+  h.slope = max(length(cross(normal, h.gradient)), 1e-6);
   h.has = smoothstep(BARE_SLOPE.x, BARE_SLOPE.y, h.slope);
   h.sideB = across(field.axis);
   h.sideC = cross(field.axis, h.sideB);
   float acrossB = dot(normal, h.sideC);
   float acrossC = dot(normal, h.sideB);
   float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
-  float shareB = smoothstep(-SIDE_FADE, SIDE_FADE, between);
-  h.alongFirst = vec3(dot(h.point, h.sideB), dot(h.point, h.sideC), shareB);
-  h.shareB = mix(1.0, shareB, h.has);
+  h.shareB = mix(1.0, smoothstep(-SIDE_FADE, SIDE_FADE, between), h.has);
   return h;
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  return Family(h.value, length(h.valueOnScreen), min(h.slope / SPARSEST_SLOPE, 1.0), h.alongFirst, ANY_OCTAVE);
+  return Family(h.value, length(h.valueOnScreen), min(h.slope / SPARSEST_SLOPE, 1.0), h.gradient, ANY_OCTAVE);
 }
 
 // isB: towards which side it leans. lean: cosine and sine of the angle at which it crosses the first.
 Family crossingFamily(const in HatchingParameters h, const in bool isB, const in vec2 lean) {
   vec3 side = isB ? h.sideB : h.sideC;
   float perPixel = length(lean.x * h.valueOnScreen + lean.y * screenGradient(side, h.onScreen));
-  // Its lines run along the axis of the first.
-  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, 1.0, vec3(h.value, h.value, 1.0), ANY_OCTAVE);
+  vec3 gradient = lean.x * h.gradient + lean.y * side;
+  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, 1.0, gradient, ANY_OCTAVE);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

@@ -12,7 +12,9 @@
 struct HatchingParameters {
   float pressure; // of the hand
   float has; // the first family has lines everywhere
-  vec2 values; // of the first family's function, and of that which crosses it
+  ScreenMap onScreen;
+  vec3 gradient, crossingGradient; // of the first family's function, and of that which crosses it
+  vec2 values;
   vec2 valueOnScreen; // their gradients there
   vec2 crossingOnScreen;
   vec2 rises; // their changes along the surface, per tile
@@ -46,16 +48,18 @@ HatchingParameters readHatchingParameters() {
   h.pressure = handPressure(waves) + handmade * WIDTH_WAVE * waves.z;
   h.has = 1.0;
   h.values = vec2(formValueAt(first, stray), formValueAt(crossing, stray));
-  ScreenMap onScreen = screenMap(safeNormalize(vFieldNormal), objectToField * readViewToAnchor());
-  h.valueOnScreen = screenGradient(first.xyz, onScreen);
-  h.crossingOnScreen = screenGradient(crossing.xyz, onScreen);
+  h.gradient = first.xyz;
+  h.crossingGradient = crossing.xyz;
+  h.onScreen = screenMap(safeNormalize(vFieldNormal), objectToField * readViewToAnchor());
+  h.valueOnScreen = screenGradient(first.xyz, h.onScreen);
+  h.crossingOnScreen = screenGradient(crossing.xyz, h.onScreen);
   h.rises = vec2(length(first.xyz), length(crossing.xyz));
   h.shareB = 1.0;
   return h;
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  return Family(h.values.x, length(h.valueOnScreen), h.rises.x, vec3(h.values.y, h.values.y, 1.0), h.coarsest.x);
+  return Family(h.values.x, length(h.valueOnScreen), h.rises.x, h.gradient, h.coarsest.x);
 }
 
 // lean: cosine and sine of the angle; a negative sine leans the other way. The difference of the two functions is whole across seams
@@ -64,8 +68,9 @@ Family crossingFamily(const in HatchingParameters h, const in bool isB, const in
   bool isOther = lean.y < 0.0;
   float value = isOther ? h.values.x - h.values.y : h.values.y;
   vec2 onScreen = isOther ? h.valueOnScreen - h.crossingOnScreen : h.crossingOnScreen;
+  vec3 gradient = isOther ? h.gradient - h.crossingGradient : h.crossingGradient;
   float coarsest = isOther ? min(h.coarsest.x, h.coarsest.y) : h.coarsest.y;
-  return Family(value, length(onScreen), h.rises.y, vec3(h.values.x, h.values.x, 1.0), coarsest);
+  return Family(value, length(onScreen), h.rises.y, gradient, coarsest);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

@@ -38,21 +38,28 @@ float powerOf2(const in float octave) {
   #define lineLeft(line) 1.0
 #endif // DISSOLVES_SHADOWS
 
-#if MEDIUM == MEDIUM_WOODCUT
+// The share of a pixel that a line covers. away: from the line, signed. room: half of what the line has. Both in pixels.
+#if MEDIUM == MEDIUM_PEN
+  #include "technique/penStrokes"
+  #define LINE(away, room, line) penCoverage(pen, away, room / oldRoom, spacing, line)
+#elif MEDIUM == MEDIUM_WOODCUT
   #include "technique/carving"
+  #define LINE(away, room, line) lineCoverage(abs(away), room * cutWidth(cut, line), FRINGE)
 #elif defined(FOLLOWS_FORM)
-  #define WIDTH_OF(line) tone
+  #define LINE(away, room, line) lineCoverage(abs(away), room * tone, FRINGE)
 #else
-  // How wide a line is, as a share of the room it has.
-  #define WIDTH_OF(line) (tone * handWidth(line) * lineLeft(line))
+  #define LINE(away, room, line) lineCoverage(abs(away), room * tone * handWidth(line) * lineLeft(line), FRINGE)
 #endif // MEDIUM
 
 // The darkness of a family.
-float ruledLines(const in Family family, const in float tone) {
+float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
   float perPixel = max(family.perPixel, 1e-12);
   float onObject = octaves(WANTED_SPACING / 256.0 * family.rise);
   float onScreen = octaves(WANTED_SPACING * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
+  #if MEDIUM == MEDIUM_WOODCUT
+    octave += rowOctaves(tone);
+  #endif // MEDIUM
   octave = min(octave, family.coarsest);
   float period = powerOf2(ceil(octave));
   // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
@@ -61,16 +68,18 @@ float ruledLines(const in Family family, const in float tone) {
   float spacing = powerOf2(octave) / perPixel;
   float x = family.value / period;
   float below = floor(x);
-  #if MEDIUM == MEDIUM_WOODCUT
-    Cut cut = cutFor(family, tone, period, 2.0 - 2.0 * spacing / pixels);
+  #if MEDIUM == MEDIUM_PEN
+    Pen pen = penFor(h, family, tone);
+  #elif MEDIUM == MEDIUM_WOODCUT
+    Cut cut = cutFor(h, family, tone);
   #endif // MEDIUM
   float oldRoom = 0.5 * spacing;
   float youngRoom = 0.5 * (pixels - spacing);
   // All that a pixel may lie on: their shares of it add up.
   float covered = min(1.0,
-    lineCoverage((x - below) * pixels, oldRoom * WIDTH_OF(below * period), FRINGE)
-    + lineCoverage(abs(x - below - 0.5) * pixels, youngRoom * WIDTH_OF((below + 0.5) * period), FRINGE)
-    + lineCoverage((below + 1.0 - x) * pixels, oldRoom * WIDTH_OF((below + 1.0) * period), FRINGE)
+    LINE((x - below) * pixels, oldRoom, below * period)
+    + LINE((x - below - 0.5) * pixels, youngRoom, (below + 0.5) * period)
+    + LINE((x - below - 1.0) * pixels, oldRoom, (below + 1.0) * period)
   );
   #if MEDIUM == MEDIUM_WOODCUT
     return 1.0 - covered;

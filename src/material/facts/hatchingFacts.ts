@@ -6,7 +6,7 @@ import type { HatchingPropertyName } from './hatchingProperties.js';
 export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, HatchingFacts>>> = {
   tonalArtMap: { when: { medium: ['ink', 'dry'] } },
   tilesPerUnit: { measure: 'tilesPerUnit', when: { sizedOnScreen: { not: 1 } } },
-  strokeRotation: { measure: 'radians', when: { medium: ['ink', 'dry', 'woodcut'], strokeField: ['light'] } },
+  strokeRotation: { measure: 'radians', when: { medium: ['ink', 'dry', 'pen', 'woodcut'], strokeField: ['light'] } },
   strokeOffset: { measure: 'tiles' },
   sizedOnScreen: { measure: 'share' },
   strokeWidth: { measure: 'pixels', when: [{ crisp: [true] }, { levelRule: ['depth'] }] },
@@ -15,6 +15,7 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   strokeField: { when: { medium: ['ink', 'dry'] } },
   lineSpacing: { measure: 'tileParts', measureOnScreen: 'pixels' },
   finestSpacing: { measure: 'pixels' },
+  strokeLength: { measure: 'tileParts', measureOnScreen: 'pixels', when: { medium: ['pen', 'woodcut'] } },
   crossFrom: { measure: 'tone', when: { strokeLayers: ['tone'] } },
   crossAngle: { measure: 'radians', when: { strokeLayers: ['tone'] } },
   handmade: { measure: 'share' },

@@ -47,15 +47,18 @@ export type StrokeField = 'light' | 'form' | 'acrossForm';
  *   are while the light moves.
  * - `y`: the same across its y axis.
  * - `z`: the same across its z axis.
+ * - `slant`: planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on
+ *   walls, lids and floors.
  * - `form`: functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with
  *   no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to
  *   `prepareHatchingGeometry`.
  * - `acrossForm`: the same, with the lines that cross in the place of the first: along limbs instead of around them.
  *   Bake them with a `crossAngle` of π/2.
- * - `auto`: the form of a geometry that was prepared for it, and the light elsewhere. `applyHatching` prepares shapes
- *   that have a form, and not machine parts and other meshes of flat faces.
+ * - `auto`: the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a
+ *   woodcut `'towards'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of
+ *   flat faces.
  */
-export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'form' | 'acrossForm' | 'auto';
+export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm' | 'auto';
 
 /**
  * How many layers of strokes lie over one another. Together they keep the tone.
@@ -85,9 +88,10 @@ export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
  *   lies on the screen.
  * - `stipple`: dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the
  *   diameter of a dot at half tone; from a tone of 0.85 on they leave no paper. Draws without a map.
+ * - `pen`: lines in strokes, which begin and end thin, and are fewer in the lights.
  * - `woodcut`: lines that are cut white out of black: wedges that widen with the light and end in points.
  */
-export type Medium = 'ink' | 'dry' | 'stipple' | 'woodcut';
+export type Medium = 'ink' | 'dry' | 'stipple' | 'pen' | 'woodcut';
 
 /**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
@@ -195,11 +199,12 @@ export const HATCHING_PROPERTIES = {
     kind: 'choice',
     default: 'light',
     define: 'LINE_FIELD',
-    choices: ['light', 'towards', 'x', 'y', 'z', 'form', 'acrossForm', 'auto'],
+    choices: ['light', 'towards', 'x', 'y', 'z', 'slant', 'form', 'acrossForm', 'auto'],
     techniques: ['engraved'],
   },
   lineSpacing: { kind: 'number', default: 4.5, uniform: 'lineSpacing', range: { above: 0 }, techniques: ['engraved'] },
   finestSpacing: { kind: 'number', default: 3, uniform: 'finestSpacing', range: { from: 2 }, techniques: ['engraved'] },
+  strokeLength: { kind: 'number', default: 72, uniform: 'strokeLength', range: { above: 0 }, techniques: ['engraved'] },
   strokeLayers: {
     kind: 'choice',
     default: 'single',
@@ -229,8 +234,8 @@ export const HATCHING_PROPERTIES = {
     kind: 'choice',
     default: 'ink',
     define: 'MEDIUM',
-    choices: ['ink', 'dry', 'stipple', 'woodcut'],
-    choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'woodcut'] },
+    choices: ['ink', 'dry', 'stipple', 'pen', 'woodcut'],
+    choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'pen', 'woodcut'] },
     techniques: ['anchored', 'engraved'],
   },
   tooth: { kind: 'number', default: 0.4, uniform: 'tooth', range: { from: 0, to: 1 }, techniques: ['anchored'] },

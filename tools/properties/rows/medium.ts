@@ -12,13 +12,14 @@ export const MEDIUM = {
       dry: 'pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which lies on the screen.',
       stipple:
         'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone; from a tone of 0.85 on they leave no paper. Draws without a map.',
+      pen: 'lines in strokes, which begin and end thin, and are fewer in the lights.',
       woodcut: 'lines that are cut white out of black: wedges that widen with the light and end in points.',
     },
     default: 'ink',
-    choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'woodcut'] },
+    choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'pen', 'woodcut'] },
     techniques: ['anchored', 'engraved'],
     sentence:
-      "What strokes are drawn with ([media.md](media.md)). The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'woodcut'` is for `engraved`; a technique draws in ink with what is not for it.",
+      "What strokes are drawn with ([media.md](media.md)). The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'pen'` and `'woodcut'` are for `engraved`; a technique draws in ink with what is not for it.",
   },
   tooth: {
     kind: 'number',

@@ -39,7 +39,7 @@ export const STROKES = {
     measure: 'radians',
     uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
-    when: { medium: ['ink', 'dry', 'woodcut'], strokeField: ['light'] },
+    when: { medium: ['ink', 'dry', 'pen', 'woodcut'], strokeField: ['light'] },
     sentence:
       "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
   },
@@ -158,10 +158,12 @@ export const STROKES = {
       x: 'planes across the x axis of the object, or of the scene that `applyHatching` dressed: lines stay where they are while the light moves.',
       y: 'the same across its y axis.',
       z: 'the same across its z axis.',
+      slant:
+        'planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on walls, lids and floors.',
       form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([form.md](form.md)).',
       acrossForm:
         'the same, with the lines that cross in the place of the first: along limbs instead of around them. Bake them with a `crossAngle` of π/2.',
-      auto: 'the form of a geometry that was prepared for it, and the light elsewhere. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of flat faces.',
+      auto: "the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a woodcut `'towards'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of flat faces.",
     },
     default: 'light',
     techniques: ['engraved'],
@@ -187,6 +189,18 @@ export const STROKES = {
     techniques: ['engraved'],
     sentence:
       'Least distance between lines, which is never less than two pixels of the drawing buffer. Where they would lie closer every other one is left out; fewer than three pixels from one to the next flicker in motion.',
+  },
+  strokeLength: {
+    kind: 'number',
+    group: 'Strokes',
+    default: 72,
+    measure: 'tileParts',
+    measureOnScreen: 'pixels',
+    range: { above: 0 },
+    techniques: ['engraved'],
+    when: { medium: ['pen', 'woodcut'] },
+    sentence:
+      "Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, as strokes give way to others half as long while one comes nearer.",
   },
   strokeLayers: {
     kind: 'choice',

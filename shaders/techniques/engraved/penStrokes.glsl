@@ -1,0 +1,83 @@
+// Lines that a pen draws in strokes. Each begins thin, swells and is lifted again. Light tones have fewer strokes, of the width of
+// the nib.
+#include "technique/strokeLengths"
+
+// The tone from which on all strokes are there, and over how much of the tone each grows to its width.
+#define ALL_FROM 0.2
+#define GROWTH 0.07
+// The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone.
+#define GAP 0.3
+#define TAPER 0.9
+#define LOST (0.5 * GAP + TAPER / 3.0)
+// How far strokes lean and bend, in distances between lines, and how much their widths differ.
+#define LEANING 0.22
+#define BENDING 0.16
+#define WIDTH_SPREAD 0.5
+
+// Over how much of the share of strokes that are there each of those between older lines grows to its width.
+#define BIRTH 0.3
+
+struct Pen {
+  Family family;
+  Along along;
+  float tone;
+  float open; // how far strokes are apart at their ends
+  float width; // of a stroke in its middle, as a share of the room of a line
+};
+
+// The integral of a ramp from 0 to 1.
+float rampSum(const in float x) {
+  return x < GROWTH ? 0.5 / GROWTH * x * x : x - 0.5 * GROWTH;
+}
+
+Pen penFor(const in HatchingParameters h, const in Family family, const in float tone) {
+  float open = (1.0 - tone) * (1.0 - tone);
+  float there = (rampSum(tone) - rampSum(max(tone - ALL_FROM, 0.0))) / ALL_FROM;
+  return Pen(family, alongLines(h, family), tone, open, tone / max(there * (1.0 - LOST * open), 1e-4));
+}
+
+// The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots.
+float bornBelow(const in float share) {
+  if (share < 0.5 * BIRTH) return sqrt(2.0 * BIRTH * share);
+  return share < 1.0 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1.0 + BIRTH - sqrt(2.0 * BIRTH * (1.0 - share));
+}
+
+float lotOfStroke(const in float line, const in float middle) {
+  uint spread = floatBitsToUint(line) * 0x9e3779b9u ^ floatBitsToUint(middle) * 0x85ebca6bu;
+  spread = (spread ^ spread >> 15u) * 0x2c1b3c6du;
+  return float(spread >> 8u) / 16777216.0;
+}
+
+// Width of the strokes on a line at this place, as a share of its room, and how far they stray from it, in distances between lines.
+vec2 strokeOn(const in Pen pen, const in float born, const in float line, const in float place, const in float period) {
+  float number = numberOf(line, pen.family);
+  float along = place / period + lotOf(abs(number));
+  float stroke = floor(along) + 0.5;
+  float lot = lotOfStroke(abs(number), stroke);
+  float other = fract(64.0 * lot);
+  float way = 2.0 * (along - stroke); // from −1 at one end to 1 at the other
+  float rest = clamp(1.0 - (1.0 - abs(way) - pen.open * GAP * other) / max(pen.open * TAPER, 1e-3), 0.0, 1.0);
+  float there = clamp((pen.tone - ALL_FROM * lot) / GROWTH, 0.0, 1.0);
+  there *= clamp((born - fract(512.0 * lot)) / BIRTH, 0.0, 1.0);
+  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(4096.0 * lot) - 0.5);
+  float astray = LEANING * (other - 0.5) * way + BENDING * (lot - 0.5) * (0.5 - way * way);
+  return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * sign(number) * astray);
+}
+
+vec2 strokesOn(const in Pen pen, const in float born, const in float line, const in float place) {
+  float period = pen.along.period;
+  float longer = pen.along.longer;
+  vec2 stroke = strokeOn(pen, born, line, place, period);
+  if (longer > 0.0) stroke = mix(stroke, strokeOn(pen, born, line, place, 2.0 * period), longer);
+  return stroke;
+}
+
+// away: from the line, signed, in pixels, as is the distance between old lines. share: of their room that the line has.
+float penCoverage(const in Pen pen, const in float away, const in float share, const in float spacing, const in float line) {
+  float born = bornBelow(share);
+  Along along = pen.along;
+  vec2 stroke = strokesOn(pen, born, line, along.share >= 0.5 ? along.places.x : along.places.y);
+  float other = min(along.share, 1.0 - along.share);
+  if (other > 0.0) stroke = mix(stroke, strokesOn(pen, born, line, along.share >= 0.5 ? along.places.y : along.places.x), other);
+  return lineCoverage(abs(away - spacing * stroke.y), 0.5 * spacing * stroke.x, FRINGE);
+}

@@ -1,0 +1,49 @@
+// Strokes that the lines of a family are drawn in. They begin and end at places on the object, a power of two apart: as one comes nearer,
+// strokes give way to others half as long.
+uniform float strokeLength; // pixels, or 256ths of a tile
+
+// The last part of an octave, in which they do.
+#define LENGTHS_FADE 0.2
+
+// How evenly a line must run along two axes for both to count: the difference of the squares of its direction.
+#define AXES_FADE 0.16
+
+// Where a fragment lies along the lines of a family: by two axes of the field, those along which the lines run most.
+struct Along {
+  vec2 places;
+  float share; // of the first
+  float period; // from the beginning of a stroke to the next
+  float longer; // share of strokes twice as long
+};
+
+Along alongLines(const in HatchingParameters h, const in Family family) {
+  vec3 direction = cross(vFieldNormal, family.gradient);
+  vec3 squares = direction * direction;
+  squares /= max(squares.x + squares.y + squares.z, 1e-20);
+  // The axis along which the lines run least is left out.
+  vec3 first = vec3(1.0, 0.0, 0.0);
+  vec3 second = vec3(0.0, 1.0, 0.0);
+  if (squares.x < min(squares.y, squares.z)) first = vec3(0.0, 0.0, 1.0);
+  else if (squares.y < squares.z) second = vec3(0.0, 0.0, 1.0);
+  Along along;
+  along.places = vec2(dot(first, vFieldPoint), dot(second, vFieldPoint));
+  along.share = smoothstep(-AXES_FADE, AXES_FADE, dot(squares, first - second));
+  vec2 value = screenGradient(family.gradient, h.onScreen);
+  vec2 place = screenGradient(mix(second, first, along.share), h.onScreen);
+  float perPixel = abs(place.x * value.y - place.y * value.x) / max(length(value), 1e-12);
+  float octave = mix(octaves(strokeLength / 256.0), octaves(strokeLength * max(perPixel, 1e-12)), sizedOnScreen);
+  float whole = ceil(octave - 0.5);
+  along.period = powerOf2(whole);
+  along.longer = smoothstep(1.0 - LENGTHS_FADE, 1.0, octave - whole + 0.5);
+  return along;
+}
+
+// The number of a line: the same on both sides of a seam but for its sign.
+float numberOf(const in float line, const in Family family) {
+  #ifdef FOLLOWS_FORM
+    float repeat = powerOf2(family.coarsest);
+    return line - repeat * round(line / repeat);
+  #else
+    return line;
+  #endif // FOLLOWS_FORM
+}
