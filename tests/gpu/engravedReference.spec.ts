@@ -60,6 +60,7 @@ const formCases: readonly EngravedCase[] = [
   { name: 'along the form of an object scaled unequally', matrixWorld: squashed },
   { name: 'along the form of a geometry off its origin', mesh: moved(torus, 3), matrixWorld: movedBack(3) },
   { name: 'along the form, orthographic camera', isOrthographic: true },
+  { name: 'along the form, with a pen', lines: { medium: 'pen', lineSpacing: 9 } },
   { name: 'along the form, carved', lines: { medium: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
   ...(['tone', 'cross', 'reorient'] as const).map((shadowStrokes) => ({
     name: `along the form, in shadow, ${shadowStrokes}`,
@@ -80,6 +81,13 @@ const cases: EngravedCase[] = [
     lines: { lineField, handmade: lineField === 'x' ? 0 : 0.4 },
   })),
   { name: 'a very unsteady hand', lines: { handmade: 1 } },
+  { name: 'with a pen', lines: { medium: 'pen', lineSpacing: 9 } },
+  {
+    name: 'with a pen, aslant, crossing from light tones on',
+    matrixWorld: placed,
+    lines: { medium: 'pen', lineField: 'slant', crossFrom: 0.2, lineSpacing: 7 },
+  },
+  { name: 'across a slant', lines: { lineField: 'slant' } },
   { name: 'carved', lines: { medium: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
   {
     name: 'carved towards a near lamp',
@@ -177,6 +185,7 @@ for (const { lines, ...rest } of cases) {
       lines: {
         lineField: 'light',
         lineSpacing: 7,
+        strokeLength: 72,
         crossFrom: 0.52,
         crossAngle: Math.PI / 3,
         handmade: 0.4,

@@ -10,17 +10,18 @@ import type { Vec3 } from './referenceAdjacency.js';
 export interface EngravedSettings {
   /** Radians. */
   strokeRotation: number;
-  lineField: 'light' | 'towards' | 'x' | 'y' | 'z' | 'form' | 'acrossForm';
+  lineField: 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm';
   /** For the last two: the functions that the lines are level sets of, and those that cross them. */
   form?: readonly [first: Quadratic, crossing: Quadratic];
   lineSpacing: number;
+  strokeLength: number;
   crossFrom: number;
   crossAngle: number;
   handmade: number;
   sizedOnScreen: number;
   tilesPerUnit: number;
   /** Default: false. */
-  medium?: 'ink' | 'woodcut';
+  medium?: 'ink' | 'pen' | 'woodcut';
   /** Default: 'tone'. */
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
 }
@@ -139,7 +140,7 @@ function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { ax
 function familiesOf(scene: EngravedScene, isDark: boolean): Families {
   const { lineField, crossAngle, strokeRotation } = scene.settings;
   if (lineField === 'form' || lineField === 'acrossForm') throw new Error('familiesOf: the form has no axis.');
-  const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
+  const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], slant: [0.48, 0.64, 0.6] } as const;
   const light = lightOf(scene);
   const { axis: toLight, bend } = isDark ? { axis: axisAcross(light.axis), bend: 0 } : light;
   // Towards the light is a quarter turn from the tangent to it.
@@ -195,11 +196,21 @@ class ScreenPlane {
 
   /** Units of the function per pixel. gradient: in object space. */
   gradientLength(gradient: Vec3): number {
+    return Math.hypot(...this.gradient(gradient));
+  }
+
+  /** Units of one function per pixel along the lines of another. */
+  rateAlong(place: Vec3, lines: Vec3): number {
+    const [[a, b], [c, d]] = [this.gradient(place), this.gradient(lines)];
+    return Math.abs(a * d - b * c) / Math.hypot(c, d);
+  }
+
+  private gradient(gradient: Vec3): [number, number] {
     const inView = turned(gradient, mat3.transpose(mat3.create(), this.viewToObject));
     const [along, aside] = this.tangents.map((t) => dot(t, inView)) as [number, number];
     // Solves s · pixels(t) = gradient · t for both tangents, by Cramer's rule.
     const [[a, b], [c, d]] = this.pixels;
-    return Math.hypot(along * d - b * aside, a * aside - along * c) / this.area;
+    return [(along * d - b * aside) / this.area, (a * aside - along * c) / this.area];
   }
 }
 
@@ -220,10 +231,106 @@ export function lotOf(value: number): number {
 /** A factor on the width of the line at a value. */
 export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * lotOf(value) - 0.25);
 
-/** The position along the lines: two coordinates, in tiles, and the weight of the first. */
+/**
+ * The position along the lines: two coordinates, in tiles, and the weight of the first; the length of strokes, and the share of those
+ * twice as long.
+ */
 interface Along {
   places: readonly [number, number];
   share: number;
+  period: number;
+  longer: number;
+}
+
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/** Strokes are measured along those two axes along which the lines run most. Their lengths are powers of two. */
+function alongLines(
+  place: Vec3,
+  normal: Vec3,
+  gradient: Vec3,
+  plane: ScreenPlane,
+  { strokeLength, sizedOnScreen, tilesPerUnit }: EngravedSettings,
+): Along {
+  const direction = unit(cross(normal, gradient));
+  const least = [0, 1, 2].reduce((best, i) => (direction[i] ** 2 < direction[best] ** 2 ? i : best), 0);
+  // In the order of a shader, which has no list: z takes the place of the axis that is left out.
+  const [first, second] = least === 0 ? [2, 1] : least === 1 ? [0, 2] : [0, 1];
+  const share = smoothly(-0.16, 0.16, direction[first] ** 2 - direction[second] ** 2);
+  const axis = mixed(AXES[second], 1 - share, AXES[first], share);
+  const rate = tilesPerUnit * plane.rateAlong(axis, gradient);
+  const octave =
+    (1 - sizedOnScreen) * octaveOf(strokeLength / 256) + sizedOnScreen * octaveOf(strokeLength * Math.max(rate, 1e-12));
+  const whole = Math.ceil(octave - 0.5);
+  return {
+    places: [place[first], place[second]],
+    share,
+    period: 2 ** whole,
+    longer: smoothly(0.8, 1, octave - whole + 0.5),
+  };
+}
+
+/** The number of a line, but for its sign: the same on both sides of a seam. */
+const numberOf = (line: number, repeat: number): number =>
+  repeat < Infinity ? line - repeat * Math.round(line / repeat) : line;
+
+/** What a pen does at a fragment, on all lines. */
+interface PenState {
+  tone: number;
+  handmade: number;
+  along: Along;
+  repeat: number;
+}
+
+/** The mean over lots from 0 to `all` of a ramp that begins at the lot and ends a `growth` later. */
+const grown = (tone: number, all: number, growth: number): number => {
+  const untilNow = (x: number) => (x <= 0 ? 0 : x < growth ? (x * x) / 2 / growth : x - growth / 2);
+  return (untilNow(tone) - untilNow(tone - all)) / all;
+};
+
+/** A number in [0, 1) of a stroke. */
+function lotOfStroke(line: number, middle: number): number {
+  const [a, b] = new Uint32Array(Float32Array.of(Math.abs(line), middle).buffer);
+  let spread = (Math.imul(a, 0x9e3779b9) ^ Math.imul(b, 0x85ebca6b)) >>> 0;
+  spread = Math.imul(spread ^ (spread >>> 15), 0x2c1b3c6d) >>> 0;
+  return (spread >>> 8) / 2 ** 24;
+}
+
+/** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
+function penStroke(line: number, share: number, { tone, handmade, along, repeat }: PenState): [number, number] {
+  const open = (1 - tone) ** 2;
+  const full = tone / Math.max(grown(tone, 0.2, 0.07) * (1 - (0.15 + 0.3) * open), 1e-4);
+  const number = numberOf(line, repeat);
+  const born =
+    share < 0.15
+      ? Math.sqrt(0.6 * share)
+      : share < 0.85
+        ? share + 0.15
+        : 1.3 - Math.sqrt(Math.max(0.6 * (1 - share), 0));
+  const fract = (x: number) => x - Math.floor(x);
+  const one = (place: number, period: number): [number, number] => {
+    const at = place / period + lotOf(Math.abs(number));
+    const stroke = Math.floor(at) + 0.5;
+    const lot = lotOfStroke(number, stroke);
+    const way = 2 * (at - stroke);
+    const rest = clamp01(1 - (1 - Math.abs(way) - open * 0.3 * fract(64 * lot)) / Math.max(open * 0.9, 1e-3));
+    const there = clamp01((tone - 0.2 * lot) / 0.07) * clamp01((born - fract(512 * lot)) / 0.3);
+    const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);
+    const astray = 0.22 * (fract(64 * lot) - 0.5) * way + 0.16 * (lot - 0.5) * (0.5 - way * way);
+    return [full * there * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];
+  };
+  const mix = (a: [number, number], b: [number, number], t: number): [number, number] => [
+    (1 - t) * a[0] + t * b[0],
+    (1 - t) * a[1] + t * b[1],
+  ];
+  const [first, second] = along.places.map((place) =>
+    mix(one(place, along.period), one(place, 2 * along.period), along.longer),
+  );
+  return mix(second, first, along.share);
 }
 
 /** A row of wedges of length 1: each rises from −1 to 1 over 0.7 of its length, and falls over the rest. */
@@ -232,23 +339,16 @@ function gouge(x: number): number {
   return t < 0.7 ? (2 * t) / 0.7 - 1 : (2 * (1 - t)) / 0.3 - 1;
 }
 
-/** The share of its room that the cut of a line takes, for a distance of old lines and a growth of the new ones. */
-function cutShare(
-  line: number,
-  white: number,
-  { places, share }: Along,
-  period: number,
-  into: number,
-  repeat: number,
-): number {
-  const swell = 0.42;
-  const lot = lotOf(repeat < Infinity ? Math.abs(line - repeat * Math.round(line / repeat)) : line);
-  const longer = smoothly(0.2, 0.8, into);
+/** The share of its room that the cut of a line takes. */
+function cutShare(line: number, white: number, { places, share, period, longer }: Along, repeat: number): number {
+  const rarer = Math.min(white, 1 - white);
+  const swell = Math.min(0.42, 1.3 * rarer);
+  const lot = lotOf(Math.abs(numberOf(line, repeat)));
   const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
   const flattened = (t: number) => Math.hypot(t, 1 - t);
   const waves = places.map((place) => {
-    const wedges = place / (11 * period);
-    return mixed(gouge(wedges + lot), gouge(2 * wedges + lot), longer);
+    const wedges = place / period;
+    return mixed(gouge(wedges + lot), gouge(wedges / 2 + lot), longer);
   });
   const wave = mixed(waves[1], waves[0], share) / (flattened(longer) * flattened(share));
   // This makes the mean over all waves the wanted one.
@@ -287,7 +387,10 @@ function ruledDarkness(
   const onObject = octaveOf((lineSpacing / 256) * rise);
   const onScreen = octaveOf(lineSpacing * perPixel);
   const asked = powerOf((1 - sizedOnScreen) * onObject + sizedOnScreen * onScreen);
-  const wanted = Math.min(Math.max(asked, 3 * perPixel), widest);
+  // Where white or black is rare, rows of wedges lie up to four times as far apart.
+  const rare = Math.max(Math.min(tone, 1 - tone), 1e-4);
+  const rarer = settings.medium === 'woodcut' ? Math.min(2, Math.max(0, octaveOf(0.24 / rare))) : 0;
+  const wanted = Math.min(powerOf(octaveOf(Math.max(asked, 3 * perPixel)) + rarer), widest);
   // The smallest power of two that is not below the wanted spacing, in tiles: the distance of old lines.
   const period = 2 ** Math.ceil(Math.log2(wanted));
   const shares = { old: wanted / period, young: 1 - wanted / period };
@@ -295,11 +398,19 @@ function ruledDarkness(
   const nearest = Math.round(value / period);
   const shareOf = (line: number): number =>
     settings.medium === 'woodcut'
-      ? cutShare(line, 1 - tone, along, period, 2 * shares.young, widest)
+      ? cutShare(line, 1 - tone, along, widest)
       : tone * (form ? 1 : lineFactor(line, handmade));
   let covered = 0;
+  const pen = { tone, handmade, along, repeat: widest };
   for (let line = nearest - 2; line <= nearest + 2; line += 0.5) {
-    const width = (Number.isInteger(line) ? shares.old : shares.young) * pixels * shareOf(line * period);
+    const isOld = Number.isInteger(line);
+    if (settings.medium === 'pen') {
+      const [share, astray] = penStroke(line * period, isOld ? 1 : shares.young / shares.old, pen);
+      const away = (value - line * period) / perPixel - shares.old * pixels * astray;
+      covered += lineShare(Math.abs(away), shares.old * pixels * share);
+      continue;
+    }
+    const width = (isOld ? shares.old : shares.young) * pixels * shareOf(line * period);
     covered += lineShare(Math.abs(value - line * period) / perPixel, width);
   }
   return settings.medium === 'woodcut' ? 1 - Math.min(covered, 1) : Math.min(covered, 1);
@@ -334,6 +445,25 @@ function hand(
   return { strayed, pressure: 0.3 * handmade * waves[0] * waves[1], widening: 0.25 * handmade * waves[2] };
 }
 
+/**
+ * The tones of the first family, of those that cross it and of those that cross these. Above crossFrom the first takes 0.4 of the tone, a
+ * pen's 0.6. The others cover the excess that it leaves blank; shares of blank multiply. A pen's third has what the second leaves.
+ */
+function sharedOut(
+  tone: number,
+  crossFrom: number,
+  has: number,
+  medium: EngravedSettings['medium'],
+): [number, number, number] {
+  const kept = medium === 'pen' ? 0.6 : 0.4;
+  const taken = (all: number, from: number) => (all <= from ? all : from + kept * (all - from));
+  const first = has * taken(tone, crossFrom);
+  const others = 1 - (1 - tone) / (1 - first);
+  if (medium !== 'pen') return [first, others, 0];
+  const second = taken(others, 0.375);
+  return [first, second, 1 - (1 - others) / (1 - second)];
+}
+
 export class EngravedReference {
   private readonly families = new Map<string, Families>();
 
@@ -357,7 +487,7 @@ export class EngravedReference {
     const n = unit(normal);
     const plane = new ScreenPlane(this.scene, place, n);
     if (tone >= 1) return 1;
-    if (settings.form) return this.formDarkness(fromCentre, plane, own, tone, this.arrivingAt(world, lit).isDark);
+    if (settings.form) return this.formDarkness(fromCentre, n, plane, own, tone, this.arrivingAt(world, lit).isDark);
     const { strayed, pressure } = hand(fromCentre, settings);
     const { first, sides, across, shadows } = this.familiesAt(world, lit);
 
@@ -377,13 +507,7 @@ export class EngravedReference {
       if (familyTone <= 1e-4 && family !== first) return 1;
       const pressed = familyTone + pressure * familyTone * (1 - familyTone);
       const perPixel = tilesPerUnit * plane.gradientLength(family.gradient(strayed));
-      const along: Along =
-        family === first
-          ? {
-              places: sides.map((side) => dot(strayed, side)) as [number, number],
-              share: smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)),
-            }
-          : { places: [first.value(strayed), first.value(strayed)], share: 1 };
+      const along = alongLines(fromCentre, n, family.gradient(strayed), plane, settings);
       const ruled = {
         value: family.value(strayed),
         perPixel,
@@ -392,9 +516,8 @@ export class EngravedReference {
       };
       return 1 - ruledDarkness(ruled, pressed, settings, along);
     };
-    // Above crossFrom the first family takes 0.4 of the tone. The others cover the excess that it leaves blank; shares of blank multiply.
-    const firstTone = has * (own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom));
-    const leftByOwn = leftBy(first, firstTone, slope) * leftByBoth(across, (1 - own) / (1 - firstTone));
+    const [firstTone, second, third] = sharedOut(own, crossFrom, has, settings.medium);
+    const leftByOwn = leftBy(first, firstTone, slope) * leftByBoth(across, 1 - second) * leftByBoth(shadows, 1 - third);
     return 1 - leftByOwn * leftByBoth(shadows, (1 - tone) / (1 - own));
   }
 
@@ -402,7 +525,14 @@ export class EngravedReference {
    * Lines that follow the form: the second function crosses the first, their difference both in shadows, and where no light arrives
    * they change places.
    */
-  private formDarkness(fromCentre: Vec3, plane: ScreenPlane, own: number, tone: number, isDark: boolean): number {
+  private formDarkness(
+    fromCentre: Vec3,
+    normal: Vec3,
+    plane: ScreenPlane,
+    own: number,
+    tone: number,
+    isDark: boolean,
+  ): number {
     const { settings } = this.scene;
     const { form, lineField, tilesPerUnit, crossFrom } = settings;
     const { strayed, pressure, widening } = hand(fromCentre, settings);
@@ -417,17 +547,17 @@ export class EngravedReference {
       value: first.value - crossing.value,
       widest: Math.min(...FORM_WIDEST),
     };
-    const leftBy = (family: typeof first, familyTone: number, along: number) => {
+    const leftBy = (family: typeof first, familyTone: number) => {
       if (familyTone <= 1e-4 && family !== first) return 1;
       const pressed = familyTone + (pressure + widening) * familyTone * (1 - familyTone);
       const perPixel = tilesPerUnit * plane.gradientLength(family.gradient);
       const rise = vec3.length((family === first ? first : crossing).gradient);
-      return 1 - ruledDarkness({ ...family, perPixel, rise }, pressed, settings, { places: [along, along], share: 1 });
+      const along = alongLines(fromCentre, normal, family.gradient, plane, settings);
+      return 1 - ruledDarkness({ ...family, perPixel, rise }, pressed, settings, along);
     };
-    const firstTone = own <= crossFrom ? own : crossFrom + 0.4 * (own - crossFrom);
-    const leftByOwn =
-      leftBy(first, firstTone, crossing.value) * leftBy(crossing, 1 - (1 - own) / (1 - firstTone), first.value);
-    return 1 - leftByOwn * leftBy(other, 1 - (1 - tone) / (1 - own), first.value);
+    const [firstTone, second, third] = sharedOut(own, crossFrom, 1, settings.medium);
+    const leftByOwn = leftBy(first, firstTone) * leftBy(crossing, second) * leftBy(other, third);
+    return 1 - leftByOwn * leftBy(other, 1 - (1 - tone) / (1 - own));
   }
 
   /** The lights that arrive at the position, and whether none of those that have a direction does. */

@@ -42,7 +42,7 @@ Along alongLines(const in HatchingParameters h, const in Family family) {
 float numberOf(const in float line, const in Family family) {
   #ifdef FOLLOWS_FORM
     float repeat = powerOf2(family.coarsest);
-    return line - repeat * round(line / repeat);
+    return line - repeat * floor(line / repeat + 0.5);
   #else
     return line;
   #endif // FOLLOWS_FORM

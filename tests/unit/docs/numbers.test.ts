@@ -165,7 +165,14 @@ describe('counts are those of the code', () => {
       material.technique === 'engraved' ? [`\`${name}\``] : [],
     );
     const list = `${engraved.slice(0, -1).join(', ')} and ${engraved.at(-1)}`;
-    expect([...engraved].sort()).toEqual(['`banknote`', '`engraving`', '`technical`', '`woodcut`']);
+    expect([...engraved].sort()).toEqual([
+      '`banknote`',
+      '`crossHatching`',
+      '`engraving`',
+      '`pen`',
+      '`technical`',
+      '`woodcut`',
+    ]);
     expect(page('docs/choosing.md')).toContain(`${list} are \`engraved\`, all others are \`anchored\``);
   });
 

@@ -132,7 +132,7 @@ describe('HatchingMaterial', () => {
     test('is that of the presets, overridden by the other parameters, wherever it stands among them', () => {
       const given = new HatchingMaterial({ ink: '#000080', preset: 'stipple' });
       expect(looks(given)).toEqual(['anchored', 'stipple', 'single', '#000080', 'hatching']);
-      expect(looks(new HatchingMaterial({ preset: 'crossHatching' }))[4]).toBe('contours');
+      expect(looks(new HatchingMaterial({ preset: 'crossHatching' }))[1]).toBe('pen');
     });
 
     test('leaves nothing of the one before', () => {

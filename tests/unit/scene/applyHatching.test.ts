@@ -427,7 +427,7 @@ describe('options', () => {
     expect((map as TonalArtMap).isReady).toBe(true);
     expect([...progress].sort((a, b) => a - b)).toEqual(progress);
     expect(progress.at(-1)).toBe(1);
-    await applyHatching(other, 'pen');
+    await applyHatching(other, 'pencil');
     expect(hatched(other).tonalArtMap).toBe(map);
     const gone = disposals();
     gone.watch([TonalArtMap.shared().texture]);
@@ -469,7 +469,7 @@ describe('options', () => {
     [{ preset: 'stipple', material: { medium: 'ink' } }, true],
     [{ preset: 'stipple', material: () => ({ medium: 'dry' }) }, true],
     [{ preset: 'engraving' }, false],
-    [{ preset: 'pen', material: { technique: 'engraved' } }, false],
+    [{ preset: 'pencil', material: { technique: 'engraved' } }, false],
     // The medium is that of `anchored` alone.
     [{ material: { technique: 'adjacency', medium: 'stipple' } }, true],
     [{ material: { technique: 'anchored', medium: 'stipple' } }, false],
@@ -494,7 +494,7 @@ describe('options', () => {
     const root = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     (await applyHatching(root, { preset: 'engraving', tonalArtMap })).dispose();
     expect(tonalArtMap).not.toHaveBeenCalled();
-    const hatched = await applyHatching(root, { preset: 'pen', tonalArtMap });
+    const hatched = await applyHatching(root, { preset: 'pencil', tonalArtMap });
     expect(hatched.materials[0].tonalArtMap).toBe(given);
     hatched.dispose();
     expect(freed).not.toHaveBeenCalled();

@@ -54,9 +54,9 @@ describe('presets', () => {
   test('applyHatching takes one as it is, draws its map and frees it', async () => {
     const generate = vi.spyOn(TonalArtMap, 'generate');
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
-    const { material, outlines } = presets.pen;
+    const { material, outlines } = presets.chalk;
     const hatched = await applyHatching(mesh, {
-      ...presets.pen,
+      ...presets.chalk,
       tonalArtMap: { style: 'stippling', size: 64, tones: 4 },
       material: { ...material, ink: 'navy' },
     });
@@ -99,7 +99,7 @@ describe('scalePreset', () => {
   test.each(names)('%s grows in every size and in nothing else', (name) => {
     const { material, outlines, tonalArtMap } = presets[name];
     const scaled = scalePreset(presets[name], 2);
-    const sizes = ['strokeWidth', 'lineSpacing', 'toothSize', 'outlineWidth', 'wobble'];
+    const sizes = ['strokeWidth', 'strokeLength', 'lineSpacing', 'toothSize', 'outlineWidth', 'wobble'];
     for (const [from, to] of [
       [material, scaled.material],
       [outlines, scaled.outlines],

@@ -6,22 +6,22 @@ import { presets } from '../../../src/scene/presets.js';
 import { withPreset } from '../../../src/scene/withPreset.js';
 
 test('what is said beside a preset counts before it, parameter by parameter', () => {
-  expect(withPreset('pen')).toEqual(presets.pen);
-  const { material, outlines, tonalArtMap, layout } = withPreset('pen', {
+  expect(withPreset('pencil')).toEqual(presets.pencil);
+  const { material, outlines, tonalArtMap, layout } = withPreset('pencil', {
     layout: 'pull',
     material: { ink: 'navy' },
     outlines: { wobble: 0 },
     tonalArtMap: { style: 'ruled', size: 64 },
   });
-  expect(material).toEqual({ ...presets.pen.material, ink: 'navy' });
-  expect(outlines).toEqual({ ...presets.pen.outlines, wobble: 0 });
+  expect(material).toEqual({ ...presets.pencil.material, ink: 'navy' });
+  expect(outlines).toEqual({ ...presets.pencil.outlines, wobble: 0 });
   expect([tonalArtMap, layout]).toEqual([{ style: 'ruled', size: 64 }, 'pull']);
 });
 
 test('outlines can be left out or kept, a map taken away, and a function adds to the material', () => {
   expect(withPreset('pen', { outlines: false }).outlines).toBe(false);
   expect(withPreset('pen', { outlines: true }).outlines).toEqual(presets.pen.outlines);
-  expect(withPreset('pen', { tonalArtMap: null }).tonalArtMap).toBe(null);
+  expect(withPreset('pencil', { tonalArtMap: null }).tonalArtMap).toBe(null);
   // It needs none, and says nothing of what another technique would be drawn with.
   expect(withPreset('engraving').tonalArtMap).toBe(undefined);
   const { material } = withPreset('chalk', { material: ({ name }) => ({ name: `${name} in chalk` }) });
@@ -33,7 +33,7 @@ test('outlines can be left out or kept, a map taken away, and a function adds to
 });
 
 test('a style or a map that the material names counts before the map of the preset', () => {
-  const { material, tonalArtMap } = withPreset('pen', { material: { tonalArtMap: 'dashes' } });
+  const { material, tonalArtMap } = withPreset('pencil', { material: { tonalArtMap: 'dashes' } });
   expect([(material as { tonalArtMap: string }).tonalArtMap, tonalArtMap]).toEqual(['dashes', undefined]);
 });
 

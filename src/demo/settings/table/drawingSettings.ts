@@ -96,6 +96,7 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
       x: 'An axis: x',
       y: 'An axis: y',
       z: 'An axis: z',
+      slant: 'A slant',
       form: 'The form',
       acrossForm: 'Across the form',
     },

@@ -29,6 +29,7 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
     staysInPlace: true,
   }),
   lineSpacing: numberOf('lineSpacing', { label: 'Spacing', default: 4, min: 2, max: 20 }),
+  strokeLength: numberOf('strokeLength', { label: 'Length', min: 10, max: 300 }),
   strokeLayers: choiceOf('strokeLayers', {
     label: 'Layers',
     default: 'lights',
@@ -42,7 +43,13 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
   edge: numberOf('edgePixels', { label: 'Soft edge', max: 4 }),
   medium: choiceOf('medium', {
     label: 'Medium',
-    choices: { ink: 'Ink', dry: 'Pencil or chalk', stipple: 'Dots', woodcut: 'Cut white out of black' },
+    choices: {
+      ink: 'Ink',
+      dry: 'Pencil or chalk',
+      stipple: 'Dots',
+      pen: 'Pen, in strokes',
+      woodcut: 'Cut white out of black',
+    },
   }),
   tooth: numberOf('tooth', { label: 'Paper tooth' }),
   toothSize: numberOf('toothSize', { label: 'Tooth size', min: 0.5, max: 12 }),

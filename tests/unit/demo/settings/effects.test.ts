@@ -83,7 +83,7 @@ describe('a setting has an effect', () => {
         pictureSize: 'own',
       },
       { technique: 'anchored', medium: 'dry', toneModel: 'phong', pictureSize: 'a4' },
-      { technique: 'engraved', toneModel: 'toon', shadows: 'on', ground: 'shadow' },
+      { technique: 'engraved', medium: 'pen', toneModel: 'toon', shadows: 'on', ground: 'shadow' },
       { technique: 'adjacencyCrisp' },
     ];
     const unused = SETTING_KEYS.filter((key) => !some.some((changes) => used(key, changes)));
@@ -125,6 +125,6 @@ test('a medium is offered to the techniques that know it', () => {
   const offered = (technique: string) =>
     Object.keys(SETTINGS.medium.choices).filter((medium) => isChoiceKnown('medium', medium, [{ technique }]));
   expect(offered('anchored')).toEqual(['ink', 'dry', 'stipple']);
-  expect(offered('engraved')).toEqual(['ink', 'woodcut']);
+  expect(offered('engraved')).toEqual(['ink', 'pen', 'woodcut']);
   expect(isChoiceKnown('toneModel', 'toon', [{ technique: 'engraved' }])).toBe(true);
 });

@@ -25,13 +25,37 @@ import { presets } from '../../../../src/scene/presets.js';
 const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });
 
 test('sizes go with a picture and a small sheet as far as they are measured on them', () => {
-  const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, toothSize: 3 };
+  const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, strokeLength: 40, toothSize: 3 };
   const sizesAt = (sizedOnScreen: number, ...of: [number, number?]) =>
     materialSizesIn(lookOf({ ...settings, sizedOnScreen }), ...of);
-  expect(sizesAt(100, 1, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16, toothSize: 12, finestSpacing: 12 });
-  expect(sizesAt(50, 1, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8, toothSize: 12, finestSpacing: 12 });
-  expect(sizesAt(0, 1, 4)).toEqual({ strokeWidth: 8, lineSpacing: 4, toothSize: 12, finestSpacing: 12 });
-  expect(sizesAt(100, 0.5)).toEqual({ strokeWidth: 1, lineSpacing: 2, toothSize: 1.5, finestSpacing: 3 });
+  expect(sizesAt(100, 1, 4)).toEqual({
+    strokeWidth: 8,
+    lineSpacing: 16,
+    strokeLength: 160,
+    toothSize: 12,
+    finestSpacing: 12,
+  });
+  expect(sizesAt(50, 1, 4)).toEqual({
+    strokeWidth: 8,
+    lineSpacing: 8,
+    strokeLength: 80,
+    toothSize: 12,
+    finestSpacing: 12,
+  });
+  expect(sizesAt(0, 1, 4)).toEqual({
+    strokeWidth: 8,
+    lineSpacing: 4,
+    strokeLength: 40,
+    toothSize: 12,
+    finestSpacing: 12,
+  });
+  expect(sizesAt(100, 0.5)).toEqual({
+    strokeWidth: 1,
+    lineSpacing: 2,
+    strokeLength: 20,
+    toothSize: 1.5,
+    finestSpacing: 3,
+  });
 });
 
 describe('the presets of the page', () => {

@@ -26,7 +26,8 @@ describe('what follows from a look', () => {
     [{ medium: 'stipple' }, false, false],
     [{ technique: 'engraved' }, false, false],
     [{ technique: 'engraved', medium: 'dry' }, false, false],
-    [{ preset: 'pen' }, true, false],
+    [{ preset: 'pen' }, false, false],
+    [{ preset: 'pencil' }, true, false],
     [{ preset: 'stipple' }, false, false],
     [{ preset: 'engraving' }, false, false],
     [{ preset: 'engraving', technique: 'adjacency' }, true, true],
@@ -56,8 +57,9 @@ describe('what follows from a look', () => {
     [{ technique: 'engraved', lineField: 'auto' }, 'auto'],
     [{ preset: 'banknote' }, true],
     [{ preset: 'engraving' }, 'auto'],
-    [{ preset: 'pen' }, false],
-    [{ preset: 'pen', strokeField: 'form' }, true],
+    [{ preset: 'pen' }, 'auto'],
+    [{ preset: 'pencil', strokeField: 'light' }, false],
+    [{ preset: 'pencil', strokeField: 'form' }, true],
     [{ strokeField: 'acrossForm', medium: 'dry' }, true],
     // A medium of another technique, with which this one draws in ink.
     [{ strokeField: 'form', medium: 'woodcut' }, true],
@@ -201,16 +203,16 @@ describe('sizes for a picture of more pixels', () => {
   });
 
   test('are those of the preset too, unless the look has its own', () => {
-    expect(scaledSizes({ preset: 'pen' }, 2)).toMatchObject({ strokeWidth: 3 });
-    expect(scaledSizes({ preset: 'pen', strokeWidth: 1 }, 2)).toMatchObject({ strokeWidth: 2 });
+    expect(scaledSizes({ preset: 'pen' }, 2)).toMatchObject({ strokeLength: 144 });
+    expect(scaledSizes({ preset: 'pen', strokeLength: 50 }, 2)).toMatchObject({ strokeLength: 100 });
     expect(scaledSizes({ preset: 'engraving' }, 2)).toMatchObject({ lineSpacing: 9 });
   });
 
   test('a material has every one of them, whatever its technique', () => {
-    const sizes: HatchingPropertyName[] = ['lineSpacing', 'finestSpacing', 'toothSize'];
+    const sizes: HatchingPropertyName[] = ['lineSpacing', 'strokeLength', 'finestSpacing', 'toothSize'];
     for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
       const look: HatchingLook = new HatchingMaterial({ technique, sizedOnScreen: technique === 'engraved' ? 1 : 0 });
-      const expected = technique === 'engraved' ? sizes : sizes.slice(1);
+      const expected = technique === 'engraved' ? sizes : sizes.slice(2);
       if (technique === 'anchored') expected.push('strokeWidth');
       expect(Object.keys(scaledSizes(look, 2)).sort()).toEqual([...expected].sort());
     }
