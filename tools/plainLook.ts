@@ -4,6 +4,7 @@ import type { HatchingMaterialParameters, TonalArtMap } from 'three-hatching';
 const PLAIN: HatchingMaterialParameters = {
   toneCurve: 'linear',
   reflectedLight: 0,
+  hollowTone: 0,
   crossFrom: 0.52,
   shadowTone: 1,
   shadowFade: 0,

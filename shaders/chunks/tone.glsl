@@ -30,6 +30,14 @@ PerToneNormal darkenedByColor(const in PerToneNormal tone, const in HatchingSurf
   return mix(tone, toneFromRadiance(PerToneNormal(0.0)), surface.darkness);
 }
 
+// Hollows go beyond the tone of no light, where some paper shows: to the darkest image, or for chalk to bare paper.
+PerToneNormal deepened(const in PerToneNormal tone) {
+  float share = hollowness();
+  if (share == 0.0) return tone;
+  PerToneNormal darkest = step(toneFromRadiance(PerToneNormal(1.0)), toneFromRadiance(PerToneNormal(0.0)));
+  return mix(tone, darkest, share);
+}
+
 // The tone that the light of the surface prints, shadows included.
 PerToneNormal shadedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
@@ -42,7 +50,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     #endif // DISSOLVES_SHADOWS
     return tone;
   #else
-    return darkenedByColor(toneFromRadiance(exposed(surface.radiance)), surface);
+    return deepened(darkenedByColor(toneFromRadiance(exposed(surface.radiance)), surface));
   #endif // TONE_MODEL
 }
 
@@ -51,6 +59,6 @@ PerToneNormal unshadowedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     return PerToneNormal(0.0);
   #else
-    return darkenedByColor(toneFromRadiance(exposed(surface.radiance + surface.shadowed)), surface);
+    return deepened(darkenedByColor(toneFromRadiance(exposed(surface.radiance + surface.shadowed)), surface));
   #endif // TONE_MODEL
 }

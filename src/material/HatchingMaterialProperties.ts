@@ -233,6 +233,13 @@ export interface HatchingMaterialOptions {
    */
   occlusion: number;
   /**
+   * How far the depths of hollows that `occlusion` knows of are brought to the darkest tone, whatever light falls into
+   * them: sockets, nostrils, the parting of lips, undercuts and contacts are then the darkest places of the picture. 0:
+   * they lose light and nothing else. Share in [0, 1]. Default `0`, for `'anchored'` `1`, for `'engraved'` `1`. Only
+   * with `occlusion` other than `0`.
+   */
+  hollowTone: number;
+  /**
    * How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a
    * colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as
    * it is. Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
@@ -550,6 +557,13 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * light. Without such a bake it does nothing. Share in [0, 1]. Default `1`.
    */
   occlusion: number;
+  /**
+   * How far the depths of hollows that `occlusion` knows of are brought to the darkest tone, whatever light falls into
+   * them: sockets, nostrils, the parting of lips, undercuts and contacts are then the darkest places of the picture. 0:
+   * they lose light and nothing else. Share in [0, 1]. Default `0`, for `'anchored'` `1`, for `'engraved'` `1`. Only
+   * with `occlusion` other than `0`.
+   */
+  hollowTone: number;
   /**
    * How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a
    * colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as

@@ -9,7 +9,7 @@ export interface GalleryDrawing {
 }
 
 const STANFORD = 'Stanford Computer Graphics Laboratory';
-const SHADOWS = 'shadows=on&ground=shadow&occlusion=50';
+const SHADOWS = 'shadows=on&ground=shadow&occlusion=100';
 const drawing = (name: string, title: string, preset: string, rest: string, credit?: string): GalleryDrawing => ({
   name,
   title,
@@ -23,7 +23,7 @@ export const GALLERY: readonly GalleryDrawing[] = [
     'bust',
     'Bust',
     'banknote',
-    'model=bust&occlusion=50&shadows=on&lightAzimuth=-62&lightElevation=34',
+    'model=bust&occlusion=100&shadows=on&lightAzimuth=-62&lightElevation=34',
     'stackgl',
   ),
   drawing('hand', 'Hand', 'woodcut', 'model=hand&lightAzimuth=-60&lightElevation=30&shadows=on', 'Amazon'),
@@ -35,15 +35,15 @@ export const GALLERY: readonly GalleryDrawing[] = [
     'engraving',
     `model=column&${SHADOWS}&lightAzimuth=-40&lightElevation=42&shadowStrokes=cross&lineField=y`,
   ),
-  drawing('gears', 'Gears', 'technical', 'model=gears&shadows=on&occlusion=40'),
+  drawing('gears', 'Gears', 'technical', 'model=gears&shadows=on&occlusion=100'),
   drawing(
     'landscape',
     'Landscape',
     'pen',
-    'model=landscape&shadows=on&lightAzimuth=-70&lightElevation=28&occlusion=40',
+    'model=landscape&shadows=on&lightAzimuth=-70&lightElevation=28&occlusion=100',
   ),
   drawing('knot', 'Knot', 'engraving', 'model=knot&shadows=on&shadowStrokes=cross&ink=%237a2e1d&paper=%23f4ead6'),
-  drawing('bunny', 'Rabbit', 'pencil', 'model=bunny&shadows=on&occlusion=50', STANFORD),
-  drawing('suzanne', 'Suzanne', 'charcoal', `model=suzanne&shadows=on&occlusion=50`, 'Blender Foundation'),
+  drawing('bunny', 'Rabbit', 'pencil', 'model=bunny&shadows=on&occlusion=100', STANFORD),
+  drawing('suzanne', 'Suzanne', 'charcoal', `model=suzanne&shadows=on&occlusion=100`, 'Blender Foundation'),
   drawing('teapot', 'Teapot', 'crossHatching', `model=teapot&${SHADOWS}&ink=%231d3a5f&paper=%23eef1ee`),
 ];

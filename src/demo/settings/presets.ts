@@ -31,7 +31,7 @@ export function presetOf(settings: Settings): PresetName | undefined {
 }
 
 /** What the page adds to a preset's hand: shadows, on the model and below it, and dark hollows. */
-const SHADED = { shadows: 'on', shadowStrokes: 'cross', ground: 'shadow', occlusion: 60 } as const;
+const SHADED = { shadows: 'on', shadowStrokes: 'cross', ground: 'shadow', occlusion: 100 } as const;
 
 /** Composition, which is the model's own again. */
 const PLAIN = Object.fromEntries(

@@ -37,6 +37,7 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   },
   reflectedLight: { measure: 'share' },
   occlusion: { measure: 'share' },
+  hollowTone: { measure: 'share', when: { occlusion: { not: 0 } } },
   localTone: { measure: 'share' },
   highlightTone: { measure: 'tone' },
   highlightSoftness: { measure: 'share', when: { highlightTone: { not: 0 } } },

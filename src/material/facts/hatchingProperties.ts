@@ -296,6 +296,13 @@ export const HATCHING_PROPERTIES = {
     range: { from: 0, to: 1 },
   },
   occlusion: { kind: 'number', default: 1, uniform: 'occlusion', range: { from: 0, to: 1 } },
+  hollowTone: {
+    kind: 'number',
+    default: 0,
+    uniform: 'hollowTone',
+    defaultFor: { anchored: 1, engraved: 1 },
+    range: { from: 0, to: 1 },
+  },
   localTone: { kind: 'number', default: 0, uniform: 'localTone', range: { from: 0, to: 1 } },
   highlightTone: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
   highlightSoftness: { kind: 'number', default: 0, range: { from: 0, to: 1 } },

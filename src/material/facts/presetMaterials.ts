@@ -30,10 +30,10 @@ const CHALKED = [
 ] as const;
 
 /**
- * Ink alone: the colours of surfaces are hatched as tones, and the darkest of them still show their form. The light is exposed so that there
- * are lights, half tones and darks.
+ * How values are laid out in ink alone: the colours of surfaces are hatched as tones, and the darkest of them still show their form; only
+ * hollows are darker. The light is exposed so that there are lights, half tones and darks.
  */
-const INK_ALONE = { exposure: 'auto', localTone: 0.8, colorFill: 0 } as const;
+const VALUES = { exposure: 'auto', localTone: 0.8, colorFill: 0, hollowTone: 1 } as const;
 
 const BLACK = '#1c1a17';
 const WHITE = '#f7f3e8';
@@ -53,7 +53,7 @@ const makeMaterials = () =>
       handmade: 0.6,
       toneCurve: 'printed',
       reflectedLight: 0.35,
-      ...INK_ALONE,
+      ...VALUES,
       ink: BLACK,
       paper: WHITE,
     },
@@ -69,7 +69,7 @@ const makeMaterials = () =>
       handmade: 0.6,
       toneCurve: 'printed',
       reflectedLight: 0.25,
-      ...INK_ALONE,
+      ...VALUES,
       ink: BLACK,
       paper: WHITE,
     },
@@ -83,7 +83,7 @@ const makeMaterials = () =>
       handmade: 0.4,
       toneCurve: 'printed',
       reflectedLight: 0.4,
-      ...INK_ALONE,
+      ...VALUES,
       ink: BLACK,
       paper: WHITE,
     },
@@ -97,7 +97,7 @@ const makeMaterials = () =>
       handmade: 0.1,
       toneCurve: 'printed',
       reflectedLight: 0.3,
-      ...INK_ALONE,
+      ...VALUES,
       ink: '#18332f',
       paper: '#f6f4e9',
     },
@@ -110,7 +110,7 @@ const makeMaterials = () =>
       handmade: 0,
       toneCurve: 'printed',
       reflectedLight: 0.25,
-      ...INK_ALONE,
+      ...VALUES,
       ink: BLACK,
       paper: WHITE,
     },
@@ -125,7 +125,7 @@ const makeMaterials = () =>
       handmade: 0.6,
       toneCurve: CUT,
       reflectedLight: 0.15,
-      ...INK_ALONE,
+      ...VALUES,
       ink: '#120e0a',
       paper: '#ece0c4',
     },
@@ -139,7 +139,7 @@ const makeMaterials = () =>
       strokeLayers: 'single',
       toneCurve: 'printed',
       reflectedLight: 0.3,
-      ...INK_ALONE,
+      ...VALUES,
       ink: BLACK,
       paper: WHITE,
     },
@@ -159,7 +159,7 @@ const makeMaterials = () =>
       smudge: 0.2,
       toneCurve: RUBBED,
       reflectedLight: 0.4,
-      ...INK_ALONE,
+      ...VALUES,
       ink: '#34343a',
       paper: '#fbfaf6',
     },
@@ -177,7 +177,7 @@ const makeMaterials = () =>
       smudge: 0.5,
       toneCurve: RUBBED,
       reflectedLight: 0.3,
-      ...INK_ALONE,
+      ...VALUES,
       ink: '#1d1a19',
       paper: '#e6dccb',
     },
@@ -195,7 +195,7 @@ const makeMaterials = () =>
       smudge: 0.25,
       toneCurve: CHALKED,
       reflectedLight: 0,
-      ...INK_ALONE,
+      ...VALUES,
       ink: '#f4f1e6',
       paper: '#2f3a38',
     },

@@ -147,6 +147,17 @@ export const TONE = {
     sentence:
       'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
   },
+  hollowTone: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    defaultFor: { anchored: 1, engraved: 1 },
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    when: { occlusion: { not: 0 } },
+    sentence:
+      'How far the depths of hollows that `occlusion` knows of are brought to the darkest tone, whatever light falls into them: sockets, nostrils, the parting of lips, undercuts and contacts are then the darkest places of the picture. 0: they lose light and nothing else.',
+  },
   localTone: {
     kind: 'number',
     group: 'Tone',

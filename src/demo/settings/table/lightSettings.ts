@@ -80,6 +80,11 @@ export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
   },
   reflectedLight: numberOf('reflectedLight', { label: 'Reflected', owner: 'hand', default: 43, max: 60 }),
   occlusion: numberOf('occlusion', { label: 'Dark hollows', owner: 'scene', default: 0, step: 5 }),
+  hollowTone: numberOf('hollowTone', {
+    label: 'Their depths',
+    owner: 'hand',
+    ends: ['as lit', 'darkest'],
+  }),
   shadows: {
     kind: 'choice',
     label: 'Shadows',

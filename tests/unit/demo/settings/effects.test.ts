@@ -83,7 +83,14 @@ describe('a setting has an effect', () => {
         pictureSize: 'own',
       },
       { technique: 'anchored', medium: 'dry', toneModel: 'phong', pictureSize: 'a4' },
-      { technique: 'engraved', medium: 'pen', toneModel: 'toon', shadows: 'on', ground: 'shadow' },
+      {
+        technique: 'engraved',
+        medium: 'pen',
+        toneModel: 'toon',
+        shadows: 'on',
+        ground: 'shadow',
+        occlusion: 50,
+      },
       { technique: 'adjacencyCrisp' },
     ];
     const unused = SETTING_KEYS.filter((key) => !some.some((changes) => used(key, changes)));
