@@ -24,7 +24,7 @@ export type { HatchingMaterialParameters } from './material/HatchingMaterialPara
 export type { HatchingMaterialOptions, HatchingMaterialProperties } from './material/HatchingMaterialProperties.js';
 export type { HatchingMaterialJSON } from './material/hatchingJSON.js';
 export type { PropertyFields } from './material/PropertyFields.js';
-export type { Vector2Like } from './material/vectorValues.js';
+export type { Vector2Like, Vector3Like } from './material/vectorValues.js';
 export { HatchingOutlineMaterial, type HatchingOutlineParameters } from './outlines/HatchingOutlineMaterial.js';
 export { HatchingOutlines } from './outlines/HatchingOutlines.js';
 export { millimetresToPixels } from './outlines/millimetresToPixels.js';

@@ -66,8 +66,8 @@ void coverPiece(const in Piece piece, const in int corner) {
     else if (end.z > z) cutAt(z, end, to, start, from);
   }
 
-  vec2 halfStart = halfWidthsAt(from, start);
-  vec2 halfEnd = halfWidthsAt(to, end);
+  vec2 halfStart = halfWidthsAt(from);
+  vec2 halfEnd = halfWidthsAt(to);
   vec2 halves = vec2(max(halfStart.x, halfStart.y), max(halfEnd.x, halfEnd.y)) * (1.0 + accents * piece.contour);
   vec3 nearStart = lifted(start, liftOf(from, piece, halves.x * unitsToPixel(start), scale));
   vec3 nearEnd = lifted(end, liftOf(to, piece, halves.y * unitsToPixel(end), scale));
@@ -83,7 +83,7 @@ void coverPiece(const in Piece piece, const in int corner) {
   float middleDepth = 0.5 * (depths.x + depths.y);
   vec2 middle = 0.5 * (a + b);
 
-  float reach = max(max(halves.x, halves.y), 0.5) + FRINGE;
+  float reach = max(mostOutlineEmphasis() * max(halves.x, halves.y), 0.5) + FRINGE;
   #ifdef WOBBLE
     reach += wobble;
     vAnchorStart = from.anchor;

@@ -8,6 +8,7 @@ uniform float opacity;
 #include <common>
 #include <dithering_pars_fragment>
 #include "lineCoverage"
+#include "emphasis"
 #include "outlines/surroundings"
 #ifdef WOBBLE
   #include "outlines/wobble"
@@ -40,7 +41,9 @@ void main() {
   float onOutline = clamp(place, -vOvershoots.x, size + vOvershoots.y);
   float away = distance(pixel, spine.start + onOutline * spine.along);
 
-  vec2 halves = mix(vHalfWidths.xz, vHalfWidths.yw, t);
+  vec3 viewPosition = mix(vStart.xyz, vEnd.xyz, alongLine(t));
+  // Here and not at the ends: an edge may run from one border of the sheet to the other.
+  vec2 halves = outlineEmphasisAt(viewPosition, gl_FragCoord.xy) * mix(vHalfWidths.xz, vHalfWidths.yw, t);
   float halfWidth = halves.x;
   if (away > max(max(halves.x, halves.y) * (1.0 + accents), 0.5) + 0.5) discard;
   if (hasSceneDepth) {
@@ -56,7 +59,6 @@ void main() {
   #endif // TOOTH
   vec4 diffuseColor = vec4(ink, opacity * coverage);
 
-  vec3 viewPosition = mix(vStart.xyz, vEnd.xyz, alongLine(t));
   #if NUM_CLIPPING_PLANES > 0
     vec3 vClipPosition = -viewPosition;
   #endif // NUM_CLIPPING_PLANES

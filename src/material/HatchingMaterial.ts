@@ -23,7 +23,7 @@ import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
-import { writeEmphasis } from './emphasis/emphasis.js';
+import { writeEmphasis, writeEmphasisOf } from './emphasis/emphasis.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
 import { defaultOf } from './facts/defaultOf.js';
@@ -282,6 +282,7 @@ export class HatchingMaterial extends PropertyFields {
     const drawn = part ?? renderer.getCurrentViewport(viewport);
     this.uniforms.viewportHeight.value = drawn.w;
     writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
+    if (writeEmphasisOf(object, this, this.uniforms, camera, drawn)) this.uniformsNeedUpdate = true;
     this.use('hasEnvironment', bindEnvironment(renderer, scene, camera, this.uniforms));
     if (followsForm(this)) this.use('hasForm', isFormed(geometry));
     this.drawn.note(this, renderer, scene, camera, geometry, object, drawn.w);
@@ -365,6 +366,7 @@ export class HatchingMaterial extends PropertyFields {
         this.curve = source.curve;
         break;
       case 'number':
+      case 'point':
         break; // copyNumbers
       default:
         Object.assign(this, { [name]: source[name] });

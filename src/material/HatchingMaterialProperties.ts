@@ -1,5 +1,5 @@
 // Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
-import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2 } from 'three';
+import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2, Vector3 } from 'three';
 import type { HatchingMap } from './checkTonalArtMap.js';
 import type {
   DebugView,
@@ -17,7 +17,7 @@ import type {
   ToneNormal,
 } from './facts/hatchingProperties.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import type { Vector2Like } from './vectorValues.js';
+import type { Vector2Like, Vector3Like } from './vectorValues.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
 export interface HatchingMaterialOptions {
@@ -273,6 +273,22 @@ export interface HatchingMaterialOptions {
    * `'engraved'`, with `depthFade` other than `0`.
    */
   depthFar: number;
+  /**
+   * Where the picture is worked out: around this point of the scene all is drawn, and beyond `focusRadius` tone, lines
+   * and outlines fall off until only paper is left, with an uneven edge. `null`: everywhere. Units of the world.
+   * Default `null`. Only `'anchored'`, `'engraved'`.
+   */
+  focus: Vector3Like | null;
+  /**
+   * How far around `focus` all is drawn. At two and a half times this distance nothing is left. Units of the world in
+   * (0, ∞). Default `1`. Only `'anchored'`, `'engraved'`, with `focus` other than `null`.
+   */
+  focusRadius: number;
+  /**
+   * How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each
+   * side. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   */
+  vignette: number;
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.
@@ -598,6 +614,23 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * `'engraved'`, with `depthFade` other than `0`.
    */
   depthFar: number;
+  /**
+   * Where the picture is worked out: around this point of the scene all is drawn, and beyond `focusRadius` tone, lines
+   * and outlines fall off until only paper is left, with an uneven edge. `null`: everywhere. Units of the world.
+   * Default `null`. Only `'anchored'`, `'engraved'`.
+   */
+  get focus(): Vector3 | null;
+  set focus(value: Vector3Like | null);
+  /**
+   * How far around `focus` all is drawn. At two and a half times this distance nothing is left. Units of the world in
+   * (0, ∞). Default `1`. Only `'anchored'`, `'engraved'`, with `focus` other than `null`.
+   */
+  focusRadius: number;
+  /**
+   * How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each
+   * side. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   */
+  vignette: number;
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.

@@ -1,12 +1,13 @@
-import { Color, ShaderMaterial, Vector2 } from 'three';
+import { Color, ShaderMaterial, Vector2, type Vector3 } from 'three';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
-import { isWord } from './checkValues.js';
+import { checkPoint, isWord } from './checkValues.js';
 import type { SceneExtent } from './emphasis/SceneExtent.js';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import { toPoint } from './vectorValues.js';
 
 /**
  * The properties of `HatchingMaterial` as fields, after the table: colours, vectors and textures are plain fields, and what is set to the
@@ -19,6 +20,7 @@ export abstract class PropertyFields extends ShaderMaterial {
    * from the eye. Default: null.
    */
   extent: SceneExtent | null = null;
+  private focused: Vector3 | null = null;
   private hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   /** Numbers that were set. The others follow the technique. */
   private numbers: Partial<Record<HatchingPropertyName, number | 'auto' | null>> = {};
@@ -35,8 +37,9 @@ export abstract class PropertyFields extends ShaderMaterial {
   protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
 
   /** Numbers that were never set stay so. The extent is that of the same scene. */
-  protected copyNumbers({ numbers, extent }: PropertyFields): void {
+  protected copyNumbers({ numbers, focused, extent }: PropertyFields): void {
     this.numbers = { ...numbers };
+    this.focused = focused?.clone() ?? null;
     this.extent = extent;
   }
 
@@ -56,6 +59,16 @@ export abstract class PropertyFields extends ShaderMaterial {
         },
         set(value) {
           this.hatchImages = checkHatchingMap(value);
+        },
+      };
+    if (property.kind === 'point')
+      return {
+        get() {
+          return this.focused;
+        },
+        set(value) {
+          checkPoint(name, value);
+          this.focused = value === null ? null : toPoint(value);
         },
       };
     if (property.kind === 'number')

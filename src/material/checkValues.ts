@@ -5,7 +5,7 @@ import type { HatchingNumber, HatchingProperty } from './facts/HatchingProperty.
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import { isVector2Like } from './vectorValues.js';
+import { isVector2Like, isVector3Like } from './vectorValues.js';
 
 /**
  * Checks parameters before any of them is set, so that a wrong one changes nothing. Those that any material has are left to three.
@@ -44,6 +44,9 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
     case 'vector2':
       check(name, isVector2Like(value), 'a THREE.Vector2 or an array of two finite numbers');
       break;
+    case 'point':
+      checkPoint(name, value);
+      break;
     case 'curve':
       fittedCurve(value as ToneCurve);
       break;
@@ -51,6 +54,10 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
       checkHatchingMap(value as HatchingMap);
   }
 }
+
+/** @throws TypeError unless `value` is null or a point */
+export const checkPoint = (name: HatchingPropertyName, value: unknown): void =>
+  check(name, value === null || isVector3Like(value), 'null, a THREE.Vector3 or an array of three finite numbers');
 
 /** Whether a number may be set to this, which is none: `null` or `'auto'`, where that is the default or has a meaning. */
 export const isWord = (name: HatchingPropertyName, value: unknown): boolean =>

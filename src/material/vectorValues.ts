@@ -1,4 +1,4 @@
-import { Vector2 } from 'three';
+import { Vector2, Vector3 } from 'three';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from './facts/hatchingProperties.js';
 
@@ -10,6 +10,19 @@ export function isVector2Like(value: unknown): boolean {
   const [x, y] = Array.isArray(value) ? value : [(value as Vector2 | null)?.x, (value as Vector2 | null)?.y];
   return Number.isFinite(x) && Number.isFinite(y) && (!Array.isArray(value) || value.length === 2);
 }
+
+/** A point, or its three numbers. */
+export type Vector3Like = Vector3 | readonly [number, number, number];
+
+/** Whether a value is a point, or an array, of three finite numbers. */
+export function isVector3Like(value: unknown): boolean {
+  if (Array.isArray(value)) return value.length === 3 && value.every(Number.isFinite);
+  const point = value as Partial<Vector3> | null;
+  return point?.isVector3 === true && Number.isFinite(point.x! + point.y! + point.z!);
+}
+
+/** A point as it was given, or a new one from its three numbers. */
+export const toPoint = (value: Vector3Like): Vector3 => ('x' in value ? value : new Vector3(...value));
 
 /** Parameters in which vectors that are given as arrays are vectors, which three.js copies. */
 export function withVectors<Parameters extends object>(parameters: Parameters): Parameters {

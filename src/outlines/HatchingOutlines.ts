@@ -20,7 +20,7 @@ import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { canDeform, deforms } from '../material/deformation/canDeform.js';
 import { deformationOf } from '../material/deformation/deformationOf.js';
-import { type EmphasisLook, writeEmphasis } from '../material/emphasis/emphasis.js';
+import { type EmphasisLook, writeEmphasis, writeEmphasisOf } from '../material/emphasis/emphasis.js';
 import { writePictureOffset } from '../material/pictureOffset.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -273,7 +273,9 @@ export class HatchingOutlines extends Object3D {
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) (uniforms.viewport.value as Vector4).copy(viewport);
     else renderer.getCurrentViewport(uniforms.viewport.value as Vector4);
-    writeEmphasis(emphasisOf(mesh), uniforms, renderer, camera);
+    const look = emphasisOf(mesh);
+    writeEmphasis(look, uniforms, renderer, camera);
+    writeEmphasisOf(mesh, look, uniforms, camera, uniforms.viewport.value as Vector4);
     this.bindSceneDepth(renderer, camera);
     writePictureOffset(uniforms.toothOffset.value as Vector2, camera, uniforms.viewport.value as Vector4);
   }

@@ -38,6 +38,11 @@ const form = [
 
 const cases: AnchoredCase[] = [
   { name: 'directional light' },
+  {
+    name: 'falling off around a point, towards the rim and of less importance',
+    importance: 0.7,
+    material: { focus: [0.3, 0.4, 0.2], focusRadius: 0.5, vignette: 0.6 },
+  },
   { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
   { name: 'point light', lights: [point] },
   { name: 'spot light', lights: [spot] },

@@ -156,6 +156,15 @@ const cases: EngravedCase[] = [
       material: { shadowStrokes },
     },
   ]),
+  { name: 'in focus at a point, falling off around it', material: { focus: [0.3, 0.4, 0.2], focusRadius: 0.4 } },
+  {
+    name: 'on a plane that falls off around a point',
+    mesh: wall,
+    matrixWorld: leaning,
+    material: { focus: [0.2, 0.1, 0.3], focusRadius: 0.5 },
+  },
+  { name: 'falling off towards the rim', material: { vignette: 0.9 } },
+  { name: 'of less importance', importance: 0.4 },
   { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
   {
     name: 'fading with its depth, seen at a slant by an orthographic camera',

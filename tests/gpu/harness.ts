@@ -188,6 +188,7 @@ async function renderHatching(spec: HatchingSpec): Promise<string> {
   mesh.matrixWorldNeedsUpdate = true;
   mesh.frustumCulled = false;
   mesh.receiveShadow = true;
+  mesh.userData.hatching = { importance: spec.importance };
   scene.add(mesh);
 
   const camera = spec.orthographic ? new OrthographicCamera() : new PerspectiveCamera();

@@ -31,4 +31,6 @@ export interface HatchingSpec {
   /** For the technique `engraved`, which draws the mesh unprepared too. */
   lines?: LineSettings;
   doubleSided?: boolean;
+  /** How much the mesh matters. Default: 1. */
+  importance?: number;
 }

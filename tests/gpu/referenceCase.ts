@@ -21,11 +21,12 @@ export interface ReferenceCase {
   isOrthographic?: boolean;
   material?: Partial<ReferenceMaterial>;
   sizedOnScreen?: number;
+  importance?: number;
 }
 
 /** What the page is to draw for a case. */
 export function specOf(
-  { mesh = torus, lights, matrixWorld, isOrthographic, material, sizedOnScreen = 1 }: ReferenceCase,
+  { mesh = torus, lights, matrixWorld, isOrthographic, material, sizedOnScreen = 1, importance = 1 }: ReferenceCase,
   technique: 'anchored' | 'engraved',
 ): HatchingSpec {
   return {
@@ -41,6 +42,7 @@ export function specOf(
     material: { ...defaults, ...material, technique, toneNormal: 'smooth' },
     map: 'smooth',
     sizedOnScreen,
+    importance,
   };
 }
 
@@ -52,12 +54,20 @@ export const centreOf = (positions: readonly number[]): Vec3 =>
   }) as Vec3;
 
 /** The reference of what all techniques share: lights and tone. */
-export const referenceOf = ({ matrixWorld, orthographic, camera, lights, material }: HatchingSpec): HatchingReference =>
+export const referenceOf = ({
+  matrixWorld,
+  orthographic,
+  camera,
+  lights,
+  material,
+  importance,
+}: HatchingSpec): HatchingReference =>
   new HatchingReference({
     matrixWorld,
     eye,
     orthographic: !!orthographic,
-    view: camera.view,
+    camera,
+    importance,
     lights,
     material: material as ReferenceMaterial,
     tones: 2,

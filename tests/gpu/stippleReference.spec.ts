@@ -32,6 +32,11 @@ const cases: StippleCase[] = [
   { name: 'orthographic camera', isOrthographic: true },
   { name: 'seen at a slant', mesh: wall, matrixWorld: leaning },
   { name: 'seen at a slant by an orthographic camera', mesh: wall, matrixWorld: leaning, isOrthographic: true },
+  {
+    name: 'falling off around a point, towards the rim and of less importance',
+    importance: 0.7,
+    material: { focus: [0.3, 0.4, 0.2], focusRadius: 0.5, vignette: 0.6 },
+  },
   { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
   { name: 'in shadow', lights: [blocked, ambient] },
 ];

@@ -3,7 +3,7 @@
  * precision and without a GPU. It was written from that article and from the conventions in the documentation, and shares no code with
  * the shader. Several lights are combined by the structure tensor of their directions; radiance follows the documentation of three.js.
  */
-import { glMatrix, mat3, type mat4, vec3 } from 'gl-matrix';
+import { glMatrix, mat3, type mat4, vec3, vec4 } from 'gl-matrix';
 import { normalDistribution } from './normalDistribution.js';
 import type { Triangle, Vec3 } from './referenceAdjacency.js';
 
@@ -58,6 +58,11 @@ export interface ReferenceMaterial {
   depthFade?: number;
   depthNear?: number;
   depthFar?: number;
+  /** A point in the world. Tone falls off from one radius around it to two and a half. */
+  focus?: Vec3;
+  focusRadius?: number;
+  /** How much tone falls off towards the rim of the picture. */
+  vignette?: number;
 }
 
 /** Darkness ∈ [0, 1] of hatch image `tone` at (u, v), in tiles, on a level. */
@@ -68,8 +73,10 @@ export interface ReferenceScene {
   /** World position of the eye; for an orthographic camera, the world direction towards it. */
   eye: Vec3;
   orthographic?: boolean;
-  /** From world to view space; for what depends on depth. */
-  view?: number[];
+  /** For what depends on depth, or on the place in the picture. */
+  camera?: { view: number[]; projection: number[] };
+  /** How much the object matters. Default: 1. */
+  importance?: number;
   lights: ReferenceLight[];
   material: ReferenceMaterial;
   tones: number;
@@ -116,6 +123,18 @@ interface Incident {
   color: Vec3;
   /** What would arrive if the light had no cone. */
   coneless: Vec3;
+}
+
+const smoothly = (from: number, to: number, x: number) => {
+  const t = clamp01((x - from) / (to - from));
+  return t * t * (3 - 2 * t);
+};
+
+/** How an edge that is left open wavers with the place: by 12 % at most. */
+function uneven(p: Vec3): number {
+  const bent = (along: Vec3, by: number, other: Vec3, phase = 0) =>
+    Math.sin(dot(p, along) + by * Math.sin(dot(p, other)) + phase);
+  return 0.12 * (0.65 * bent([4.3, 3.1, -3.7], 1.6, [-2.9, 5.3, 4.1]) + 0.35 * bent([-11, 13, 9], 1.3, [7, -5, 6], 2));
 }
 
 /** CIE lightness of a luminance, both in [0, 1]. */
@@ -319,14 +338,23 @@ export class HatchingReference {
     return this.emphasis(position) * printed;
   }
 
-  /** A factor on the tone: the air takes what it takes by e^(−3 t), of which all is taken at the far end. */
+  /** A factor on the tone. */
   private emphasis(position: Vec3): number {
-    const { view, material } = this.scene;
-    const { depthFade = 0, depthNear = 0, depthFar = 1 } = material;
-    if (depthFade === 0) return 1;
-    const depth = -vec3.transformMat4([0, 0, 0], position, view as unknown as mat4)[2];
-    const way = clamp01((depth - depthNear) / (depthFar - depthNear));
-    return 1 - (depthFade * Math.expm1(-3 * way)) / Math.expm1(-3);
+    const { camera, material, importance = 1 } = this.scene;
+    const { depthFade = 0, depthNear = 0, depthFar = 1, focus, focusRadius = 1, vignette = 0 } = material;
+    let left = importance;
+    if (focus) {
+      const away = scale(subtract(position, focus), 1 / focusRadius);
+      left *= 1 - smoothly(1, 2.5, vec3.length(away) * (1 + uneven(away)));
+    }
+    if (depthFade === 0 && vignette === 0) return left;
+    const view = vec4.transformMat4([0, 0, 0, 0], [...position, 1], camera!.view as unknown as mat4);
+    // The air takes what it takes by e^(−3 t), of which all is taken at the far end.
+    const way = clamp01((-view[2] - depthNear) / (depthFar - depthNear));
+    left *= 1 - (depthFade * Math.expm1(-3 * way)) / Math.expm1(-3);
+    const clip = vec4.transformMat4([0, 0, 0, 0], view, camera!.projection as unknown as mat4);
+    const [x, y] = [clip[0] / clip[3], clip[1] / clip[3]];
+    return left * (1 - vignette * smoothly(0.55, 1, Math.hypot(x, y) * (1 + uneven([2 * x, 2 * y, 0]))));
   }
 
   /** What a radiance prints on a white surface. */

@@ -2,7 +2,16 @@ import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/
 import type { StrokeStyleName } from '../../src/strokes/strokeStyleNames.js';
 
 /** A property of the material: one row of the table. What is left out does not apply. */
-export type PropertyRow = NumberRow | ColorRow | Vector2Row | TextureRow | MapRow | ChoiceRow | SwitchRow | CurveRow;
+export type PropertyRow =
+  | NumberRow
+  | ColorRow
+  | Vector2Row
+  | PointRow
+  | TextureRow
+  | MapRow
+  | ChoiceRow
+  | SwitchRow
+  | CurveRow;
 
 export type PropertyGroup = 'Strokes' | 'Medium' | 'Tone' | 'Composition' | 'Surface' | 'Colour' | 'Checking';
 
@@ -50,6 +59,13 @@ export interface Vector2Row extends BaseRow {
   default: readonly [number, number];
   measure: HatchingMeasure;
   uniform?: false;
+}
+
+/** A point in the scene, or null. Uniforms are computed from it. */
+export interface PointRow extends BaseRow {
+  kind: 'point';
+  default: null;
+  measure: HatchingMeasure;
 }
 
 /** A texture with its transform: the uniforms `name` and `nameTransform`. */

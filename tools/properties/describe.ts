@@ -62,9 +62,9 @@ function withOthers<Value>(
 }
 
 function describeMeasure(row: PropertyRow): string {
-  if (row.kind !== 'number' && row.kind !== 'vector2') return '';
+  if (row.kind !== 'number' && row.kind !== 'vector2' && row.kind !== 'point') return '';
   const measure = measureWords(row.measure, row.kind === 'number' ? row.measureOnScreen : undefined);
-  if (row.kind === 'vector2') return measure;
+  if (row.kind !== 'number') return measure;
   const range =
     row.range &&
     `in ${describeRange(row.range)

@@ -11,6 +11,7 @@ const WORDS: Readonly<Record<HatchingMeasure, string>> = {
   tilesPerUnit: 'tiles of the tonal art map per unit of object space',
   share: 'share',
   depths: 'depths of the scene',
+  worldUnits: 'units of the world',
   tone: 'tone',
   factor: 'factor',
   count: 'count',

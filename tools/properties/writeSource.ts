@@ -45,7 +45,7 @@ ${Object.entries(techniques)
 /** src/material/facts/hatchingFacts.ts: what numbers measure and what properties count with, which drawing alone does not need. */
 export function writePropertyFacts(table: Table): string {
   const facts = Object.entries(table).flatMap(([name, row]) => {
-    const measure = row.kind === 'number' || row.kind === 'vector2' ? row.measure : undefined;
+    const measure = 'measure' in row ? row.measure : undefined;
     const measureOnScreen = row.kind === 'number' ? row.measureOnScreen : undefined;
     const known = JSON.stringify({ measure, measureOnScreen, when: row.when });
     return known === '{}' ? [] : [`${name}: ${known},`];
@@ -64,11 +64,11 @@ ${facts.join('\n')}
 export function writePropertyTypes(table: Table): string {
   const rows = Object.entries(table);
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
-  return `${HEADER}import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2 } from 'three';
+  return `${HEADER}import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2, Vector3 } from 'three';
 import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { ${types.join(', ')} } from './facts/hatchingProperties.js';
-import type { Vector2Like } from './vectorValues.js';
+import type { Vector2Like, Vector3Like } from './vectorValues.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
 export interface HatchingMaterialOptions {
@@ -144,6 +144,8 @@ function valueType(row: PropertyRow): string {
       return 'Color';
     case 'vector2':
       return 'Vector2';
+    case 'point':
+      return 'Vector3 | null';
     case 'texture':
       return 'Texture | null';
     case 'tonalArtMap':
@@ -160,6 +162,7 @@ function valueType(row: PropertyRow): string {
 /** What may be set, where that is more than is read. */
 function setType(row: PropertyRow): string {
   if (row.kind === 'vector2') return 'Vector2Like';
+  if (row.kind === 'point') return 'Vector3Like | null';
   return row.kind === 'choice' && row.defaultFor ? `${valueType(row)} | 'auto'` : valueType(row);
 }
 

@@ -1,20 +1,31 @@
-import { type Camera, type IUniform, Vector3, type WebGLRenderer } from 'three';
+import { type Camera, type IUniform, type Object3D, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { isUsedBy, propertyOf } from '../facts/lookFacts.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
+import type { ViewedCamera } from '../pictureOffset.js';
+import { importanceOf } from './importanceOf.js';
 import type { SceneExtent } from './SceneExtent.js';
 import { automaticDepthFade } from './seenDepths.js';
 
 type Uniforms = Record<string, IUniform>;
 
 /** What says how much weight the drawing has where: a HatchingMaterial. */
-export type EmphasisLook = Pick<HatchingMaterialProperties, 'technique' | 'depthFade' | 'depthNear' | 'depthFar'> & {
-  readonly extent: SceneExtent | null;
-};
+export type EmphasisLook = Pick<
+  HatchingMaterialProperties,
+  'technique' | 'depthFade' | 'depthNear' | 'depthFar' | 'focus' | 'focusRadius' | 'vignette'
+> & { readonly extent: SceneExtent | null };
 
 /** The uniforms of shaders/chunks/emphasis.glsl. */
 export const createEmphasisUniforms = (): Uniforms => ({
   depthFading: { value: new Vector3(0, 1, 0) },
+  focusing: { value: new Vector4() },
+  importance: { value: 1 },
+  sheet: { value: new Vector4(0, 0, 1, 1) },
+  vignette: { value: 0 },
 });
+
+/** Whether a look takes weight away anywhere, as the techniques of the paper by Suarez et al. do not. */
+const takesWeight = (look: EmphasisLook | null): look is EmphasisLook =>
+  look !== null && isUsedBy(look.technique, propertyOf('depthFade'));
 
 /**
  * Writes the uniforms of a frame. Allocates nothing.
@@ -23,17 +34,67 @@ export const createEmphasisUniforms = (): Uniforms => ({
  * @param camera left out before the first frame
  */
 export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?: WebGLRenderer, camera?: Camera): void {
-  const fading = u.depthFading.value as Vector3;
-  if (!look || look.depthFade === 0 || !isUsedBy(look.technique, propertyOf('depthFade'))) {
-    fading.set(0, 1, 0);
+  const focusing = u.focusing.value as Vector4;
+  if (!takesWeight(look)) {
+    (u.depthFading.value as Vector3).set(0, 1, 0);
+    focusing.w = 0;
+    u.vignette.value = 0;
     return;
   }
-  const seen = renderer && camera && look.extent?.depthsFrom(renderer, camera);
+  writeDepths(look, u.depthFading.value, renderer, camera);
+  u.vignette.value = look.vignette;
+  const { focus, focusRadius } = look;
+  if (!focus) {
+    focusing.w = 0;
+    return;
+  }
+  const { x, y, z } = focus;
+  focusing.set(x, y, z, 1);
+  if (camera) focusing.applyMatrix4(camera.matrixWorldInverse);
+  focusing.w = focusRadius;
+}
+
+function writeDepths(look: EmphasisLook, fading: Vector3, renderer?: WebGLRenderer, camera?: Camera): void {
   const { depthFade, depthNear, depthFar } = look;
+  // Most scenes do not fade: they need not be measured.
+  const seen = depthFade !== 0 && renderer && camera && look.extent?.depthsFrom(renderer, camera);
   const strength = depthFade !== 'auto' ? depthFade : seen ? automaticDepthFade(seen, camera) : 0;
-  const start = seen?.front ?? 0;
+  const start = seen ? seen.front : 0;
   const unit = seen ? seen.back - seen.front : 1;
   const near = start + unit * depthNear;
   // A fade without a length is an edge.
   fading.set(near, Math.max(start + unit * depthFar, near + 1e-6), strength);
+}
+
+/**
+ * Writes what differs from object to object, or from part to part of what is drawn to: how much the object matters, and where the sheet
+ * lies. Of a picture that is drawn in tiles the sheet is the whole picture. Allocates nothing.
+ *
+ * @param viewport of what is drawn, pixels
+ * @returns whether the object matters more or less than the one before
+ */
+export function writeEmphasisOf(
+  object: Object3D,
+  look: EmphasisLook | null,
+  u: Uniforms,
+  camera: Camera,
+  viewport: Vector4,
+): boolean {
+  writeSheet(u.sheet.value, camera, viewport);
+  const importance = takesWeight(look) ? importanceOf(object) : 1;
+  const isOther = importance !== u.importance.value;
+  u.importance.value = importance;
+  return isOther;
+}
+
+function writeSheet(sheet: Vector4, camera: Camera, viewport: Vector4): void {
+  sheet.copy(viewport);
+  const { view } = camera as ViewedCamera;
+  if (!view?.enabled) return;
+  const { fullWidth, fullHeight, offsetX, offsetY, width, height } = view;
+  sheet.z *= fullWidth / width;
+  sheet.w *= fullHeight / height;
+  // View offsets count from the upper left.
+  sheet.x -= (offsetX * viewport.z) / width;
+  sheet.y -= ((fullHeight - offsetY - height) * viewport.w) / height;
 }

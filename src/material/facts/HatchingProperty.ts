@@ -9,7 +9,7 @@ export type HatchingProperty =
 
 /** What the material brings to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
-  kind: 'tonalArtMap' | 'curve';
+  kind: 'tonalArtMap' | 'curve' | 'point';
   /** What the tonal art map counts with, as in `HatchingFacts`: without the map there is nothing to draw. */
   when?: HatchingCondition;
   /** The default under a technique that has another. */
@@ -113,6 +113,7 @@ export type HatchingMeasure =
   | 'tilesPerUnit'
   | 'share'
   | 'depths'
+  | 'worldUnits'
   | 'tone'
   | 'factor'
   | 'count'

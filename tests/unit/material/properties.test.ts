@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs';
-import { Color, DoubleSide, MaterialLoader, Texture, Vector2 } from 'three';
+import { Color, DoubleSide, MaterialLoader, Texture, Vector2, Vector3 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { defaultOf } from '../../../src/material/facts/defaultOf.js';
 import type { NumberRange } from '../../../src/material/facts/HatchingProperty.js';
@@ -32,6 +32,8 @@ function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
       return new Color('tomato');
     case 'vector2':
       return new Vector2(0.25, 0.75);
+    case 'point':
+      return new Vector3(1, 2, 3);
     case 'texture':
       return new Texture();
     case 'tonalArtMap':
@@ -53,7 +55,11 @@ const changed = Object.fromEntries(rows.map(([name, row]) => [name, anotherValue
 const WRITTEN_BY_THREE = ['color', 'shininess', 'emissive', 'emissiveIntensity', 'flatShading'];
 
 const plain = (value: unknown): unknown =>
-  value instanceof Color ? value.getHex() : value instanceof Vector2 ? value.toArray() : value;
+  value instanceof Color
+    ? value.getHex()
+    : value instanceof Vector2 || value instanceof Vector3
+      ? value.toArray()
+      : value;
 
 describe('the table of properties', () => {
   const written = outputs();
@@ -112,7 +118,12 @@ describe('every property', () => {
     };
     for (const [name, row] of rows) {
       // Without a highlight its softness is nothing, and what is not fitted is not compensated.
-      const base = { technique: row.techniques?.[0] ?? 'adjacency', highlightTone: 0.1, exposure: 'auto' };
+      const base = {
+        technique: row.techniques?.[0] ?? 'adjacency',
+        highlightTone: 0.1,
+        exposure: 'auto',
+        ...(name === 'focusRadius' && { focus: [0, 0, 0] }),
+      };
       const parameters = { ...base, tonalArtMap: changed.tonalArtMap, [name]: anotherValue(name, row) };
       const before = new HatchingMaterial({
         ...base,

@@ -36,4 +36,34 @@ export const COMPOSITION = {
     when: { depthFade: { not: 0 } },
     sentence: 'Where it has faded as much as it does, in the same units.',
   },
+  focus: {
+    kind: 'point',
+    group: 'Composition',
+    default: null,
+    measure: 'worldUnits',
+    techniques,
+    sentence:
+      'Where the picture is worked out: around this point of the scene all is drawn, and beyond `focusRadius` tone, lines and outlines fall off until only paper is left, with an uneven edge. `null`: everywhere.',
+  },
+  focusRadius: {
+    kind: 'number',
+    group: 'Composition',
+    default: 1,
+    measure: 'worldUnits',
+    range: { above: 0 },
+    uniform: false,
+    techniques,
+    when: { focus: { not: null } },
+    sentence: 'How far around `focus` all is drawn. At two and a half times this distance nothing is left.',
+  },
+  vignette: {
+    kind: 'number',
+    group: 'Composition',
+    default: 0,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    techniques,
+    sentence:
+      'How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each side.',
+  },
 } as const satisfies Record<string, PropertyRow>;

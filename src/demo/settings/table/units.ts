@@ -43,6 +43,7 @@ export const UNITS: Readonly<Record<HatchingMeasure, Unit>> = {
   tilesPerUnit: asIs('tiles', 0.1),
   share: PERCENT,
   depths: PERCENT,
+  worldUnits: asIs('radii', 0.01),
   tone: PERCENT,
   factor: asIs('', 0.1),
   count: asIs('', 1),

@@ -1,6 +1,6 @@
-import { Box3, Group, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
+import { Box3, Group, PerspectiveCamera, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
-import { createEmphasisUniforms, writeEmphasis } from '../../../../src/material/emphasis/emphasis.js';
+import { createEmphasisUniforms, writeEmphasis, writeEmphasisOf } from '../../../../src/material/emphasis/emphasis.js';
 import { SceneExtent } from '../../../../src/material/emphasis/SceneExtent.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
@@ -61,4 +61,56 @@ test('a copy fades as its original, and JSON keeps what is not at its default', 
   material.depthFade = 'auto';
   expect(material.toJSON()).not.toHaveProperty('depthFade');
   expect(() => Object.assign(material, { depthFade: 'deep' })).toThrow(RangeError);
+});
+
+test('the focus is handed over as the camera sees it, and none without a point', () => {
+  const uniforms = createEmphasisUniforms();
+  const eye = new PerspectiveCamera();
+  eye.position.set(0, 0, 5);
+  eye.updateMatrixWorld();
+  const material = new HatchingMaterial({ technique: 'engraved', focus: [1, 2, 3], focusRadius: 0.5 });
+  writeEmphasis(material, uniforms, renderer, eye);
+  expect(uniforms.focusing.value.toArray()).toEqual([1, 2, -2, 0.5]);
+  material.focus = null;
+  writeEmphasis(material, uniforms, renderer, eye);
+  expect(uniforms.focusing.value.w).toBe(0);
+});
+
+test.each([[1, 2], [1, Number.NaN, 3], 'centre', { x: 1, y: 2, z: 3 }])('%j is no point', (focus) => {
+  expect(() => new HatchingMaterial({ focus: focus as never })).toThrow(
+    /HatchingMaterial.focus: expected null, a THREE.Vector3/,
+  );
+  expect(() => Object.assign(new HatchingMaterial(), { focus })).toThrow(TypeError);
+});
+
+test('a copy has a point of its own', () => {
+  const material = new HatchingMaterial({ focus: new Vector3(1, 2, 3) });
+  const copy = material.clone();
+  material.focus!.x = 7;
+  expect(copy.focus!.toArray()).toEqual([1, 2, 3]);
+});
+
+test('the sheet of a picture in tiles is the whole picture', () => {
+  const uniforms = createEmphasisUniforms();
+  const eye = new PerspectiveCamera();
+  writeEmphasisOf(frame, null, uniforms, eye, new Vector4(10, 20, 300, 200));
+  expect(uniforms.sheet.value.toArray()).toEqual([10, 20, 300, 200]);
+  // The tile at the lower right of four by two, drawn at twice its size.
+  eye.setViewOffset(400, 200, 300, 100, 100, 100);
+  writeEmphasisOf(frame, null, uniforms, eye, new Vector4(0, 0, 200, 200));
+  expect(uniforms.sheet.value.toArray()).toEqual([-600, 0, 800, 400]);
+});
+
+test('three.js is told to upload another importance, and not the same again', () => {
+  const uniforms = createEmphasisUniforms();
+  const object = new Group();
+  const isOther = (technique: HatchingMaterial['technique']) =>
+    writeEmphasisOf(object, new HatchingMaterial({ technique }), uniforms, camera, new Vector4(0, 0, 1, 1));
+  expect(isOther('engraved')).toBe(false);
+  object.userData.hatching = { importance: 0.25 };
+  expect(isOther('engraved')).toBe(true);
+  expect(isOther('engraved')).toBe(false);
+  expect(uniforms.importance.value).toBe(0.25);
+  expect(isOther('triangle')).toBe(true);
+  expect(uniforms.importance.value).toBe(1);
 });

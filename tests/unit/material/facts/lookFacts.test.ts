@@ -145,7 +145,7 @@ describe('what follows from a look', () => {
                 ? 'auto'
                 : row.kind === 'switch'
                   ? true
-                  : row.kind === 'texture'
+                  : row.kind === 'texture' || row.kind === 'point'
                     ? null
                     : expect.any(Number),
             ]);
