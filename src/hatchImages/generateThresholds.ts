@@ -91,7 +91,7 @@ function* drawLevel(
     for (let i = 0; i < half.length; i++) half[i] = Math.min(half[i], across[i]);
     yield progress;
   }
-  const grain = paperGrain(request, level);
+  const grain = paperGrain(request, level, request.style.grain?.streak);
   if (grain) {
     const roughness = request.style.grain!.roughness;
     // The values stay positive, as `equalize` requires; only their order matters.

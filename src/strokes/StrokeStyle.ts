@@ -65,6 +65,8 @@ export interface Grain {
   contrast: number;
   /** Range of stroke pressure: the share of the paper that a stroke blackens along its middle. */
   pressure: readonly [least: number, most: number];
+  /** For thresholds: texels by which that noise is blurred along the strokes, so that grains are streaks of them. */
+  streak: number;
   /** For thresholds: how much more ink the deepest places of the grain need than its peaks. */
   roughness: number;
 }

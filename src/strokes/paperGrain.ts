@@ -23,8 +23,16 @@ interface GrainRequest {
   size: number;
 }
 
-/** The paper grain of a level; undefined for a style without grain. Grains are equally wide in texels on every level. */
-export function paperGrain({ style, seed, size: finest }: GrainRequest, level: number): PaperGrain | undefined {
+/**
+ * The paper grain of a level; undefined for a style without grain. Grains are equally wide in texels on every level.
+ *
+ * @param alongRows the radius of the blur along rows; by default that of the style
+ */
+export function paperGrain(
+  { style, seed, size: finest }: GrainRequest,
+  level: number,
+  alongRows = style.grain?.radius,
+): PaperGrain | undefined {
   if (!style.grain) return undefined;
   const { edge, contrast, radius } = style.grain;
   const size = finest >> level;
@@ -32,7 +40,7 @@ export function paperGrain({ style, seed, size: finest }: GrainRequest, level: n
   const noise = new Float32Array(size * size);
   const last = noise.length - 1;
   for (let i = 0; i < noise.length / 2; i++) noise[i] = noise[last - i] = next();
-  const order = sortedIndices(blurToroidal(noise, size, radius).subarray(0, noise.length / 2));
+  const order = sortedIndices(blurToroidal(noise, size, radius, alongRows).subarray(0, noise.length / 2));
   const depths = new Uint8Array(noise.length);
   for (let rank = 0; rank < order.length; rank++) {
     const depth = Math.floor((256 * rank) / order.length);

@@ -118,7 +118,7 @@ const makeStyles = () =>
       maxInk: 0.8,
       proposals: 120,
       thresholds: { maxInk: 0.66, swell: 0.15, proposals: 200 },
-      grain: { radius: 1, edge: 2, contrast: 1.6, pressure: [0.6, 1.5], roughness: 0.22 },
+      grain: { radius: 1, edge: 2, contrast: 1.6, pressure: [0.6, 1.5], streak: 9, roughness: 0.22 },
     },
 
     /** Broad crumbling strokes on rough paper. */
@@ -134,7 +134,7 @@ const makeStyles = () =>
       maxInk: 0.84,
       proposals: 60,
       thresholds: { maxInk: 0.5, swell: 0.25, proposals: 100 },
-      grain: { radius: 1, edge: 2.5, contrast: 5, pressure: [0.7, 1.5], roughness: 0.36 },
+      grain: { radius: 1, edge: 2.5, contrast: 5, pressure: [0.7, 1.5], streak: 7, roughness: 0.36 },
     },
 
     /** Thick wedges as cut into wood, which close until only slivers of paper remain. */

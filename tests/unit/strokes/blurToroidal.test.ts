@@ -13,6 +13,14 @@ describe('blurToroidal', () => {
     }
   });
 
+  it('has a radius of its own along rows', () => {
+    const field = new Float32Array(256);
+    field[5 * 16 + 8] = 1;
+    const blurred = blurToroidal(field, 16, 0, 3);
+    expect(blurred[5 * 16 + 10]).toBeCloseTo(2 / 16, 6);
+    expect(blurred.subarray(0, 5 * 16).every((value) => value === 0)).toBe(true);
+  });
+
   it('keeps the mean, also where the tent is wider than the field', () => {
     const field = Float32Array.from({ length: 16 }, (_, i) => i);
     const blurred = blurToroidal(field, 4, 20);

@@ -25,6 +25,15 @@ describe('paperGrain', () => {
     expect(product / depths.length / (256 ** 2 / 12)).toBeGreaterThan(0.5);
   });
 
+  it('lies in streaks along rows if it is asked to', () => {
+    const { depths } = paperGrain(charcoal, 0, 7)!;
+    const likeness = (to: (x: number, y: number) => number): number =>
+      depths.reduce((sum, depth, i) => sum + (depth - 127.5) * (depths[to(i & 63, i >> 6)] - 127.5), 0);
+    expect(likeness((x, y) => 64 * y + ((x + 5) & 63))).toBeGreaterThan(
+      3 * Math.abs(likeness((x, y) => 64 * ((y + 5) & 63) + x)),
+    );
+  });
+
   it('is another on every level and for every seed, but always the same', () => {
     const { depths } = paperGrain(charcoal, 1)!;
     expect(paperGrain(charcoal, 1)!.depths).toEqual(depths);
