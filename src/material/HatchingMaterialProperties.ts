@@ -37,9 +37,10 @@ export interface HatchingMaterialOptions {
   tilesPerUnit: number;
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
-   * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
-   * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'`.
+   * towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet,
+   * counterclockwise. For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
+   * `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
+   * `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'` or `'sheet'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -375,9 +376,10 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   tilesPerUnit: number;
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
-   * towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField:
-   * 'light'` is `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'`.
+   * towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet,
+   * counterclockwise. For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
+   * `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
+   * `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'` or `'sheet'`.
    */
   strokeRotation: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */

@@ -1,6 +1,6 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, testOnOnePage } from '../browser/test.js';
-import { type AnchoredSettings, anchoredExcess, formAxisOf } from '../reference/anchoredReference.js';
+import { type AnchoredSettings, anchoredExcess, formAxisOf, slantAxisOf } from '../reference/anchoredReference.js';
 import { quadraticGradient } from '../reference/engravedReference.js';
 import { interpolated } from '../reference/interpolated.js';
 import { trianglesOf } from '../reference/meshes.js';
@@ -27,7 +27,7 @@ import {
 
 interface AnchoredCase extends ReferenceCase {
   anchorSpacing?: number;
-  strokeField?: 'form' | 'acrossForm';
+  strokeField?: 'form' | 'acrossForm' | 'sheet';
 }
 
 /** Functions whose gradients turn over the torus by what strokes can follow. */
@@ -59,13 +59,13 @@ const cases: AnchoredCase[] = [
   { name: 'between levels of the map', material: { tilesPerUnit: 0.6 } },
   { name: 'seen at a slant', mesh: wall, matrixWorld: leaning, material: { strokeRotation: 0 } },
   {
-    name: 'seen at a slant, strokes the other way',
+    name: 'seen along the sheet, strokes the other way',
     mesh: wall,
     matrixWorld: leaning,
     material: { strokeRotation: 1.5 },
   },
   {
-    name: 'seen at a slant, two lights and layers',
+    name: 'seen along the sheet, two lights and layers',
     mesh: wall,
     matrixWorld: leaning,
     lights: crossed,
@@ -119,7 +119,7 @@ const cases: AnchoredCase[] = [
     material: { strokeLayers: 'tone', crossFrom: 0.2, crossAngle: Math.PI / 2 },
   },
   {
-    name: 'layers by tone under two lights, seen at a slant, sized on the screen',
+    name: 'layers by tone under two lights, seen along the sheet, sized on the screen',
     mesh: wall,
     matrixWorld: leaning,
     lights: crossed,
@@ -149,6 +149,14 @@ const cases: AnchoredCase[] = [
     ] as const satisfies ReferenceCase[]
   ).map(({ name, ...rest }) => ({ ...rest, name: `along the form, ${name}`, strokeField: 'form' as const })),
   { name: 'across the form', strokeField: 'acrossForm' },
+  ...(
+    [
+      { name: 'of a moved and scaled object', matrixWorld: placed },
+      { name: 'of a mirrored object', matrixWorld: mirrored },
+      { name: 'seen by an orthographic camera', matrixWorld: rotated, isOrthographic: true },
+      { name: 'under two lights', lights: [directional, redSide], sizedOnScreen: 1 },
+    ] as const satisfies ReferenceCase[]
+  ).map(({ name, ...rest }) => ({ ...rest, name: `along the sheet, ${name}`, strokeField: 'sheet' as const })),
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 
@@ -170,7 +178,7 @@ for (const { anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest } of 
     const spec: HatchingSpec = {
       ...specOf({ ...rest, sizedOnScreen }, 'anchored'),
       anchorSpacing,
-      ...(strokeField && { strokes: { strokeField, form } }),
+      ...(strokeField && { strokes: { strokeField, ...(strokeField !== 'sheet' && { form }) } }),
     };
     const { positions, indices } = spec;
     const normals = spec.normals!;
@@ -178,14 +186,18 @@ for (const { anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest } of 
 
     const fragments = rasterizeReference(trianglesOf(spec), spec.matrixWorld, spec.camera, SIZE, SIZE, false);
     const reference = referenceOf(spec);
+    const hasForm = strokeField === 'form' || strokeField === 'acrossForm';
     const settings: AnchoredSettings = {
       tilesPerUnit: spec.material.tilesPerUnit,
       strokeRotation: spec.material.strokeRotation,
       anchorSpacing: spec.anchorSpacing!,
-      halfTiles: strokeField !== undefined || spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
+      halfTiles: hasForm || spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
       sizedOnScreen: spec.sizedOnScreen!,
       shadowStrokes: spec.material.shadowStrokes,
-      ...(strokeField && { formAxis: formAxisOf(gradientAt(spec), strokeField === 'acrossForm') }),
+      ...(hasForm && { axisAt: formAxisOf(gradientAt(spec), strokeField === 'acrossForm') }),
+      ...(strokeField === 'sheet' && {
+        axisAt: slantAxisOf(spec.camera, spec.matrixWorld, spec.material.strokeRotation),
+      }),
       threshold: analyticThreshold.field,
       mapSize: analyticThreshold.size,
       mapLevels: analyticThreshold.levels,

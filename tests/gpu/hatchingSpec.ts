@@ -1,3 +1,4 @@
+import type { StrokeField } from '../../src/material/facts/hatchingProperties.js';
 import type { EngravedSettings, Quadratic } from '../reference/engravedReference.js';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';
@@ -23,8 +24,8 @@ export interface HatchingSpec {
   map: AnalyticMapName;
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
   anchorSpacing?: number;
-  /** For strokes that follow the form: the functions that were baked. */
-  strokes?: { strokeField: 'form' | 'acrossForm'; form: readonly [first: Quadratic, crossing: Quadratic] };
+  /** What strokes follow, if not the light: for the form, the functions that were baked. */
+  strokes?: { strokeField: StrokeField; form?: readonly [first: Quadratic, crossing: Quadratic] };
   sizedOnScreen?: number;
   /** For the medium `stipple` of the technique `anchored`: the dots. */
   dots?: { strokeWidth: number; edgePixels: number };

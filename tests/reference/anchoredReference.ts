@@ -2,8 +2,10 @@
  * The technique `anchored` at one fragment, in double precision: the simplex lattice from its definition (Perlin's
  * skewed cubes), the hash and the blend as documented. Shares no code with the shader.
  */
+import { mat4, vec3 } from 'gl-matrix';
 import { type HatchingReference, LAYER_SHIFT } from './hatchingReference.js';
 import { normalDistribution } from './normalDistribution.js';
+import type { ReferenceCamera } from './rasterizeReference.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
 /** g = Φ⁻¹(h) of a level of the threshold map at (u, v) in tiles. It has variance 1, and is independent of other levels. */
@@ -17,8 +19,8 @@ export interface AnchoredSettings {
   halfTiles: boolean;
   sizedOnScreen: number;
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
-  /** The axis of strokes that follow the form, in the plane across the normal; left out where they turn with the light. */
-  formAxis?: (point: Vec3, normal: Vec3, isDark: boolean) => Vec3;
+  /** The axis of strokes that follow the form or a slant, in the plane across the normal; left out where they turn with the light. */
+  axisAt?: (point: Vec3, normal: Vec3, isDark: boolean) => Vec3;
   threshold: ThresholdFunction;
   /** Texels per side of level 0. A texel should cover one pixel. */
   mapSize: number;
@@ -88,6 +90,30 @@ export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
     const place = toSpace(id);
     return { id, offset: x.map((c, i) => c - place[i]) as Vec3 };
   });
+}
+
+/** The axis of strokes at a slant: the direction in the surface in which the picture of a point moves at that angle to the horizontal. */
+export function slantAxisOf(
+  { view, projection }: ReferenceCamera,
+  matrixWorld: readonly number[],
+  angle: number,
+): (point: Vec3, normal: Vec3) => Vec3 {
+  const toClip = [projection, view, matrixWorld].map((m) => m as unknown as mat4);
+  const objectToClip = toClip.slice(1).reduce((all, m) => mat4.multiply(mat4.create(), all, m), toClip[0]);
+  const onScreen = (point: Vec3) => vec3.transformMat4([0, 0, 0], point, objectToClip) as Vec3;
+  return (point, normal) => {
+    /** How much a step along each axis of the object moves the picture of the point, along the slant and across it. */
+    const moves = [0, 1, 2].map((axis) => {
+      const [from, to] = [-1e-5, 1e-5].map((step) =>
+        onScreen(point.map((c, i) => c + (i === axis ? step : 0)) as Vec3),
+      );
+      const [x, y] = [to[0] - from[0], to[1] - from[1]];
+      return [Math.cos(angle) * x + Math.sin(angle) * y, Math.cos(angle) * y - Math.sin(angle) * x];
+    });
+    const axis = cross(normal, moves.map(([, across]) => across) as Vec3);
+    const sign = Math.sign(dot(axis, moves.map(([along]) => along) as Vec3));
+    return axis.map((x) => (sign * x) / Math.hypot(...axis)) as Vec3;
+  };
 }
 
 /**
@@ -176,11 +202,11 @@ export function anchoredExcess(
   const edge = settings.anchorSpacing / settings.tilesPerUnit;
   const toViewer = reference.toViewer(world);
   const worldNormal = reference.normalToWorld(toneNormal);
-  const formAxis = settings.formAxis?.(point, strokeNormal, reference.isDark(worldNormal, world));
-  const { tangent, bitangent, crossing } = formAxis
-    ? { tangent: formAxis, bitangent: cross(strokeNormal, formAxis), crossing: 0 }
+  const axis = settings.axisAt?.(point, strokeNormal, reference.isDark(worldNormal, world));
+  const { tangent, bitangent, crossing } = axis
+    ? { tangent: axis, bitangent: cross(strokeNormal, axis), crossing: 0 }
     : reference.frameOfNormal(strokeNormal, world);
-  const strokeRotation = formAxis ? 0 : settings.strokeRotation;
+  const strokeRotation = axis ? 0 : settings.strokeRotation;
   const tone = reference.tone(world, worldNormal);
   const unshadowed = reference.tone(world, worldNormal, false);
   const isCrossed = settings.shadowStrokes === 'cross';

@@ -15,6 +15,8 @@ struct HatchingParameters {
 
 #ifdef STROKES_FOLLOW_FORM
   #include "technique/readForm"
+#elif STROKE_FIELD == STROKE_FIELD_SHEET && MEDIUM != MEDIUM_STIPPLE
+  #include "technique/readSheet"
 #else
   #include "technique/readLight"
 #endif // STROKES_FOLLOW_FORM

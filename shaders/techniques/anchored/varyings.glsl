@@ -7,7 +7,7 @@ varying vec3 vStrokeNormal; // at the scale of a stroke, object space
 #else
   varying float vUnitsPerPixel; // object units to a pixel
   varying vec3 vToViewer; // object space, of any length
-  #if STROKE_FIELD != STROKE_FIELD_LIGHT
+  #if STROKE_FIELD == STROKE_FIELD_FORM || STROKE_FIELD == STROKE_FIELD_ACROSS_FORM
     #define STROKES_FOLLOW_FORM
     varying vec3 vFormSlope; // gradient of the function along whose level lines strokes run, object space, of any length
   #endif // STROKE_FIELD

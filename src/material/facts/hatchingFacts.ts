@@ -6,7 +6,10 @@ import type { HatchingPropertyName } from './hatchingProperties.js';
 export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, HatchingFacts>>> = {
   tonalArtMap: { when: { medium: ['ink', 'dry'] } },
   tilesPerUnit: { measure: 'tilesPerUnit', when: { sizedOnScreen: { not: 1 } } },
-  strokeRotation: { measure: 'radians', when: { medium: ['ink', 'dry', 'pen', 'woodcut'], strokeField: ['light'] } },
+  strokeRotation: {
+    measure: 'radians',
+    when: { medium: ['ink', 'dry', 'pen', 'woodcut'], strokeField: ['light', 'sheet'] },
+  },
   strokeOffset: { measure: 'tiles' },
   sizedOnScreen: { measure: 'share' },
   strokeWidth: { measure: 'pixels', when: [{ crisp: [true] }, { levelRule: ['depth'] }] },

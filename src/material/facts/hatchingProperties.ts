@@ -36,8 +36,10 @@ export type LevelRule = 'derivatives' | 'depth';
  *   and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to
  *   `prepareHatchingGeometry`.
  * - `acrossForm`: the same function: strokes lie across its level lines at a right angle, along limbs.
+ * - `sheet`: the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the
+ *   horizontal. They turn with the camera, and with no light.
  */
-export type StrokeField = 'light' | 'form' | 'acrossForm';
+export type StrokeField = 'light' | 'form' | 'acrossForm' | 'sheet';
 
 /**
  * What the lines of `engraved` are cut by.
@@ -192,7 +194,7 @@ export const HATCHING_PROPERTIES = {
     kind: 'choice',
     default: 'light',
     define: 'STROKE_FIELD',
-    choices: ['light', 'form', 'acrossForm'],
+    choices: ['light', 'form', 'acrossForm', 'sheet'],
     techniques: ['anchored'],
   },
   lineField: {

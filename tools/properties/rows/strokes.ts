@@ -39,9 +39,9 @@ export const STROKES = {
     measure: 'radians',
     uniform: false,
     techniques: [...WITH_MAP, 'engraved'],
-    when: { medium: ['ink', 'dry', 'pen', 'woodcut'], strokeField: ['light'] },
+    when: { medium: ['ink', 'dry', 'pen', 'woodcut'], strokeField: ['light', 'sheet'] },
     sentence:
-      "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
+      "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet, counterclockwise. For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
   },
   strokeOffset: {
     kind: 'vector2',
@@ -141,6 +141,8 @@ export const STROKES = {
       light: 'the light, with which they turn; the way of the paper by Suarez et al.',
       form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([form.md](form.md)).',
       acrossForm: 'the same function: strokes lie across its level lines at a right angle, along limbs.',
+      sheet:
+        'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the horizontal. They turn with the camera, and with no light.',
     },
     default: 'light',
     techniques: ['anchored'],

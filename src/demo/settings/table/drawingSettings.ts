@@ -84,7 +84,7 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
   },
   strokeField: choiceOf('strokeField', {
     label: 'Strokes follow',
-    choices: { light: 'The light', form: 'The form', acrossForm: 'Across the form' },
+    choices: { light: 'The light', form: 'The form', acrossForm: 'Across the form', sheet: 'The sheet' },
   }),
   lineField: choiceOf('lineField', {
     label: 'Lines follow',
