@@ -55,7 +55,14 @@ void main() {
   float fringe = place == onOutline ? 0.5 : 0.0;
   float coverage = lineCoverage(away, halfWidth, fringe);
   #ifdef TOOTH
-    coverage *= dryInk(min(away / max(halfWidth, 0.5), 1.0));
+    #ifdef WOBBLE
+      float pressed = pressureWave(mix(vAnchorStart, vAnchorEnd, alongLine(t)));
+    #else
+      float pressed = 1.0;
+    #endif // WOBBLE
+    // Ends that overlap are narrower, or the soft sides of two would add up at each joint.
+    float across = away / max(halfWidth, 0.5) * (fringe == 0.0 ? 1.6 : 1.0);
+    coverage *= dryInk(min(across, 1.0), pressed);
   #endif // TOOTH
   vec4 diffuseColor = vec4(ink, opacity * coverage);
 

@@ -11,3 +11,9 @@ vec2 wobbleAt(const in vec3 anchor) {
   float c = sin(dot(p, vec3(23.0, -19.0, 17.0)) + 4.0);
   return wobble * vec2(0.8 * a + 0.2 * c, 0.8 * b - 0.2 * c);
 }
+
+// How a hand presses along the way, from −1 to 1: in waves of about half the radius.
+float pressureWave(const in vec3 anchor) {
+  vec3 p = anchor / radius;
+  return sin(dot(p, vec3(-5.3, 6.1, 7.9)) + 2.1 * sin(dot(p, vec3(4.7, 3.9, -6.7))));
+}

@@ -39,10 +39,10 @@ const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
   },
   woodcut: { outlineWidth: 3.2, ink: '#120e0a' },
   stipple: { outlineWidth: 1, ink: BLACK },
-  pencil: { outlineWidth: 1.3, wobble: 1, tooth: 0.4, toothSize: 1.6, ink: '#34343a' },
-  charcoal: { outlineWidth: 4, wobble: 1, tooth: 0.6, toothSize: 2, ink: '#1d1a19' },
+  pencil: { outlineWidth: 1.7, wobble: 1, tooth: 0.35, toothSize: 1.6, ink: '#34343a' },
+  charcoal: { outlineWidth: 4.5, wobble: 1, tooth: 0.5, toothSize: 2, ink: '#1d1a19' },
   // Chalk draws the light on dark paper, so nothing of it is lost there.
-  chalk: { outlineWidth: 2.6, lostEdges: 0, wobble: 1, tooth: 0.55, toothSize: 2, ink: '#f4f1e6' },
+  chalk: { outlineWidth: 3.4, lostEdges: 0, wobble: 1, tooth: 0.5, toothSize: 2, ink: '#f4f1e6' },
 });
 
 /** The map that a material names, or draws with if it names none. */

@@ -59,13 +59,13 @@ const cases: AnchoredCase[] = [
   { name: 'between levels of the map', material: { tilesPerUnit: 0.6 } },
   { name: 'seen at a slant', mesh: wall, matrixWorld: leaning, material: { strokeRotation: 0 } },
   {
-    name: 'seen along the sheet, strokes the other way',
+    name: 'seen at a slant, strokes the other way',
     mesh: wall,
     matrixWorld: leaning,
     material: { strokeRotation: 1.5 },
   },
   {
-    name: 'seen along the sheet, two lights and layers',
+    name: 'seen at a slant, two lights and layers',
     mesh: wall,
     matrixWorld: leaning,
     lights: crossed,
@@ -119,7 +119,7 @@ const cases: AnchoredCase[] = [
     material: { strokeLayers: 'tone', crossFrom: 0.2, crossAngle: Math.PI / 2 },
   },
   {
-    name: 'layers by tone under two lights, seen along the sheet, sized on the screen',
+    name: 'layers by tone under two lights, seen at a slant, sized on the screen',
     mesh: wall,
     matrixWorld: leaning,
     lights: crossed,

@@ -1,3 +1,4 @@
+import { PRESET_MATERIALS } from '../../src/material/facts/presetMaterials.js';
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 
@@ -133,4 +134,76 @@ test('the tooth stays with the sheet, the strokes with the model; tiles of a pic
   expect(found.nearer).toBe(0);
   expect(found.strokes).toBeGreaterThan(0.3);
   expect(found.seams).toBeLessThan(0.002);
+});
+
+test('grain runs along the strokes, and a flat wall has no marbling', async ({ page }, testInfo) => {
+  const found = await page.evaluate(
+    async (looks) => {
+      const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf } = window.toolkit;
+      const side = 256;
+      const renderer = makeRenderer();
+      renderer.setSize(side, side, false);
+      const gl = renderer.getContext();
+      const pixels = new Uint8Array(side * side * 4);
+      const camera = new THREE.PerspectiveCamera(30, 1, 0.1, 100);
+      camera.position.set(0.3, 0.4, 3.9);
+      camera.lookAt(0, 0, 0);
+      const light = new THREE.AmbientLight();
+      const measured: { name: string; turned: number; coherence: number; blotches: number }[] = [];
+      for (const { name, degrees, style, ...look } of looks) {
+        const tonalArtMap = await TonalArtMap.generate({ style });
+        const parameters = { ...look, tonalArtMap, strokeRotation: (degrees * Math.PI) / 180 };
+        const mesh = await hatchedMesh(new THREE.PlaneGeometry(8, 8), {
+          ...parameters,
+          technique: 'anchored',
+          medium: 'dry',
+          strokeField: 'sheet',
+          sizedOnScreen: 1,
+          anchorSpacing: 0.5,
+        });
+        const scene = sceneOf(mesh, light);
+        for (const tone of [0.3, 0.5, 0.7]) {
+          light.intensity = Math.PI * (1 - tone);
+          renderer.render(scene, camera);
+          gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+          const ink = (x: number, y: number) => 1 - pixels[4 * (y * side + x)] / 255;
+          let [xx, xy, yy] = [0, 0, 0];
+          for (let y = 1; y < side; y++) {
+            for (let x = 1; x < side; x++) {
+              const dx = ink(x, y) + ink(x, y - 1) - ink(x - 1, y) - ink(x - 1, y - 1);
+              const dy = ink(x, y) + ink(x - 1, y) - ink(x, y - 1) - ink(x - 1, y - 1);
+              [xx, xy, yy] = [xx + dx * dx, xy + dx * dy, yy + dy * dy];
+            }
+          }
+          // Grain runs across the direction of the steepest changes.
+          const along = 90 + (0.5 * Math.atan2(2 * xy, xx - yy) * 180) / Math.PI;
+          const turned = Math.abs(((along - degrees + 270) % 180) - 90);
+          // Of the tone of squares, a few strokes wide.
+          const square = 32;
+          const means = Array.from({ length: (side / square) ** 2 }, (_, i) => {
+            const [left, below] = [square * (i % (side / square)), square * Math.floor((i * square) / side)];
+            let sum = 0;
+            for (let y = 0; y < square; y++) for (let x = 0; x < square; x++) sum += ink(left + x, below + y);
+            return sum / square ** 2;
+          });
+          const blotches = Math.sqrt(means.reduce((sum, mean) => sum + (mean - tone) ** 2, 0) / means.length);
+          const coherence = Math.hypot(xx - yy, 2 * xy) / (xx + yy);
+          measured.push({ name: `${name} ${tone}`, turned, coherence, blotches });
+        }
+      }
+      return measured;
+    },
+    (['pencil', 'charcoal', 'chalk'] as const).flatMap((name) => {
+      const { strokeWidth, tooth, toothSize, softness, smudge, tonalArtMap: style } = PRESET_MATERIALS[name];
+      const sizes = { strokeWidth, tooth, toothSize, softness, smudge, style };
+      return [25, 60].map((degrees) => ({ name: `${name} ${degrees}°`, degrees, ...sizes }));
+    }),
+  );
+  for (const { name, turned, coherence, blotches } of found) {
+    const description = `${name}: ${turned.toFixed(1)}° off, coherence ${coherence.toFixed(2)}, blotches ${blotches.toFixed(3)}`;
+    testInfo.annotations.push({ type: 'grain', description });
+    expect(turned, description).toBeLessThan(10);
+    expect(coherence, description).toBeGreaterThan(0.13);
+    expect(blotches, description).toBeLessThan(0.03);
+  }
 });
