@@ -275,7 +275,7 @@ export class HatchingMaterial extends PropertyFields {
       if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
       this.drawnSwitches = switches;
       this.writeUniforms(renderer, camera);
-      this.exposed.write(this, renderer, scene, camera, this.uniforms.exposure);
+      this.exposed.write(this, renderer, scene, camera, this.uniforms);
     }
     // Each camera of an ArrayCamera has its own part of the target.
     const part = (camera as Camera & { viewport?: Vector4 }).viewport;

@@ -21,6 +21,7 @@ export function createHatchingUniforms(): Uniforms {
       alphaTest: { value: 0 },
       inked: { value: 1 },
       blendCosine: { value: 0 },
+      colorExposure: { value: 1 },
       exposure: { value: new Vector2(1, 0) },
       highlightRamp: { value: new Vector2() },
       layerTurns: { value: new Vector4() },
@@ -166,6 +167,7 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   // What is fitted to a scene follows when that is drawn.
   const { exposure, exposureCompensation } = material;
   u.exposure.value.set(exposure !== 'auto' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
+  u.colorExposure.value = 1;
   u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
   // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
   const { crossAngle } = material;

@@ -103,6 +103,11 @@ const cases: AnchoredCase[] = [
     material: { color: [0.3, 0.12, 0.5], localTone: 0.8, colorFill: 0, shadowStrokes: 'cross' },
   },
   { name: 'reflected light', lights: [spot], material: { reflectedLight: 0.4 } },
+  {
+    name: 'exposed, of a colour, in a shadow that crosses',
+    lights: [blocked, ambient],
+    material: { exposure: 1.7, color: [0.3, 0.12, 0.5], localTone: 0.5, shadowStrokes: 'cross' },
+  },
   { name: 'second layer under two lights', lights: crossed, material: { strokeLayers: 'lights' } },
   {
     name: 'second layer under three lights, moved object',

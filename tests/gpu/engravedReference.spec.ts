@@ -135,6 +135,7 @@ const cases: EngravedCase[] = [
   { name: 'turned beyond a near lamp', lights: [lamp], material: { strokeRotation: 2.2 } },
   { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
   { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
+  { name: 'exposed, perceptual tone', lights: [redSide, spot], material: { exposure: 2.2, toneCurve: 'perceptual' } },
   { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
   {
     name: 'local tone, of light ink on dark paper',

@@ -54,6 +54,8 @@ export interface ReferenceMaterial {
   color: Vec3;
   localTone: number;
   colorFill: number;
+  /** What the light is multiplied by. Default: 1. */
+  exposure?: number;
   /** How much tone fades from one depth to another, in view units. Default: it does not. */
   depthFade?: number;
   depthNear?: number;
@@ -334,7 +336,8 @@ export class HatchingReference {
     }
     // A colour that looks half as light as white brings it half way to the tone of no light, as far as it counts.
     const darkness = material.localTone * (1 - lightness(luminance(material.color)));
-    const printed = (1 - darkness) * this.printedTone(radiance) + darkness * this.printedTone(0);
+    const printed =
+      (1 - darkness) * this.printedTone((material.exposure ?? 1) * radiance) + darkness * this.printedTone(0);
     return this.emphasis(position) * printed;
   }
 

@@ -24,6 +24,7 @@ import { strokeLength } from './measures/strokeLength.js';
 import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
 import type { Vector } from './measures/vector.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
+import { type ModelValues, measuredModels, measureValues } from './valueShares.js';
 
 // What is measured is one thing by itself, and not a scene that somebody would draw.
 HatchingMaterial.silent = true;
@@ -75,6 +76,8 @@ declare global {
   interface Window {
     measureModel(model: ModelName, plan: Plan, text?: string): Promise<ModelMetrics>;
     measureFlatTones(): Promise<FlatTones>;
+    measuredModels: typeof measuredModels;
+    measureValues(source: Parameters<typeof measureValues>[1]): Promise<ModelValues>;
   }
 }
 
@@ -104,6 +107,12 @@ document.body.append(renderer.domElement);
 let tonalArtMap: TonalArtMap | undefined;
 /** Length by spacing of strokes as the map draws them. */
 let drawnLength: number | undefined;
+
+window.measuredModels = measuredModels;
+window.measureValues = async (source) => {
+  await HatchingMaterial.preload();
+  return measureValues(renderer, source);
+};
 
 window.measureFlatTones = async () => {
   await HatchingMaterial.preload();

@@ -1,7 +1,7 @@
 /**
  * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/metrics.md and
  * docs/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
- * and writes tests/output/metrics.json alone.
+ * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,9 +12,27 @@ import { describeRenderer } from '../browser/describeRenderer.mjs';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { describeMetrics, drawMetrics } from './describeMetrics.mjs';
 import { isKept, requirements } from './requirements.mjs';
+import { missedValues } from './valueWindows.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const hand = join(root, '../shared/models/hand_lowres.obj');
+
+/** Models of other people with more than 100 triangles. */
+const FILES = {
+  CesiumMan: ['CesiumMan.glb'],
+  Fox: ['Fox.glb'],
+  Lantern: [
+    'Lantern.gltf',
+    'Lantern.bin',
+    'Lantern_emissive.png',
+    'Lantern_normal.png',
+    'Lantern_roughnessMetallic.png',
+  ],
+  MorphStressTest: ['MorphStressTest.gltf'],
+  VertexColorTest: ['VertexColorTest.glb'],
+  nefertiti: ['nefertiti_lowres.obj'],
+  spot: ['spot.obj'],
+};
 
 const everything = { edges: true, light: true, camera: true };
 const standing = { edges: true, light: true, camera: false };
@@ -33,7 +51,7 @@ const plans = {
 
 const wanted = process.argv.slice(2);
 for (const name of wanted) {
-  if (!(name in plans))
+  if (!(name in plans) && name !== 'values')
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
 const models = Object.keys(plans).filter((name) => wanted.length === 0 || wanted.includes(name));
@@ -49,6 +67,8 @@ const browser = await chromium.launch(await launchOptions());
 const measured = {};
 /** Undefined where only some models are measured. */
 let flatTones;
+/** Shares of values by model; undefined where only strokes are measured. */
+let values;
 try {
   const page = await browser.newPage();
   page.on('console', (message) => {
@@ -69,6 +89,7 @@ try {
     );
     console.log(`${name}: ${((performance.now() - start) / 1000).toFixed(0)} s`);
   }
+  if (wanted.length === 0 || wanted.includes('values')) values = await measureAllValues(page);
   if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
 } finally {
   await browser.close();
@@ -76,7 +97,7 @@ try {
 }
 
 const { renderer } = await describeRenderer();
-const report = { renderer, models: measured, flatTones };
+const report = { renderer, models: measured, flatTones, values };
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {
@@ -84,6 +105,11 @@ if (wanted.length === 0) {
   writeFileSync(join(root, 'docs/metrics.svg'), drawMetrics(measured));
 }
 
+if (values) {
+  const missed = missedValues(values);
+  for (const line of missed) console.log(`MISSED  ${line}`);
+  if (missed.length > 0) process.exitCode = 1;
+}
 for (const requirement of requirements) {
   const { name, limits, atLeast, worst } = requirement;
   for (const technique of Object.keys(limits)) {
@@ -96,4 +122,18 @@ for (const requirement of requirements) {
       `${kept ? 'kept  ' : 'MISSED'}  ${technique}, ${name}: ${found.value.toPrecision(3)} on ${found.model}, required ${atLeast ? '≥' : '≤'} ${limits[technique].toPrecision(3)}; adjacency ${beside?.value.toPrecision(3)} on ${beside?.model}`,
     );
   }
+}
+
+/** Shares of values of the models of the page, and of the files of other people that lie beside the repository. */
+async function measureAllValues(page) {
+  const found = {};
+  const folder = join(root, '../shared/models');
+  const sources = (await page.evaluate(() => window.measuredModels())).map((name) => [name, name]);
+  for (const [name, files] of Object.entries(existsSync(folder) ? FILES : {}))
+    sources.push([name, files.map((file) => ({ name: file, base64: readFileSync(join(folder, file), 'base64') }))]);
+  for (const [name, source] of sources) {
+    found[name] = await page.evaluate((source) => window.measureValues(source), source);
+    console.log(`values of ${name}`);
+  }
+  return found;
 }

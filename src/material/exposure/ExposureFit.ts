@@ -12,6 +12,7 @@ import {
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { fitTones } from './fitTones.js';
 import { type Arriving, LightsAround } from './LightsAround.js';
+import { lightnessOf } from './lightnessOf.js';
 import { openToLamps } from './openToLamps.js';
 import { SceneContents } from './SceneContents.js';
 import { type SurfaceSamples, surfaceSamples } from './surfaceSamples.js';
@@ -39,15 +40,17 @@ interface Place {
   area: number;
 }
 
-const luminanceOf = ({ emissive: { r, g, b }, emissiveIntensity }: HatchingMaterialProperties): number =>
-  emissiveIntensity * (0.2126 * r + 0.7152 * g + 0.0722 * b);
+/** What a surface gives off; nothing where a map says of which parts. */
+const luminanceOf = ({ emissive: { r, g, b }, emissiveIntensity, emissiveMap }: HatchingMaterialProperties): number =>
+  emissiveMap ? 0 : emissiveIntensity * (0.2126 * r + 0.7152 * g + 0.0722 * b);
 
 /** Fits the exposure of a scene to its lights, and keeps what it has found until something changes. */
 export class ExposureFit {
-  readonly fit: ToneFit = { scale: 1, offset: 0 };
+  readonly fit: ToneFit = { scale: 1, offset: 0, white: 1 };
   private readonly contents = new SceneContents();
   private readonly arriving = new WeightedValues();
   private readonly wanted = new WeightedValues();
+  private readonly lightness = new WeightedValues();
   private isStale = true;
 
   /**
@@ -58,15 +61,14 @@ export class ExposureFit {
   update(scene: Object3D, layers: number): ToneFit {
     if (!this.contents.read(scene, layers) && !this.isStale) return this.fit;
     this.isStale = false;
-    const { arriving, wanted, contents } = this;
-    arriving.clear();
-    wanted.clear();
+    const { arriving, wanted, lightness, contents } = this;
+    for (const values of [arriving, wanted, lightness]) values.clear();
     const places = placesOf(contents);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
-    for (const place of places) addPlace(arriving, place, lights, area);
+    for (const place of places) addPlace(arriving, lightness, place, lights, area);
     for (const [material, share] of responsesOf(places)) addSphere(wanted, material, share);
-    return Object.assign(this.fit, fitTones(arriving, wanted));
+    return Object.assign(this.fit, fitTones(arriving, wanted, lightness));
   }
 }
 
@@ -122,14 +124,21 @@ const normal = /* @__PURE__ */ new Vector3();
 const toWorldNormal = /* @__PURE__ */ new Matrix3();
 const light: Arriving = { direct: 0, indirect: 0, reflected: 0 };
 
-/** Adds the radiance of a surface, as its material shows it under the lights. */
-function addPlace(arriving: WeightedValues, place: Place, lights: LightsAround, all: number): void {
+/** Adds the radiance of a surface, as its material shows it under the lights, and how light its colours look. */
+function addPlace(
+  arriving: WeightedValues,
+  lightness: WeightedValues,
+  place: Place,
+  lights: LightsAround,
+  all: number,
+): void {
   const { samples, material, toWorld, weight } = place;
   const { positions, normals, occlusion } = samples;
   const share = (place.area * weight) / all;
   const count = Math.max(1, Math.min(samples.count, Math.round(MOST_SAMPLES * share)));
   const isHalfLambert = material.toneModel === 'halfLambert';
   const emitted = luminanceOf(material);
+  const lightnessAt = material.localTone > 0 ? lightnessOf(material, samples) : () => 1;
   const determinant = Math.abs(toWorld.determinant());
   toWorldNormal.getNormalMatrix(toWorld);
   for (let i = 0; i < count; i++) {
@@ -142,11 +151,13 @@ function addPlace(arriving: WeightedValues, place: Place, lights: LightsAround, 
     const openToSky = 1 - material.occlusion * occlusion[i];
     // Of two sides either may be seen, which is up to the camera.
     const sides = material.side === DoubleSide ? 2 : 1;
+    const area = (weight * samples.area * determinant * stretched) / count;
+    lightness.add(lightnessAt(i), area);
     for (let side = 0; side < sides; side++) {
       lights.arriveAt(position, normal, isHalfLambert, light);
       const around = light.indirect + material.reflectedLight * light.reflected;
       const radiance = open * light.direct + openToSky * around + emitted;
-      arriving.add(radiance, (weight * samples.area * determinant * stretched) / (count * sides));
+      arriving.add(radiance, area / sides);
       normal.negate();
     }
   }

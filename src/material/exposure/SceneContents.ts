@@ -13,6 +13,7 @@ import type {
   Scene,
   SkinnedMesh,
   SpotLight,
+  Texture,
 } from 'three';
 import { hatchNormal } from '../../bake/hatchNormal.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
@@ -115,6 +116,8 @@ export class SceneContents {
     this.note(versionOf(attributes.position));
     this.note(versionOf(attributes[hatchNormal.name]));
     this.note(versionOf(index));
+    this.note(versionOf(attributes.color));
+    this.note(versionOf(attributes.uv));
     this.note(drawRange.start);
     this.note(drawRange.count);
   }
@@ -126,6 +129,19 @@ export class SceneContents {
     this.note(material.reflectedLight);
     this.note(material.occlusion);
     this.noteColor({ color: material.emissive, intensity: material.emissiveIntensity });
+    this.note(material.emissiveMap?.id ?? -1);
+    this.note(Number(material.localTone > 0));
+    this.note(Number(material.vertexColors));
+    this.noteVector(material.color.r, material.color.g, material.color.b);
+    this.noteMap(material.map);
+  }
+
+  private noteMap(map: Texture | null): void {
+    this.note(map?.id ?? -1);
+    if (!map) return;
+    this.note(map.version);
+    this.noteVector(map.offset.x, map.offset.y, map.rotation);
+    this.noteVector(map.repeat.x, map.repeat.y, map.channel);
   }
 
   private noteEnvironment({ environment, environmentIntensity, environmentRotation }: Scene): void {

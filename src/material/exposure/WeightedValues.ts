@@ -12,6 +12,10 @@ export class WeightedValues {
     this.count = 0;
   }
 
+  get isEmpty(): boolean {
+    return this.count === 0;
+  }
+
   /** Values that are not finite, or have no weight, are left out. */
   add(value: number, weight: number): void {
     if (!(value >= 0 && value < Infinity && weight > 0 && weight < Infinity)) return;

@@ -1,19 +1,13 @@
-import { type CubeTexture, DataUtils, HalfFloatType, SRGBColorSpace, type Texture, Vector3 } from 'three';
+import { type CubeTexture, type Texture, Vector3 } from 'three';
+import { type Luminances, luminances } from './luminances.js';
 
 /** Nine coefficients of spherical harmonics, as three's `SphericalHarmonics3` orders them; of luminance. */
 export type Harmonics = Float64Array;
 
-/** Pixels of an image: their luminance in linear light, from the first row of the file. */
-interface Luminances {
-  width: number;
-  height: number;
-  at(column: number, row: number): number;
-}
-
 /** At most so many rows of an image are looked at, and so many columns. */
 const MOST_ROWS = 128;
-/** What an environment is taken for that cannot be read, because it is on the graphics card alone: light from above, as in a room. */
-const ROOM = /* @__PURE__ */ Float64Array.of(3.2, 0.7, 0, 0, 0, 0, 0, 0, 0);
+/** What an environment is taken for that cannot be read, because it is on the graphics card alone: three's `RoomEnvironment`, as measured. */
+const ROOM = /* @__PURE__ */ Float64Array.of(3.71, 1.7, 1.56, 0.25, 0.1, 0.78, 1.17, -0.32, -0.69);
 
 const known = new WeakMap<Texture, { version: number; harmonics: Harmonics }>();
 
@@ -116,49 +110,5 @@ function cubeDirection(face: number, s: number, t: number): void {
       break;
     default:
       direction.set(-s, -t, -1);
-  }
-}
-
-/** The pixels of an image, if this thread can read them. */
-function luminances(image: unknown, texture: Texture): Luminances | undefined {
-  const { width, height, data } = pixelsOf(image) ?? {};
-  if (!width || !height || !data) return undefined;
-  const channels = data.length / (width * height);
-  const isHalf = texture.type === HalfFloatType;
-  const most = data instanceof Uint8Array || data instanceof Uint8ClampedArray ? 255 : 1;
-  const isEncoded = texture.colorSpace === SRGBColorSpace;
-  const value = (i: number): number => {
-    const stored = isHalf ? DataUtils.fromHalfFloat(data[i]) : data[i] / most;
-    if (!isEncoded) return stored;
-    return stored < 0.04045 ? stored / 12.92 : ((stored + 0.055) / 1.055) ** 2.4;
-  };
-  const at = (column: number, row: number): number => {
-    const i = channels * (row * width + column);
-    return channels < 3 ? value(i) : 0.2126 * value(i) + 0.7152 * value(i + 1) + 0.0722 * value(i + 2);
-  };
-  return { width, height, at };
-}
-
-interface Pixels {
-  width: number;
-  height: number;
-  data: ArrayLike<number>;
-}
-
-function pixelsOf(given: unknown): Pixels | undefined {
-  // A face of a cube may be a texture of data itself.
-  const image = (
-    (given as Partial<Texture> | null)?.isTexture ? (given as Texture).image : given
-  ) as Partial<Pixels> | null;
-  if (!image) return undefined;
-  if (image.data && ArrayBuffer.isView(image.data)) return image as Pixels;
-  if (typeof OffscreenCanvas === 'undefined') return undefined;
-  try {
-    const context = new OffscreenCanvas(2 * MOST_ROWS, MOST_ROWS).getContext('2d')!;
-    context.drawImage(image as unknown as CanvasImageSource, 0, 0, 2 * MOST_ROWS, MOST_ROWS);
-    return context.getImageData(0, 0, 2 * MOST_ROWS, MOST_ROWS);
-  } catch {
-    // An image of another site, or none yet.
-    return undefined;
   }
 }

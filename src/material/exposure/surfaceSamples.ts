@@ -14,6 +14,9 @@ export interface SurfaceSamples {
   readonly normals: Float32Array;
   /** Ambient occlusion as it was baked; 0 where none was. */
   readonly occlusion: Float32Array;
+  /** The luminance of the vertices' colours, and their first texture coordinates, two for each sample, if there are any. */
+  readonly colors: Float32Array | undefined;
+  readonly places: Float32Array | undefined;
 }
 
 /** The least cosine between two normals of what is flat. */
@@ -42,7 +45,7 @@ export function surfaceSamples(geometry: BufferGeometry, wanted: number, mostTri
   const { attributes, drawRange, index } = geometry;
   const facts = [
     ...[wanted, mostTriangles, drawRange.start, drawRange.count],
-    ...[attributes.position, index, attributes[hatchNormal.name]].map(versionOf),
+    ...[attributes.position, index, attributes[hatchNormal.name], attributes.color, attributes.uv].map(versionOf),
   ];
   const before = known.get(geometry);
   if (before?.facts.every((fact, i) => fact === facts[i])) return before.samples;
@@ -86,7 +89,7 @@ class Corners {
     return this.baked ? Math.max(0, -this.baked.getW(this.vertex(triangle, corner))) : 0;
   }
 
-  private vertex(triangle: number, corner: number): number {
+  vertex(triangle: number, corner: number): number {
     const entry = this.start + 3 * triangle + corner;
     return this.geometry.index ? this.geometry.index.getX(entry) : entry;
   }
@@ -119,6 +122,9 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   const positions = new Float32Array(3 * count);
   const normals = new Float32Array(3 * count);
   const occlusion = new Float32Array(count);
+  const { color, uv } = geometry.attributes;
+  const colors = color ? new Float32Array(count) : undefined;
+  const places = uv ? new Float32Array(2 * count) : undefined;
   let isFlat = true;
   for (let i = 0; i < count; i++) {
     // Halton's points: one coordinate chooses the triangle, two the place in it.
@@ -132,10 +138,20 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
       positions[3 * i + axis] = shares[0] * xyz[axis] + shares[1] * xyz[3 + axis] + shares[2] * xyz[6 + axis];
       normals[3 * i + axis] = normal[axis] / length;
     }
-    for (let corner = 0; corner < 3; corner++) occlusion[i] += shares[corner] * corners.occlusion(triangle, corner);
+    for (let corner = 0; corner < 3; corner++) {
+      const share = shares[corner];
+      const vertex = corners.vertex(triangle, corner);
+      occlusion[i] += share * corners.occlusion(triangle, corner);
+      if (colors)
+        colors[i] += share * (0.2126 * color.getX(vertex) + 0.7152 * color.getY(vertex) + 0.0722 * color.getZ(vertex));
+      if (places) {
+        places[2 * i] += share * uv.getX(vertex);
+        places[2 * i + 1] += share * uv.getY(vertex);
+      }
+    }
     isFlat &&= normals[0] * normals[3 * i] + normals[1] * normals[3 * i + 1] + normals[2] * normals[3 * i + 2] > FLAT;
   }
-  return { count, area: (step * sum) / 2, isFlat, positions, normals, occlusion };
+  return { count, area: (step * sum) / 2, isFlat, positions, normals, occlusion, colors, places };
 }
 
 /** The first place in rising sums that lies above a value. */

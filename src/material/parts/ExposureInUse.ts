@@ -1,4 +1,4 @@
-import type { Camera, IUniform, Scene, Vector2, WebGLRenderer } from 'three';
+import type { Camera, IUniform, Scene, WebGLRenderer } from 'three';
 import { isFitted } from '../exposure/isFitted.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { fetchedPart, fetchPart } from './parts.js';
@@ -21,11 +21,13 @@ export class ExposureInUse {
     renderer: WebGLRenderer,
     scene: Scene,
     camera: Camera,
-    { value }: IUniform<Vector2>,
+    { exposure, colorExposure }: Readonly<Record<string, IUniform>>,
   ): void {
     this.fetch(material);
     if (!isFitted(material)) return;
     const fit = fetchedPart('exposure')?.sceneExposure?.(renderer, scene, camera);
-    if (fit) value.set(fit.scale, fit.offset).multiplyScalar(material.exposureCompensation);
+    if (!fit) return;
+    exposure.value.set(fit.scale, fit.offset).multiplyScalar(material.exposureCompensation);
+    colorExposure.value = 1 / fit.white;
   }
 }

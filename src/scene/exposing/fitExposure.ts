@@ -13,7 +13,7 @@ import { assertTree } from '../assertTree.js';
  * - Meshes count that are visible and have a `HatchingMaterial` with an `exposure` of `'auto'`, and flat ones, such as a ground, only where
  *   there are no others. Skins and morph targets are at rest, of instances some are looked at, and batches are left out.
  * - Lights, environment and light probes of the scene count, with occlusion that `bakeOcclusion` has baked. Shadows and maps do not. An
- *   environment that is on the graphics card alone, as `PMREMGenerator` makes it, is taken for a bright room.
+ *   environment that is on the graphics card alone, as `PMREMGenerator` makes it, is taken for three's `RoomEnvironment`.
  * - It is a function of the scene alone: no camera, no picture and nothing that was drawn before goes into it, and it needs no browser.
  *
  * @param scene lights and meshes at or below it

@@ -96,7 +96,7 @@ describe('lights', () => {
     expect(inside.scale).toBeCloseTo(1, 1);
     spot.target.position.set(50, 0, 50);
     const outside = fitExposure(sceneOf(new Mesh(ball, auto()), spot, new Group().add(spot.target)));
-    expect(outside).toEqual({ scale: 1, offset: 0 });
+    expect(outside).toEqual({ scale: 1, offset: 0, white: 1 });
   });
 
   test('of a sky leave a range from its ground to its top', () => {
@@ -114,8 +114,8 @@ describe('lights', () => {
   });
 
   test('that there are none leaves all as it is', () => {
-    expect(fitExposure(sceneOf(new Mesh(ball, auto())))).toEqual({ scale: 1, offset: 0 });
-    expect(fitExposure(new Scene())).toEqual({ scale: 1, offset: 0 });
+    expect(fitExposure(sceneOf(new Mesh(ball, auto())))).toEqual({ scale: 1, offset: 0, white: 1 });
+    expect(fitExposure(new Scene())).toEqual({ scale: 1, offset: 0, white: 1 });
   });
 
   test('of an environment come from where its image is bright', () => {
@@ -189,6 +189,47 @@ describe('surfaces', () => {
     (broken.attributes.position.array as Float32Array).fill(Number.NaN);
     const alone = fitExposure(sceneOf(new Mesh(ball, auto()), sun(2)));
     expect(fitExposure(sceneOf(new Mesh(ball, auto()), new Mesh(broken, auto()), sun(2)))).toEqual(alone);
+  });
+});
+
+describe('colours', () => {
+  const grey = (luminance: number, parameters: HatchingMaterialParameters = {}) =>
+    auto({ color: new Color(luminance, luminance, luminance), localTone: 1, ...parameters });
+  // Looks half as light as white.
+  const MIDDLE = 0.18418651851;
+
+  test('are left white from the lightest quarter on', () => {
+    expect(fitExposure(sceneOf(new Mesh(ball, grey(MIDDLE)), sun(1))).white).toBeCloseTo(0.5, 3);
+    expect(fitExposure(sceneOf(new Mesh(ball, grey(1)), sun(1))).white).toBe(1);
+    const light = new Mesh(ball, grey(1));
+    light.scale.setScalar(0.2);
+    const scene = sceneOf(new Mesh(ball, grey(MIDDLE)), light, sun(1));
+    expect(fitExposure(scene).white).toBeCloseTo(0.5, 3);
+    light.scale.setScalar(0.8);
+    expect(fitExposure(scene).white).toBeCloseTo(1, 2);
+  });
+
+  test('that are all nearly black do not become white', () => {
+    expect(fitExposure(sceneOf(new Mesh(ball, grey(0.01)), sun(1))).white).toBe(0.3);
+  });
+
+  test('do not count where they make no tone', () => {
+    expect(fitExposure(sceneOf(new Mesh(ball, grey(MIDDLE, { localTone: 0 })), sun(1))).white).toBe(1);
+  });
+
+  test('are those of vertices and maps too', () => {
+    const painted = ball.clone();
+    const { count } = painted.attributes.position;
+    painted.setAttribute('color', new BufferAttribute(new Float32Array(3 * count).fill(MIDDLE), 3));
+    const ofVertices = sceneOf(new Mesh(painted, grey(1, { vertexColors: true })), sun(1));
+    expect(fitExposure(ofVertices).white).toBeCloseTo(0.5, 3);
+    // Left half dark, right half of middle grey.
+    const data = new Float32Array([0.01, 0.01, 0.01, 1, MIDDLE, MIDDLE, MIDDLE, 1]);
+    const map = new DataTexture(data, 2, 1, RGBAFormat, FloatType);
+    expect(fitExposure(sceneOf(new Mesh(ball, grey(1, { map })), sun(1))).white).toBeCloseTo(0.5, 3);
+    // The left half alone.
+    map.repeat.set(0.4, 1);
+    expect(fitExposure(sceneOf(new Mesh(ball, grey(1, { map })), sun(1))).white).toBe(0.3);
   });
 });
 

@@ -1,0 +1,49 @@
+import type { Texture } from 'three';
+import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
+import { type Luminances, luminances } from './luminances.js';
+import type { SurfaceSamples } from './surfaceSamples.js';
+
+const known = new WeakMap<Texture, { version: number; pixels: Luminances | undefined }>();
+
+/** The pixels of a map. They are read once for each version of it. */
+function pixelsOf(map: Texture): Luminances | undefined {
+  const before = known.get(map);
+  if (before?.version === map.version) return before.pixels;
+  const pixels = luminances(map.image, map);
+  known.set(map, { version: map.version, pixels });
+  return pixels;
+}
+
+/** How light a luminance looks beside white, both in [0, 1], as `lightness.glsl` has it. */
+const lightness = (y: number): number => (y < 216 / 24389 ? y * 9.032963 : 1.16 * Math.cbrt(Math.min(y, 1)) - 0.16);
+
+/**
+ * How light the colour of a surface looks at its samples, beside white: by its material, its vertices and its map. A map that cannot be
+ * read here, or lies by other coordinates than the first, counts as white.
+ */
+export function lightnessOf(
+  { color, vertexColors, map }: HatchingMaterialProperties,
+  { colors, places }: SurfaceSamples,
+): (sample: number) => number {
+  const own = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+  const painted = vertexColors ? colors : undefined;
+  const pixels = map && map.channel === 0 && places ? pixelsOf(map) : undefined;
+  if (map?.matrixAutoUpdate) map.updateMatrix();
+  return (sample) => {
+    let luminance = own * (painted?.[sample] ?? 1);
+    if (pixels && map && places) {
+      const e = map.matrix.elements;
+      const [u, v] = [places[2 * sample], places[2 * sample + 1]];
+      const across = fraction(e[0] * u + e[3] * v + e[6]);
+      const up = fraction(e[1] * u + e[4] * v + e[7]);
+      const row = map.flipY ? 1 - up : up;
+      luminance *= pixels.at(
+        Math.min(pixels.width - 1, Math.floor(across * pixels.width)),
+        Math.min(pixels.height - 1, Math.floor(row * pixels.height)),
+      );
+    }
+    return lightness(luminance);
+  };
+}
+
+const fraction = (value: number): number => value - Math.floor(value);

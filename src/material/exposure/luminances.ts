@@ -1,0 +1,56 @@
+import { DataUtils, HalfFloatType, SRGBColorSpace, type Texture } from 'three';
+
+/** Pixels of an image: their luminance in linear light, from the first row of the file. */
+export interface Luminances {
+  width: number;
+  height: number;
+  at(column: number, row: number): number;
+}
+
+/** Images of the browser are read at this size. */
+const WIDTH = 256;
+const HEIGHT = 128;
+
+/** The pixels of an image of a texture, if this thread can read them. */
+export function luminances(image: unknown, texture: Texture): Luminances | undefined {
+  const { width, height, data } = pixelsOf(image) ?? {};
+  if (!width || !height || !data) return undefined;
+  const channels = data.length / (width * height);
+  const isHalf = texture.type === HalfFloatType;
+  const most = data instanceof Uint8Array || data instanceof Uint8ClampedArray ? 255 : 1;
+  const isEncoded = texture.colorSpace === SRGBColorSpace;
+  const value = (i: number): number => {
+    const stored = isHalf ? DataUtils.fromHalfFloat(data[i]) : data[i] / most;
+    if (!isEncoded) return stored;
+    return stored < 0.04045 ? stored / 12.92 : ((stored + 0.055) / 1.055) ** 2.4;
+  };
+  const at = (column: number, row: number): number => {
+    const i = channels * (row * width + column);
+    return channels < 3 ? value(i) : 0.2126 * value(i) + 0.7152 * value(i + 1) + 0.0722 * value(i + 2);
+  };
+  return { width, height, at };
+}
+
+interface Pixels {
+  width: number;
+  height: number;
+  data: ArrayLike<number>;
+}
+
+function pixelsOf(given: unknown): Pixels | undefined {
+  // A face of a cube may be a texture of data itself.
+  const image = (
+    (given as Partial<Texture> | null)?.isTexture ? (given as Texture).image : given
+  ) as Partial<Pixels> | null;
+  if (!image) return undefined;
+  if (image.data && ArrayBuffer.isView(image.data)) return image as Pixels;
+  if (typeof OffscreenCanvas === 'undefined') return undefined;
+  try {
+    const context = new OffscreenCanvas(WIDTH, HEIGHT).getContext('2d')!;
+    context.drawImage(image as unknown as CanvasImageSource, 0, 0, WIDTH, HEIGHT);
+    return context.getImageData(0, 0, WIDTH, HEIGHT);
+  } catch {
+    // An image of another site, or none yet.
+    return undefined;
+  }
+}
