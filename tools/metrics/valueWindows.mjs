@@ -3,21 +3,13 @@
  * @typedef {import('./valueShares.js').ValueShares} ValueShares
  */
 
-/** Values of ink on paper: some of each, and no more dark than a dark thing has. */
+/** The least and the most of a model that may be paper, half tone and dark: some of each, and no more dark than a dark thing has. */
 const INKED = { paper: [0.07, 0.6], half: [0.07, 0.65], dark: [0.25, 0.85] };
 
-/** The least and the most of a model that may be paper, half tone and dark in each preset. */
-export const VALUE_WINDOWS = {
-  pen: INKED,
-  crossHatching: INKED,
-  engraving: INKED,
-  banknote: INKED,
-  technical: INKED,
+/** The same of presets that are otherwise. */
+const OTHERS = {
   // It is cut in black and white.
   woodcut: { ...INKED, half: [0.03, 0.6] },
-  stipple: INKED,
-  pencil: INKED,
-  charcoal: INKED,
   // What is light is covered, and what is dark left blank.
   chalk: { paper: [0.01, 0.8], half: [0.05, 0.5], dark: [0.1, 0.7] },
 };
@@ -27,7 +19,7 @@ export function missedValues(values) {
   const lines = [];
   for (const [model, presets] of Object.entries(values)) {
     for (const [preset, { auto }] of Object.entries(presets)) {
-      for (const [value, [least, most]] of Object.entries(VALUE_WINDOWS[preset])) {
+      for (const [value, [least, most]] of Object.entries(OTHERS[preset] ?? INKED)) {
         if (auto[value] >= least && auto[value] <= most) continue;
         lines.push(`${preset} of ${model}: ${auto[value].toFixed(2)} ${value}, required ${least} to ${most}`);
       }

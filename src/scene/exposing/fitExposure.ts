@@ -8,7 +8,8 @@ import { assertTree } from '../assertTree.js';
  * multiplied by `scale`, `offset` is added, and 1 is blank paper. Without it they find the same themselves; call it to know the exposure, or
  * to keep it while lights move: set `exposure` to the `scale`.
  *
- * The bright and the dark parts of the surfaces, by their area, come to be those of a sphere in a single light of intensity π.
+ * The bright and the dark parts of the surfaces, by their area, come to be those of a sphere in a single light of intensity π. Where colours
+ * become tones, `white` is the lightness from which on they are left blank: that of the lightest quarter.
  *
  * - Meshes count that are visible and have a `HatchingMaterial` with an `exposure` of `'auto'`, and flat ones, such as a ground, only where
  *   there are no others. Skins and morph targets are at rest, of instances some are looked at, and batches are left out.
