@@ -34,7 +34,11 @@ export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export { fitExposure } from './scene/exposing/fitExposure.js';
-export { type FlatteringLight, flatteringLight } from './scene/flattering/flatteringLight.js';
+export {
+  type FlatteringLight,
+  type FlatteringLightOptions,
+  flatteringLight,
+} from './scene/flattering/flatteringLight.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';

@@ -1,4 +1,5 @@
 import type { SeenSurface } from './seenSurface.js';
+import { type Standing, shadowReach } from './shadowOnSheet.js';
 import { shareOfShade } from './shareOfShade.js';
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -26,39 +27,56 @@ const AZIMUTHS = { least: 15, most: 70, step: 5 };
 const ELEVATIONS = { least: 15, most: 65, step: 5 };
 /** How much worse a light from the right must be than one from the left, as most people draw with their right hand. */
 const LEFT_ADVANTAGE = 0.25;
+/** Shadows whose reach differs by less leave the sheet alike. */
+const ALIKE = 1.02;
 /** The sine of the least height above the horizon: lower, a light would cast long shadows. */
 const LEAST_HEIGHT = Math.sin(Math.PI / 9);
 
 /**
  * Chooses a light that shows a surface well: from the upper left or right in front, so that about two fifths of what is seen lie in
  * shade. The same surface gets the same light.
+ *
+ * @param standing what casts a shadow on the ground. The shadow stays on the sheet if there is such a light
  */
-export function chooseLight(surface: SeenSurface, axes: ViewAxes): ChosenLight {
+export function chooseLight(surface: SeenSurface, axes: ViewAxes, standing?: Standing): ChosenLight {
+  const all = [...candidates()].map((candidate) => ({ ...candidate, direction: directionOf(candidate, axes) }));
+  const aboveHorizon = all.filter(({ direction }) => dot(direction, axes.top) >= LEAST_HEIGHT);
+  // Seen from below, no light in front may be above the horizon.
+  const possible = aboveHorizon.length > 0 ? aboveHorizon : all;
+  const tried = standing ? withShadowOnSheet(possible, standing) : possible;
   let best: ChosenLight | undefined;
   let least = Infinity;
-  for (const isAboveHorizon of [true, false]) {
-    for (const { azimuth, elevation } of candidates()) {
-      const direction = directionOf(azimuth, elevation, axes);
-      if (isAboveHorizon && dot(direction, axes.top) < LEAST_HEIGHT) continue;
-      const shade = shareOfShade(surface, direction);
-      const ideal = directionOf(Math.sign(azimuth) * THREE_QUARTER.azimuth, THREE_QUARTER.elevation, axes);
-      const away = degrees(Math.acos(Math.min(1, dot(direction, ideal))));
-      const cost =
-        ((shade - SHADE.wanted) / SHADE.tolerance) ** 2 +
-        (away / THREE_QUARTER.tolerance) ** 2 +
-        (azimuth > 0 ? LEFT_ADVANTAGE : 0);
-      if (cost >= least) continue;
-      least = cost;
-      best = { direction, shade };
-    }
-    // Seen from below, no light in front may be above the horizon.
-    if (best) break;
+  for (const { azimuth, direction } of tried) {
+    const shade = shareOfShade(surface, direction);
+    const ideal = directionOf({ ...THREE_QUARTER, azimuth: Math.sign(azimuth) * THREE_QUARTER.azimuth }, axes);
+    const away = degrees(Math.acos(Math.min(1, dot(direction, ideal))));
+    const cost =
+      ((shade - SHADE.wanted) / SHADE.tolerance) ** 2 +
+      (away / THREE_QUARTER.tolerance) ** 2 +
+      (azimuth > 0 ? LEFT_ADVANTAGE : 0);
+    if (cost >= least) continue;
+    least = cost;
+    best = { direction, shade };
   }
   return best!;
 }
 
-/** All directions that are tried. Those to the left have a negative azimuth. */
-function* candidates(): Generator<{ azimuth: number; elevation: number }, void, void> {
+/** The directions under which the shadow stays on the sheet; if there are none, those under which it leaves the sheet least. */
+function withShadowOnSheet<Lit extends { direction: Vector }>(lights: readonly Lit[], standing: Standing): Lit[] {
+  const reaches = lights.map(({ direction }) => shadowReach(standing, direction));
+  const most = Math.max(1, ALIKE * Math.min(...reaches));
+  return lights.filter((_, i) => reaches[i] <= most);
+}
+
+/** A direction in degrees from the viewer. */
+interface Candidate {
+  /** Negative to the left. */
+  azimuth: number;
+  elevation: number;
+}
+
+/** All directions that are tried. */
+function* candidates(): Generator<Candidate, void, void> {
   for (const side of [-1, 1]) {
     for (let azimuth = AZIMUTHS.least; azimuth <= AZIMUTHS.most; azimuth += AZIMUTHS.step) {
       for (let elevation = ELEVATIONS.least; elevation <= ELEVATIONS.most; elevation += ELEVATIONS.step) {
@@ -68,8 +86,7 @@ function* candidates(): Generator<{ azimuth: number; elevation: number }, void, 
   }
 }
 
-/** A direction that is given from the viewer. */
-function directionOf(azimuth: number, elevation: number, { right, up, toEye }: ViewAxes): [number, number, number] {
+function directionOf({ azimuth, elevation }: Candidate, { right, up, toEye }: ViewAxes): [number, number, number] {
   const level = Math.cos(radians(elevation));
   const sideways = level * Math.sin(radians(azimuth));
   const upwards = Math.sin(radians(elevation));

@@ -1,6 +1,8 @@
-import { type Camera, type Object3D, Vector3 } from 'three';
+import { type Camera, Matrix4, type Object3D, Vector3 } from 'three';
 import { chooseLight } from '../../lighting/chooseLight.js';
+import { OuterPoints } from '../../lighting/OuterPoints.js';
 import { seenSurface } from '../../lighting/seenSurface.js';
+import { checkNames } from '../../worker/checkOptions.js';
 import { assertTree } from '../assertTree.js';
 import { readTriangles } from './readTriangles.js';
 
@@ -11,6 +13,17 @@ export interface FlatteringLight {
   /** The share of what is seen that lies in shade under this light, from 0 to 1; 0 if nothing is seen. */
   shade: number;
 }
+
+export interface FlatteringLightOptions {
+  /**
+   * Whether the object stands on level ground, through its lowest point. Its shadow there then lies wholly on the sheet, if a light in
+   * front lets it: the light is higher for that, or from another side. For an object that moves, pass points instead, as xyz in world
+   * space, which tell how far it reaches in all its poses. Default: false.
+   */
+  onGround?: boolean | ArrayLike<number>;
+}
+
+const OWN_OPTIONS = { onGround: true } satisfies Record<keyof FlatteringLightOptions, true>;
 
 /**
  * Finds a light that shows an object well in a view: three-quarter from the front, from the upper left or right, so that about two
@@ -28,13 +41,19 @@ export interface FlatteringLight {
  *
  * @param object what is to be lit
  * @param camera the view, with its projection up to date
- * @throws TypeError for anything else than an object and a camera
+ * @throws TypeError for anything else than an object and a camera, and for an option that does not exist
  * @throws Error if the object is its own descendant
  */
-export function flatteringLight(object: Object3D, camera: Camera): FlatteringLight {
+export function flatteringLight(
+  object: Object3D,
+  camera: Camera,
+  options: FlatteringLightOptions = {},
+): FlatteringLight {
   if (!object?.isObject3D)
     throw new TypeError('flatteringLight: expected a THREE.Object3D, such as a scene or a mesh.');
   if (!camera?.isCamera) throw new TypeError('flatteringLight: expected a THREE.Camera as the second argument.');
+  checkNames('flatteringLight', 'options', options, OWN_OPTIONS);
+  const { onGround = false } = options;
   assertTree('flatteringLight', object);
   object.updateWorldMatrix(true, false);
   object.updateMatrixWorld();
@@ -43,6 +62,11 @@ export function flatteringLight(object: Object3D, camera: Camera): FlatteringLig
     new Vector3().setFromMatrixColumn(camera.matrixWorld, axis).normalize().toArray(),
   );
   const top = camera.up.clone().normalize().toArray();
-  const { direction, shade } = chooseLight(seenSurface(readTriangles(object, camera)), { right, up, toEye, top });
+  const outer = new OuterPoints();
+  if (typeof onGround === 'object') outer.addAll(onGround);
+  const surface = seenSurface(readTriangles(object, camera, onGround === true ? outer : undefined));
+  const toSheet = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
+  const standing = onGround ? { points: outer.xyz, top, toSheet } : undefined;
+  const { direction, shade } = chooseLight(surface, { right, up, toEye, top }, standing);
   return { direction: new Vector3(...direction), shade };
 }

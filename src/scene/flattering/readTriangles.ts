@@ -9,6 +9,7 @@ import {
   Vector3,
 } from 'three';
 import { hatchNormal } from '../../bake/hatchNormal.js';
+import type { OuterPoints } from '../../lighting/OuterPoints.js';
 import { createProjectedTriangles, type ProjectedTriangles } from '../../lighting/ProjectedTriangles.js';
 import { openToLamps } from '../../material/exposure/openToLamps.js';
 import { isHatching, materialsOf, surfaceMeshes } from '../surfaceMeshes.js';
@@ -34,8 +35,10 @@ interface MeshReading {
 /**
  * Reads the triangles that a camera may see, where they are now: skins and morph targets in their present pose. The world matrices of
  * the object and the camera must be up to date.
+ *
+ * @param outer gets their corners, also those that are not seen
  */
-export function readTriangles(object: Object3D, camera: Camera): ProjectedTriangles {
+export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoints): ProjectedTriangles {
   const readings = shownMeshes(object, camera).map(readingOf);
   const share = fairShare(
     readings.map(({ cost }) => cost),
@@ -48,7 +51,8 @@ export function readTriangles(object: Object3D, camera: Camera): ProjectedTriang
   );
   const list = createProjectedTriangles(room);
   const toView = new Matrix4().copy(camera.matrixWorld).invert();
-  for (const reading of readings) readMesh(list, reading, stepOf(reading.cost, share), toView, camera.projectionMatrix);
+  const sheet = { toView, projection: camera.projectionMatrix, outer };
+  for (const reading of readings) readMesh(list, reading, stepOf(reading.cost, share), sheet);
   return list;
 }
 
@@ -113,8 +117,7 @@ function readMesh(
   list: ProjectedTriangles,
   { mesh, places, start, triangles }: MeshReading,
   step: number,
-  toView: Matrix4,
-  projection: Matrix4,
+  { toView, projection, outer }: { toView: Matrix4; projection: Matrix4; outer?: OuterPoints | undefined },
 ): void {
   const { index, attributes } = mesh.geometry;
   const openness = opennessOf(mesh);
@@ -132,7 +135,8 @@ function readMesh(
         mesh.getVertexPosition(vertex, corners[corner]);
         if (project(corners[corner], corner)) inFront++;
         open += openness(vertex) / 3;
-        corners[corner].applyMatrix4(place);
+        const { x, y, z } = corners[corner].applyMatrix4(place);
+        outer?.add(x, y, z);
       }
       if (inFront === 3) add(list, hidden, open, step > 1);
     }

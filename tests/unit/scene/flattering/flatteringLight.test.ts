@@ -234,7 +234,54 @@ describe('the light', () => {
     }
   });
 
+  describe('of an object on the ground', () => {
+    const post = (): Mesh => meshOf(new BoxGeometry(0.3, 1.6, 0.3));
+    /** How far its shadow reaches from the middle of the sheet. */
+    const reachOf = (object: Mesh, view: Camera, light: Vector3): number => {
+      const { position } = object.geometry.attributes;
+      const ground = -0.8;
+      let reach = 0;
+      for (let i = 0; i < position.count; i++) {
+        const corner = new Vector3().fromBufferAttribute(position, i);
+        corner.addScaledVector(light, -(corner.y - ground) / light.y).project(view);
+        reach = Math.max(reach, Math.abs(corner.x), Math.abs(corner.y));
+      }
+      return reach;
+    };
+    const narrow = (): PerspectiveCamera => placed(new PerspectiveCamera(30, 0.5, 0.1, 100), front);
+
+    test('is higher, or from another side, so that the shadow stays on the sheet', () => {
+      const [object, view] = [post(), narrow()];
+      expect(reachOf(object, view, flatteringLight(object, view).direction)).toBeGreaterThan(1);
+      const { direction } = flatteringLight(object, view, { onGround: true });
+      expect(reachOf(object, view, direction)).toBeLessThanOrEqual(1.001);
+      const corners = object.geometry.attributes.position.array;
+      expect(flatteringLight(object, view, { onGround: corners }).direction).toEqual(direction);
+    });
+
+    test('is as without where the shadow stays on it anyway', () => {
+      const view = placed(new PerspectiveCamera(60, 2, 0.1, 100), front);
+      expect(flatteringLight(post(), view, { onGround: true })).toEqual(flatteringLight(post(), view));
+    });
+
+    test('leaves it by as little as possible where no light keeps it', () => {
+      const [object, view] = [post(), placed(new PerspectiveCamera(30, 0.12, 0.1, 100), front)];
+      const { direction } = flatteringLight(object, view, { onGround: true });
+      expect(reachOf(object, view, direction)).toBeLessThan(
+        reachOf(object, view, flatteringLight(object, view).direction),
+      );
+    });
+
+    test('counts all poses of one that moves', () => {
+      const [object, view] = [post(), placed(new PerspectiveCamera(30, 1, 0.1, 100), front)];
+      const still = flatteringLight(object, view, { onGround: true });
+      const moving = flatteringLight(object, view, { onGround: [-0.9, -0.8, 0, 0.9, -0.8, 0, 0.9, 1, 0, -0.9, 1, 0] });
+      expect(moving.direction.y).toBeGreaterThan(still.direction.y);
+    });
+  });
+
   test('asks for an object and a camera', () => {
+    expect(() => flatteringLight(ball(), camera(front), { ground: true } as never)).toThrow('ground');
     expect(() => flatteringLight({} as Object3D, camera(front))).toThrow('expected a THREE.Object3D');
     expect(() => flatteringLight(ball(), ball() as unknown as Camera)).toThrow('expected a THREE.Camera');
   });
