@@ -74,6 +74,8 @@ export class ModelLoader {
         place: CameraView | undefined;
       }
     | undefined;
+  /** Where the light was put for a model. */
+  private lit: Pick<Settings, 'lightAzimuth' | 'lightElevation'> | undefined;
   /** The shown model, as the value of its setting. */
   private shownModel: Settings['model'];
   /** The model that is shown or being loaded, if there is one. */
@@ -124,7 +126,7 @@ export class ModelLoader {
     const { settings } = this;
     if (settings.model === 'file') return;
     settings.upAxis = SETTINGS.upAxis.default;
-    void this.showBuiltIn(settings.model, isFramed);
+    void this.showBuiltIn(settings.model, isFramed, isFramed && this.isLightOfPage);
   }
 
   get isLoading(): boolean {
@@ -186,21 +188,32 @@ export class ModelLoader {
 
   private showOwn(files: readonly ModelFile[], way: WayToShow): Promise<void> {
     return this.show({ model: 'file', files }, way, async (report, signal) => {
-      const [read, { lightModel }] = await Promise.all([
-        loadModelFiles(files, { signal, onStage: report }),
-        import('./lightModel.js'),
-      ]);
+      const [read, lightModel] = await Promise.all([loadModelFiles(files, { signal, onStage: report }), fetchLight()]);
       const { name: title, missing, unpacked, drawing } = read;
       const light = way.isRestored || !way.isFramed || drawing ? undefined : lightModel;
       return { title, read, shown: { files, missing, unpacked }, drawing, light };
     });
   }
 
-  private showBuiltIn(model: BuiltInModel, isFramed: boolean): Promise<void> {
+  /** Whether nobody has placed the light: it is where it was at first, or where this page has put it for a model. */
+  private get isLightOfPage(): boolean {
+    const { settings, lit } = this;
+    const places = [
+      lit,
+      { lightAzimuth: SETTINGS.lightAzimuth.default, lightElevation: SETTINGS.lightElevation.default },
+    ];
+    return places.some(
+      (place) => place?.lightAzimuth === settings.lightAzimuth && place.lightElevation === settings.lightElevation,
+    );
+  }
+
+  /** @param isLit whether the model gets a light that suits its view */
+  private showBuiltIn(model: BuiltInModel, isFramed: boolean, isLit = false): Promise<void> {
     return this.show({ model }, { isFramed, isRestored: true }, async (report, signal) => {
       const { title, view, load } = BUILT_IN_MODELS[model];
       report(`fetching ${title}`);
-      return { title, view, read: await load({ signal, onStage: report }) };
+      const [read, light] = await Promise.all([load({ signal, onStage: report }), isLit ? fetchLight() : undefined]);
+      return { title, view, read, light };
     });
   }
 
@@ -260,7 +273,7 @@ export class ModelLoader {
     stage.shown.set(next, view);
     // The user may have moved the camera while the stand-in was shown.
     if (isFramed && !hasStandIn) stage.view.frame();
-    if (!hasStandIn) light?.(stage, settings);
+    if (!hasStandIn) this.light(light);
     if (isRestored) this.onChange('restored');
     else this.onChange('opened', { isOther: isFramed, drawing });
     page.lamp.hidden = false;
@@ -282,7 +295,14 @@ export class ModelLoader {
     this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
     stage.shown.setStandIn(standIn, view);
     if (isFramed) stage.view.frame();
-    light?.(stage, settings);
+    this.light(light);
+  }
+
+  private light(light: LoadedModel['light']): void {
+    if (!light) return;
+    light(this.stage, this.settings);
+    const { lightAzimuth, lightElevation } = this.settings;
+    this.lit = { lightAzimuth, lightElevation };
   }
 
   /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
@@ -303,3 +323,5 @@ export class ModelLoader {
     document.title = `${shownName(content.title)}, hatched`;
   }
 }
+
+const fetchLight = async (): Promise<typeof lightModel> => (await import('./lightModel.js')).lightModel;

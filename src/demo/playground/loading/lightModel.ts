@@ -10,7 +10,9 @@ export function lightModel(stage: Stage, settings: Settings): void {
   // The model is seen upright from here on.
   stage.apply(lookOf(settings));
   if (!stage.model) return;
-  const { direction } = flatteringLight(stage.model.root, stage.camera);
+  const { view } = stage;
+  const camera = view.isFramed ? view.roomiest : stage.camera;
+  const { direction } = flatteringLight(stage.model.root, camera, { onGround: view.modelOutline });
   if (settings.lightFollows === 'viewer') direction.applyQuaternion(stage.camera.quaternion.clone().invert());
   const { theta, phi } = new Spherical().setFromVector3(direction);
   const place = { lightAzimuth: MathUtils.radToDeg(theta), lightElevation: 90 - MathUtils.radToDeg(phi) };
@@ -19,5 +21,5 @@ export function lightModel(stage: Stage, settings: Settings): void {
   }
   stage.apply(lookOf(settings));
   // The shadow is another one now.
-  if (stage.view.isFramed) stage.view.frame();
+  if (view.isFramed) view.frame();
 }

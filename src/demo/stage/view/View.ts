@@ -1,16 +1,21 @@
-import { type PerspectiveCamera, Vector3 } from 'three';
+import { MathUtils, Matrix4, type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraView } from '../../settings/CameraView.js';
 import { DEFAULT_VIEW } from './createCamera.js';
-import { type Framing, fitCamera, proportionOf } from './framing.js';
+import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from './framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
+import { turnedView } from './turnedView.js';
 
 /** The smallest distance from the point that the camera orbits, in radii of the model: near enough to look into a room. */
 const MIN_DISTANCE = 0.15;
 /** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
 const FILL = 0.76;
 /** The same share for a sheet of paper, which holds nothing but the drawing. */
-const ON_SHEET = { fill: 0.86, room: { model: 0.88, shadow: 0.93 } };
+const ON_SHEET = { fill: 0.86, room: { ...SHADOW_ROOM, shadow: 0.93 } };
+/** On a phone that is held upright, models go nearer to the sides. */
+const UPRIGHT = { aspect: 0.65, fill: 0.9, room: { model: 0.94, shadow: 0.98, smaller: 1.18 } };
+/** The shares of its width and height that they fill there at least, with room for their shadow. Those that are wide are turned for it. */
+const UPRIGHT_LEAST = { width: 0.56, height: 0.41 };
 /** What is framed before there is a model. */
 const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
 
@@ -18,6 +23,12 @@ const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
 export interface ViewState extends CameraView {
   /** The viewport and the sheet that the model was framed for, in words of the view; none if the user has placed the camera. */
   framedFor?: string | undefined;
+}
+
+/** How a model is framed: points on its outer parts as xyz, the direction to the eye, and what {@link fitCamera} takes. */
+interface ModelFraming extends Framing {
+  outline: ArrayLike<number>;
+  first: Vector3;
 }
 
 /** Controls the camera: orbited by the user, or placed so that the whole model is in the picture. */
@@ -109,8 +120,22 @@ export class View {
 
   private fit(camera: PerspectiveCamera): Vector3 {
     const { outline, first, ...framing } = this.framing;
-    const onSheet = this.shownSheet && { ...ON_SHEET, part: this.shownSheet };
-    return fitCamera(camera, outline, first, { ...framing, ...onSheet });
+    return fitCamera(camera, outline, first, framing);
+  }
+
+  /**
+   * The view of a framed model, as much smaller as it may be drawn to leave room for its shadow: a shadow that lies wholly in the picture
+   * is wholly on the sheet when the model is framed with it, and leaves the model in the middle.
+   */
+  get roomiest(): PerspectiveCamera {
+    const { outline, first, fill, part = [1, 1], room = SHADOW_ROOM } = this.framing;
+    const camera = this.camera.clone();
+    fitCamera(camera, outline, first, { fill, part, zoom: 1 / room.smaller });
+    camera.updateMatrixWorld();
+    const sheet = new Matrix4().makeScale(1 / (part[0] * room.shadow), 1 / (part[1] * room.shadow), 1);
+    camera.projectionMatrix.premultiply(sheet);
+    camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+    return camera;
   }
 
   /**
@@ -127,10 +152,17 @@ export class View {
     if (this.hasFramed) this.frame();
   }
 
-  /** What the model is framed by in a picture of its own, as {@link fitCamera} takes it. */
-  get framing(): Framing & { outline: ArrayLike<number>; first: Vector3 } {
+  /** What the model is framed by, as {@link fitCamera} takes it. */
+  get framing(): ModelFraming {
     const { outline, first } = this;
-    return { outline, first, fill: FILL, shadow: this.shadowOf(outline, first) };
+    const framing = { outline, first, fill: FILL, ...this.framingForSheet };
+    return { ...framing, shadow: this.shadowOf(outline, framing.first) };
+  }
+
+  private get framingForSheet(): Partial<ModelFraming> {
+    const { outline, first, shownSheet, camera } = this;
+    if (shownSheet) return { ...ON_SHEET, part: shownSheet };
+    return camera.aspect < UPRIGHT.aspect ? uprightFraming(outline, first, camera.aspect) : {};
   }
 
   /**
@@ -208,6 +240,15 @@ export class View {
     camera.lookAt(controls.target);
     return true;
   }
+}
+
+function uprightFraming(outline: ArrayLike<number>, first: Vector3, aspect: number): Partial<ModelFraming> {
+  const { fill, room } = UPRIGHT;
+  const { width, height } = UPRIGHT_LEAST;
+  const view = turnedView(outline, first, (fill * aspect) / room.smaller / height);
+  const isAsWide = Math.min(1, proportionOf(outline, view) / aspect);
+  const smaller = MathUtils.clamp((fill * isAsWide) / width, 1, room.smaller);
+  return { first: view, fill, room: { ...room, smaller } };
 }
 
 const before = { position: new Vector3(), target: new Vector3() };

@@ -3,16 +3,20 @@ import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
 /** The share of the picture that points fill unless asked otherwise, of its width or its height. */
 const POINTS_FILL = 0.94;
 /** How far a model and its shadow may go towards the edges, unless asked otherwise. */
-const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.96 };
-/** A model is drawn smaller by at most this factor to leave room for its shadow. A long shadow is cut. */
-const MAX_ROOM = 1.25;
-/** The middle of a model moves aside by at most this share of the way to the edge. */
+export const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.96, smaller: 1.25 };
+/** A model is drawn smaller before its middle moves aside by more than this share of the way to the edge. */
+const CENTRED = 0.09;
+/** If it is as small as it may be, it moves aside by at most this share. What is left of a long shadow is cut. */
 const MAX_ASIDE = 0.4;
 
-/** The shares of the picture that a model may fill to leave room for its shadow, and the shadow itself. */
+/** How a model leaves room for its shadow. */
 export interface ShadowRoom {
+  /** The share of the picture that the model may fill to leave room for its shadow. */
   model: number;
+  /** The share of the picture that the shadow may fill. */
   shadow: number;
+  /** How many times smaller the model may be drawn. */
+  smaller: number;
 }
 
 export interface Framing {
@@ -24,7 +28,7 @@ export interface Framing {
   part?: readonly [number, number];
   /** xyz of points that are in the picture as well, as far as that leaves the others large enough. */
   shadow?: ArrayLike<number>;
-  /** How far towards the edges they may go then; 0.88 and 0.96 by default. */
+  /** How the points leave room for those; as {@link SHADOW_ROOM} by default. */
   room?: ShadowRoom;
 }
 
@@ -52,8 +56,9 @@ export function fitCamera(
       nearest(cast[axis], cast[axis]),
       nearest(cast[axis], aside[axis]),
       nearest(aside[axis], cast[axis]),
+      ...nearestAround(cast[axis], middle[axis], CENTRED * axes.slopes[axis]),
     ]);
-    distance = Math.min(Math.max(distance, ...forBoth), MAX_ROOM * distance);
+    distance = Math.min(Math.max(distance, ...forBoth), room.smaller * distance);
     middle = middle.map((place, axis) => {
       const most = MAX_ASIDE * axes.slopes[axis] * distance;
       const balanced = MathUtils.clamp(within(cast[axis], distance, place), place - most, place + most);
@@ -132,6 +137,15 @@ function spansOf(positions: ArrayLike<number>, { toEye, right, up, slopes }: Fru
 /** The smallest distance at which the first span is in the picture at its high side and the second at its low side. */
 function nearest({ high, slope }: Span, other: Span): number {
   return (high + other.low) / (slope + other.slope);
+}
+
+/**
+ * The smallest distances at which each side of a span is in the picture of a camera that looks at a place, or next to it.
+ *
+ * @param aside how far next to it, by distance
+ */
+function nearestAround({ low, high, slope }: Span, place: number, aside: number): [number, number] {
+  return [(high - place) / (slope + aside), (low + place) / (slope + aside)];
 }
 
 /** What the camera may look at from a distance so that a span is in the picture, next to `place`; its middle where it has no room. */

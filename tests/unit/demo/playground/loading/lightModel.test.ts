@@ -16,7 +16,9 @@ function createStage(isFramed = true) {
     applied.push(look);
     upright.rotation.set(...look.upright);
   };
-  const stage = { model: { root }, camera, apply, view: { isFramed, frame: vi.fn() } };
+  const modelOutline = root.geometry.attributes.position.array;
+  const view = { isFramed, frame: vi.fn(), roomiest: camera, modelOutline };
+  const stage = { model: { root }, camera, apply, view };
   return { stage, applied, root, light: (settings: Settings) => lightModel(stage as never, settings) };
 }
 

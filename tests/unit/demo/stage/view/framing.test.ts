@@ -62,6 +62,14 @@ describe.each([0.5, 1, 2.5])('a picture with the aspect %s', (aspect) => {
     }
   });
 
+  test('keeps the points in the middle while they may be smaller', () => {
+    const shadow = shadowOnGround(points, new Vector3(-0.6, 1.2, 0.4), true, -1.5);
+    fitCamera(camera, points, VIEW, { fill: FILL, shadow, room: { model: 0.88, shadow: 0.96, smaller: 3 } });
+    const { low, high } = seen(camera, points);
+    expect(Math.abs(low[0] + high[0]) / 2).toBeLessThan(0.12);
+    expect(Math.max(...seen(camera, shadow).high)).toBeLessThan(0.97);
+  });
+
   test('cuts a long shadow, and never the points', () => {
     const shadow = shadowOnGround(points, new Vector3(-1, 0.1, 0.4), true, -1.5);
     const alone = camera.position.distanceTo(fitCamera(camera, points, VIEW, { fill: FILL }));
