@@ -13,7 +13,7 @@ const MARGIN = 26;
 /** Nearer to an edge than this, the hint above the lamp would be cut off. It is moved then. In pixels. */
 const HINT_MARGIN = { beside: 44, above: 64 };
 /** The radius around a lamp that is kept free of the model, and how far the lamp moves for that at most. In pixels. */
-const CLEAR = { radius: 27, way: 110 };
+const CLEAR = { radius: 27, way: 200 };
 /**
  * Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their
  * ratio.
