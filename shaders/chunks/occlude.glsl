@@ -3,9 +3,6 @@
 // nothing where little is, so that the lights of open forms stay clear.
 uniform float occlusion; // how much of it counts
 
-// The occlusion from which on light with a direction loses as much as light from all around.
-#define CAVITY 0.4
-
 float openToSky() {
   return 1.0 - occlusion * vOcclusion;
 }

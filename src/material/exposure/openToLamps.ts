@@ -1,5 +1,4 @@
-/** The occlusion from which on light with a direction loses as much as light from all around. */
-const CAVITY = 0.4;
+import { CAVITY } from '../facts/cavity.js';
 
 /**
  * The share of a light with a direction that hollows leave a surface, as `occlude.glsl` has it.

@@ -1,6 +1,7 @@
 import { ShaderChunk } from 'three';
 import { cornerLayout } from '../../bake/cornerLayout.js';
 import { STIPPLE_MAP_SIZE, TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../tam/patternSizes.js';
+import { CAVITY } from '../facts/cavity.js';
 import { constantCase } from '../facts/constantCase.js';
 import type { HatchingProperty, HatchingTexture } from '../facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../facts/hatchingProperties.js';
@@ -29,6 +30,7 @@ export const conventionsChunk = (): string =>
     `#define STIPPLE_MAP_SIZE ${STIPPLE_MAP_SIZE}`,
     `#define TOOTH_MAP_SIZE ${TOOTH_MAP_SIZE}.0`,
     `#define TOOTH_MAP_BUMP ${TOOTH_MAP_BUMP}.0`,
+    `#define CAVITY ${CAVITY}`,
     lightCountDefine(),
   ].join('\n');
 
