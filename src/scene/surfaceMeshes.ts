@@ -8,12 +8,14 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 export function surfaceMeshes(root: Object3D): Mesh[] {
   const meshes: Mesh[] = [];
   root.traverse((object) => {
-    if (isMesh(object) && !('isLineSegments2' in object) && materialsOf(object).some(isSurface)) {
-      meshes.push(object);
-    }
+    if (isSurfaceMesh(object)) meshes.push(object);
   });
   return meshes;
 }
+
+/** Whether an object is a mesh that draws a surface, as {@link surfaceMeshes} finds them. */
+export const isSurfaceMesh = (object: Object3D): object is Mesh =>
+  isMesh(object) && !('isLineSegments2' in object) && materialsOf(object).some(isSurface);
 
 /** The materials of a mesh. Empty places in the array are left out: three.js does not draw their groups. */
 export const materialsOf = ({ material }: Pick<Mesh, 'material'>): Material[] =>

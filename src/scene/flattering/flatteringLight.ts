@@ -36,8 +36,8 @@ const OWN_OPTIONS = { onGround: true } satisfies Record<keyof FlatteringLightOpt
  *   and triangles that reach behind the eye do not count.
  * - The same view gives the same light. A scene that is moved, turned about `camera.up` or scaled with its camera gets the same too.
  *   Nothing is changed, drawn or read from the graphics card.
- * - It takes some milliseconds for a scene of any size: of more than 50,000 triangles only some are read, and 256 instances of a mesh
- *   at most.
+ * - It takes some milliseconds for a scene of any size: of more than 30,000 triangles only some are read, and at most 2,000 meshes
+ *   and 256 instances of each.
  *
  * @param object what is to be lit
  * @param camera the view, with its projection up to date

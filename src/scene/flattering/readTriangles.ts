@@ -12,12 +12,14 @@ import { hatchNormal } from '../../bake/hatchNormal.js';
 import type { OuterPoints } from '../../lighting/OuterPoints.js';
 import { createProjectedTriangles, type ProjectedTriangles } from '../../lighting/ProjectedTriangles.js';
 import { openToLamps } from '../../material/exposure/openToLamps.js';
-import { isHatching, materialsOf, surfaceMeshes } from '../surfaceMeshes.js';
+import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMeshes.js';
 
 /** At most this many triangles are read. Of larger scenes, each stands for some of its neighbours. */
-const MOST_TRIANGLES = 50_000;
+const MOST_TRIANGLES = 30_000;
 /** A skinned or morphed corner takes as long as so many others. */
 const DEFORMING_COST = 4;
+/** At most this many meshes are read, evenly chosen. */
+const MOST_MESHES = 2000;
 /** At most this many instances of a mesh are read. */
 const MOST_INSTANCES = 256;
 
@@ -32,6 +34,15 @@ interface MeshReading {
   cost: number;
 }
 
+/** How meshes are read. */
+interface Reader {
+  toView: Matrix4;
+  projection: Matrix4;
+  outer: OuterPoints | undefined;
+  /** Whether some meshes are left out, for which the others stand. */
+  isSample: boolean;
+}
+
 /**
  * Reads the triangles that a camera may see, where they are now: skins and morph targets in their present pose. The world matrices of
  * the object and the camera must be up to date.
@@ -39,7 +50,8 @@ interface MeshReading {
  * @param outer gets their corners, also those that are not seen
  */
 export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoints): ProjectedTriangles {
-  const readings = shownMeshes(object, camera).map(readingOf);
+  const shown = shownMeshes(object, camera);
+  const readings = evenlyChosen(shown, MOST_MESHES).map(readingOf);
   const share = fairShare(
     readings.map(({ cost }) => cost),
     MOST_TRIANGLES,
@@ -51,7 +63,8 @@ export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoi
   );
   const list = createProjectedTriangles(room);
   const toView = new Matrix4().copy(camera.matrixWorld).invert();
-  const sheet = { toView, projection: camera.projectionMatrix, outer };
+  const isSample = readings.length < shown.length;
+  const sheet = { toView, projection: camera.projectionMatrix, outer, isSample };
   for (const reading of readings) readMesh(list, reading, stepOf(reading.cost, share), sheet);
   return list;
 }
@@ -61,14 +74,17 @@ const stepOf = (cost: number, share: number): number => Math.max(1, Math.ceil(co
 
 /** The meshes that are shown, at or below an object. */
 function shownMeshes(object: Object3D, camera: Camera): Mesh[] {
-  const surfaces = new Set<Object3D>(surfaceMeshes(object));
   const shown: Mesh[] = [];
   object.traverseVisible((entry) => {
-    if (!surfaces.has(entry) || !entry.layers.test(camera.layers) || 'isBatchedMesh' in entry) return;
-    const mesh = entry as Mesh;
-    if (mesh.geometry?.attributes.position && materialsOf(mesh).some(({ visible }) => visible)) shown.push(mesh);
+    if (!isSurfaceMesh(entry) || !entry.layers.test(camera.layers) || isBatched(entry)) return;
+    if (entry.geometry?.attributes.position && materialsOf(entry).some(({ visible }) => visible)) shown.push(entry);
   });
   return shown;
+}
+
+function evenlyChosen<Entry>(entries: readonly Entry[], most: number): Entry[] {
+  const step = Math.max(1, entries.length / most);
+  return Array.from({ length: Math.floor(entries.length / step) }, (_, i) => entries[Math.floor(i * step)]);
 }
 
 function readingOf(mesh: Mesh): MeshReading {
@@ -117,7 +133,7 @@ function readMesh(
   list: ProjectedTriangles,
   { mesh, places, start, triangles }: MeshReading,
   step: number,
-  { toView, projection, outer }: { toView: Matrix4; projection: Matrix4; outer?: OuterPoints | undefined },
+  { toView, projection, outer, isSample }: Reader,
 ): void {
   const { index, attributes } = mesh.geometry;
   const openness = opennessOf(mesh);
@@ -138,7 +154,7 @@ function readMesh(
         const { x, y, z } = corners[corner].applyMatrix4(place);
         outer?.add(x, y, z);
       }
-      if (inFront === 3) add(list, hidden, open, step > 1);
+      if (inFront === 3) add(list, hidden, open, isSample || step > 1);
     }
   }
 }
