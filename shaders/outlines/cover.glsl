@@ -1,8 +1,5 @@
 // From a piece of outline to the triangle on the screen that covers it.
-uniform float accents;
-uniform vec4 viewport; // x, y, width, height in pixels
 uniform float objectScale; // view units per object unit: the mean over directions
-uniform float nearDistance;
 #ifdef WOBBLE
   uniform float wobble; // pixels
 #endif // WOBBLE
@@ -16,6 +13,7 @@ void clearVaryings() {
   vStart = vec4(0.0);
   vEnd = vec4(0.0);
   vOvershoots = vec2(0.0);
+  vStandings = vec4(0.0);
   vContour = 0.0;
   vTolerance = 0.0;
   #ifdef WOBBLE
@@ -83,6 +81,24 @@ void coverPiece(const in Piece piece, const in int corner) {
   float middleDepth = 0.5 * (depths.x + depths.y);
   vec2 middle = 0.5 * (a + b);
 
+  vEnds = vec4(a, b);
+  vHalfWidths = vec4(halfStart.x, halfEnd.x, halfStart.y, halfEnd.y);
+  vStart = vec4(start, -nearStart.z);
+  vEnd = vec4(end, -nearEnd.z);
+  vOvershoots = vec2(from.overshoot, to.overshoot);
+  vContour = piece.contour;
+  vTolerance = toleranceOf(piece, max(unitsToPixel(start), unitsToPixel(end)), scale);
+  vStandings = piece.contour > 0.0 ? vec4(-1.0) : vec4(1.0, 0.0, 1.0, 0.0);
+  if (hasSceneDepth && size < SHORT) {
+    Spine spine = Spine(a, along, size);
+    // What is not seen at all is not drawn either, though fragments would find out.
+    if (!isSeen(spine, a) && !isSeen(spine, middle) && !isSeen(spine, b)) return;
+    if (piece.contour > 0.0) {
+      vStandings.xy = standingAt(spine, a, max(halfStart.x, halfStart.y));
+      vStandings.zw = standingAt(spine, b, max(halfEnd.x, halfEnd.y));
+    }
+  }
+
   float reach = max(mostOutlineEmphasis() * max(halves.x, halves.y), 0.5) + FRINGE;
   #ifdef WOBBLE
     reach += wobble;
@@ -94,12 +110,4 @@ void coverPiece(const in Piece piece, const in int corner) {
   vec2 local = corner == 0 ? vec2(-reachAlong, -reach) : corner == 1 ? vec2(3.0 * reachAlong, -reach) : vec2(-reachAlong, 3.0 * reach);
   vec2 pixel = middle + local.x * along + local.y * vec2(-along.y, along.x);
   gl_Position = vec4(2.0 * (pixel - viewport.xy) / viewport.zw - 1.0, middleDepth + slope * local.x, 1.0);
-
-  vEnds = vec4(a, b);
-  vHalfWidths = vec4(halfStart.x, halfEnd.x, halfStart.y, halfEnd.y);
-  vStart = vec4(start, -nearStart.z);
-  vEnd = vec4(end, -nearEnd.z);
-  vOvershoots = vec2(from.overshoot, to.overshoot);
-  vContour = piece.contour;
-  vTolerance = toleranceOf(piece, max(unitsToPixel(start), unitsToPixel(end)), scale);
 }

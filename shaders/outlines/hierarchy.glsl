@@ -8,6 +8,8 @@ uniform float accents; // how much heavier an outline becomes where it passes be
 #define BESIDE 1.0
 // From where on beyond its side an outline looks for what lies behind it, pixels.
 #define BEYOND 1.5
+// Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels.
+#define SHORT 16.0
 // A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does.
 #define BEGINS_AS_PAPER 0.25
 #define IS_PAPER 0.75
@@ -24,6 +26,12 @@ struct Spine {
   vec2 along; // unit
   float size; // pixels
 };
+
+// Of a place between the ends on the screen the place between them in space: of an outline that runs away from the eye, the
+// nearer half takes more of the screen.
+float alongLine(const in float t) {
+  return isOrthographic ? t : t * vStart.z / mix(vEnd.z, vStart.z, t);
+}
 
 float spineDepth(const in Spine spine, const in vec2 pixel) {
   // A little further than the ends: so far from them, texels may lie.
@@ -48,11 +56,10 @@ float paperness(const in float gap) {
   return smoothstep(BEGINS_AS_PAPER, IS_PAPER, gap);
 }
 
-// Half the width of the outline at a place on its spine. halves: before the paper, and before a surface.
-float halfWidthAt(const in Spine spine, const in vec2 place, const in vec2 halves) {
-  if (vContour <= 0.0) return halves.x;
+// The standing of an outline at a place on its spine: the share of paper in what lies behind it, and of an accent. halfWidth: the most.
+vec2 standingAt(const in Spine spine, const in vec2 place, const in float halfWidth) {
   float height = viewHeightAt(spineDepth(spine, place));
-  vec2 beside = (max(halves.x, halves.y) + BEYOND) * vec2(-spine.along.y, spine.along.x);
+  vec2 beside = (halfWidth + BEYOND) * vec2(-spine.along.y, spine.along.x);
   float left = gapAt(spine, place + beside);
   float right = gapAt(spine, place - beside);
   vec2 outside = place + (left > right ? beside : -beside);
@@ -76,5 +83,10 @@ float halfWidthAt(const in Spine spine, const in vec2 place, const in vec2 halve
       last = gap;
     }
   }
-  return mix(halves.y, halves.x, paper / sum) * (1.0 + vContour * accents * accent);
+  return vec2(paper / sum, accent);
+}
+
+// Half the width at a place. halves: before the paper, and before a surface.
+float halfWidthAs(const in vec2 standing, const in vec2 halves) {
+  return mix(halves.y, halves.x, standing.x) * (1.0 + vContour * accents * standing.y);
 }

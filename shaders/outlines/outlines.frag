@@ -4,27 +4,21 @@
 
 uniform vec3 ink;
 uniform float opacity;
+uniform mat4 projectionMatrix;
 
 #include <common>
 #include <dithering_pars_fragment>
 #include "lineCoverage"
 #include "emphasis"
 #include "outlines/surroundings"
+#include "outlines/sceneDepth"
+#include "outlines/hierarchy"
 #ifdef WOBBLE
   #include "outlines/wobble"
 #endif // WOBBLE
 #ifdef TOOTH
   #include "outlines/dryOutline"
 #endif // TOOTH
-
-// Of a place between the ends on the screen the place between them in space: of an outline that runs away from the eye, the
-// nearer half takes more of the screen.
-float alongLine(const in float t) {
-  return isOrthographic ? t : t * vStart.z / mix(vEnd.z, vStart.z, t);
-}
-
-#include "outlines/sceneDepth"
-#include "outlines/hierarchy"
 
 void main() {
   vec2 pixel = gl_FragCoord.xy;
@@ -49,7 +43,9 @@ void main() {
   if (hasSceneDepth) {
     vec2 seen = spine.start + onSpine * spine.along;
     if (!isSeen(spine, seen)) discard;
-    halfWidth = halfWidthAt(spine, seen, halves);
+    vec2 standing = mix(vStandings.xy, vStandings.zw, t);
+    if (vStandings.x < 0.0) standing = standingAt(spine, seen, max(halves.x, halves.y));
+    halfWidth = halfWidthAs(standing, halves);
   }
   // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
   float fringe = place == onOutline ? 0.5 : 0.0;

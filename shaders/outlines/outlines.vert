@@ -17,6 +17,8 @@
 #include "outlines/shade"
 #include "outlines/hiding"
 #include "emphasis"
+#include "outlines/sceneDepth"
+#include "outlines/hierarchy"
 #include "outlines/width"
 #include "outlines/cover"
 

@@ -1,9 +1,14 @@
 // The depth of what has been drawn before the outlines, all of it opaque (src/outlines/SceneDepth.ts).
 uniform bool hasSceneDepth;
 uniform highp sampler2D sceneDepth;
-uniform mat4 projectionMatrix;
 uniform float nearDistance;
 uniform vec4 viewport; // x, y, width, height in pixels
+
+// As three calls it since 0.180 or so, and as it did before.
+#if defined(USE_LOGARITHMIC_DEPTH_BUFFER) || defined(USE_LOGDEPTHBUF)
+  #define LOGARITHMIC_DEPTH
+  uniform float logDepthBufFC;
+#endif // USE_LOGARITHMIC_DEPTH_BUFFER
 
 // Further than anything in a scene.
 #define NOWHERE 1e30

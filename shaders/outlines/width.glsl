@@ -1,5 +1,4 @@
 // How wide an outline is at an end of a piece.
-uniform float outlineWidth; // pixels
 
 // Half the width in pixels where the drawing has its usual weight: before the paper, and before a surface.
 vec2 halfWidthsAt(const in PieceEnd end) {

@@ -11,6 +11,7 @@ import {
   prepareHatchingGeometry,
 } from 'three-hatching';
 import { outlineDataOf } from '../../src/geometry/OutlineData.js';
+import { HATCHING_OUTLINE_DEFAULTS } from '../../src/outlines/outlineProperties.js';
 import { loadModel } from '../../tools/metrics/loadModel.js';
 import { visibleLines, wrongLength } from './visibleLines.js';
 
@@ -141,6 +142,7 @@ function strayInk(a: Float32Array, b: Float32Array, size: number, reach: number)
 }
 
 const lining = {
+  HATCHING_OUTLINE_DEFAULTS,
   THREE,
   STLExporter,
   mergeVertices,
