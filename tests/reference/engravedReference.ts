@@ -261,8 +261,8 @@ function alongLines(
   // In the order of a shader, which has no list: z takes the place of the axis that is left out.
   const [first, second] = least === 0 ? [2, 1] : least === 1 ? [0, 2] : [0, 1];
   const share = smoothly(-0.16, 0.16, direction[first] ** 2 - direction[second] ** 2);
-  const axis = mixed(AXES[second], 1 - share, AXES[first], share);
-  const rate = tilesPerUnit * plane.rateAlong(axis, gradient);
+  const [ofFirst, ofSecond] = [first, second].map((i) => tilesPerUnit * plane.rateAlong(AXES[i], gradient));
+  const rate = share * ofFirst + (1 - share) * ofSecond;
   const octave =
     (1 - sizedOnScreen) * octaveOf(strokeLength / 256) + sizedOnScreen * octaveOf(strokeLength * Math.max(rate, 1e-12));
   const whole = Math.ceil(octave - 0.5);
@@ -270,7 +270,7 @@ function alongLines(
     places: [place[first], place[second]],
     share,
     period: 2 ** whole,
-    longer: smoothly(0.8, 1, octave - whole + 0.5),
+    longer: smoothly(0.88, 1, octave - whole + 0.5),
   };
 }
 
@@ -303,14 +303,11 @@ function lotOfStroke(line: number, middle: number): number {
 /** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
 function penStroke(line: number, share: number, { tone, handmade, along, repeat }: PenState): [number, number] {
   const open = (1 - tone) ** 2;
-  const full = tone / Math.max(grown(tone, 0.2, 0.07) * (1 - (0.15 + 0.3) * open), 1e-4);
+  const full = tone / Math.max(grown(tone, 0.2, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
   const number = numberOf(line, repeat);
+  const last = 1 - share;
   const born =
-    share < 0.15
-      ? Math.sqrt(0.6 * share)
-      : share < 0.85
-        ? share + 0.15
-        : 1.3 - Math.sqrt(Math.max(0.6 * (1 - share), 0));
+    share < 0.04 ? Math.sqrt(0.16 * share) : last > 0.04 ? share + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
   const fract = (x: number) => x - Math.floor(x);
   const one = (place: number, period: number): [number, number] => {
     const at = place / period + lotOf(Math.abs(number));
@@ -318,7 +315,7 @@ function penStroke(line: number, share: number, { tone, handmade, along, repeat 
     const lot = lotOfStroke(number, stroke);
     const way = 2 * (at - stroke);
     const rest = clamp01(1 - (1 - Math.abs(way) - open * 0.3 * fract(64 * lot)) / Math.max(open * 0.9, 1e-3));
-    const there = clamp01((tone - 0.2 * lot) / 0.07) * clamp01((born - fract(512 * lot)) / 0.3);
+    const there = clamp01((tone - 0.2 * lot) / 0.05) * clamp01((born - fract(512 * lot)) / 0.08);
     const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);
     const astray = 0.22 * (fract(64 * lot) - 0.5) * way + 0.16 * (lot - 0.5) * (0.5 - way * way);
     return [full * there * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];

@@ -3,6 +3,7 @@ import { flipsAt, isKept, requirements, toneError } from './requirements.mjs';
 /**
  * @typedef {import('./page.js').ModelMetrics} ModelMetrics
  * @typedef {import('./flatTones.js').FlatTones} FlatTones
+ * @typedef {import('./printedStrokes.js').PrintedStrokes} PrintedStrokes
  */
 
 const colours = {
@@ -26,8 +27,8 @@ const figure = (value) =>
       ? value.toExponential(0)
       : value.toFixed(3);
 
-/** The page of the docs. @param {{ renderer: string, models: Record<string, ModelMetrics>, flatTones: FlatTones }} report */
-export function describeMetrics({ renderer, models, flatTones }) {
+/** The page of the docs. @param {{ renderer: string, models: Record<string, ModelMetrics>, flatTones: FlatTones, printedStrokes: PrintedStrokes[] }} report */
+export function describeMetrics({ renderer, models, flatTones, printedStrokes }) {
   return `# Measured strokes
 
 Written by \`npm run metrics\`; drawn by ${renderer}. Every technique is measured on the same geometry, in the same run,
@@ -111,7 +112,34 @@ ${table(
 `,
   )
   .join('\n')}
-${describeFlatTones(flatTones)}`;
+${describeFlatTones(flatTones)}
+${describePrintedStrokes(printedStrokes)}`;
+}
+
+/** @param {PrintedStrokes[]} printedStrokes */
+function describePrintedStrokes(printedStrokes) {
+  return `## Strokes in print
+
+Presets that draw in strokes, at an even tone of 0.25, on a model that fills the width of a sheet of A5 at 300 dpi. A stroke is a piece of ink, joined at
+sides and corners, of pixels that are covered by a quarter at least; its length is its extent along the major axis of its second moments. Strokes that reach the
+silhouette are left out.
+
+- **median**: the length of the middle stroke, and of the one that the middle of the ink belongs to, in millimetres.
+- **crumbs**: the share of strokes shorter than 3 mm, and of the ink that lies in them. Most are what is left of a hair line where it fades.
+
+${table(
+  ['', 'model', 'strokes', 'median', 'by ink', 'crumbs', 'by ink'],
+  printedStrokes.map(({ look, model, strokes, median, medianByInk, crumbs, crumbsByInk }) => [
+    look,
+    model,
+    strokes,
+    median.toFixed(1),
+    medianByInk.toFixed(1),
+    figure(crumbs),
+    figure(crumbsByInk),
+  ]),
+)}
+`;
 }
 
 /** Flat tones of the looks that are made of dots and grain. @param {FlatTones} flatTones */

@@ -23,6 +23,7 @@ import { type StrokeKink, strokeKink } from './measures/strokeKink.js';
 import { strokeLength } from './measures/strokeLength.js';
 import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
 import type { Vector } from './measures/vector.js';
+import { measurePrintedStrokes, type PrintedStrokes } from './printedStrokes.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 import { type ModelValues, measuredModels, measureValues } from './valueShares.js';
 
@@ -78,6 +79,7 @@ declare global {
     measureFlatTones(): Promise<FlatTones>;
     measuredModels: typeof measuredModels;
     measureValues(source: Parameters<typeof measureValues>[1]): Promise<ModelValues>;
+    measurePrintedStrokes(): Promise<PrintedStrokes[]>;
   }
 }
 
@@ -117,6 +119,11 @@ window.measureValues = async (source) => {
 window.measureFlatTones = async () => {
   await HatchingMaterial.preload();
   return measureFlatTones(renderer);
+};
+
+window.measurePrintedStrokes = async () => {
+  await HatchingMaterial.preload();
+  return measurePrintedStrokes(renderer);
 };
 
 window.measureModel = async (name, plan, text) => {

@@ -67,6 +67,8 @@ const browser = await chromium.launch(await launchOptions());
 const measured = {};
 /** Undefined where only some models are measured. */
 let flatTones;
+/** Undefined where only some models are measured. */
+let printedStrokes;
 /** Shares of values by model; undefined where only strokes are measured. */
 let values;
 try {
@@ -90,14 +92,17 @@ try {
     console.log(`${name}: ${((performance.now() - start) / 1000).toFixed(0)} s`);
   }
   if (wanted.length === 0 || wanted.includes('values')) values = await measureAllValues(page);
-  if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
+  if (wanted.length === 0) {
+    flatTones = await page.evaluate(() => window.measureFlatTones());
+    printedStrokes = await page.evaluate(() => window.measurePrintedStrokes());
+  }
 } finally {
   await browser.close();
   await server.close();
 }
 
 const { renderer } = await describeRenderer();
-const report = { renderer, models: measured, flatTones, values };
+const report = { renderer, models: measured, flatTones, printedStrokes, values };
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {

@@ -221,6 +221,41 @@ export const plansOf = (presets, techniques) => ({
   },
 });
 
+/** What a look is judged by: a face, a hand, a machine, an animal, a house and a draped cloth. */
+const JUDGED = [
+  { ...BUST, ground: 'shadow' },
+  { ...HAND, zoom: 0.95 },
+  { subject: 'gear', view: [0.7, 0.5, 1], light: [-0.35, 1.1, 0.75], zoom: 0.9 },
+  { subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.95, ground: 'shadow' },
+  { subject: 'house', view: [0.75, 0.4, 1], light: [-0.6, 1, 0.75], zoom: 0.95, ground: 'shadow' },
+  { subject: 'drapery', view: [0.25, 0.42, 1], light: [-0.8, 1, 0.6], zoom: 0.95, ground: 'shadow' },
+];
+
+/**
+ * The sheets by which looks are judged, one for each preset: `npm run pictures -- looks`.
+ *
+ * @param {string[]} presets the names of all presets
+ * @returns {Record<string, Plan>}
+ */
+export const lookPlans = (presets) =>
+  Object.fromEntries(
+    presets.map((preset) => [
+      preset,
+      {
+        columns: 3,
+        pictures: JUDGED.map((picture) => ({
+          ...picture,
+          preset,
+          width: 560,
+          height: 560,
+          pixelRatio: 1,
+          shadows: true,
+          occlusion: 0.6,
+        })),
+      },
+    ]),
+  );
+
 /** The files of subjects that npm packages do not carry. */
 export const SUBJECT_FILES = { nefertiti: 'nefertiti_lowres.obj', fox: 'Fox.glb', man: 'CesiumMan.glb' };
 

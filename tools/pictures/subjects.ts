@@ -33,6 +33,9 @@ const subjects = {
   suzanne: { load: () => builtIn('suzanne') },
   teapot: { load: () => builtIn('teapot') },
   hand: { load: async () => meshOf(await loadHand(), true) },
+  /** Two models with colours of their own. */
+  house: { load: () => builtInScene('house') },
+  drapery: { load: () => builtInScene('drapery') },
   gear: { load: async () => new Group().add(...gearWheel().map((geometry) => new Mesh(geometry, paper()))) },
   nefertiti: { load: async (content: ArrayBuffer) => objMesh(new TextDecoder().decode(content)) },
   /** In the middle of a step of its clip "Walk". */
@@ -53,6 +56,12 @@ function meshOf({ positions, normals, indices }: PlainMesh, isOpen = false): Mes
   if (normals) geometry.setAttribute('normal', new BufferAttribute(normals, 3));
   if (indices) geometry.setIndex(new BufferAttribute(indices, 1));
   return new Mesh(geometry, paper(isOpen));
+}
+
+async function builtInScene(name: BuiltInModel): Promise<Object3D> {
+  const read = await BUILT_IN_MODELS[name].load({ signal: new AbortController().signal, onStage: () => {} });
+  if (read.kind !== 'scene') throw new Error(`pictures: ${name} is no scene.`);
+  return read.scene.root;
 }
 
 async function builtIn(name: BuiltInModel): Promise<Object3D> {

@@ -4,7 +4,7 @@
 
 // The tone from which on all strokes are there, and over how much of the tone each grows to its width.
 #define ALL_FROM 0.2
-#define GROWTH 0.07
+#define GROWTH 0.05
 // The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone.
 #define GAP 0.3
 #define TAPER 0.9
@@ -15,7 +15,7 @@
 #define WIDTH_SPREAD 0.5
 
 // Over how much of the share of strokes that are there each of those between older lines grows to its width.
-#define BIRTH 0.3
+#define BIRTH 0.08
 
 struct Pen {
   Family family;

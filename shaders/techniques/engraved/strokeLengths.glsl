@@ -3,7 +3,7 @@
 uniform float strokeLength; // pixels, or 256ths of a tile
 
 // The last part of an octave, in which they do.
-#define LENGTHS_FADE 0.2
+#define LENGTHS_FADE 0.12
 
 // How evenly a line must run along two axes for both to count: the difference of the squares of its direction.
 #define AXES_FADE 0.16
@@ -15,6 +15,10 @@ struct Along {
   float period; // from the beginning of a stroke to the next
   float longer; // share of strokes twice as long
 };
+
+float crossed(const in vec2 a, const in vec2 b) {
+  return abs(a.x * b.y - a.y * b.x);
+}
 
 Along alongLines(const in HatchingParameters h, const in Family family) {
   vec3 direction = cross(vFieldNormal, family.gradient);
@@ -28,9 +32,10 @@ Along alongLines(const in HatchingParameters h, const in Family family) {
   Along along;
   along.places = vec2(dot(first, vFieldPoint), dot(second, vFieldPoint));
   along.share = smoothstep(-AXES_FADE, AXES_FADE, dot(squares, first - second));
-  vec2 value = screenGradient(family.gradient, h.onScreen);
-  vec2 place = screenGradient(mix(second, first, along.share), h.onScreen);
-  float perPixel = abs(place.x * value.y - place.y * value.x) / max(length(value), 1e-12);
+  vec2 value = normalize(screenGradient(family.gradient, h.onScreen));
+  float perPixel = mix(
+    crossed(screenGradient(second, h.onScreen), value), crossed(screenGradient(first, h.onScreen), value), along.share
+  );
   float octave = mix(octaves(strokeLength / 256.0), octaves(strokeLength * max(perPixel, 1e-12)), sizedOnScreen);
   float whole = ceil(octave - 0.5);
   along.period = powerOf2(whole);

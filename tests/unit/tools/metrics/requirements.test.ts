@@ -99,7 +99,10 @@ describe('the page of the docs', () => {
         { ...flat, coherence: NaN },
       ],
     };
-    const page = describeMetrics({ renderer: 'a renderer', models, flatTones });
+    const strokes = { look: 'pen' as const, model: 'bunny', strokes: 501, median: 8.13, medianByInk: 14.46 };
+    const printedStrokes = [{ ...strokes, crumbs: 0.325, crumbsByInk: 0.015 }];
+    const page = describeMetrics({ renderer: 'a renderer', models, flatTones, printedStrokes });
+    expect(page).toContain('| pen | bunny | 501 | 8.1 | 14.5 | 0.325 | 0.015 |');
     for (const name of ['sphere', 'bunny', 'dragon11k', 'dragon871k']) expect(page).toContain(`### ${name}, 11,000`);
     expect(page).not.toMatch(/undefined|NaN|null/);
     expect(page).toContain('| 0.5 | 0.499 | 649 of 2 | 556 of 3 | 0.200 | 0.100 | 0.030 | 0.020 | 0.010 | 0.170 |');

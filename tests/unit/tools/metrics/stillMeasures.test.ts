@@ -3,6 +3,7 @@ import { countPieces } from '../../../../tools/metrics/measures/countPieces.js';
 import { edgeJump } from '../../../../tools/metrics/measures/edgeJump.js';
 import { greyness } from '../../../../tools/metrics/measures/greyness.js';
 import { meanInk } from '../../../../tools/metrics/measures/meanInk.js';
+import { pieceLengths } from '../../../../tools/metrics/measures/pieceLengths.js';
 import { strokeCoherence } from '../../../../tools/metrics/measures/strokeCoherence.js';
 import { strokeLength } from '../../../../tools/metrics/measures/strokeLength.js';
 import { halfSpread, strokeSpacing } from '../../../../tools/metrics/measures/strokeSpacing.js';
@@ -168,6 +169,25 @@ describe('countPieces', () => {
 
   it('joins at sides and not at corners', () => {
     expect(countPieces(picture(100, 100, (x, y) => (x + y) % 2)).ink).toBe(5000);
+  });
+});
+
+describe('pieceLengths', () => {
+  it('measures separate strokes along themselves, whichever way they run, down to their thin ends', () => {
+    // Bars of 30 by 3, whose last 5 pixels cover little of the paper.
+    const bars = picture(100, 100, (x, y) => (x < 20 || x >= 50 || y % 10 > 2 ? 1 : x < 45 ? 0 : 0.7));
+    const lying = pieceLengths(bars);
+    // The first lies at the rim.
+    expect(lying).toHaveLength(9);
+    for (const { length, area } of lying) expect([Math.round(length), area]).toEqual([30, 90]);
+    const diagonal = pieceLengths(picture(100, 100, (x, y) => (x === y && x > 9 && x < 60 ? 0 : 1)));
+    expect(diagonal).toHaveLength(1);
+    expect(Math.abs(diagonal[0].length - 50 * Math.SQRT2)).toBeLessThan(1);
+  });
+
+  it('leaves out strokes that reach where the surface ends', () => {
+    const whole = picture(100, 100, (_x, y) => (y % 10 > 2 ? 1 : 0));
+    expect(pieceLengths(whole)).toEqual([]);
   });
 });
 
