@@ -3,9 +3,12 @@
  * lines, ink as shares of pixels, families that are printed over each other, and the hand. It shares no code with the shader.
  */
 import { mat3, mat4, vec3 } from 'gl-matrix';
+import { type Along, alongLines, cutShare, lineFactor, octaveOf, penStroke, powerOf } from './engravedStrokes.js';
 import type { HatchingReference, ReferenceLight } from './hatchingReference.js';
 import type { ReferenceCamera } from './rasterizeReference.js';
 import type { Vec3 } from './referenceAdjacency.js';
+import { ScreenPlane } from './ScreenPlane.js';
+import { cross, dot, mixed, smoothly, turned, unit } from './vectors.js';
 
 export interface EngravedSettings {
   /** Radians. */
@@ -67,16 +70,6 @@ interface Families {
 }
 
 const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
-const dot = (a: Vec3, b: Vec3) => vec3.dot(a, b);
-const cross = (a: Vec3, b: Vec3) => vec3.cross([0, 0, 0], a, b) as Vec3;
-const unit = (a: Vec3) => vec3.normalize([0, 0, 0], a) as Vec3;
-const turned = (a: Vec3, m: mat3) => vec3.transformMat3([0, 0, 0], a, m) as Vec3;
-const mixed = (a: Vec3, s: number, b: Vec3, t: number) => a.map((x, i) => s * x + t * b[i]) as Vec3;
-const clamp01 = (x: number) => Math.min(1, Math.max(0, x));
-const smoothly = (from: number, to: number, x: number) => {
-  const t = clamp01((x - from) / (to - from));
-  return t * t * (3 - 2 * t);
-};
 
 const alongAxis = (axis: Vec3): LineFunction => ({ value: (place) => dot(place, axis), gradient: () => axis });
 
@@ -161,205 +154,12 @@ function familiesOf(scene: EngravedScene, isDark: boolean): Families {
   return { first, sides, across: leaning(crossAngle), shadows: leaning(-crossAngle) };
 }
 
-/**
- * The number of pixels that two directions of the tangent plane take on the screen, from the derivatives of the whole projection. From
- * this follows the length of the screen gradient of any function.
- */
-class ScreenPlane {
-  private readonly tangents: [Vec3, Vec3];
-  private readonly pixels: [[number, number], [number, number]];
-  private readonly area: number;
-  private readonly viewToObject: mat3;
-
-  constructor({ matrixWorld, camera, size }: EngravedScene, place: Vec3, normal: Vec3) {
-    const objectToView = mat4.multiply(mat4.create(), camera.view as unknown as mat4, matrixWorld as unknown as mat4);
-    this.viewToObject = mat3.invert(mat3.create(), mat3.fromMat4(mat3.create(), objectToView))!;
-    const q = vec3.transformMat4([0, 0, 0], place, objectToView) as Vec3;
-    const n = unit(turned(normal, mat3.transpose(mat3.create(), this.viewToObject)));
-    // Any two tangents work.
-    const start: Vec3 = Math.abs(n[2]) < 0.7 ? [0, 0, 1] : [1, 0, 0];
-    const e = unit(mixed(start, 1, n, -dot(start, n)));
-    this.tangents = [e, cross(n, e)];
-    const p = camera.projection;
-    const clip = (row: number, v: Vec3, w: number) =>
-      p[row] * v[0] + p[4 + row] * v[1] + p[8 + row] * v[2] + p[12 + row] * w;
-    const depth = clip(3, q, 1);
-    // The quotient rule: x/w changes by (dx − x/w · dw)/w.
-    const moved = (row: number, v: Vec3) =>
-      ((clip(row, v, 0) - (clip(row, q, 1) / depth) * clip(3, v, 0)) / depth) * (size / 2);
-    this.pixels = this.tangents.map((t) => [moved(0, t), moved(1, t)]) as [[number, number], [number, number]];
-    const [[a, b], [c, d]] = this.pixels;
-    const faceOn = (p[5] * size) / 2 / depth;
-    // The slant is limited: the area on the screen counts as at least 0.12 of the area face on.
-    this.area = Math.max(Math.abs(a * d - b * c), 0.12 * faceOn ** 2);
-  }
-
-  /** Units of the function per pixel. gradient: in object space. */
-  gradientLength(gradient: Vec3): number {
-    return Math.hypot(...this.gradient(gradient));
-  }
-
-  /** Units of one function per pixel along the lines of another. */
-  rateAlong(place: Vec3, lines: Vec3): number {
-    const [[a, b], [c, d]] = [this.gradient(place), this.gradient(lines)];
-    return Math.abs(a * d - b * c) / Math.hypot(c, d);
-  }
-
-  private gradient(gradient: Vec3): [number, number] {
-    const inView = turned(gradient, mat3.transpose(mat3.create(), this.viewToObject));
-    const [along, aside] = this.tangents.map((t) => dot(t, inView)) as [number, number];
-    // Solves s · pixels(t) = gradient · t for both tangents, by Cramer's rule.
-    const [[a, b], [c, d]] = this.pixels;
-    return [(along * d - b * aside) / this.area, (a * aside - along * c) / this.area];
-  }
-}
-
 /** The share of a pixel that a line of this width covers, at a distance from its middle. Thin lines become paler instead of thinner. */
 function lineShare(away: number, width: number): number {
   const half = Math.max(width, 1) / 2;
   const overlap = Math.min(half, away + 0.5) - Math.max(-half, away - 0.5);
   return Math.max(overlap, 0) * Math.min(width, 1);
 }
-
-/** A number in [0, 1) of the line at a value: the upper 24 bits of the value in single precision, times the golden ratio. */
-export function lotOf(value: number): number {
-  const [bits] = new Uint32Array(Float32Array.of(value).buffer);
-  const spread = BigInt.asUintN(32, BigInt(bits) * 0x9e3779b9n);
-  return Number(spread >> 8n) / 2 ** 24;
-}
-
-/** A factor on the width of the line at a value. */
-export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * lotOf(value) - 0.25);
-
-/**
- * The position along the lines: two coordinates, in tiles, and the weight of the first; the length of strokes, and the share of those
- * twice as long.
- */
-interface Along {
-  places: readonly [number, number];
-  share: number;
-  period: number;
-  longer: number;
-}
-
-const AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
-
-/** Strokes are measured along those two axes along which the lines run most. Their lengths are powers of two. */
-function alongLines(
-  place: Vec3,
-  normal: Vec3,
-  gradient: Vec3,
-  plane: ScreenPlane,
-  { strokeLength, sizedOnScreen, tilesPerUnit }: EngravedSettings,
-): Along {
-  const direction = unit(cross(normal, gradient));
-  const least = [0, 1, 2].reduce((best, i) => (direction[i] ** 2 < direction[best] ** 2 ? i : best), 0);
-  // In the order of a shader, which has no list: z takes the place of the axis that is left out.
-  const [first, second] = least === 0 ? [2, 1] : least === 1 ? [0, 2] : [0, 1];
-  const share = smoothly(-0.16, 0.16, direction[first] ** 2 - direction[second] ** 2);
-  const [ofFirst, ofSecond] = [first, second].map((i) => tilesPerUnit * plane.rateAlong(AXES[i], gradient));
-  const rate = share * ofFirst + (1 - share) * ofSecond;
-  const octave =
-    (1 - sizedOnScreen) * octaveOf(strokeLength / 256) + sizedOnScreen * octaveOf(strokeLength * Math.max(rate, 1e-12));
-  const whole = Math.ceil(octave - 0.5);
-  return {
-    places: [place[first], place[second]],
-    share,
-    period: 2 ** whole,
-    longer: smoothly(0.88, 1, octave - whole + 0.5),
-  };
-}
-
-/** The number of a line, but for its sign: the same on both sides of a seam. */
-const numberOf = (line: number, repeat: number): number =>
-  repeat < Infinity ? line - repeat * Math.round(line / repeat) : line;
-
-/** What a pen does at a fragment, on all lines. */
-interface PenState {
-  tone: number;
-  handmade: number;
-  along: Along;
-  repeat: number;
-}
-
-/** The mean over lots from 0 to `all` of a ramp that begins at the lot and ends a `growth` later. */
-const grown = (tone: number, all: number, growth: number): number => {
-  const untilNow = (x: number) => (x <= 0 ? 0 : x < growth ? (x * x) / 2 / growth : x - growth / 2);
-  return (untilNow(tone) - untilNow(tone - all)) / all;
-};
-
-/** A number in [0, 1) of a stroke. */
-function lotOfStroke(line: number, middle: number): number {
-  const [a, b] = new Uint32Array(Float32Array.of(Math.abs(line), middle).buffer);
-  let spread = (Math.imul(a, 0x9e3779b9) ^ Math.imul(b, 0x85ebca6b)) >>> 0;
-  spread = Math.imul(spread ^ (spread >>> 15), 0x2c1b3c6d) >>> 0;
-  return (spread >>> 8) / 2 ** 24;
-}
-
-/** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
-function penStroke(line: number, share: number, { tone, handmade, along, repeat }: PenState): [number, number] {
-  const open = (1 - tone) ** 2;
-  const full = tone / Math.max(grown(tone, 0.2, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
-  const number = numberOf(line, repeat);
-  const last = 1 - share;
-  const born =
-    share < 0.04 ? Math.sqrt(0.16 * share) : last > 0.04 ? share + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
-  const fract = (x: number) => x - Math.floor(x);
-  const one = (place: number, period: number): [number, number] => {
-    const at = place / period + lotOf(Math.abs(number));
-    const stroke = Math.floor(at) + 0.5;
-    const lot = lotOfStroke(number, stroke);
-    const way = 2 * (at - stroke);
-    const rest = clamp01(1 - (1 - Math.abs(way) - open * 0.3 * fract(64 * lot)) / Math.max(open * 0.9, 1e-3));
-    const there = clamp01((tone - 0.2 * lot) / 0.05) * clamp01((born - fract(512 * lot)) / 0.08);
-    const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);
-    const astray = 0.22 * (fract(64 * lot) - 0.5) * way + 0.16 * (lot - 0.5) * (0.5 - way * way);
-    return [full * there * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];
-  };
-  const mix = (a: [number, number], b: [number, number], t: number): [number, number] => [
-    (1 - t) * a[0] + t * b[0],
-    (1 - t) * a[1] + t * b[1],
-  ];
-  const [first, second] = along.places.map((place) =>
-    mix(one(place, along.period), one(place, 2 * along.period), along.longer),
-  );
-  return mix(second, first, along.share);
-}
-
-/** A row of wedges of length 1: each rises from −1 to 1 over 0.7 of its length, and falls over the rest. */
-function gouge(x: number): number {
-  const t = x - Math.floor(x);
-  return t < 0.7 ? (2 * t) / 0.7 - 1 : (2 * (1 - t)) / 0.3 - 1;
-}
-
-/** The share of its room that the cut of a line takes. */
-function cutShare(line: number, white: number, { places, share, period, longer }: Along, repeat: number): number {
-  const rarer = Math.min(white, 1 - white);
-  const swell = Math.min(0.42, 1.3 * rarer);
-  const lot = lotOf(Math.abs(numberOf(line, repeat)));
-  const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
-  const flattened = (t: number) => Math.hypot(t, 1 - t);
-  const waves = places.map((place) => {
-    const wedges = place / period;
-    return mixed(gouge(wedges + lot), gouge(wedges / 2 + lot), longer);
-  });
-  const wave = mixed(waves[1], waves[0], share) / (flattened(longer) * flattened(share));
-  // This makes the mean over all waves the wanted one.
-  const middleFor = (rare: number) => (rare < swell ? Math.sqrt(4 * swell * rare) - swell : rare);
-  const middle = white < 0.5 ? middleFor(white) : 1 - middleFor(1 - white);
-  return clamp01(middle + swell * wave);
-}
-
-/** The logarithm to base 2, linear between powers of two, and its inverse. */
-const octaveOf = (x: number): number => {
-  const whole = Math.floor(Math.log2(x));
-  return whole + x / 2 ** whole - 1;
-};
-const powerOf = (octave: number): number => 2 ** Math.floor(octave) * (1 + octave - Math.floor(octave));
 
 /** The function of a family at a fragment. */
 interface Ruled {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { lineFactor, principalAxis } from '../../reference/engravedReference.js';
+import { principalAxis } from '../../reference/engravedReference.js';
+import { lineFactor } from '../../reference/engravedStrokes.js';
 
 describe('principalAxis', () => {
   it('is the direction of one light', () => {

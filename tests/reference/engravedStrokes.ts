@@ -1,0 +1,155 @@
+/** The strokes that engraved lines are drawn in: those of a pen, and the wedges of a woodcut. It shares no code with the shader. */
+import type { Vec3 } from './referenceAdjacency.js';
+import type { ScreenPlane } from './ScreenPlane.js';
+import { clamp01, cross, smoothly, unit } from './vectors.js';
+
+/** A number in [0, 1) of the line at a value: the upper 24 bits of the value in single precision, times the golden ratio. */
+export function lotOf(value: number): number {
+  const [bits] = new Uint32Array(Float32Array.of(value).buffer);
+  const spread = BigInt.asUintN(32, BigInt(bits) * 0x9e3779b9n);
+  return Number(spread >> 8n) / 2 ** 24;
+}
+
+/** A factor on the width of the line at a value. */
+export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * lotOf(value) - 0.25);
+
+/**
+ * The position along the lines: two coordinates, in tiles, and the weight of the first; the length of strokes, and the share of those
+ * twice as long.
+ */
+export interface Along {
+  places: readonly [number, number];
+  share: number;
+  period: number;
+  longer: number;
+}
+
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+interface StrokeSizes {
+  strokeLength: number;
+  sizedOnScreen: number;
+  tilesPerUnit: number;
+}
+
+/** Strokes are measured along those two axes along which the lines run most. Their lengths are powers of two. */
+export function alongLines(
+  place: Vec3,
+  normal: Vec3,
+  gradient: Vec3,
+  plane: ScreenPlane,
+  { strokeLength, sizedOnScreen, tilesPerUnit }: StrokeSizes,
+): Along {
+  const direction = unit(cross(normal, gradient));
+  const least = [0, 1, 2].reduce((best, i) => (direction[i] ** 2 < direction[best] ** 2 ? i : best), 0);
+  // In the order of a shader, which has no list: z takes the place of the axis that is left out.
+  const [first, second] = least === 0 ? [2, 1] : least === 1 ? [0, 2] : [0, 1];
+  const share = smoothly(-0.16, 0.16, direction[first] ** 2 - direction[second] ** 2);
+  const [ofFirst, ofSecond] = [first, second].map((i) => tilesPerUnit * plane.rateAlong(AXES[i], gradient));
+  const rate = share * ofFirst + (1 - share) * ofSecond;
+  const octave =
+    (1 - sizedOnScreen) * octaveOf(strokeLength / 256) + sizedOnScreen * octaveOf(strokeLength * Math.max(rate, 1e-12));
+  const whole = Math.ceil(octave - 0.5);
+  return {
+    places: [place[first], place[second]],
+    share,
+    period: 2 ** whole,
+    longer: smoothly(0.88, 1, octave - whole + 0.5),
+  };
+}
+
+/** The number of a line, but for its sign: the same on both sides of a seam. */
+export const numberOf = (line: number, repeat: number): number =>
+  repeat < Infinity ? line - repeat * Math.round(line / repeat) : line;
+
+/** What a pen does at a fragment, on all lines. */
+export interface PenState {
+  tone: number;
+  handmade: number;
+  along: Along;
+  repeat: number;
+}
+
+/** The mean over lots from 0 to `all` of a ramp that begins at the lot and ends a `growth` later. */
+const grown = (tone: number, all: number, growth: number): number => {
+  const untilNow = (x: number) => (x <= 0 ? 0 : x < growth ? (x * x) / 2 / growth : x - growth / 2);
+  return (untilNow(tone) - untilNow(tone - all)) / all;
+};
+
+/** A number in [0, 1) of a stroke. */
+function lotOfStroke(line: number, middle: number): number {
+  const [a, b] = new Uint32Array(Float32Array.of(Math.abs(line), middle).buffer);
+  let spread = (Math.imul(a, 0x9e3779b9) ^ Math.imul(b, 0x85ebca6b)) >>> 0;
+  spread = Math.imul(spread ^ (spread >>> 15), 0x2c1b3c6d) >>> 0;
+  return (spread >>> 8) / 2 ** 24;
+}
+
+/** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
+export function penStroke(line: number, share: number, { tone, handmade, along, repeat }: PenState): [number, number] {
+  const open = (1 - tone) ** 2;
+  const full = tone / Math.max(grown(tone, 0.2, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
+  const number = numberOf(line, repeat);
+  const last = 1 - share;
+  const born =
+    share < 0.04 ? Math.sqrt(0.16 * share) : last > 0.04 ? share + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
+  const fract = (x: number) => x - Math.floor(x);
+  const one = (place: number, period: number): [number, number] => {
+    const at = place / period + lotOf(Math.abs(number));
+    const stroke = Math.floor(at) + 0.5;
+    const lot = lotOfStroke(number, stroke);
+    const way = 2 * (at - stroke);
+    const rest = clamp01(1 - (1 - Math.abs(way) - open * 0.3 * fract(64 * lot)) / Math.max(open * 0.9, 1e-3));
+    const there = clamp01((tone - 0.2 * lot) / 0.05) * clamp01((born - fract(512 * lot)) / 0.08);
+    const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);
+    const astray = 0.22 * (fract(64 * lot) - 0.5) * way + 0.16 * (lot - 0.5) * (0.5 - way * way);
+    return [full * there * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];
+  };
+  const mix = (a: [number, number], b: [number, number], t: number): [number, number] => [
+    (1 - t) * a[0] + t * b[0],
+    (1 - t) * a[1] + t * b[1],
+  ];
+  const [first, second] = along.places.map((place) =>
+    mix(one(place, along.period), one(place, 2 * along.period), along.longer),
+  );
+  return mix(second, first, along.share);
+}
+
+/** A row of wedges of length 1: each rises from −1 to 1 over 0.7 of its length, and falls over the rest. */
+function gouge(x: number): number {
+  const t = x - Math.floor(x);
+  return t < 0.7 ? (2 * t) / 0.7 - 1 : (2 * (1 - t)) / 0.3 - 1;
+}
+
+/** The share of its room that the cut of a line takes. */
+export function cutShare(
+  line: number,
+  white: number,
+  { places, share, period, longer }: Along,
+  repeat: number,
+): number {
+  const rarer = Math.min(white, 1 - white);
+  const swell = Math.min(0.42, 1.3 * rarer);
+  const lot = lotOf(Math.abs(numberOf(line, repeat)));
+  const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
+  const flattened = (t: number) => Math.hypot(t, 1 - t);
+  const waves = places.map((place) => {
+    const wedges = place / period;
+    return mixed(gouge(wedges + lot), gouge(wedges / 2 + lot), longer);
+  });
+  const wave = mixed(waves[1], waves[0], share) / (flattened(longer) * flattened(share));
+  // This makes the mean over all waves the wanted one.
+  const middleFor = (rare: number) => (rare < swell ? Math.sqrt(4 * swell * rare) - swell : rare);
+  const middle = white < 0.5 ? middleFor(white) : 1 - middleFor(1 - white);
+  return clamp01(middle + swell * wave);
+}
+
+/** The logarithm to base 2, linear between powers of two, and its inverse. */
+export const octaveOf = (x: number): number => {
+  const whole = Math.floor(Math.log2(x));
+  return whole + x / 2 ** whole - 1;
+};
+export const powerOf = (octave: number): number => 2 ** Math.floor(octave) * (1 + octave - Math.floor(octave));
