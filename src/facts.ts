@@ -4,6 +4,7 @@
  *
  * @module three-hatching/facts
  */
+export { HATCHING_BACKGROUND_DEFAULTS } from './background/backgroundProperties.js';
 export { defaultOf } from './material/facts/defaultOf.js';
 export type {
   HatchingChoice,

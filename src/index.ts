@@ -3,7 +3,10 @@
  *
  * @module three-hatching
  */
+
 export type { EdgeCounts } from './adjacency/EdgeCounts.js';
+export type { BackgroundNumberName } from './background/backgroundProperties.js';
+export { HatchingBackground, type HatchingBackgroundParameters } from './background/HatchingBackground.js';
 export type { HatchingFormOptions } from './geometry/HatchingFormOptions.js';
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';

@@ -1,19 +1,8 @@
 // Illustrators draw the side away from the light with a heavier outline, and leave it out between lit surface and paper.
-#include "lightLuminance"
+#include "meanLight"
 
 uniform vec2 shadeWeights; // lit, shaded
 uniform float lostEdges; // how much of the contours between lit surface and paper is lost
-
-// The direction that the light comes from at a point in view space: the mean of all lights by their luminance, not of unit length.
-vec3 meanLight(const in vec3 viewPosition) {
-  vec3 sum = vec3(0.0);
-  IncidentLight light;
-  #define VISIT_LIGHT(source, number) sum += lightLuminance(light.color) * light.direction;
-  #include "eachLight"
-  #define VISIT_LIGHT(source, number) sum += 0.5 * (lightLuminance(source.skyColor) - lightLuminance(source.groundColor)) * source.direction;
-  #include "eachSky"
-  return sum;
-}
 
 mat4 objectToView() {
   #ifdef USE_INSTANCING

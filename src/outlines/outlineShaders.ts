@@ -8,7 +8,7 @@ import { outlineConventionsChunk } from './outlineConventions.js';
 const files: Readonly<Record<string, string>> = import.meta.glob(
   [
     '../../shaders/outlines/*',
-    '../../shaders/chunks/{emphasis,lightLuminance,lineCoverage,normalDistribution,tooth}.glsl',
+    '../../shaders/chunks/{emphasis,lightLuminance,lineCoverage,meanLight,normalDistribution,tooth}.glsl',
     '../../shaders/perTriangle/turns.glsl',
   ],
   { query: '?raw', import: 'default', eager: true },

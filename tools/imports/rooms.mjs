@@ -26,6 +26,12 @@ export const ROOMS = {
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],
   'material/deformation': ['shaders'],
+  'material/emphasis': [
+    'facts',
+    '/src/material/HatchingMaterialProperties.ts',
+    '/src/material/FrameStamp.ts',
+    '/src/material/pictureOffset.ts',
+  ],
   'material/exposure': [
     'facts',
     '/src/material/HatchingMaterialProperties.ts',
@@ -42,6 +48,7 @@ export const ROOMS = {
   ],
   'material/firstDraw': ['facts', 'deformation', 'exposure', 'parts'],
   outlines: ['mistakes', 'features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
+  background: ['mistakes', 'bake', 'material', '/shaders'],
   scene: [
     'mistakes',
     'slices',
@@ -68,9 +75,10 @@ export const ROOMS = {
     'geometry',
     'material',
     'outlines',
+    'background',
     'scene',
   ],
-  'facts.ts': ['material', 'outlines', 'scene'],
+  'facts.ts': ['material', 'outlines', 'background', 'scene'],
 
   // For Node: the presets are data.
   command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts'],

@@ -1,11 +1,11 @@
 import { Box3, type Camera, type Object3D, type WebGLRenderer } from 'three';
 import { FrameStamp } from '../FrameStamp.js';
-import { type SeenDepths, seenDepths } from './seenDepths.js';
+import { type SeenBox, seenBox } from './seenDepths.js';
 
 /** How far a scene reaches: what `depthFade` measures depth by. The materials of a scene share one. */
 export class SceneExtent {
   private readonly measured = new FrameStamp();
-  private readonly depths: SeenDepths = { front: 0, back: 1 };
+  private readonly seen: SeenBox = { front: 0, back: 1, left: -1, right: 1, bottom: -1, top: 1 };
   private isSeen = false;
 
   /**
@@ -17,12 +17,12 @@ export class SceneExtent {
     readonly box: Box3 = new Box3(),
   ) {}
 
-  /** How near and how far it is seen in the present frame; null if nothing of it is. Measured once a frame; allocates nothing. @internal */
-  depthsFrom(renderer: WebGLRenderer, camera: Camera): Readonly<SeenDepths> | null {
+  /** How near and how far, and where on the sheet it is seen in the present frame; null if nothing of it is. Measured once a frame; allocates nothing. @internal */
+  seenFrom(renderer: WebGLRenderer, camera: Camera): Readonly<SeenBox> | null {
     if (!this.measured.isOf(renderer, camera)) {
       this.measured.note(renderer, camera);
-      this.isSeen = seenDepths(this.box, this.frame.matrixWorld, camera, this.depths);
+      this.isSeen = seenBox(this.box, this.frame.matrixWorld, camera, this.seen);
     }
-    return this.isSeen ? this.depths : null;
+    return this.isSeen ? this.seen : null;
   }
 }

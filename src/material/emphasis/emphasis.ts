@@ -1,10 +1,10 @@
 import { type Camera, type IUniform, type Object3D, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { isUsedBy, propertyOf } from '../facts/lookFacts.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
-import type { ViewedCamera } from '../pictureOffset.js';
 import { importanceOf } from './importanceOf.js';
 import type { SceneExtent } from './SceneExtent.js';
 import { automaticDepthFade } from './seenDepths.js';
+import { writeSheet } from './writeSheet.js';
 
 type Uniforms = Record<string, IUniform>;
 
@@ -57,7 +57,7 @@ export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?:
 function writeDepths(look: EmphasisLook, fading: Vector3, renderer?: WebGLRenderer, camera?: Camera): void {
   const { depthFade, depthNear, depthFar } = look;
   // Most scenes do not fade: they need not be measured.
-  const seen = depthFade !== 0 && renderer && camera && look.extent?.depthsFrom(renderer, camera);
+  const seen = depthFade !== 0 && renderer && camera && look.extent?.seenFrom(renderer, camera);
   const strength = depthFade !== 'auto' ? depthFade : seen ? automaticDepthFade(seen, camera) : 0;
   const start = seen ? seen.front : 0;
   const unit = seen ? seen.back - seen.front : 1;
@@ -85,16 +85,4 @@ export function writeEmphasisOf(
   const isOther = importance !== u.importance.value;
   u.importance.value = importance;
   return isOther;
-}
-
-function writeSheet(sheet: Vector4, camera: Camera, viewport: Vector4): void {
-  sheet.copy(viewport);
-  const { view } = camera as ViewedCamera;
-  if (!view?.enabled) return;
-  const { fullWidth, fullHeight, offsetX, offsetY, width, height } = view;
-  sheet.z *= fullWidth / width;
-  sheet.w *= fullHeight / height;
-  // View offsets count from the upper left.
-  sheet.x -= (offsetX * viewport.z) / width;
-  sheet.y -= ((fullHeight - offsetY - height) * viewport.w) / height;
 }

@@ -7,6 +7,14 @@ export interface SeenDepths {
   back: number;
 }
 
+/** What a camera sees of a box: how deep it is, and where it lies on the sheet, from −1 to 1. */
+export interface SeenBox extends SeenDepths {
+  left: number;
+  right: number;
+  bottom: number;
+  top: number;
+}
+
 /** Four numbers to a corner: x, y and w in clip space, and its depth. */
 const SIZE = 4;
 /** A rectangle has at most one more corner after each of the five cuts. */
@@ -35,27 +43,37 @@ let polygon = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
 let kept = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
 
 /**
- * Finds how near and how far the sides of a box lie, as far as they are on the sheet. Of a picture that is drawn in tiles the sheet is the
+ * Finds how near and how far the sides of a box lie, and where on the sheet, as far as they are on it. Of a picture that is drawn in tiles the sheet is the
  * whole picture. Allocates nothing.
  *
  * @param frame the matrix from the space of the box to world space
  * @returns whether any of it is seen; if not, `target` stays as it is
  */
-export function seenDepths(box: Box3, frame: Matrix4, camera: Camera, target: SeenDepths): boolean {
+export function seenBox(box: Box3, frame: Matrix4, camera: Camera, target: SeenBox): boolean {
   toView.multiplyMatrices(camera.matrixWorldInverse, frame);
-  let [front, back] = [Infinity, -Infinity];
+  let [front, left, bottom] = [Infinity, Infinity, Infinity];
+  let [back, right, top] = [-Infinity, -Infinity, -Infinity];
   for (const face of FACES) {
     for (let i = 0; i < face.length; i++) writeCorner(box, face[i], camera, i);
     let count: number = face.length;
     for (const plane of SHEET) count = cut(count, plane);
-    for (let i = 0; i < count; i++) {
-      front = Math.min(front, polygon[SIZE * i + 3]);
-      back = Math.max(back, polygon[SIZE * i + 3]);
+    for (let i = 0; i < SIZE * count; i += SIZE) {
+      const [x, y] = [polygon[i] / polygon[i + 2], polygon[i + 1] / polygon[i + 2]];
+      front = Math.min(front, polygon[i + 3]);
+      back = Math.max(back, polygon[i + 3]);
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      bottom = Math.min(bottom, y);
+      top = Math.max(top, y);
     }
   }
   if (!(back > 0 && back < Infinity)) return false;
   target.front = Math.max(front, 0);
   target.back = back;
+  target.left = left;
+  target.right = right;
+  target.bottom = bottom;
+  target.top = top;
   return true;
 }
 

@@ -20,7 +20,7 @@ const files: ShaderFiles = import.meta.glob(
   [
     './{hatching,plain}.*',
     './{chunks,environment,shadowMaps}/*',
-    '!./chunks/{dryMedium,tooth,lineCoverage}.glsl',
+    '!./chunks/{dryMedium,tooth,lineCoverage,meanLight}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',
     './techniques/anchored/*',

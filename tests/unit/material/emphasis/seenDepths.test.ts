@@ -1,6 +1,6 @@
 import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { automaticDepthFade, type SeenDepths, seenDepths } from '../../../../src/material/emphasis/seenDepths.js';
+import { automaticDepthFade, type SeenBox, seenBox } from '../../../../src/material/emphasis/seenDepths.js';
 
 const NOWHERE = new Matrix4();
 
@@ -14,9 +14,9 @@ function cameraAt(z: number, fov = 40, aspect = 1.5): PerspectiveCamera {
   return camera;
 }
 
-function seen(bounds: Box3, camera: PerspectiveCamera | OrthographicCamera, frame = NOWHERE): SeenDepths | null {
-  const depths = { front: -1, back: -1 };
-  return seenDepths(bounds, frame, camera, depths) ? depths : null;
+function seen(bounds: Box3, camera: PerspectiveCamera | OrthographicCamera, frame = NOWHERE): SeenBox | null {
+  const depths = { front: -1, back: -1, left: -1, right: -1, bottom: -1, top: -1 };
+  return seenBox(bounds, frame, camera, depths) ? depths : null;
 }
 
 describe('the depths that are seen of a box', () => {
@@ -60,7 +60,14 @@ describe('the depths that are seen of a box', () => {
   test('are those of an orthographic camera too, also of what lies behind the sheet', () => {
     const camera = new OrthographicCamera(-2, 2, 2, -2, 0, 100);
     camera.updateMatrixWorld();
-    expect(seen(box([-1, -1, -9], [1, 1, -4]), camera)).toEqual({ front: 4, back: 9 });
+    expect(seen(box([-1, -1, -9], [1, 1, -4]), camera)).toEqual({
+      front: 4,
+      back: 9,
+      left: -0.5,
+      right: 0.5,
+      bottom: -0.5,
+      top: 0.5,
+    });
   });
 
   test('are none where the box is off the sheet, behind the eye or empty', () => {

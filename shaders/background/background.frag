@@ -1,0 +1,54 @@
+// The field of lines behind a subject, ruled on the sheet: darker behind its lit side, lighter behind its dark one. Each line ends in a
+// place of its own, and thins out towards it.
+uniform vec3 ink;
+uniform float opacity;
+uniform float tone;
+uniform float contrast; // how much the light changes the tone
+uniform float spacing; // pixels
+uniform vec2 direction; // cosine and sine of the angle of the lines
+uniform float extent; // how far the field reaches, by the subject's size on the sheet
+uniform vec4 sheet; // its lower left corner from that of what is drawn to, and its size, pixels
+uniform vec4 subject; // its centre on the sheet and half of its size, pixels
+
+varying vec2 vLit;
+
+#include <common>
+#include <dithering_pars_fragment>
+#include "lineCoverage"
+
+// How far apart the ends of lines lie, and over what way a line thins out, by the size of the field.
+#define RAGGED 0.4
+#define THINNING 0.5
+// How near to the rim of the sheet the field comes, in halves of the sheet.
+#define RIM 0.95
+
+// A random number in [0, 1) of an end of a line (Fibonacci hashing).
+float lotOf(const in float line, const in float end) {
+  uint spread = uint(int(2.0 * line + end)) * 0x9e3779b9u;
+  spread ^= spread >> 15u;
+  return float((spread * 0x85ebca6bu) >> 8u) / 16777216.0;
+}
+
+void main() {
+  vec2 place = gl_FragCoord.xy - sheet.xy;
+  vec2 away = place - subject.xy;
+  float along = dot(away, direction);
+  float across = dot(away, vec2(-direction.y, direction.x)) / spacing;
+  float line = floor(across);
+  vec2 bySize = away / subject.zw;
+  vec2 bySheet = abs(2.0 * place / sheet.zw - 1.0);
+  float way = max(length(bySize) / extent, max(bySheet.x, bySheet.y) / RIM);
+  // The two ends of a line have nothing in common, so in its middle neither counts.
+  float ragged = RAGGED * min(2.0 * abs(along) / (extent * max(subject.z, subject.w)), 1.0);
+  float left = 1.0 - smoothstep(1.0 - THINNING, 1.0, way + ragged * (lotOf(line, step(0.0, along)) - 0.5));
+  float side = clamp(dot(vLit, bySize), -1.0, 1.0);
+  float width = spacing * left * min(tone * (1.0 + contrast * side), 1.0);
+  float coverage = width > 0.0 ? lineCoverage(abs(across - line - 0.5) * spacing, 0.5 * width, 0.5) : 0.0;
+  if (coverage == 0.0) discard;
+
+  gl_FragColor = vec4(ink, opacity * coverage);
+  #include <tonemapping_fragment>
+  #include <colorspace_fragment>
+  #include <premultiplied_alpha_fragment>
+  #include <dithering_fragment>
+}

@@ -1,0 +1,74 @@
+import { expect } from '../browser/test.js';
+import { test } from './toolkitPage.js';
+
+/** The ink of a background on both sides of a ball, and in its middle where the ball hides it, under lights from both sides. */
+test('a background is darker behind the lit side, lighter behind the dark one, and hidden by what is before it', async ({
+  page,
+}) => {
+  const { sides, programs, calls } = await page.evaluate(async () => {
+    const { THREE, HatchingBackground, makeRenderer, pixelsOf, sceneOf, sun, SIZE } = window.toolkit;
+    const ball = new THREE.Mesh(new THREE.SphereGeometry(0.7), new THREE.MeshBasicMaterial({ color: 'white' }));
+    const background = new HatchingBackground(ball, { spacing: 4, extent: 2 });
+    const light = sun();
+    const scene = sceneOf(ball, light, background);
+    scene.background = new THREE.Color('white');
+    const renderer = makeRenderer();
+    const inkIn = (pixels: number[], from: number, to: number) => {
+      let ink = 0;
+      for (let y = SIZE / 3; y < (2 * SIZE) / 3; y++)
+        for (let x = from; x < to; x++) ink += 1 - pixels[4 * (y * SIZE + x)] / 255;
+      return ink;
+    };
+    const sides = [-3, 3].map((x) => {
+      light.position.set(x, 0, 1);
+      background.direction = x > 0 ? 0.4 : -0.9;
+      const pixels = pixelsOf(scene, renderer);
+      return { left: inkIn(pixels, 4, 20), middle: inkIn(pixels, 40, 56), right: inkIn(pixels, 76, 92) };
+    });
+    const { programs, render } = renderer.info;
+    const { calls } = render;
+    background.subject = null;
+    pixelsOf(scene, renderer);
+    return { sides, programs: programs!.length, calls: [calls, render.calls] };
+  });
+  const [fromLeft, fromRight] = sides;
+  expect(fromLeft.left).toBeGreaterThan(2 * fromLeft.right);
+  expect(fromRight.right).toBeGreaterThan(2 * fromRight.left);
+  expect(fromLeft.right).toBeGreaterThan(1);
+  expect(fromLeft.middle).toBe(0);
+  expect(fromRight.middle).toBe(0);
+  expect(programs).toBe(2);
+  // Without a subject nothing is drawn.
+  expect(calls).toEqual([2, 1]);
+});
+
+test('a background has the tone that is asked for where nothing lights it, and ends before the rim', async ({
+  page,
+}) => {
+  const { tones, rim } = await page.evaluate(async () => {
+    const { THREE, HatchingBackground, makeRenderer, pixelsOf, sceneOf, SIZE } = window.toolkit;
+    // Where the subject hides nothing and the field is as wide as the sheet.
+    const subject = new THREE.Mesh(new THREE.PlaneGeometry(9, 9));
+    subject.visible = false;
+    const background = new HatchingBackground(subject, { spacing: 6, direction: 0.5, extent: 3 });
+    const scene = sceneOf(background, subject);
+    scene.background = new THREE.Color('white');
+    const renderer = makeRenderer();
+    let rim = 0;
+    const tones = [0.1, 0.25, 0.5].map((tone) => {
+      background.tone = tone;
+      const pixels = pixelsOf(scene, renderer);
+      let ink = 0;
+      for (let p = 0; p < SIZE * SIZE; p++) {
+        const [x, y] = [p % SIZE, Math.floor(p / SIZE)];
+        const darkness = 1 - pixels[4 * p] / 255;
+        if (Math.max(Math.abs(x - 48), Math.abs(y - 48)) < 12) ink += darkness / 23 ** 2;
+        if (x === 0 || y === 0 || x === SIZE - 1 || y === SIZE - 1) rim += darkness;
+      }
+      return ink;
+    });
+    return { tones, rim };
+  });
+  for (const [i, tone] of [0.1, 0.25, 0.5].entries()) expect(Math.abs(tones[i] - tone)).toBeLessThan(0.03);
+  expect(rim / (4 * 96 * 3)).toBeLessThan(0.01);
+});
