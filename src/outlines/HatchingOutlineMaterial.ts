@@ -87,7 +87,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   declare toothSize: number;
   /** Colour of the outlines. Default black. */
   ink: Color = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
-  /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.6, 1.7). */
+  /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.7, 1.7). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */

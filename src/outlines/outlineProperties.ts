@@ -17,7 +17,7 @@ export const HATCHING_OUTLINE_DEFAULTS = {
   tooth: 0,
   toothSize: 2.5,
   ink: 0x000000,
-  shadeWeights: [0.6, 1.7],
+  shadeWeights: [0.7, 1.7],
 } as const;
 
 /** The ranges of the numeric properties. Each has a uniform of the same name. */

@@ -10,7 +10,7 @@ import type { Settings } from './settings.js';
 const LIGHT_HAND = 1;
 const OVERSHOOT = 3;
 /** Weight that outlines lose in full light and gain in full shade, if the shade weight is 100 %. */
-const LOST_IN_LIGHT = 1;
+const LOST_IN_LIGHT = 0.75;
 const GAINED_IN_SHADE = 1.75;
 
 /** The parameters of outlines that settings stand for. */

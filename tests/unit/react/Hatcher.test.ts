@@ -71,7 +71,7 @@ test('values change in place: the geometry, the material and the outlines stay',
   expect([material.lineField, material.handmade]).toEqual(['light', presets.engraving.material.handmade]);
   const [{ material: look }] = hatched[0].outlines;
   // Of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
-  expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.35, 0.6, 1.7]);
+  expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.35, 0.7, 1.7]);
   hatcher.update({ preset: 'engraving', material: { lineField: 'light' } });
   await next();
   expect(look.taper).toBe(0.8);
