@@ -403,8 +403,12 @@ test('only settings of the techniques in use are offered', async ({ page }) => {
   await expect(style).toBeVisible();
   await page.getByRole('button', { name: 'Stipple', exact: true }).click();
   for (const hidden of [anchors, shift, style, direction]) await expect(hidden).toBeHidden();
-  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  await page.getByRole('button', { name: 'Pencil', exact: true }).click();
+  await page.getByLabel('Strokes follow').selectOption('The light');
   for (const shown of [anchors, style, direction]) await expect(shown).toBeVisible();
+  // A pen draws the lines of another technique.
+  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  for (const hidden of [anchors, style, direction]) await expect(hidden).toBeHidden();
 });
 
 test.describe('a lost graphics context', () => {

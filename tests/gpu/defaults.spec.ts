@@ -71,9 +71,22 @@ test('a preset by its name draws what its parameters draw, and one map of a styl
       await material.ready;
       return pixelsOf(scene(material), renderer);
     };
+    const hand = {
+      technique: 'engraved',
+      medium: 'pen',
+      lineField: 'auto',
+      strokeLength: 72,
+      lineSpacing: 4.4,
+    } as const;
+    const values = { exposure: 'auto', localTone: 0.8, colorFill: 0, hollowTone: 1 } as const;
     const pen = await draw(new UsersMaterial({ preset: 'pen' }));
     const { textures } = renderer.info.memory;
-    const black = await draw(new UsersMaterial({ ink: '#1c1a17', paper: '#f7f3e8' }));
+    const black = await draw(
+      new UsersMaterial({
+        ...{ ...hand, ...values, crossFrom: 0.6, handmade: 0.6, toneCurve: 'printed', reflectedLight: 0.35 },
+        ...{ ink: '#1c1a17', paper: '#f7f3e8' },
+      }),
+    );
     const engraved = await draw(new UsersMaterial({ preset: 'engraving', ink: 'black', paper: 'white' }));
     const bare = await draw(new UsersMaterial({ technique: 'engraved' }));
     const same = (a: number[], b: number[]): boolean => a.every((value, i) => value === b[i]);
