@@ -1,7 +1,7 @@
 import { DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { applyHatching } from 'three-hatching';
+import { applyHatching, flatteringLight } from 'three-hatching';
 
 const canvas = document.querySelector('canvas')!;
 const renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -18,7 +18,6 @@ gltf.scene.traverse((object) => {
 await applyHatching(gltf.scene, 'crossHatching');
 
 const light = new DirectionalLight(0xffffff, Math.PI);
-light.position.set(-3, 3.4, 2.2);
 light.castShadow = true;
 light.shadow.normalBias = 0.02;
 light.shadow.mapSize.set(2048, 2048);
@@ -33,6 +32,10 @@ const controls = new OrbitControls(camera, canvas);
 controls.target.set(0.22, 0.62, 0);
 controls.addEventListener('change', draw);
 controls.update();
+
+// A light that suits the first view, from the model to the sun.
+light.position.copy(flatteringLight(gltf.scene, camera).direction).multiplyScalar(5);
+
 new ResizeObserver(() => {
   renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
   draw();
