@@ -151,7 +151,7 @@ const backgroundMaterial = (): ShaderMaterial =>
         {
           centre: { value: new Vector3() },
           direction: { value: new Vector2() },
-          ink: { value: null },
+          ink: { value: new Color() },
           opacity: { value: 1 },
           sheet: { value: new Vector4() },
           subject: { value: new Vector4() },

@@ -13,6 +13,11 @@ test('a background is darker behind the lit side, lighter behind the dark one, a
     const scene = sceneOf(ball, light, background);
     scene.background = new THREE.Color('white');
     const renderer = makeRenderer();
+    // A frame before it has a subject.
+    const { subject } = background;
+    background.subject = null;
+    pixelsOf(scene, renderer);
+    background.subject = subject;
     const inkIn = (pixels: number[], from: number, to: number) => {
       let ink = 0;
       for (let y = SIZE / 3; y < (2 * SIZE) / 3; y++)

@@ -3,6 +3,7 @@ import { presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
 import { lightSample } from './lightSample.js';
 import {
+  compositionParameters,
   drawnWithMap,
   mapSource,
   materialParameters,
@@ -30,7 +31,7 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined, 
 /** Code with every setting that has an effect. */
 function wholeSample(settings: Settings, sceneRadius: number | undefined, name: string): string {
   const isScene = sceneRadius !== undefined;
-  const material = materialParameters(settings, isScene);
+  const material = [...materialParameters(settings, isScene), ...compositionParameters(settings)];
   const lights = lightSample(settings, sceneRadius);
   const classes = new Set(lights.classes);
   if (shiftsStrokes(settings)) classes.add('Vector2');

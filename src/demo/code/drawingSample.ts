@@ -1,3 +1,4 @@
+import { backgroundLook } from '../settings/compositionLook.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
 import { presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
@@ -54,6 +55,7 @@ export function drawingSample(shown: CodeDrawing): DrawingSample {
     clipPart(drawing, source.hasClips),
     lookPart(drawing),
     groundPart(drawing),
+    backgroundPart(drawing.settings),
     lightsPart(drawing.settings),
     framesPart(drawing, source.hasClips),
   ];
@@ -167,13 +169,14 @@ function lookPart({ model, settings }: CodeDrawing): Part {
     own.push('side: DoubleSide');
     three.push('DoubleSide');
   }
+  own.push(...compositionParameters(settings, true));
   let look: string[];
   let rest: string;
   let before = '';
   if (preset) {
     hatching.push('presets', 'scalePreset');
     before = `const preset = scalePreset(presets.${preset}, ${SHARE});\n`;
-    look = ['...preset.material', ...compositionParameters(settings)];
+    look = ['...preset.material'];
     if (settings.surfaceColors === 'paper') own.push(`color: 'white'`, 'map: null', 'vertexColors: false');
     rest = '  ...preset,\n';
   } else {
@@ -234,6 +237,20 @@ const ground = new Mesh(await prepareHatchingGeometry(plane${prepareArgument(set
 ground.position.y = ${round(groundHeight)};
 ground.receiveShadow = true;
 scene.add(ground);`,
+  };
+}
+
+function backgroundPart(settings: Settings): Part {
+  const look = backgroundLook(settings);
+  if (!look) return { code: '' };
+  const { spacing, ink, ...numbers } = look;
+  const entries = Object.entries(numbers).map(([name, value]) => `  ${name}: ${round(value)},\n`);
+  return {
+    hatching: ['HatchingBackground'],
+    code: `scene.add(new HatchingBackground(hatching.materials[0].extent, {
+${entries.join('')}  spacing: ${round(spacing)} * ${SHARE},
+  ink: '${ink}',
+}));`,
   };
 }
 

@@ -64,7 +64,6 @@ export function materialParameters(settings: Settings, isScene: boolean, factor?
     if (isSize(twin)) parameters.push(sizeSource(settings, twin, factor));
     else if (!isDefault(look, property)) parameters.push(`${property}: ${valueSource(settings, twin)}`);
   }
-  parameters.push(...compositionParameters(settings));
   if (!isScene) {
     parameters.push(
       `color: '${settings.color}'`,
@@ -74,8 +73,12 @@ export function materialParameters(settings: Settings, isScene: boolean, factor?
   return parameters;
 }
 
-/** The parameters of composition that are not at their defaults, which presets leave alone. */
-export function compositionParameters(settings: Settings): string[] {
+/**
+ * The parameters of composition that are not at their defaults, which presets leave alone.
+ *
+ * @param isPlaced whether the scene of the code lies where that of the page does, so that a focus is where it is there
+ */
+export function compositionParameters(settings: Settings, isPlaced = false): string[] {
   const look = materialLook(settings);
   const twins = TWINS.filter(({ key }) => SETTINGS[key].group === 'Composition');
   const own = Object.entries(compositionLook(settings)) as [HatchingPropertyName, unknown][];
@@ -84,7 +87,7 @@ export function compositionParameters(settings: Settings): string[] {
     ...twins.map((twin) => [twin.property, valueSource(settings, twin)] as const),
   ];
   return entries
-    .filter(([name]) => counts(look, name) && !isDefault(look, name))
+    .filter(([name]) => counts(look, name) && !isDefault(look, name) && (isPlaced || !name.startsWith('focus')))
     .map(([name, source]) => `${name}: ${source}`);
 }
 

@@ -1,5 +1,6 @@
 import type { HatchingMaterialParameters } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
+import { backgroundLook } from './compositionLook.js';
 import { drawnSettings } from './drawnSettings.js';
 import { type Lighting, lightingOf } from './lighting.js';
 import { materialLook, materialSizes } from './materialLook.js';
@@ -27,6 +28,8 @@ export interface Look {
   readonly groundShadow: Readonly<
     Required<Pick<HatchingMaterialParameters, 'toneModel' | 'shadowTone' | 'shadowFade'>>
   >;
+  /** The properties of the background, in CSS pixels; undefined if there is none to be seen. */
+  readonly background: ReturnType<typeof backgroundLook>;
   /** The colour of what nothing is drawn on. */
   readonly paper: string;
   /** Rotations about x, y and z, in radians, that turn the model's up axis to the top. */
@@ -58,6 +61,7 @@ export function lookOf(settings: Settings): Look {
     ground,
     showsGround: ground !== 'none' && !isDebugView,
     groundShadow: { toneModel: 'shadow', shadowTone: shown.shadowTone / 100, shadowFade: shown.shadowFade / 100 },
+    background: isDebugView ? undefined : backgroundLook(shown),
     paper,
     upright: UPRIGHT[upAxis],
     lights: lightingOf(shown),

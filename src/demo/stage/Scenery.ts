@@ -3,6 +3,7 @@ import type { TonalArtMap } from 'three-hatching';
 import { releaseGraphics } from '../drawing/releaseGraphics.js';
 import type { Look } from '../settings/lookOf.js';
 import { UPRIGHT } from '../settings/settingValues.js';
+import { Backdrop } from './Backdrop.js';
 import { Ground } from './Ground.js';
 import type { Layer } from './layers.js';
 import { LightRig } from './light/LightRig.js';
@@ -13,6 +14,7 @@ export class Scenery {
   readonly scene = new Scene();
   readonly lights = new LightRig(this.scene);
   readonly ground: Ground;
+  private readonly backdrop: Backdrop;
   readonly shown: ShownModel;
   /** How everything is drawn; undefined until the first look is applied. */
   look: Look | undefined;
@@ -28,6 +30,7 @@ export class Scenery {
    */
   constructor(onGround: () => void, onModel: ConstructorParameters<typeof ShownModel>[1]) {
     this.ground = new Ground(this.scene, onGround);
+    this.backdrop = new Backdrop(this.scene);
     this.shown = new ShownModel(this.upright, onModel);
     this.scene.add(this.upright);
   }
@@ -47,6 +50,7 @@ export class Scenery {
     if (isTurned) upright.rotation.set(...look.upright);
     shown.apply(look);
     ground.apply(look);
+    this.backdrop.apply(look, shown.model?.extent ?? null);
     return { isTurned, hasOtherShadow: this.showsShadow !== hadShadow };
   }
 
@@ -56,6 +60,7 @@ export class Scenery {
     upright.updateMatrix();
     if (!shown.model) return undefined;
     ground.extent = shown.model.extent;
+    if (this.look) this.backdrop.apply(this.look, shown.model.extent);
     ground.height = shown.model.bounds.clone().applyMatrix4(upright.matrix).min.y;
     return turned(shown.model.outline, upright.matrix);
   }
@@ -90,12 +95,14 @@ export class Scenery {
     if (!this.look) return;
     this.shown.model?.setWidths(this.look, share, scale);
     this.ground.setWidths(this.look, share, scale);
+    this.backdrop.setWidths(this.look, share * scale);
   }
 
   /** Hides outlines and ground, which need programs of their own, until the look is applied again. */
   showSketch(): void {
     this.shown.model?.showOutlines(false);
     this.ground.hide();
+    this.backdrop.hide();
   }
 
   /** Shows or hides the paper. Without it, only strokes are drawn. */
@@ -109,6 +116,7 @@ export class Scenery {
     if (!this.look) return;
     this.shown.model?.showLayer(layer, this.look);
     this.ground.showLayer(layer, this.look);
+    this.backdrop.showLayer(layer, this.look);
   }
 
   /** Disposes of what everything has on the graphics card. To be called while the context is lost. */

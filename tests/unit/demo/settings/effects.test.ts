@@ -76,6 +76,8 @@ describe('a setting has an effect', () => {
     const some: Partial<Settings>[] = [
       {
         depth: 'on',
+        focus: 'on',
+        background: 'on',
         shadows: 'on',
         secondLight: 'free',
         lightKind: 'spot',

@@ -139,7 +139,7 @@ describe('the button of a preset', () => {
           (key) =>
             /^(model|compare|surfaceColors|upAxis|lightKind|lightAzimuth|lightElevation|lightFollows|lightDistance)$/.test(
               key,
-            ) || /^(spot|second|picture|video)/.test(key),
+            ) || /^(spot|second|picture|video|focus)/.test(key),
         ),
       );
       expect(presetOf(later)).toBe(name);
