@@ -18,7 +18,7 @@ const core = [
   /first frame in an environment/,
   /make the tone of three's Lambert/,
   /(outside a shadow no stroke|under one light strokes run across|the tone of shadows alone)/,
-  /loses it evenly with the distance.*PCF, (directional|spot)/,
+  /(loses it evenly with the distance|as wide as those of a round lamp).*PCF, (directional|spot)$/,
   /strokes turn to the lights that arrive.*shadow of (directional|spot|point)/,
 ];
 

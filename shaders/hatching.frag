@@ -32,7 +32,7 @@ varying vec3 vViewPosition;
 #include <normal_pars_fragment>
 #include "shadowMaps"
 #include "shadows"
-#include "shadowDissolve"
+#include "softShadows"
 #include <bumpmap_pars_fragment>
 #include <normalmap_pars_fragment>
 #include <logdepthbuf_pars_fragment>
@@ -71,10 +71,10 @@ void main() {
     normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0),
     localDarkness(diffuseColor.rgb, totalEmissiveRadiance)
   );
-  #include <lights_fragment_begin>
   #ifdef DISSOLVES_SHADOWS
-    dissolveShadows(geometryPosition);
+    tellSoftShadows(-vViewPosition);
   #endif // DISSOLVES_SHADOWS
+  #include <lights_fragment_begin>
   occludeLights(material);
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);

@@ -8,6 +8,7 @@ const PLAIN: HatchingMaterialParameters = {
   crossFrom: 0.52,
   shadowTone: 1,
   shadowFade: 0,
+  shadowSoftness: 0,
   shadowDirection: 'strokes',
 };
 

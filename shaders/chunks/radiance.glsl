@@ -41,7 +41,9 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
     surface.shadowed += (1.0 - lightShadow) * arriving;
     arriving *= lightShadow;
     #ifdef DISSOLVES_SHADOWS
-      shadowTakes[lightsMet] = luminance(light.color) * max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - lightShadow);
+      float takes = luminance(light.color) * max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - lightShadow);
+      shadowTaken += takes;
+      shadowLost += takes * (1.0 - toneLeft[lightsMet]);
     #endif // DISSOLVES_SHADOWS
     #ifdef REORIENTS_IN_SHADOW
       float taken = max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - 2.0 * lightShadow);

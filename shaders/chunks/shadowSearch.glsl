@@ -1,24 +1,67 @@
-// The end of a function that gives what is left of a shadow at a point. PASSES(distance, away): how much light passes what lies beyond
-// that distance, a share of the reach of the shadow, at a place so far from the point in radii of the soft edge.
+// The end of a function that tells of a shadow at a point: how much light passes, and how much of the tone is left.
 //
-// A sampler that compares does not tell the depth of what casts a shadow, only whether that lies before a depth: the distance is found
-// by halving. The outer half of a soft edge lies beside its caster, so what is darkest near the point decides.
-vec2 away = vec2(0.0);
-float passing = PASSES(0.0, away);
+// PLACE(distance): where the ray to the middle of the lamp is at a distance, as the map has it, and `across` how it changes to either side.
+// DEPTH(distance): the depth there. PASSES(place, depth): how much passes what lies beyond a depth, where the map shows a place.
+//
+// A sampler that compares does not tell the depth of what casts a shadow, only whether that lies before a depth. So the map is asked at
+// rings around the point, from narrow to wide: they lie within a cone whose top is the point and whose base is the lamp, or somewhat
+// outside of it. Where one of them is dark, the distance of what casts the shadow is found by halving. As wide as the cone is there, so
+// wide is the soft edge.
+float opening = 0.5 * shadowSoftness;
+float texel = rays.width / texels;
+float lift = LIFT * texel;
+float thinnest = max(radius, 0.5) * texel;
+MAP_PLACE darkPlace = PLACE(0.0);
+float middle = PASSES(darkPlace, DEPTH(lift));
+float darkest = middle;
+float lit = middle;
+// Distances are found up to that of the lamp; a cone to a lamp opens on the map the faster the nearer it comes.
+float farthest = min(rays.farthest, 0.75 / max(rays.nearing, 1e-6));
+float opened = farthest / (1.0 - rays.nearing * farthest) / 27.0;
+vec2 way = vec2(1.0, 0.0);
 for (int i = 0; i < 4; i++) {
-  vec2 corner = vec2(i < 2 ? -1.0 : 1.0, i % 2 == 0 ? -1.0 : 1.0);
-  float there = PASSES(0.0, corner);
-  if (there < passing - 1e-3) {
-    passing = there;
-    away = corner;
+  float ring = opened / (1.0 + rays.nearing * opened);
+  MAP_PLACE centre = PLACE(ring);
+  MAP_PLACE aside = across * (max(opening * ring, thinnest) * way);
+  MAP_PLACE beside = across * (max(opening * ring, thinnest) * vec2(-way.y, way.x));
+  float depth = DEPTH(max(WITHIN * ring, lift));
+  for (int j = 0; j < 4; j++) {
+    MAP_PLACE place = centre + (j % 2 == 0 ? aside : beside) * (j < 2 ? 1.0 : -1.0);
+    float there = PASSES(place, depth);
+    lit += there;
+    if (there < darkest - 1e-3) {
+      darkest = there;
+      darkPlace = place;
+    }
   }
+  opened *= 3.0;
+  way = vec2(way.x - way.y, way.x + way.y) * 0.70710678;
 }
-float most = 0.5 + 0.5 * passing;
-float before = 0.0;
-float span = 0.5;
+if (lit > 16.999) return vec2(1.0);
+float most = 0.5 + 0.5 * darkest;
+float caster = 0.0;
+float span = 0.5 * farthest;
 for (int i = 0; i < HALVINGS; i++) {
-  if (PASSES(before + span, away) < most) before += span;
+  if (PASSES(darkPlace, DEPTH(max(caster + span, lift))) < most) caster += span;
   span *= 0.5;
 }
+// The last step is never taken: what lies as far as is looked for has dissolved.
+float left = max(1.0 - shadowFade * caster / (rays.width * (1.0 - LAST_STEP)), 0.0);
+if (lit < 1e-3 || left == 0.0 || shadowSoftness == 0.0) return vec2(min(lit, 1.0), left);
+// Places all over the cone, as seeds lie in a flower, the outermost first. What lies nearer than the caster hides the lamp too.
+caster += span;
+float edge = max(opening * caster, thinnest);
+MAP_PLACE centre = PLACE(caster);
+float open = 0.0;
+for (int i = 0; i < EDGE_SAMPLES; i++) {
+  // There is no edge if the rim is as dark as the middle.
+  if (i == RIM_SAMPLES && open + middle < 1e-3) return vec2(0.0, left);
+  float outward = sqrt((float(EDGE_SAMPLES - i) - 0.5) / float(EDGE_SAMPLES));
+  open += PASSES(centre + across * (edge * outward * way), DEPTH(max(WITHIN * outward * caster, lift)));
+  way = vec2(-0.73736888 * way.x - 0.67549029 * way.y, 0.67549029 * way.x - 0.73736888 * way.y);
+}
+#undef MAP_PLACE
+#undef PLACE
+#undef DEPTH
 #undef PASSES
-return 1.0 - before / (1.0 - LAST_STEP);
+return vec2(open / float(EDGE_SAMPLES), left);

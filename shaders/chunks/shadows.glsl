@@ -10,6 +10,12 @@
     return 1.0;
   }
 
+  // Tells of the light at hand by a function of three's, unless we know it already.
+  #if TONE_MODEL == TONE_MODEL_SHADOW
+    #define KNOWN_SHADOW(shadow) (passing[lightsMet] < 0.0 ? shadow : passing[lightsMet])
+  #else
+    #define KNOWN_SHADOW(shadow) shadow
+  #endif // TONE_MODEL
   #include "lightShadows"
 
   #if SHADOW_STROKES == SHADOW_STROKES_REORIENT

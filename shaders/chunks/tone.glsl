@@ -46,7 +46,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     // Nor where all of it arrives, whatever a curve makes of blank paper.
     PerToneNormal tone = max(toneFromRadiance(arriving) - arriving * toneFromRadiance(PerToneNormal(1.0)), 0.0);
     #ifdef DISSOLVES_SHADOWS
-      tone *= shadowTone * shadowLeft;
+      tone *= shadowTone * shadowLeft();
     #endif // DISSOLVES_SHADOWS
     return tone;
   #else

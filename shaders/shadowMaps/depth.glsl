@@ -4,11 +4,23 @@
   #define SHADOW_TEXEL(map, at, depth) texture(map, vec3(at, depth))
 #else
   #define FLAT_SHADOW_MAP sampler2D
-  #ifdef USE_REVERSED_DEPTH_BUFFER
+  #ifdef SHADOW_MOMENTS
+    // moments: mean and standard deviation of depths around a place. The share of them that lies beyond a depth, if there are two of them.
+    float passesMoments(const in vec2 moments, const in float depth) {
+      #ifdef USE_REVERSED_DEPTH_BUFFER
+        float beyond = moments.x - depth;
+      #else
+        float beyond = depth - moments.x;
+      #endif // USE_REVERSED_DEPTH_BUFFER
+      float variance = max(moments.y * moments.y, 1e-8);
+      return beyond > 0.0 ? variance / (variance + beyond * beyond) : 1.0;
+    }
+    #define SHADOW_TEXEL(map, at, depth) passesMoments(SHADOW_MOMENTS(texture2D(map, at)), depth)
+  #elif defined(USE_REVERSED_DEPTH_BUFFER)
     #define SHADOW_TEXEL(map, at, depth) step(SHADOW_DEPTH(texture2D(map, at)), depth)
   #else
     #define SHADOW_TEXEL(map, at, depth) step(depth, SHADOW_DEPTH(texture2D(map, at)))
-  #endif // USE_REVERSED_DEPTH_BUFFER
+  #endif // SHADOW_MOMENTS
 #endif // SHADOW_MAPS_COMPARE
 
 #ifdef USE_REVERSED_DEPTH_BUFFER
@@ -17,17 +29,19 @@
   #define BIASED(depth, bias) ((depth) + (bias))
 #endif // USE_REVERSED_DEPTH_BUFFER
 
-// at: with w. away: as a share of the map.
-float passesFlat(FLAT_SHADOW_MAP map, const in vec4 at, const in vec2 away, const in float bias) {
-  vec3 place = at.xyz / at.w;
-  return SHADOW_TEXEL(map, place.xy + away, BIASED(place.z, bias));
+// at: in the map, with w. Nothing lies outside the map.
+float passesFlat(FLAT_SHADOW_MAP map, const in vec4 at, const in float depth) {
+  vec2 place = at.xy / at.w;
+  float there = SHADOW_TEXEL(map, place, depth);
+  return any(greaterThan(abs(place - 0.5), vec2(0.5))) ? 1.0 : there;
 }
 
 #ifdef CUBE_SHADOW_MAP
-  // lightDistance: of the point. A face of the cube measures depth along its own axis.
+  // towards: of any length. lightDistance: of the point. A face of the cube measures depth along its own axis.
   float passesCube(
-    CUBE_SHADOW_MAP map, const in vec3 direction, const in float lightDistance, const in vec2 range, const in float bias
+    CUBE_SHADOW_MAP map, const in vec3 towards, const in float lightDistance, const in vec2 range, const in float bias
   ) {
+    vec3 direction = normalize(towards);
     vec3 onAxes = abs(direction);
     float alongFace = max(lightDistance * max(max(onAxes.x, onAxes.y), onAxes.z), range.x);
     float depth = range.y * (1.0 - range.x / alongFace) / (range.y - range.x) + bias;

@@ -175,10 +175,17 @@ export interface HatchingMaterialOptions {
   /**
    * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
    * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
-   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'` `1`,
-   * for `'engraved'` `1`. Only with `toneModel` `'shadow'`.
+   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'`
+   * `0.65`, for `'engraved'` `0.65`. Only with `toneModel` `'shadow'`.
    */
   shadowFade: number;
+  /**
+   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them, as
+   * if the light came from a lamp that is so wide, as a share of its own distance. At 0 all edges are as wide as the
+   * light's `shadow.radius` says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only
+   * with `toneModel` `'shadow'`.
+   */
+  shadowSoftness: number;
   /**
    * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
    * `'strokes'`, for `'anchored'` `'away'`, for `'engraved'` `'away'`. Only with `toneModel` `'shadow'`. Another value
@@ -515,10 +522,17 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /**
    * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
    * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
-   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'` `1`,
-   * for `'engraved'` `1`. Only with `toneModel` `'shadow'`.
+   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'`
+   * `0.65`, for `'engraved'` `0.65`. Only with `toneModel` `'shadow'`.
    */
   shadowFade: number;
+  /**
+   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them, as
+   * if the light came from a lamp that is so wide, as a share of its own distance. At 0 all edges are as wide as the
+   * light's `shadow.radius` says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only
+   * with `toneModel` `'shadow'`.
+   */
+  shadowSoftness: number;
   /**
    * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
    * `'strokes'`, for `'anchored'` `'away'`, for `'engraved'` `'away'`. Only with `toneModel` `'shadow'`. Another value

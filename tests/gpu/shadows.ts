@@ -152,6 +152,46 @@ function boardDistances(kind: LightKind, light: ShadowLight): Float32Array {
   });
 }
 
+/** A plate over the half of the plane where x is above 0, at a height. It is visible only by its shadow. */
+function plate(height: number): THREE.Mesh {
+  const mesh = new THREE.Mesh(
+    new THREE.PlaneGeometry(1.6, 3),
+    new THREE.MeshBasicMaterial({ colorWrite: false, depthWrite: false, side: THREE.DoubleSide }),
+  );
+  mesh.position.set(0.8, 0, height);
+  mesh.castShadow = true;
+  return mesh;
+}
+
+/**
+ * How much of a round lamp is seen past the plate, along the middle row of the picture: the mean of rays to places all over it.
+ *
+ * @param softness the width of the lamp as a share of its distance
+ */
+function plateVisibility(kind: LightKind, light: ShadowLight, height: number, softness: number): number[] {
+  const [place, toLight, side, up, ray] = Array.from({ length: 5 }, () => new THREE.Vector3());
+  const rays = 2000;
+  return Array.from({ length: SIZE }, (_, i) => {
+    place.set((i + 0.5) / (SIZE / 2) - 1, 0.5 / (SIZE / 2), 0);
+    toLight.copy(light.position);
+    if (kind !== 'directional') toLight.sub(place);
+    toLight.normalize();
+    side.set(0, 1, 0).cross(toLight).normalize();
+    up.crossVectors(toLight, side);
+    let seen = 0;
+    for (let j = 0; j < rays; j++) {
+      const [radius, angle] = [0.5 * softness * Math.sqrt((j + 0.5) / rays), j * Math.PI * (3 - Math.sqrt(5))];
+      ray
+        .copy(toLight)
+        .addScaledVector(side, radius * Math.cos(angle))
+        .addScaledVector(up, radius * Math.sin(angle));
+      const x = place.x + (height / ray.z) * ray.x;
+      if (x < 0 || x > 1.6) seen++;
+    }
+    return seen / rays;
+  });
+}
+
 /** The outline of the ball's shadow under a directional light, as a black disc. */
 function ellipse(light: ShadowLight): THREE.Mesh {
   const towards = light.position.clone().normalize();
@@ -266,6 +306,8 @@ const shading = {
   clearances,
   ball,
   board,
+  plate,
+  plateVisibility,
   boardDistances,
   ellipse,
   strokeMap,

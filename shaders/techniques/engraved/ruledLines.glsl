@@ -32,7 +32,7 @@ float powerOf2(const in float octave) {
   // What a line has of the width that it would have if all thinned out together.
   float lineLeft(const in float line) {
     float end = FIRST_END * lotOf(line);
-    return max(shadowLeft - end, 0.0) / ((1.0 - end) * max(shadowLeft, 1e-3));
+    return max(shadowLeft() - end, 0.0) / ((1.0 - end) * max(shadowLeft(), 1e-3));
   }
 #else
   #define lineLeft(line) 1.0

@@ -1,5 +1,6 @@
 import { backgroundLook } from '../settings/compositionLook.js';
 import { drawnSettings } from '../settings/drawnSettings.js';
+import { shadowNumbers } from '../settings/groundShadow.js';
 import { presetOf } from '../settings/presets.js';
 import type { Settings } from '../settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from '../settings/settingValues.js';
@@ -215,12 +216,17 @@ ${rest}  material: look,
   };
 }
 
+const shadowNumbersOf = (settings: Settings): string =>
+  Object.entries(shadowNumbers(settings))
+    .map(([name, value]) => `\n  ${name}: ${round(value)},`)
+    .join('');
+
 function groundPart({ settings, groundHeight }: CodeDrawing): Part {
   if (settings.ground === 'none') return { code: '' };
   const { size, parts } = GROUND;
   const kind =
     settings.ground === 'shadow'
-      ? `\n  toneModel: 'shadow', // nothing but shadows\n  shadowTone: ${round(settings.shadowTone / 100)},\n  shadowFade: ${round(settings.shadowFade / 100)},\n  transparent: true,\n  paperOpacity: 0,\n  depthWrite: false,`
+      ? `\n  toneModel: 'shadow', // nothing but shadows${shadowNumbersOf(settings)}\n  transparent: true,\n  paperOpacity: 0,\n  depthWrite: false,`
       : '';
   return {
     three: ['Mesh', 'PlaneGeometry'],

@@ -2,6 +2,7 @@ import type { HatchingMaterialParameters } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
 import { backgroundLook } from './compositionLook.js';
 import { drawnSettings } from './drawnSettings.js';
+import { type SHADOW_NUMBERS, shadowNumbers } from './groundShadow.js';
 import { type Lighting, lightingOf } from './lighting.js';
 import { materialLook, materialSizes } from './materialLook.js';
 import { type OutlineLook, outlineLook } from './outlineLook.js';
@@ -26,7 +27,7 @@ export interface Look {
   readonly showsGround: boolean;
   /** The properties of a ground that shows shadows alone. */
   readonly groundShadow: Readonly<
-    Required<Pick<HatchingMaterialParameters, 'toneModel' | 'shadowTone' | 'shadowFade'>>
+    Required<Pick<HatchingMaterialParameters, 'toneModel' | (typeof SHADOW_NUMBERS)[number]>>
   >;
   /** The properties of the background, in CSS pixels; undefined if there is none to be seen. */
   readonly background: ReturnType<typeof backgroundLook>;
@@ -60,7 +61,7 @@ export function lookOf(settings: Settings): Look {
     showsSurfaceColors: shown.surfaceColors === 'shown',
     ground,
     showsGround: ground !== 'none' && !isDebugView,
-    groundShadow: { toneModel: 'shadow', shadowTone: shown.shadowTone / 100, shadowFade: shown.shadowFade / 100 },
+    groundShadow: { toneModel: 'shadow', ...shadowNumbers(shown) },
     background: isDebugView ? undefined : backgroundLook(shown),
     paper,
     upright: UPRIGHT[upAxis],

@@ -1,4 +1,5 @@
 import { type PresetName, presets } from 'three-hatching';
+import { settingsOfShadow } from './groundShadow.js';
 import { settingsOfMaterial } from './materialLook.js';
 import { settingsOfOutlines } from './outlineLook.js';
 import { PRESET_NAMES } from './presetLabels.js';
@@ -17,6 +18,7 @@ export function presetLook(name: PresetName): Partial<Settings> {
     ...Object.fromEntries(LOOK_KEYS.map((key) => [key, SETTINGS[key].default])),
     lightStrength: LIGHT_STRENGTH,
     ...settingsOfMaterial(material),
+    ...settingsOfShadow(material),
     ...settingsOfOutlines(outlines),
     ...(tonalArtMap?.style && { mapStyle: tonalArtMap.style }),
   };

@@ -29,6 +29,7 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   smudge: { measure: 'share', when: { medium: ['dry'] } },
   shadowTone: { measure: 'tone', when: { toneModel: ['shadow'] } },
   shadowFade: { measure: 'factor', when: { toneModel: ['shadow'] } },
+  shadowSoftness: { measure: 'factor', when: { toneModel: ['shadow'] } },
   shadowDirection: { when: { toneModel: ['shadow'] } },
   shadowSpacing: { measure: 'factor', when: { toneModel: ['shadow'] } },
   toneSteps: { measure: 'count', when: { toneModel: ['toon'] } },

@@ -261,7 +261,14 @@ export const HATCHING_PROPERTIES = {
     kind: 'number',
     default: 0,
     uniform: 'shadowFade',
-    defaultFor: { anchored: 1, engraved: 1 },
+    defaultFor: { anchored: 0.65, engraved: 0.65 },
+    range: { from: 0 },
+  },
+  shadowSoftness: {
+    kind: 'number',
+    default: 0,
+    uniform: 'shadowSoftness',
+    defaultFor: { anchored: 0.12, engraved: 0.12 },
     range: { from: 0 },
   },
   shadowDirection: {

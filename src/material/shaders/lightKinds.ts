@@ -21,8 +21,6 @@ interface LightKind {
 interface CubeMaps {
   /** The number of such lights that cast shadows. They are the first of their kind. */
   count: string;
-  /** The varying of the places in the maps. */
-  place: string;
 }
 
 interface FlatMaps extends CubeMaps {
@@ -44,7 +42,7 @@ const LIGHT_KINDS: readonly LightKind[] = [
     count: 'NUM_POINT_LIGHTS',
     from: 'place',
     shadow: CUBE_SHADOW,
-    maps: { count: 'NUM_POINT_LIGHT_SHADOWS', place: 'vPointShadowCoord' },
+    maps: { count: 'NUM_POINT_LIGHT_SHADOWS' },
   },
   {
     name: 'Spot',
@@ -53,7 +51,6 @@ const LIGHT_KINDS: readonly LightKind[] = [
     shadow: SHADOW,
     maps: {
       count: 'NUM_SPOT_LIGHT_SHADOWS',
-      place: 'vSpotLightCoord',
       matrix: 'spotLightMatrix',
       matrices: 'NUM_SPOT_LIGHT_COORDS',
     },
@@ -66,7 +63,6 @@ const LIGHT_KINDS: readonly LightKind[] = [
     shadow: SHADOW,
     maps: {
       count: 'NUM_DIR_LIGHT_SHADOWS',
-      place: 'vDirectionalShadowCoord',
       matrix: 'directionalShadowMatrix',
       matrices: 'NUM_DIR_LIGHT_SHADOWS',
     },
@@ -93,7 +89,8 @@ export function lightCountDefine(): string {
  * - `eachDistantLight` and `eachPositionalLight` visit those that shine from afar, and those that shine from a place.
  * - `eachSky` visits hemisphere lights. Their number has no meaning.
  *
- * `lightShadows` is no walk: it makes what three's functions of shadow maps return go through `tellShadow`.
+ * `lightShadows` is no walk: it makes calls of three's functions of shadow maps go through `KNOWN_SHADOW`, and what they return through
+ * `tellShadow`.
  */
 export function lightChunks(): Record<string, string> {
   const kinds = knownKinds();
@@ -106,16 +103,18 @@ export function lightChunks(): Record<string, string> {
     eachPositionalLight: walk('place') + end,
     eachSky: walk('sky') + end,
     // A macro does not expand within itself.
-    lightShadows: kinds.map(({ shadow }) => (shadow ? `#define ${shadow} tellShadow(${shadow})\n` : '')).join(''),
+    lightShadows: kinds
+      .map(({ shadow }) => (shadow ? `#define ${shadow} tellShadow(KNOWN_SHADOW(${shadow}))\n` : ''))
+      .join(''),
   };
 }
 
 /**
  * Chunks that walk over shadow maps, as those of {@link lightChunks} walk over lights, at a `viewPosition` and with a `light` of the shader:
  *
- * - `eachFlatShadow` visits every flat one by `VISIT_SHADOW(number, map, matrix, at, shadow)`: the number of its light, the map, the matrix
- *   that leads to it from the world, the place in it, and three's struct of the shadow. `shadowMatrices` declares the matrices.
- * - `eachCubeShadow` visits every cube by `VISIT_SHADOW(number, map, at, shadow)`.
+ * - `eachFlatShadow` visits every flat one by `VISIT_SHADOW(number, map, matrix, shadow)`: the number of its light, the map, the matrix
+ *   that leads to it from the world, and three's struct of the shadow. `shadowMatrices` declares the matrices.
+ * - `eachCubeShadow` visits every cube by `VISIT_SHADOW(number, map, fromLight, shadow)`: the third is in view space.
  */
 export function shadowChunks(): Record<string, string> {
   const kinds = knownKinds();
@@ -124,19 +123,19 @@ export function shadowChunks(): Record<string, string> {
   const matrices: string[] = [];
   for (const [i, { name, from, maps }] of kinds.entries()) {
     if (!maps) continue;
-    const { count, place } = maps;
+    const { count } = maps;
     const lower = name.toLowerCase();
     const map = `${lower}ShadowMap[i]`;
-    const at = `${place}[i]`;
     const shadow = `${lower}LightShadows[i]`;
     const number = numberAfter(kinds.slice(0, i));
     if ('matrix' in maps) {
       const { matrix, matrices: most } = maps;
       matrices.push(`#if ${count} > 0\nuniform mat4 ${matrix}[${most}];\n#endif\n`);
-      const visit = `${readLight(name, from)}\nVISIT_SHADOW(${number}, ${map}, ${matrix}[i], ${at}, ${shadow})`;
+      const visit = `${readLight(name, from)}\nVISIT_SHADOW(${number}, ${map}, ${matrix}[i], ${shadow})`;
       flat.push(unrolled(count, visit));
     } else {
-      cubes.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${at}, ${shadow})`));
+      const fromLight = `viewPosition - ${lower}Lights[i].position`;
+      cubes.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${fromLight}, ${shadow})`));
     }
   }
   const end = '#undef VISIT_SHADOW';

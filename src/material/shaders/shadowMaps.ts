@@ -36,17 +36,21 @@ export function shadowDepthChunk(source = ShaderChunk.shadowmap_pars_fragment): 
   const isPacked = source.includes('unpackRGBAToDepth');
   const types = isPacked
     ? `#ifdef SHADOWMAP_TYPE_VSM
-#define SHADOW_DEPTH(texel) unpackRGBATo2Half(texel).x
+#define SHADOW_MOMENTS(texel) unpackRGBATo2Half(texel)
 #else
 #define SHADOW_DEPTH(texel) unpackRGBAToDepth(texel)
 #endif`
-    : `#ifdef SHADOWMAP_TYPE_PCF
+    : `#ifdef SHADOWMAP_TYPE_VSM
+#define SHADOW_MOMENTS(texel) texel.rg
+#else
+#define SHADOW_DEPTH(texel) texel.r
+#endif
+#ifdef SHADOWMAP_TYPE_PCF
 #define SHADOW_MAPS_COMPARE
 #define CUBE_SHADOW_MAP samplerCubeShadow
 #elif defined(SHADOWMAP_TYPE_BASIC)
 #define CUBE_SHADOW_MAP samplerCube
-#endif
-#define SHADOW_DEPTH(texel) texel.r`;
+#endif`;
   return `${types}${included('depth')}`;
 }
 

@@ -6,13 +6,15 @@ import type { HatchingMaterialParameters } from '../../../src/material/HatchingM
 const SHADOW = { toneModel: 'shadow' } as const;
 
 describe('shadows alone', () => {
-  test('are light, dissolve and run away from the light, but not with the techniques of the paper', () => {
+  test('are light, dissolve, have soft edges and run away from the light, but not with the techniques of the paper', () => {
     const valuesOf = (technique: HatchingMaterialParameters['technique']) => {
-      const { shadowTone, shadowFade, shadowDirection } = new HatchingMaterial({ technique, ...SHADOW });
-      return [shadowTone, shadowFade, shadowDirection];
+      const look = new HatchingMaterial({ technique, ...SHADOW });
+      return [look.shadowTone, look.shadowFade, look.shadowSoftness, look.shadowDirection];
     };
-    for (const technique of ['triangle', 'adjacency'] as const) expect(valuesOf(technique)).toEqual([1, 0, 'strokes']);
-    for (const technique of ['anchored', 'engraved'] as const) expect(valuesOf(technique)).toEqual([0.5, 1, 'away']);
+    for (const technique of ['triangle', 'adjacency'] as const)
+      expect(valuesOf(technique)).toEqual([1, 0, 0, 'strokes']);
+    for (const technique of ['anchored', 'engraved'] as const)
+      expect(valuesOf(technique)).toEqual([0.5, 0.65, 0.12, 'away']);
   });
 
   test('that run away from the light are drawn in one layer by the same program, whatever the look says', () => {

@@ -13,6 +13,9 @@ import { timeTurns } from '../timeTurns.js';
 
 const TECHNIQUES: readonly HatchingTechnique[] = ['adjacency', 'anchored', 'engraved'];
 
+/** A shadow on a ground as `'anchored'` and `'engraved'` have it, in edges and tone. */
+const SOFT = { shadowTone: 0.5, shadowFade: 0.65, shadowSoftness: 0.12 } as const;
+
 export interface ShadowTimes {
   triangles: number;
   /** Milliseconds, one per turn, of everything that was drawn. */
@@ -41,17 +44,19 @@ export async function measureShadows(model: string, turns: number, size: number)
       objects[name] = hatched(technique, { shadowStrokes });
       against[name] = `${technique} tone`;
     }
-    const name = `${technique} tone, ground`;
-    const ground = new Mesh(
-      await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2), { layout: 'corner' }),
-      new HatchingMaterial(
-        plainLook({ tonalArtMap, technique, toneModel: 'shadow', paperOpacity: 0, transparent: true }),
-      ),
-    );
-    ground.position.y = -0.7;
-    ground.receiveShadow = true;
-    objects[name] = new Group().add(hatched(technique, {}), ground);
-    against[name] = `${technique} tone`;
+    const plane = await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2), { layout: 'corner' });
+    const grounded = (parameters: HatchingMaterialParameters): Group => {
+      const look = plainLook({ tonalArtMap, technique, toneModel: 'shadow', paperOpacity: 0, ...parameters });
+      const ground = new Mesh(plane, new HatchingMaterial({ ...look, transparent: true }));
+      ground.position.y = -0.7;
+      ground.receiveShadow = true;
+      return new Group().add(hatched(technique, {}), ground);
+    };
+    const [hard, soft] = [`${technique} tone, ground`, `${technique} tone, soft ground`];
+    objects[hard] = grounded({});
+    against[hard] = `${technique} tone`;
+    objects[soft] = grounded(SOFT);
+    against[soft] = hard;
   }
 
   const stage = new Stage(size, true);

@@ -34,12 +34,23 @@ export const TONE = {
     kind: 'number',
     group: 'Tone',
     default: 0,
-    defaultFor: { anchored: 1, engraved: 1 },
+    defaultFor: { anchored: 0.65, engraved: 0.65 },
     measure: 'factor',
     range: { from: 0 },
     when: { toneModel: ['shadow'] },
     sentence:
       "How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it: the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1: nothing is left at a distance of one width; 2: at half of one ([shadows.md](shadows.md)).",
+  },
+  shadowSoftness: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    defaultFor: { anchored: 0.12, engraved: 0.12 },
+    measure: 'factor',
+    range: { from: 0 },
+    when: { toneModel: ['shadow'] },
+    sentence:
+      "How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them, as if the light came from a lamp that is so wide, as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius` says.",
   },
   shadowDirection: {
     kind: 'choice',
