@@ -8,8 +8,8 @@ test.use({ viewport: { width: 640, height: 480 } });
 
 /** A sphere in the middle of the picture. The light from the left leaves its left side bare paper. */
 const SPHERE = 'model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=0&lightStrength=150';
-/** Outlines of one width, without a hand. */
-const RULED = 'outlineShade=0&outlineHand=0';
+/** Outlines of one width, without a hand, closed. */
+const RULED = 'outlineShade=0&outlineLost=0&outlineHand=0';
 /** Rows around the middle, as shares of the height. */
 const ROWS = [0.4, 0.44, 0.48, 0.52, 0.56, 0.6];
 
@@ -33,7 +33,9 @@ async function openFold(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Outlines', exact: true }).press('Enter');
 }
 
-test('a contour is drawn by default, also where the light leaves the paper bare', async ({ page }) => {
+test('a closed contour is drawn also where the light leaves the paper bare, and none where edges are lost', async ({
+  page,
+}) => {
   await openPlayground(page, `${SPHERE}&outlines=off`);
   const bare = leftmostInk(await readDrawing(page));
   await openPlayground(page, `${SPHERE}&${RULED}`);
@@ -41,6 +43,8 @@ test('a contour is drawn by default, also where the light leaves the paper bare'
   const radius = Math.max(...outlined);
   expect(Math.min(...outlined), 'the contour is a circle').toBeGreaterThan(radius - 2);
   expect(Math.max(...bare), 'no stroke begins near it').toBeLessThan(radius - 15);
+  await openPlayground(page, `${SPHERE}&${RULED.replace('Lost=0', 'Lost=100')}`);
+  expect(Math.max(...leftmostInk(await readDrawing(page))), 'the contour is open').toBeLessThan(radius - 15);
 });
 
 test('a link without outlines opens without them; undo brings back what was switched off', async ({ page }) => {
@@ -85,7 +89,9 @@ test('width, weights and hand of the outlines have labels and change the drawing
     expect(changedShare(before, after), label).toBeGreaterThan(0.0005);
     before = after;
   }
-  await expect(page.getByLabel('Borders', { exact: true })).toBeVisible();
+  for (const label of ['Inner contours', 'Borders', 'Lost edges', 'Accents']) {
+    await expect(page.getByLabel(label, { exact: true })).toBeVisible();
+  }
   await expect(page.getByLabel('Suggestive', { exact: true })).toBeVisible();
   await expect.poll(() => page.url()).toMatch(/outlineWidth=5&outlineContours=200.*outlineHand=4/);
   await page.reload();
