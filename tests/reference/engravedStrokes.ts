@@ -93,9 +93,10 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
   const open = (1 - tone) ** 2;
   const full = tone / Math.max(grown(tone, 0.2, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
   const number = numberOf(line, repeat);
-  const last = 1 - share;
+  const there = Math.sqrt(Math.max(share, 0));
+  const last = 1 - there;
   const born =
-    share < 0.04 ? Math.sqrt(0.16 * share) : last > 0.04 ? share + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
+    there < 0.04 ? Math.sqrt(0.16 * there) : last > 0.04 ? there + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
   const fract = (x: number) => x - Math.floor(x);
   const one = (place: number, period: number): [number, number] => {
     const at = place / period + lotOf(Math.abs(number));
@@ -103,10 +104,10 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
     const lot = lotOfStroke(number, stroke);
     const way = 2 * (at - stroke);
     const rest = clamp01(1 - (1 - Math.abs(way) - open * 0.3 * fract(64 * lot)) / Math.max(open * 0.9, 1e-3));
-    const there = clamp01((tone - 0.2 * lot) / 0.05) * clamp01((born - fract(512 * lot)) / 0.08);
+    const grownTo = clamp01((tone - 0.2 * lot) / 0.05) * clamp01((born - fract(512 * lot)) / 0.08);
     const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);
     const astray = 0.22 * (fract(64 * lot) - 0.5) * way + 0.16 * (lot - 0.5) * (0.5 - way * way);
-    return [full * there * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];
+    return [full * there * grownTo * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];
   };
   const mix = (a: [number, number], b: [number, number], t: number): [number, number] => [
     (1 - t) * a[0] + t * b[0],

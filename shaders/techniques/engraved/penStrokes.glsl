@@ -74,10 +74,12 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line, const
 
 // away: from the line, signed, in pixels, as is the distance between old lines. share: of their room that the line has.
 float penCoverage(const in Pen pen, const in float away, const in float share, const in float spacing, const in float line) {
-  float born = bornBelow(share);
+  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them.
+  float grown = sqrt(max(share, 0.0));
+  float born = bornBelow(grown);
   Along along = pen.along;
   vec2 stroke = strokesOn(pen, born, line, along.share >= 0.5 ? along.places.x : along.places.y);
   float other = min(along.share, 1.0 - along.share);
   if (other > 0.0) stroke = mix(stroke, strokesOn(pen, born, line, along.share >= 0.5 ? along.places.y : along.places.x), other);
-  return lineCoverage(abs(away - spacing * stroke.y), 0.5 * spacing * stroke.x, FRINGE);
+  return lineCoverage(abs(away - spacing * stroke.y), 0.5 * spacing * grown * stroke.x, FRINGE);
 }
