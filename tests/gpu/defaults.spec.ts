@@ -88,7 +88,7 @@ test('a preset by its name draws what its parameters draw, and one map of a styl
       }),
     );
     const engraved = await draw(new UsersMaterial({ preset: 'engraving', ink: 'black', paper: 'white' }));
-    const bare = await draw(new UsersMaterial({ technique: 'engraved' }));
+    const bare = await draw(new UsersMaterial({ technique: 'engraved', lineField: 'auto', ...values }));
     const same = (a: number[], b: number[]): boolean => a.every((value, i) => value === b[i]);
     return { pen: same(pen, black), engraved: same(engraved, bare), more: renderer.info.memory.textures - textures };
   });
