@@ -106,7 +106,7 @@ const cases: AnchoredCase[] = [
   {
     name: 'exposed, of a colour, in a shadow that crosses',
     lights: [blocked, ambient],
-    material: { exposure: 1.7, color: [0.3, 0.12, 0.5], localTone: 0.5, shadowStrokes: 'cross' },
+    material: { exposure: 1.7, color: [0.3, 0.12, 0.5], localTone: 0.5, colorFill: 0, shadowStrokes: 'cross' },
   },
   { name: 'second layer under two lights', lights: crossed, material: { strokeLayers: 'lights' } },
   {

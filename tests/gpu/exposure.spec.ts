@@ -50,7 +50,7 @@ test('the exposure stays as it is while the camera moves, and is what it was whe
       const { exposure, colorExposure } = mesh.material.uniforms;
       return [...exposure.value.toArray(), colorExposure.value];
     };
-    const fit = (): number[] => {
+    const wanted = (): number[] => {
       const { scale, offset, white } = fitExposure(scene);
       return [scale, offset, 1 / white];
     };
@@ -61,9 +61,9 @@ test('the exposure stays as it is while the camera moves, and is what it was whe
     });
     const dragged = [0, 1, 2, 0].map((i) => {
       light.position.set(1 + i, 1.5 - i, 2);
-      return { drawn: draw(), function: fit() };
+      return { drawn: draw(), function: wanted() };
     });
-    return { moved, dragged, fitted: fit() };
+    return { moved, dragged, fitted: wanted() };
   });
   for (const exposure of moved) expect(exposure).toEqual(fitted);
   for (const exposure of dragged) expect(exposure.drawn).toEqual(exposure.function);
