@@ -24,14 +24,20 @@ interface Format {
 /** A copy that is more than this many times as large as needed is made anew. */
 const MAX_SPARE = 4;
 
-/** The formats that may be those of a depth of so many bits. The first is what browsers have made of a depth without a stencil. */
-function formatsOf(bits: number, isFloat: boolean): readonly Format[] {
-  if (isFloat) return [{ type: FloatType, format: DepthFormat }];
-  if (bits === 16) return [{ type: UnsignedShortType, format: DepthFormat }];
-  return [
-    { type: UnsignedInt248Type, format: DepthStencilFormat },
-    { type: UnsignedIntType, format: DepthFormat },
-  ];
+/** What WebGL says about the depth of a framebuffer. */
+interface DepthFacts {
+  bits: number;
+  isFloat: boolean;
+  /** Null if it is not known: the canvas may have a stencil that it does not show. */
+  hasStencil: boolean | null;
+}
+
+/** The formats that a depth may have, the likeliest first. A wrong one makes browsers write a warning to the console. */
+function formatsOf({ bits, isFloat, hasStencil }: DepthFacts): readonly Format[] {
+  const withStencil = { type: isFloat ? FloatType : UnsignedInt248Type, format: DepthStencilFormat };
+  const alone = { type: isFloat ? FloatType : bits === 16 ? UnsignedShortType : UnsignedIntType, format: DepthFormat };
+  if (hasStencil !== null) return [hasStencil ? withStencil : alone];
+  return isFloat || bits === 16 ? [alone] : [withStencil, alone];
 }
 
 /**
@@ -87,10 +93,14 @@ export class SceneDepth {
 
   private candidates(gl: WebGL2RenderingContext, framebuffer: WebGLFramebuffer | null): readonly Format[] {
     const at = framebuffer ? gl.DEPTH_ATTACHMENT : gl.DEPTH;
-    const ask = (what: number): number => gl.getFramebufferAttachmentParameter(gl.FRAMEBUFFER, at, what);
+    const ask = (what: number, where: number = at): number =>
+      gl.getFramebufferAttachmentParameter(gl.FRAMEBUFFER, where, what);
     if (ask(gl.FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) === gl.NONE) return [];
-    const isFloat = ask(gl.FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) === gl.FLOAT;
-    return formatsOf(ask(gl.FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE), isFloat);
+    return formatsOf({
+      bits: ask(gl.FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE),
+      isFloat: ask(gl.FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) === gl.FLOAT,
+      hasStencil: framebuffer && ask(gl.FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, gl.STENCIL_ATTACHMENT) !== gl.NONE,
+    });
   }
 
   private copyFrom(from: WebGLFramebuffer | null, format: Format, camera: Camera, viewport: Vector4): true {
@@ -115,7 +125,7 @@ export class SceneDepth {
 
   private copyOf({ type, format }: Format, width: number, height: number): WebGLRenderTarget {
     const { copy } = this;
-    if (copy?.depthTexture?.type === type) {
+    if (copy?.depthTexture?.type === type && copy.depthTexture.format === format) {
       const isLarge = copy.width >= width && copy.height >= height;
       if (isLarge && copy.width * copy.height <= MAX_SPARE * width * height) return copy;
     }
