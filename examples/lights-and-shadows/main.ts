@@ -37,8 +37,8 @@ for (const solid of solids) {
 
 await applyHatching(scene, {
   preset: 'pen',
-  // There is a second layer of strokes where the lamps disagree, and shadows have their own strokes.
-  material: { strokeLayers: 'lights', shadowStrokes: 'cross' },
+  // Shadows have their own strokes.
+  material: { shadowStrokes: 'cross' },
 });
 
 /** A lamp. The intensities of all lamps sum to π. */

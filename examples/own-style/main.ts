@@ -50,7 +50,7 @@ cloth.computeVertexNormals();
 
 const { material, outlines, tonalArtMap } = sanguine;
 const mesh = new Mesh(
-  await prepareHatchingGeometry(cloth, { outlines: true }),
+  await prepareHatchingGeometry(cloth, { outlines: true, form: true }),
   new HatchingMaterial({ ...material, tonalArtMap: await TonalArtMap.generate(tonalArtMap!) }),
 );
 mesh.add(new HatchingOutlines(mesh, outlines));

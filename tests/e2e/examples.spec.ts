@@ -49,7 +49,7 @@ async function drawn(place: Locator): Promise<PNG> {
       async () => {
         picture = await read(place);
         const { dark, bright, edges } = measure(picture);
-        return dark > 0.02 && bright > 0.02 && edges > 0.03;
+        return dark > 0.02 && bright > 0.02 && edges > 0.012;
       },
       { timeout: 60_000, message: 'a drawing of ink and paper' },
     )

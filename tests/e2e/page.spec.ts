@@ -399,7 +399,7 @@ test('only settings of the techniques in use are offered', async ({ page }) => {
   await expect(anchors).toBeHidden();
   await expect(shift).toBeVisible();
   // Dots come from no map and have no direction.
-  const [style, direction] = [page.getByLabel('Style'), page.getByLabel('Direction')];
+  const [style, direction] = [page.getByLabel('Style'), page.getByLabel('Direction', { exact: true })];
   await expect(style).toBeVisible();
   await page.getByRole('button', { name: 'Stipple', exact: true }).click();
   for (const hidden of [anchors, shift, style, direction]) await expect(hidden).toBeHidden();

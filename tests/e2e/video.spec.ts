@@ -138,7 +138,7 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   await page.getByRole('combobox', { name: 'Motion' }).selectOption('The light swings');
   // Long enough to be cancelled on any machine.
   await page.getByRole('combobox', { name: 'Frames', exact: true }).selectOption('60 a second');
-  const length = page.getByLabel('Length', { exact: true });
+  const length = page.getByRole('spinbutton', { name: 'Length', exact: true }).last();
   await length.fill('30');
   await length.press('Enter');
 
