@@ -90,16 +90,23 @@ test('a picked file is drawn, with its colours and its picture', async ({ page }
   await drop(page, [file('square.obj', squareObj), file('square.mtl', squareMtl), file('sky.png', skyPng())]);
   await expect(page.locator('#model-name')).toHaveText('square.obj');
   const picture = await readDrawing(page);
-  const count = { blueAbove: 0, blueBelow: 0, greenAbove: 0, greenBelow: 0 };
+  const count = { blue: 0, green: 0, blueUnderGreen: 0 };
+  const greenColumns = new Set<number>();
   for (let i = 0; i < picture.data.length; i += 4) {
     const [, green, blue] = picture.data.subarray(i, i + 3);
-    const side = i < picture.data.length / 2 ? 'Above' : 'Below';
-    if (blue > green + 100) count[`blue${side}`]++;
-    if (green > blue + 100) count[`green${side}`]++;
+    const column = (i / 4) % picture.width;
+    if (green > blue + 100) {
+      count.green++;
+      greenColumns.add(column);
+    }
+    if (blue > green + 100) {
+      count.blue++;
+      if (greenColumns.has(column)) count.blueUnderGreen++;
+    }
   }
-  expect(count.blueAbove).toBeGreaterThan(3000);
-  expect(count.greenBelow).toBeGreaterThan(3000);
-  expect(count.blueBelow + count.greenAbove).toBeLessThan(1000);
+  expect(count.blue).toBeGreaterThan(3000);
+  expect(count.green).toBeGreaterThan(3000);
+  expect(count.blueUnderGreen).toBeLessThan(300);
 });
 
 test('a file that cannot be read gives one clear sentence and leaves the drawing unchanged', async ({ page }) => {

@@ -19,7 +19,8 @@ const FACE: Region = { left: 0.42, top: 0.36, right: 0.58, bottom: 0.64 };
 const LEFT_HALF: Region = { left: 0.3, top: 0.2, right: 0.5, bottom: 0.8 };
 const RIGHT_HALF: Region = { left: 0.5, top: 0.2, right: 0.7, bottom: 0.8 };
 /** The technique and the light of the paper by Suarez et al., for which the reference below holds. */
-const PAPER = 'exposure=fixed&technique=adjacency&strokeDirection=towards&lightStrength=100&reflectedLight=0&mapStyle=hatching&';
+const PAPER =
+  'exposure=fixed&technique=adjacency&strokeDirection=towards&lightStrength=100&reflectedLight=0&mapStyle=hatching&';
 /** Mean darkness of the darkest hatch image of the style. */
 const MAX_INK = 0.95;
 /** In degrees. The strokes of a map vary slightly in direction. */
