@@ -65,12 +65,16 @@ export class SceneDepth {
     return this.isCopied ? this.copy!.depthTexture : null;
   }
 
-  /** Frees the copy. What reads it later makes another. */
-  dispose(): void {
+  /**
+   * Frees the copy. What reads it later makes another. It is also called when the context is lost: in a restored context the old names of
+   * its textures may stand for others.
+   */
+  readonly dispose = (): void => {
     this.copy?.dispose();
     this.copy = null;
     this.frame = -1;
-  }
+    this.renderer.domElement.removeEventListener('webglcontextlost', this.dispose);
+  };
 
   private update(camera: Camera, viewport: Vector4): boolean {
     const { renderer } = this;
@@ -124,12 +128,13 @@ export class SceneDepth {
   }
 
   private copyOf({ type, format }: Format, width: number, height: number): WebGLRenderTarget {
-    const { copy } = this;
+    const { copy, renderer } = this;
     if (copy?.depthTexture?.type === type && copy.depthTexture.format === format) {
       const isLarge = copy.width >= width && copy.height >= height;
       if (isLarge && copy.width * copy.height <= MAX_SPARE * width * height) return copy;
     }
     copy?.dispose();
+    renderer.domElement.addEventListener('webglcontextlost', this.dispose);
     const depthTexture = new DepthTexture(width, height, type);
     depthTexture.format = format;
     this.copy = new WebGLRenderTarget(width, height, {
