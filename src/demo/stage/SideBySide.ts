@@ -12,6 +12,12 @@ export interface Tile {
   height: number;
 }
 
+/**
+ * Pixels that are drawn beyond the edge of a part, where another part follows: outlines look at what lies around them. Wide accents of
+ * large prints look no farther than this.
+ */
+export const MARGIN = 64;
+
 /** The sides that a look draws. */
 export const sidesOf = ({ compared }: Look): Side[] => (compared ? ['drawn', 'compared'] : ['drawn']);
 
@@ -44,7 +50,9 @@ export class SideBySide {
     }
     const split = MathUtils.clamp(Math.round(share * viewWidth) - x, 0, width);
     renderer.setScissorTest(true);
-    renderer.setScissor(split, 0, width - split, height);
+    // What is drawn beyond the divider is drawn over by the other side.
+    const from = Math.max(0, split - MARGIN);
+    renderer.setScissor(from, 0, width - from, height);
     if (split < width) this.render();
     this.use('compared');
     renderer.setScissor(0, 0, split, height);
