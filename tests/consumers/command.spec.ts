@@ -83,8 +83,8 @@ test('the command prints its help and the names of the styles', () => {
 
 test('the command draws the map of a preset', () => {
   const small = ['--size', '64', '--tones', '4', '--levels', '1'];
-  expect(run('tam', '--preset', 'crossHatching', ...small, '--out', 'a').status).toBe(0);
-  expect(run('tam', '--style', 'contours', ...small, '--out', 'b').status).toBe(0);
+  expect(run('tam', '--preset', 'pencil', ...small, '--out', 'a').status).toBe(0);
+  expect(run('tam', '--style', 'pencil', ...small, '--out', 'b').status).toBe(0);
   for (const name of readdirSync(join(work, 'b'))) {
     expect(readFileSync(join(work, 'a', name)).equals(readFileSync(join(work, 'b', name))), name).toBe(true);
   }
@@ -130,9 +130,9 @@ for (const [args, message] of [
   [['tam', 'x'], '"x" is an unexpected argument; name the folder after --out.'],
   [['tam', '--out', 'x', '--colour'], "Unknown option '--colour'"],
   [['tam', '--out', 'x', '--style', 'oil'], '--style is oil, but must be one of hatching, '],
-  [['tam', '--out', 'x', '--preset', 'engraving'], '--preset is engraving, which needs no map; use one of pen, '],
-  [['tam', '--out', 'x', '--preset', 'oil'], '--preset is oil, which is not a preset; use one of pen, '],
-  [['tam', '--out', 'x', '--preset', 'pen', '--style', 'ruled'], '--preset and --style exclude each other'],
+  [['tam', '--out', 'x', '--preset', 'engraving'], '--preset is engraving, which needs no map; use one of pencil, '],
+  [['tam', '--out', 'x', '--preset', 'oil'], '--preset is oil, which is not a preset; use one of pencil, '],
+  [['tam', '--out', 'x', '--preset', 'pencil', '--style', 'ruled'], '--preset and --style exclude each other'],
   [['tam', '--out', 'x', '--size', '100'], '--size is 100, but must be 64, 128, 256, 512 or 1024.'],
   [['tam', '--out', 'x', '--tones', 'many'], '--tones is many, but must be a whole number.'],
   [['tam', '--out', 'x', '--stroke-texels', '9'], '--stroke-texels is 9, but must be a number from 1.2 to 2.6'],
