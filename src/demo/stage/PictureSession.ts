@@ -1,6 +1,7 @@
 import type { Settings } from '../settings/settings.js';
 import { LostContextError } from './LostContextError.js';
 import type { Layer } from './layers.js';
+import { MARGIN } from './SideBySide.js';
 import type { Stage } from './Stage.js';
 
 /** Pixels of the longer side of a picture that is larger than a screen. */
@@ -101,12 +102,27 @@ export class PictureSession {
    */
   readTile(picture: TiledPicture, tile: Part, pixels: Uint8Array): void {
     const { context } = this.stage;
-    this.drawPart(picture, tile);
-    context.readPixels(0, 0, tile.width, tile.height, context.RGBA, context.UNSIGNED_BYTE, pixels);
+    const [x, columns] = widened(tile.x, tile.width, picture.left, picture.viewWidth);
+    const [y, rows] = widened(tile.y, tile.height, picture.top, picture.viewHeight);
+    this.drawPart(picture, { x, y, width: columns, height: rows });
+    const below = y + rows - tile.y - tile.height;
+    context.readPixels(tile.x - x, below, tile.width, tile.height, context.RGBA, context.UNSIGNED_BYTE, pixels);
     this.throwIfLost();
   }
 
   private throwIfLost(): void {
     if (this.stage.isLost) throw new LostContextError();
   }
+}
+
+/**
+ * The start and the length of a part with a margin before and after it, as far as the view reaches. Margins are even: pixels are shaded in
+ * pairs, which stay the same ones.
+ *
+ * @param origin of starts, in the view
+ */
+function widened(start: number, length: number, origin: number, viewLength: number): [number, number] {
+  const margin = (room: number): number => 2 * Math.floor(Math.min(MARGIN, Math.max(0, room)) / 2);
+  const before = margin(origin + start);
+  return [start - before, before + length + margin(viewLength - origin - start - length)];
 }
