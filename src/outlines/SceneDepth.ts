@@ -54,7 +54,7 @@ export class SceneDepth {
 
   constructor(private readonly renderer: WebGLRenderer) {}
 
-  /** The depth of the scene as a camera sees it in this frame; null if it cannot be read. @param viewport the part that is copied */
+  /** The depth of the scene as a camera sees it in this frame; null if it cannot be read. @param viewport the part that the camera draws into */
   read(camera: Camera, viewport: Vector4): Texture | null {
     const { frame } = this.renderer.info.render;
     if (frame !== this.frame || camera !== this.camera) {
@@ -110,16 +110,14 @@ export class SceneDepth {
   private copyFrom(from: WebGLFramebuffer | null, format: Format, camera: Camera, viewport: Vector4): true {
     const { renderer } = this;
     const gl = renderer.getContext() as WebGL2RenderingContext;
-    const right = Math.ceil(viewport.x + viewport.z);
-    const top = Math.ceil(viewport.y + viewport.w);
-    const left = Math.max(0, Math.floor(viewport.x));
-    const bottom = Math.max(0, Math.floor(viewport.y));
     const target = renderer.getRenderTarget();
+    // All of it: a part of a canvas with antialiasing is not copied into a texture that has been copied to before (seen in Chromium).
+    const { width, height } = target ?? { width: gl.drawingBufferWidth, height: gl.drawingBufferHeight };
     const face = renderer.getActiveCubeFace();
     const level = renderer.getActiveMipmapLevel();
-    renderer.setRenderTarget(this.copyOf(format, right, top));
+    renderer.setRenderTarget(this.copyOf(format, width, height));
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
-    gl.blitFramebuffer(left, bottom, right, top, left, bottom, right, top, gl.DEPTH_BUFFER_BIT, gl.NEAREST);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.DEPTH_BUFFER_BIT, gl.NEAREST);
     renderer.setRenderTarget(target, face, level);
     gl.bindFramebuffer(gl.FRAMEBUFFER, from);
     // Each camera of an ArrayCamera draws into its own part of the target.
