@@ -203,7 +203,8 @@ test.describe('<hatched-model>', () => {
         else opposite++;
       }
     }
-    expect(opposite / same).toBeLessThan(0.004);
+    // Strokes of a pen that taper to less than a pixel end in other places.
+    expect(opposite / same).toBeLessThan(0.012);
   });
 
   test('bears being moved, taken out and put back, and frees the context with the last', async ({ page }) => {

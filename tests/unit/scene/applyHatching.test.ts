@@ -480,7 +480,8 @@ describe('options', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const hatched = await applyHatching(new Mesh(new BoxGeometry(), new MeshBasicMaterial()), options);
     expect(hatched.materials.map(({ tonalArtMap }) => tonalArtMap)).toEqual([
-      isDrawn ? drawn : options.tonalArtMap === null ? null : 'hatching',
+      // The name of a style is kept for later, if nothing draws with it.
+      isDrawn ? drawn : options.tonalArtMap === null ? null : options.preset === 'pencil' ? 'pencil' : 'hatching',
     ]);
     expect(shared).toHaveBeenCalledTimes(Number(isDrawn));
     hatched.dispose();

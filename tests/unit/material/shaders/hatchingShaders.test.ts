@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { backgroundShaders } from '../../../../src/background/backgroundShaders.js';
 import { deformationShaders } from '../../../../src/material/deformation/deformationShaders.js';
 import {
   HATCHING_TECHNIQUES,
@@ -65,7 +66,7 @@ describe('the shaders', () => {
 
   test('no file lies there for nothing', async () => {
     const ofLooks = names.flatMap((technique) => media.map((medium) => shadersOf(technique, medium)));
-    const all = [plainShaders(), deformationShaders(), outlineShaders(), ...(await Promise.all(ofLooks))]
+    const all = [plainShaders(), deformationShaders(), outlineShaders(), backgroundShaders(), ...(await Promise.all(ofLooks))]
       .flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader])
       .join('\n');
     const used = new Set(all.split('\n'));
