@@ -427,7 +427,7 @@ describe('options', () => {
     expect((map as TonalArtMap).isReady).toBe(true);
     expect([...progress].sort((a, b) => a - b)).toEqual(progress);
     expect(progress.at(-1)).toBe(1);
-    await applyHatching(other, 'pencil');
+    await applyHatching(other);
     expect(hatched(other).tonalArtMap).toBe(map);
     const gone = disposals();
     gone.watch([TonalArtMap.shared().texture]);
