@@ -66,7 +66,13 @@ describe('the shaders', () => {
 
   test('no file lies there for nothing', async () => {
     const ofLooks = names.flatMap((technique) => media.map((medium) => shadersOf(technique, medium)));
-    const all = [plainShaders(), deformationShaders(), outlineShaders(), backgroundShaders(), ...(await Promise.all(ofLooks))]
+    const all = [
+      plainShaders(),
+      deformationShaders(),
+      outlineShaders(),
+      backgroundShaders(),
+      ...(await Promise.all(ofLooks)),
+    ]
       .flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader])
       .join('\n');
     const used = new Set(all.split('\n'));
