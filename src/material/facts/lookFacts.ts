@@ -95,6 +95,8 @@ export const followsForm = (look: HatchingLook): boolean => formOf(look) !== fal
 export function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown {
   const value = look[name];
   const technique = techniqueOf(look);
-  const isChosen = value !== undefined && value !== 'auto' && knowsChoice(technique, propertyOf(name), value);
+  const property = propertyOf(name);
+  const isLeftToTechnique = value === 'auto' && 'defaultFor' in property;
+  const isChosen = value !== undefined && !isLeftToTechnique && knowsChoice(technique, property, value);
   return isChosen ? value : defaultOf(name, technique);
 }

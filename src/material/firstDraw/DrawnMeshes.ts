@@ -7,6 +7,7 @@ import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
 interface Seen {
   geometry: BufferGeometry;
   technique: unknown;
+  toneMapped: boolean;
   isStale: boolean;
 }
 
@@ -40,10 +41,11 @@ export class DrawnMeshes {
   ): void {
     if (silence.isOn) return;
     const stale = checks?.isStale(geometry) ?? false;
-    const { technique } = material;
+    const { technique, toneMapped } = material;
     const last = this.seen.get(mesh);
-    if (last?.geometry === geometry && last.technique === technique && last.isStale === stale) return;
-    this.seen.set(mesh, { geometry, technique, isStale: stale });
+    const isSame = last?.geometry === geometry && last.technique === technique && last.toneMapped === toneMapped;
+    if (isSame && last.isStale === stale) return;
+    this.seen.set(mesh, { geometry, technique, toneMapped, isStale: stale });
     const isOnScreen = renderer.getRenderTarget() === null;
     const { frame } = renderer.info.render;
     const draw = { material, mesh, geometry, scene, camera, renderer, isOnScreen, height, frame };

@@ -127,6 +127,11 @@ describe('what follows from a look', () => {
     ['normalMap', { technique: 'anchored', toneNormal: 'face' }, false],
     ['highlightSoftness', { highlightTone: 0 }, false],
     ['highlightSoftness', { highlightTone: 0.2 }, true],
+    ['exposureCompensation', {}, false],
+    ['exposureCompensation', { exposure: 2 }, false],
+    ['exposureCompensation', { exposure: 'auto' }, true],
+    ['exposureCompensation', { preset: 'pen' }, true],
+    ['depthFar', { depthFade: 'auto' }, true],
   ] as const)('%s under %j counts: %s', (name, look, expected) => {
     expect(counts(look, name)).toBe(expected);
   });

@@ -218,6 +218,15 @@ describe('the surface', () => {
     expect(await draw(ball(anchored({ toneMapped: false })), { renderer })).toEqual([]);
     expect(await draw(mapped(), { renderer })).toEqual(about(/"ball".* tone mapping.* toneMapped: false/));
   });
+
+  test('is tone mapped after it was drawn without', async () => {
+    const renderer = { toneMapping: ACESFilmicToneMapping } as const;
+    const material = anchored({ toneMapped: false });
+    const mesh = ball(material);
+    expect(await draw(mesh, { renderer })).toEqual([]);
+    material.toneMapped = true;
+    expect(await draw(mesh, { renderer })).toEqual(about(/"ball".* tone mapping.* toneMapped: false/));
+  });
 });
 
 describe('the light', () => {
