@@ -3,8 +3,8 @@
  * measures both in one page, in turn. Prints the ratios new/old with their 95 % intervals and writes them to
  * tests/output/bench/compare.json; ends with 1 if anything has become slower.
  *
- * `--models=dragon48k,torus500k`, `--turns=31`, `--rasteriser=llvmpipe`; `--quick` for a first look. Only what the libraries
- * export by their public names is used, so any two commits that have these can be compared.
+ * `--models=dragon48k,torus500k`, `--turns=31`, `--rasteriser=llvmpipe`, `--looks` for frames of presets alone; `--quick` for a first look.
+ * Only what the libraries export by their public names is used, so any two commits that have these can be compared.
  */
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -20,6 +20,8 @@ const TECHNIQUES = {
   pull: ['triangle', 'adjacency', 'anchored'],
   indexed: ['anchored', 'engraved'],
 };
+/** Drawn as a scene: with outlines, shadows, occlusion and a ground that shows the shadow. */
+const LOOKS = ['engraving', 'pen', 'stipple', 'charcoal'];
 const MAPS = ['hatching', 'stippling'];
 
 const { values, positionals } = parseArgs({
@@ -27,6 +29,7 @@ const { values, positionals } = parseArgs({
     models: { type: 'string' },
     turns: { type: 'string' },
     rasteriser: { type: 'string' },
+    looks: { type: 'boolean', default: false },
     quick: { type: 'boolean', default: false },
   },
   allowPositionals: true,
@@ -64,12 +67,14 @@ process.exitCode = slower.length > 0 ? 1 : 0;
 async function compareAll({ measure }, rasteriser, { renderer }) {
   const first = rows.length;
   for (const model of models) {
-    for (const [layout, techniques] of Object.entries(TECHNIQUES)) {
+    for (const [layout, techniques] of values.looks ? [] : Object.entries(TECHNIQUES)) {
       const times = await measure('comparedFrames', model, layout, techniques, effort, size);
       for (const technique of techniques) add(`${model}, ${technique} ${layout}`, times[technique]);
     }
+    const looks = await measure('comparedLooks', model, LOOKS, effort, size);
+    for (const look of LOOKS) add(`${model}, preset ${look}`, looks[look]);
   }
-  if (rasteriser === rasterisers[0]) {
+  if (rasteriser === rasterisers[0] && !values.looks) {
     for (const model of models) {
       for (const layout of Object.keys(TECHNIQUES)) {
         add(`${model}, prepared as ${layout}`, await measure('comparedBakes', model, layout, effort));

@@ -16,6 +16,7 @@ const measures = {
   memoryFrames: async () => (await import('./memory/measureMemory.js')).drawFrames,
   map: async () => (await import('./tam/measureMap.js')).measureMap,
   comparedFrames: async () => (await import('./compare/compareFrames.js')).compareFrames,
+  comparedLooks: async () => (await import('./compare/compareLooks.js')).compareLooks,
   comparedBakes: async () => (await import('./compare/compareBakes.js')).compareBakes,
   comparedMaps: async () => (await import('./compare/compareMaps.js')).compareMaps,
 };
