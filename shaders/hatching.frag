@@ -79,6 +79,7 @@ void main() {
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
   material.radiance += luminance(totalEmissiveRadiance);
+  noteEmphasis();
   PerToneNormal tone = emphasised(shadedTone(material));
   HatchingParameters parameters = readHatchingParameters();
   // For frames that are made per vertex: those made per fragment know already which lights arrive.

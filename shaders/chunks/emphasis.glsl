@@ -18,6 +18,7 @@ uniform float importance; // of the object
 
 // How much air lies before a place: 0 in front, 1 at the back.
 float airBefore(const in vec3 viewPosition) {
+  if (depthFading.z == 0.0) return 0.0;
   float way = clamp((-viewPosition.z - depthFading.x) / (depthFading.y - depthFading.x), 0.0, 1.0);
   return (1.0 - exp(-AIR * way)) / (1.0 - exp(-AIR));
 }

@@ -5,6 +5,7 @@ uniform float colorFill; // how much of it is printed on the paper
 
 // How much darker than white a colour looks, as far as that is to become tone. What gives off light itself does not look so dark.
 float localDarkness(const in vec3 color, const in vec3 emitted) {
+  if (localTone == 0.0) return 0.0;
   vec2 y = clamp(vec2(luminance(color), luminance(emitted)), 0.0, 1.0);
   return localTone * (1.0 - min(colorExposure * lightness(y.x), 1.0)) * (1.0 - y.y);
 }

@@ -25,14 +25,14 @@ for (int i = 0; i < 4; i++) {
   MAP_PLACE aside = across * (max(opening * ring, thinnest) * way);
   MAP_PLACE beside = across * (max(opening * ring, thinnest) * vec2(-way.y, way.x));
   float depth = DEPTH(max(WITHIN * ring, lift));
-  for (int j = 0; j < 4; j++) {
-    MAP_PLACE place = centre + (j % 2 == 0 ? aside : beside) * (j < 2 ? 1.0 : -1.0);
-    float there = PASSES(place, depth);
-    lit += there;
-    if (there < darkest - 1e-3) {
-      darkest = there;
-      darkPlace = place;
-    }
+  vec4 there = vec4(
+    PASSES(centre + aside, depth), PASSES(centre - aside, depth), PASSES(centre + beside, depth), PASSES(centre - beside, depth)
+  );
+  lit += dot(there, vec4(1.0));
+  vec2 darker = min(there.xy, there.zw);
+  if (min(darker.x, darker.y) < darkest - 1e-3) {
+    darkest = min(darker.x, darker.y);
+    darkPlace = centre + (there.x == darkest ? aside : there.y == darkest ? -aside : there.z == darkest ? beside : -beside);
   }
   opened *= 3.0;
   way = vec2(way.x - way.y, way.x + way.y) * 0.70710678;

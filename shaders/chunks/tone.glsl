@@ -2,6 +2,7 @@
 #include "toneCurve"
 
 uniform float toneSteps;
+uniform vec2 toneEnds; // the tones that are printed where all light arrives, and where none does
 uniform vec2 exposure; // what radiance is multiplied by, and what is added (src/material/exposure)
 // The ramp that tone is multiplied by, so that highlights stay blank paper: its slope, and its height at tone 0.
 uniform vec2 highlightRamp;
@@ -27,15 +28,14 @@ PerToneNormal exposed(const in PerToneNormal radiance) {
 // A dark colour brings the tone nearer to that of no light at all: with dark ink, it is printed over it.
 PerToneNormal darkenedByColor(const in PerToneNormal tone, const in HatchingSurface surface) {
   if (surface.darkness == 0.0) return tone;
-  return mix(tone, toneFromRadiance(PerToneNormal(0.0)), surface.darkness);
+  return mix(tone, PerToneNormal(toneEnds.y), surface.darkness);
 }
 
 // Hollows go beyond the tone of no light, where some paper shows: to the darkest image, or for chalk to bare paper.
 PerToneNormal deepened(const in PerToneNormal tone) {
   float share = hollowness();
   if (share == 0.0) return tone;
-  PerToneNormal darkest = step(toneFromRadiance(PerToneNormal(1.0)), toneFromRadiance(PerToneNormal(0.0)));
-  return mix(tone, darkest, share);
+  return mix(tone, PerToneNormal(step(toneEnds.x, toneEnds.y)), share);
 }
 
 // The tone that the light of the surface prints, shadows included.
@@ -44,7 +44,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
     PerToneNormal arriving = (surface.radiance + 1e-6) / (surface.radiance + surface.shadowed + 1e-6);
     // Nor where all of it arrives, whatever a curve makes of blank paper.
-    PerToneNormal tone = max(toneFromRadiance(arriving) - arriving * toneFromRadiance(PerToneNormal(1.0)), 0.0);
+    PerToneNormal tone = max(toneFromRadiance(arriving) - arriving * toneEnds.x, 0.0);
     #ifdef DISSOLVES_SHADOWS
       tone *= shadowTone * shadowLeft();
     #endif // DISSOLVES_SHADOWS

@@ -1,3 +1,4 @@
 // The paper's drawings have the same weight all over.
+#define noteEmphasis()
 #define emphasised(tone) tone
 #define emphasisedColor(color) color

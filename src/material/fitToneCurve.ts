@@ -24,6 +24,12 @@ function pointsOf(curve: ToneCurve): readonly ToneCurvePoint[] | undefined {
   return curve === 'linear' || curve === 'perceptual' ? undefined : curve;
 }
 
+/** The tones that a curve prints for tone 0, and for tone 1. */
+export function curveEnds(curve: ToneCurve): readonly [number, number] {
+  const points = pointsOf(curve);
+  return points ? [points[0][1], points[points.length - 1][1]] : [0, 1];
+}
+
 /** A tone curve as a sum: `start`, and a cubic for each span. Spans that are not in use add nothing. */
 export interface FittedToneCurve {
   start: number;

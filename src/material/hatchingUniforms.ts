@@ -7,6 +7,7 @@ import { isFitted } from './exposure/isFitted.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { runsAway } from './facts/lookFacts.js';
+import { curveEnds } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 
 type Uniforms = Record<string, IUniform>;
@@ -32,6 +33,7 @@ export function createHatchingUniforms(): Uniforms {
       toneCurveCubics: { value: null },
       toneCurveSpans: { value: null },
       toneCurveStart: { value: 0 },
+      toneEnds: { value: new Vector2(0, 1) },
       viewportHeight: { value: 1 },
       // of the tonal art map
       thresholdMap: { value: null },
@@ -150,6 +152,9 @@ export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolea
   }
 }
 
+/** As shaders/chunks/tone.glsl leaves highlights blank. */
+const highlightKept = (tone: number, { x, y }: Vector2): number => tone * Math.min(Math.max(x * tone + y, 0), 1);
+
 /** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
 export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
   u.blendCosine.value = Math.cos(material.blendAngle);
@@ -168,7 +173,9 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   const { exposure, exposureCompensation } = material;
   u.exposure.value.set(exposure !== 'auto' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
   u.colorExposure.value = 1;
-  u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
+  const ramp = u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
+  const [blank, full] = curveEnds(material.toneCurve);
+  u.toneEnds.value.set(highlightKept(blank, ramp), highlightKept(full, ramp));
   // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
   const { crossAngle } = material;
   u.layerTurns.value.set(
