@@ -32,7 +32,7 @@ const SIZE = 160;
 /** From the model's centre, so that a sphere around the model is seen whole. */
 const DISTANCE = 4.6;
 /** Lighter, beside the lightest tone of a look, is blank paper with a stroke here and there; darker is more ink than paper. */
-const HALF_TONES = { from: 0.06, to: 0.5 } as const;
+const HALF_TONES = { from: 0.09, to: 0.5 } as const;
 /** Simple enough to be all in one tone. */
 const LEFT_OUT: readonly BuiltInModel[] = ['cube', 'dragon1', 'dragon2'];
 

@@ -5,7 +5,7 @@ import type { WeightedValues } from './WeightedValues.js';
 const BRIGHT = 0.9;
 const DARK = 0.1;
 /** The quantile of the colours' lightness that counts as white, and the least. What is nearly black does not become white. */
-const WHITE = 0.75;
+const WHITE = 0.9;
 const LEAST_WHITE = 0.3;
 /** The dark is not drawn further from the bright than by this factor, so that a faint difference does not become a rough one. */
 const MOST_CONTRAST = 4;

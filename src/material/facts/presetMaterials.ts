@@ -14,9 +14,9 @@ const CUT = [
 /** The tone curve of pencil and charcoal: lights are lifted off with an eraser, half tones are soft, and darks deep. */
 const RUBBED = [
   [0, 0],
-  [0.06, 0.01],
-  [0.2, 0.13],
-  [0.5, 0.43],
+  [0.12, 0],
+  [0.3, 0.08],
+  [0.5, 0.38],
   [0.8, 0.84],
   [1, 0.98],
 ] as const;
