@@ -44,7 +44,10 @@ async function sceneOf(
   const subject = new Mesh(source.clone(), new MeshStandardMaterial());
   subject.castShadow = subject.receiveShadow = true;
   const root = new Group().add(subject);
-  const hatched = await applyHatching(subject, presets[name]);
+  const hatched = await applyHatching(subject, {
+    ...presets[name],
+    material: { ...presets[name].material, shadowStrokes: 'cross' },
+  });
   await hatched.formReady;
   const occlusion = await bakeOcclusion(root);
   const [{ tonalArtMap }] = hatched.materials;
