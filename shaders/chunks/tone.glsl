@@ -41,6 +41,8 @@ PerToneNormal deepened(const in PerToneNormal tone) {
 // The tone that the light of the surface prints, shadows included.
 PerToneNormal shadedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
+    // Light ink draws the lights: its shadows are blank, soft edges too.
+    if (toneEnds.y <= toneEnds.x) return PerToneNormal(0.0);
     // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
     PerToneNormal arriving = (surface.radiance + 1e-6) / (surface.radiance + surface.shadowed + 1e-6);
     // Nor where all of it arrives, whatever a curve makes of blank paper.

@@ -106,6 +106,29 @@ function placeOf(row: number[], value: number): number {
   return after - (value - row[after]) / (row[after - 1] - row[after]);
 }
 
+test('with light ink, whose tone falls with the light, a shadow alone is blank, its soft edge too', async ({
+  page,
+}) => {
+  const printed = await page.evaluate(async () => {
+    const { lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
+    const light = casting(await lightOf('directional'), 1);
+    const chalk = [
+      [0, 0.95],
+      [0.5, 0.6],
+      [1, 0],
+    ] as const;
+    return Promise.all(
+      ([chalk, 'linear'] as const).map(async (toneCurve) => {
+        const look = { toneModel: 'shadow', ink: '#000000', toneCurve, shadowTone: 1, shadowSoftness: 0.4 } as const;
+        const pixels = draw(sceneOf(await ground('triangle', look, true), plate(0.6), light));
+        return 255 - pixels.reduce((least, value) => Math.min(least, value), 255);
+      }),
+    );
+  });
+  expect(printed[0]).toBe(0);
+  expect(printed[1]).toBeGreaterThan(200);
+});
+
 for (const technique of ['anchored', 'engraved'] as const) {
   test(`strokes of a shadow alone run away from the light, whatever those of the model do: ${technique}`, async ({
     page,
