@@ -6,6 +6,8 @@ const PRINT = { preset: 'engraving', width: 640, height: 640, pixelRatio: 1.6, s
 const STANDING = { ...PRINT, ground: 'shadow', occlusion: 0.6, material: { shadowStrokes: 'cross' } };
 
 const BUST = { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 0.8], zoom: 0.95 };
+/** A light by which the shadow of the bust stays on the sheet. */
+const BEHIND_THE_BUST = [-0.14, 1.43, 1];
 const DRAGON = { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 };
 /** What turns the strokes of a preset with the light, if it does not by itself. */
 const TURNING = { engraving: { lineField: 'light' } };
@@ -148,7 +150,7 @@ export const plansOf = (presets, techniques) => ({
     columns: 3,
     pictures: [
       { ...STANDING, subject: 'dragon', view: [0.22, 0.3, 1], light: [-0.8, 1.6, 0.85], zoom: 0.82 },
-      { ...STANDING, subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.5, 0.8], zoom: 0.85 },
+      { ...STANDING, ...BUST, light: BEHIND_THE_BUST, zoom: 0.85 },
       { ...PRINT, subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.35], zoom: 0.95 },
       { ...PRINT, subject: 'gear', view: [0.7, 0.5, 1], light: [-0.35, 1.1, 0.75], zoom: 0.85 },
       { ...STANDING, subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.85 },
@@ -186,16 +188,17 @@ export const plansOf = (presets, techniques) => ({
     columns: LIGHT_STEPS.length,
     pictures: [
       { subject: 'dragon', view: [0.22, 0.3, 1] },
-      { subject: 'nefertiti', view: [0.3, 0.15, 1] },
+      // Its shadow is long.
+      { subject: 'nefertiti', view: [0.3, 0.15, 1], zoom: 0.64 },
       { subject: 'hand', view: [0.1, 0.2, 1] },
     ].flatMap((picture) =>
       LIGHT_STEPS.map((degrees) => ({
         ...STANDING,
+        zoom: 0.75,
         ...picture,
         width: 400,
         height: 400,
         pixelRatio: 1,
-        zoom: 0.75,
         light: lightAt(degrees),
         material: { ...STANDING.material, ...TURNING.engraving },
       })),
@@ -223,12 +226,12 @@ export const plansOf = (presets, techniques) => ({
 
 /** What a look is judged by: a face, a hand, a machine, an animal, a house and a draped cloth. */
 const JUDGED = [
-  { ...BUST, ground: 'shadow' },
+  { ...BUST, light: BEHIND_THE_BUST, zoom: 0.85, ground: 'shadow' },
   { ...HAND, zoom: 0.95 },
   { subject: 'gear', view: [0.7, 0.5, 1], light: [-0.35, 1.1, 0.75], zoom: 0.9 },
-  { subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.95, ground: 'shadow' },
-  { subject: 'house', view: [0.75, 0.4, 1], light: [-0.6, 1, 0.75], zoom: 0.95, ground: 'shadow' },
-  { subject: 'drapery', view: [0.25, 0.42, 1], light: [-0.8, 1, 0.6], zoom: 0.95, ground: 'shadow' },
+  { subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.85, ground: 'shadow' },
+  { subject: 'house', view: [0.75, 0.4, 1], light: [-0.5, 1.5, 0.9], zoom: 0.85, ground: 'shadow' },
+  { subject: 'drapery', view: [0.25, 0.42, 1], light: [-0.5, 1.6, 0.8], zoom: 0.85, ground: 'shadow' },
 ];
 
 /**
