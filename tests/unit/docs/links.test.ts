@@ -1,4 +1,4 @@
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { posix } from 'node:path';
 import { expect, test } from 'vitest';
 import { DOCUMENTS, root } from './documents.js';
@@ -44,4 +44,17 @@ test('every guide can be reached from the README', () => {
   }
   const lost = Object.keys(DOCUMENTS).filter((path) => path.startsWith('docs/') && !reached.has(path));
   expect(lost).toEqual([]);
+});
+
+test('every page in the sidebar of the site is there, and every guide has a place in it', () => {
+  const config = readFileSync(`${root}tools/site/.vitepress/config.ts`, 'utf8');
+  const listed = [...config.matchAll(/group\(([^)]*)\)/g)].flatMap(([, names]) =>
+    // After its title.
+    [...names.matchAll(/'([^']+)'/g)].map(([, name]) => name).slice(1),
+  );
+  // Made by tools/site/build.mjs from other files.
+  const made = ['examples', 'contributing', 'changelog', 'security'];
+  const guides = Object.keys(DOCUMENTS).flatMap((path) => /^docs\/(.+)\.md$/.exec(path)?.[1] ?? []);
+  expect(listed.filter((name) => !guides.includes(name) && !made.includes(name))).toEqual([]);
+  expect(guides.filter((name) => !listed.includes(name))).toEqual([]);
 });
