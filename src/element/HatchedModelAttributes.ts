@@ -6,7 +6,14 @@ export interface HatchedModelAttributes {
   src?: string | undefined;
   /** The name of a preset. Default: `pen`. */
   preset?: PresetName | undefined;
+  /** How much of the model's own colours is printed under the ink, from 0 to 1. Default: 0. */
   'color-fill'?: number | string | undefined;
+  /** How much the darkness of these colours is hatched, from 0 to 1. Default: 0.8. */
+  'local-tone'?: number | string | undefined;
+  /** How much lighter the drawing is, as a factor above 0. Default: 1. */
+  exposure?: number | string | undefined;
+  /** How much strokes fade towards the rim, from 0 to 1. Default: 0. */
+  vignette?: number | string | undefined;
   /** Azimuth and elevation of the light in degrees. Default: one that suits the first view of the model. */
   light?: string | undefined;
   /** Whether visitors may turn the model and its light; with `light` only the light. Default: false. */

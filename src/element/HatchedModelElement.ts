@@ -3,13 +3,24 @@ import { Drawing } from './Drawing.js';
 import { elementStyle } from './elementStyle.js';
 import { warnOfMissingSource } from './missingSource.js';
 import { Painter } from './Painter.js';
-import { type Direction, readColorFill, readControls, readLight, readPreset } from './readAttributes.js';
+import {
+  type Direction,
+  LOOK_NUMBERS,
+  type LookNumber,
+  readControls,
+  readLight,
+  readLookNumber,
+  readPreset,
+} from './readAttributes.js';
 import { type Arrangement, ViewControls } from './ViewControls.js';
 
 const PROPERTIES = {
   src: 'src',
   preset: 'preset',
   'color-fill': 'colorFill',
+  'local-tone': 'localTone',
+  exposure: 'exposure',
+  vignette: 'vignette',
   light: 'light',
   controls: 'controls',
   alt: 'alt',
@@ -18,7 +29,7 @@ const PROPERTIES = {
   'ktx2-path': 'ktx2Path',
 } as const;
 /** The attributes whose change loads the model again. */
-const OF_MODEL: readonly string[] = ['src', 'preset', 'color-fill', 'draco-path', 'ktx2-path'];
+const OF_MODEL: readonly string[] = ['src', 'preset', ...Object.keys(LOOK_NUMBERS), 'draco-path', 'ktx2-path'];
 /** A model is loaded when it is this near to the visible part of the page. */
 const LOAD_MARGIN = '300px';
 /** The largest number of pixels per CSS pixel. More of them take long and show little. */
@@ -39,6 +50,9 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | `src` | URL of a glTF or GLB file |
  * | `preset` | name of a preset of the library; `pen` by default |
  * | `color-fill` | how much of the model's own colours is printed under the ink, from 0 to 1; 0 by default |
+ * | `local-tone` | how much the darkness of these colours is hatched, from 0 to 1; 0.8 by default |
+ * | `exposure` | how much lighter the drawing is, as a factor; 1 by default |
+ * | `vignette` | how much strokes fade towards the rim, from 0 to 1; 0 by default |
  * | `light` | azimuth and elevation of the light in degrees, such as `-45 40`; by default one that suits the first view of the model |
  * | `controls` | lets visitors turn the model and its light; with `controls="light"` only the light |
  * | `alt` | describes the picture in words; empty if it is decoration |
@@ -55,6 +69,9 @@ export class HatchedModelElement extends Base {
   declare src: string;
   declare preset: string;
   declare colorFill: string;
+  declare localTone: string;
+  declare exposure: string;
+  declare vignette: string;
   declare light: string;
   declare controls: string;
   declare alt: string;
@@ -143,6 +160,18 @@ export class HatchedModelElement extends Base {
     void this.load();
   }
 
+  /** The preset, with the numbers that attributes change. @throws Error if one is wrong */
+  private readLook(): HatchingPreset {
+    const preset = readPreset(this.getAttribute('preset'));
+    const changes = (Object.keys(LOOK_NUMBERS) as LookNumber[]).flatMap((name) => {
+      const value = readLookNumber(name, this.getAttribute(name));
+      return value === undefined ? [] : [[LOOK_NUMBERS[name].property, value] as const];
+    });
+    return changes.length === 0
+      ? preset
+      : { ...preset, material: { ...preset.material, ...Object.fromEntries(changes) } };
+  }
+
   /** Loads the model and hatches it. The previous drawing stays until it is ready. */
   private async load(): Promise<void> {
     this.loading?.abort();
@@ -156,7 +185,7 @@ export class HatchedModelElement extends Base {
         return;
       }
       this.hadSource = true;
-      const preset = withFill(readPreset(this.getAttribute('preset')), readColorFill(this.getAttribute('color-fill')));
+      const preset = this.readLook();
       readLight(this.getAttribute('light'));
       this.painter ??= Painter.acquire(this.onRestored);
       const drawing = await Drawing.load(
@@ -322,10 +351,6 @@ for (const [name, property] of Object.entries(PROPERTIES)) {
     configurable: true,
   });
 }
-
-/** A preset with another fill, if one is asked for. */
-const withFill = (preset: HatchingPreset, colorFill: number | undefined): HatchingPreset =>
-  colorFill === undefined ? preset : { ...preset, material: { ...preset.material, colorFill } };
 
 const resolve = (address: string): string => new URL(address, document.baseURI).href;
 

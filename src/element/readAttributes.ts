@@ -26,20 +26,35 @@ export function readPreset(text: string | null): HatchingPreset {
   throw new Error(`There is no preset "${name}". There are ${Object.keys(presets).join(', ')}.`);
 }
 
+/** The attributes that change a number of the preset: the property of the material, its range, and its words in messages. */
+export const LOOK_NUMBERS = {
+  'color-fill': { property: 'colorFill', most: 1, words: 'a number from 0, ink alone, to 1, the colours of the model' },
+  'local-tone': { property: 'localTone', most: 1, words: 'a number from 0, all surfaces are white, to 1' },
+  exposure: {
+    property: 'exposureCompensation',
+    above: 0,
+    most: Infinity,
+    words: 'a number above 0: more than 1 for a lighter drawing, less for a darker one',
+  },
+  vignette: { property: 'vignette', most: 1, words: 'a number from 0, no vignette, to 1' },
+} as const;
+
+export type LookNumber = keyof typeof LOOK_NUMBERS;
+
 /**
- * Reads how much of the model's own colours is printed under the ink.
+ * Reads a number that changes the preset.
  *
- * @param text the attribute, a number; null or '' leaves it to the preset
- * @throws Error if it is no number between 0 and 1
+ * @param text the attribute; null or '' leaves the number to the preset
+ * @throws Error if it is no number within the range
  */
-export function readColorFill(text: string | null): number | undefined {
+export function readLookNumber(name: LookNumber, text: string | null): number | undefined {
   const word = text?.trim();
   if (!word) return undefined;
-  const fill = Number(word);
-  if (fill >= 0 && fill <= 1) return fill;
-  throw new Error(
-    `The color-fill is "${text}", but must be a number from 0, ink alone, to 1, the colours of the model.`,
-  );
+  const row = LOOK_NUMBERS[name];
+  const value = Number(word);
+  const isAbove = 'above' in row ? value > row.above : value >= 0;
+  if (isAbove && value <= row.most && value < Infinity) return value;
+  throw new Error(`The ${name} is "${text}", but must be ${row.words}.`);
 }
 
 /**

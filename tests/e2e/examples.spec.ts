@@ -9,7 +9,7 @@ import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import { octahedronDracoGlb, octahedronMeshoptGlb } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { ktx2Picture } from './ktx2Picture.js';
-import { changedShare } from './pictures.js';
+import { changedShare, meanInk } from './pictures.js';
 
 const EXAMPLES = readExamples();
 
@@ -175,6 +175,29 @@ test.describe('<hatched-model>', () => {
     await first.evaluate((element) => element.setAttribute('light', '70, 20'));
     await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeGreaterThan(0.02);
     expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBeLessThan(4);
+  });
+
+  test('draws lighter, paler at the rim, and dark colours white, as its attributes say', async ({ page }) => {
+    await openElements(page);
+    const ink = async (at: number): Promise<number> => meanInk(await pixels(elements(page).nth(at).locator('canvas')));
+    const set = (at: number, name: string, value: string) =>
+      elements(page)
+        .nth(at)
+        .evaluate((element, [attribute, text]) => element.setAttribute(attribute, text), [name, value] as const);
+    const [jug, fish] = [0, 1];
+    const usual = await ink(jug);
+    await set(jug, 'exposure', '1.6');
+    await expect.poll(() => ink(jug)).toBeLessThan(0.9 * usual);
+    await set(jug, 'exposure', '1');
+    await expect.poll(() => ink(jug)).toBeCloseTo(usual, 4);
+    await set(jug, 'vignette', '1');
+    await expect.poll(() => ink(jug)).toBeLessThan(0.95 * usual);
+    // The eyes of the fish are black.
+    const hatched = await ink(fish);
+    await set(fish, 'local-tone', '0');
+    await expect.poll(() => ink(fish)).toBeLessThan(hatched - 5e-5);
+    await set(fish, 'color-fill', '1');
+    await expect.poll(() => ink(fish)).toBeGreaterThan(hatched);
   });
 
   test('has strokes as wide on a dense screen', async ({ page }) => {

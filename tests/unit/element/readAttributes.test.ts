@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { presets } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
-import { readColorFill, readControls, readLight, readPreset } from '../../../src/element/readAttributes.js';
+import { readControls, readLight, readLookNumber, readPreset } from '../../../src/element/readAttributes.js';
 
 describe('preset', () => {
   test.each([null, '', '  '])('is the pen for %o', (text) => expect(readPreset(text)).toBe(presets.pen));
@@ -15,18 +15,26 @@ describe('preset', () => {
   });
 });
 
-describe('color-fill', () => {
+describe.each(['color-fill', 'local-tone', 'exposure', 'vignette'] as const)('%s', (name) => {
   test.each([
     [null, undefined],
     ['', undefined],
-    ['0', 0],
     [' 0.4 ', 0.4],
     ['1', 1],
-  ])('%o is %o', (text, fill) => expect(readColorFill(text)).toBe(fill));
+  ])('%o is %o', (text, value) => expect(readLookNumber(name, text)).toBe(value));
 
-  test.each(['red', '-0.1', '1.5', '40%', 'NaN'])('%o is refused', (text) => {
-    expect(() => readColorFill(text)).toThrow(`The color-fill is "${text}", but must be a number from 0`);
+  test.each(['red', '-0.1', '40%', 'NaN', 'Infinity'])('%o is refused', (text) => {
+    expect(() => readLookNumber(name, text)).toThrow(`The ${name} is "${text}", but must be a number`);
   });
+});
+
+test('a share ends at 1 and may be 0; an exposure may be more, and not 0', () => {
+  for (const name of ['color-fill', 'local-tone', 'vignette'] as const) {
+    expect(readLookNumber(name, '0')).toBe(0);
+    expect(() => readLookNumber(name, '1.5')).toThrow(`The ${name} is "1.5"`);
+  }
+  expect(readLookNumber('exposure', '1.5')).toBe(1.5);
+  expect(() => readLookNumber('exposure', '0')).toThrow('must be a number above 0');
 });
 
 describe('light', () => {
