@@ -1,7 +1,7 @@
 /**
  * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/metrics.md and
  * docs/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
- * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark.
+ * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark, and `strokes` printed strokes.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -51,7 +51,7 @@ const plans = {
 
 const wanted = process.argv.slice(2);
 for (const name of wanted) {
-  if (!(name in plans) && name !== 'values')
+  if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
 const models = Object.keys(plans).filter((name) => wanted.length === 0 || wanted.includes(name));
@@ -92,10 +92,9 @@ try {
     console.log(`${name}: ${((performance.now() - start) / 1000).toFixed(0)} s`);
   }
   if (wanted.length === 0 || wanted.includes('values')) values = await measureAllValues(page);
-  if (wanted.length === 0) {
-    flatTones = await page.evaluate(() => window.measureFlatTones());
+  if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
+  if (wanted.length === 0 || wanted.includes('strokes'))
     printedStrokes = await page.evaluate(() => window.measurePrintedStrokes());
-  }
 } finally {
   await browser.close();
   await server.close();
