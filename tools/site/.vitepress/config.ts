@@ -67,6 +67,7 @@ export default defineConfig({
         'shadows',
         'occlusion',
         'composition',
+        'svg',
         'media',
         'form',
         'deformation',
