@@ -1,5 +1,7 @@
 import type { Camera, Object3D } from 'three';
+import { asPhase } from '../slices/asPhase.js';
 import { runSliced } from '../slices/runSliced.js';
+import type { DrawingPlan } from '../vector/DrawnScene.js';
 import { drawLines } from '../vector/drawLines.js';
 import { type DrawSVGOptions, planOf } from './DrawSVGOptions.js';
 import type { LeftOut } from './leftOut.js';
@@ -43,9 +45,18 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
   if (!('isCamera' in (camera ?? {})))
     throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
   const { signal, onProgress, shadows = true } = options;
-  signal?.throwIfAborted();
   const start = performance.now();
-  const { drawn, leftOut } = readScene(scene, camera, shadows);
-  const drawing = await runSliced(drawLines(drawn, plan), { signal, onProgress });
-  return { ...drawing, seconds: (performance.now() - start) / 1000, leftOut };
+  const drawing = await runSliced(draw(scene, camera, shadows, plan), { signal, onProgress });
+  return { ...drawing, seconds: (performance.now() - start) / 1000 };
+}
+
+function* draw(
+  scene: Object3D,
+  camera: Camera,
+  shadows: boolean,
+  plan: DrawingPlan,
+): Generator<number, Omit<SVGDrawing, 'seconds'>, void> {
+  const { drawn, leftOut } = yield* asPhase(readScene(scene, camera, shadows), 0, 0.1);
+  const drawing = yield* asPhase(drawLines(drawn, plan), 0.1, 1);
+  return { ...drawing, leftOut };
 }

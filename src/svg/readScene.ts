@@ -16,6 +16,7 @@ import type { ToneFit } from '../material/exposure/ToneFit.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
@@ -27,19 +28,32 @@ import { fieldOf, readSurface, surfaceFrame } from './readSurface.js';
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
 const SHADOW_BIAS = 0.01;
 
-/** Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. */
-export function readScene(
+/**
+ * Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. Yields its progress.
+ */
+export function* readScene(
   scene: Object3D,
   camera: Camera,
   shadows: boolean,
-): { drawn: DrawnScene; leftOut: LeftOut[] } {
+): Generator<number, { drawn: DrawnScene; leftOut: LeftOut[] }, void> {
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
   const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows));
-  scene.traverseVisible((object) => reader.readMesh(object));
-  scene.traverseVisible((object) => reader.readOutlinesOf(object));
+  const objects: Object3D[] = [];
+  scene.traverseVisible((object) => {
+    if (object.layers.test(camera.layers)) objects.push(object);
+  });
+  for (const [i, object] of objects.entries())
+    yield* asPhase(reader.readMesh(object), (0.8 * i) / objects.length, (0.8 * (i + 1)) / objects.length);
+  for (const [i, object] of objects.entries()) {
+    yield 0.8 + (0.2 * i) / objects.length;
+    reader.readOutlinesOf(object);
+  }
   return { drawn: reader.drawn(), leftOut: reader.leftOut };
 }
+
+/** Triangles are read so many at a time. */
+const CHUNK = 4096;
 
 class SceneReader {
   readonly leftOut: LeftOut[] = [];
@@ -77,20 +91,19 @@ class SceneReader {
     };
   }
 
-  readMesh(object: Object3D): void {
-    if (!object.layers.test(this.camera.layers)) return;
+  *readMesh(object: Object3D): Generator<number, void, void> {
     if ('isHatchingBackground' in object)
       this.note(object, 'is left out: the field of lines behind a subject cannot leave as lines yet');
     else if ('isLine' in object || 'isPoints' in object || ('isSprite' in object && !isOutlines(object)))
       this.note(object, 'is left out: it is no mesh');
-    else if ('isMesh' in object) this.readSurfaces(object as Mesh);
+    else if ('isMesh' in object) yield* this.readSurfaces(object as Mesh);
   }
 
   private note(object: Object3D, what: string): void {
     this.leftOut.push(sentence(object, what));
   }
 
-  private readSurfaces(mesh: Mesh): void {
+  private *readSurfaces(mesh: Mesh): Generator<number, void, void> {
     const parts = partsOf(mesh);
     if (parts.length === 0) return;
     const nothing = whyNothing(mesh);
@@ -100,12 +113,17 @@ class SceneReader {
     }
     this.firstTriangles.set(mesh, this.sides.length);
     if (mesh.castShadow) this.noteCaster(mesh);
-    for (const { material, start, end } of parts) {
+    for (const [i, { material, start, end }] of parts.entries()) {
       const corners = cornersOf(mesh, start, end);
-      const firstTriangle = this.addTriangles(mesh, material, corners);
+      const from = i / parts.length;
+      const middle = (i + 0.4) / parts.length;
+      const firstTriangle = yield* asPhase(this.addTriangles(mesh, material, corners), from, middle);
       const noLines = whyNoLines(mesh, material);
       if (noLines) this.note(mesh, noLines);
-      else this.addSurface(mesh, material as HatchingMaterial, corners, firstTriangle);
+      else {
+        const adding = this.addSurface(mesh, material as HatchingMaterial, corners, firstTriangle);
+        yield* asPhase(adding, middle, (i + 1) / parts.length);
+      }
     }
   }
 
@@ -116,12 +134,13 @@ class SceneReader {
   }
 
   /** Adds triangles to what hides and casts shadows. Returns the number of the first. */
-  private addTriangles(mesh: Mesh, material: Material, corners: Uint32Array): number {
+  private *addTriangles(mesh: Mesh, material: Material, corners: Uint32Array): Generator<number, number, void> {
     const first = this.sides.length;
     const { position } = mesh.geometry.attributes;
     const isMirrored = mesh.matrixWorld.determinant() < 0;
     const bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
     for (let c = 0; c < corners.length; c += 3) {
+      if (c % (3 * CHUNK) === 0) yield c / corners.length;
       const [i, j, k] = corners.subarray(c, c + 3);
       for (const vertex of isMirrored ? [j, i, k] : [i, j, k])
         this.corners.push(
@@ -132,13 +151,19 @@ class SceneReader {
     return first;
   }
 
-  private addSurface(mesh: Mesh, material: HatchingMaterial, corners: Uint32Array, firstTriangle: number): void {
+  private *addSurface(
+    mesh: Mesh,
+    material: HatchingMaterial,
+    corners: Uint32Array,
+    firstTriangle: number,
+  ): Generator<number, void, void> {
     const { camera, lights, fit } = this;
     for (const what of drawnWithout(mesh, material)) this.note(mesh, what);
     const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
+    const surface = yield* readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material));
     this.surfaces.push({
-      surface: readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material)),
+      surface,
       engraved,
       field: fieldOf(engraved, material, lights.lamps, frame),
       look: surfaceLookOf(material, mesh.receiveShadow, fit),
@@ -147,7 +172,7 @@ class SceneReader {
   }
 
   readOutlinesOf(object: Object3D): void {
-    if (!isOutlines(object) || !object.layers.test(this.camera.layers)) return;
+    if (!isOutlines(object)) return;
     const { mesh, material } = object;
     const firstTriangle = mesh ? this.firstTriangles.get(mesh) : undefined;
     if (!mesh || firstTriangle === undefined) return;

@@ -76,19 +76,25 @@ export interface TriangleRange {
   firstTriangle: number;
 }
 
-/** Reads the part of a mesh that a material draws. seen: bits of the sides that are. */
-export function readSurface(
+/** Vertices are read so many at a time. */
+const CHUNK = 4096;
+
+/** Reads the part of a mesh that a material draws. seen: bits of the sides that are. Yields its progress. */
+export function* readSurface(
   geometry: BufferGeometry,
   { corners, firstTriangle }: TriangleRange,
   frame: SurfaceFrame,
   seen: number,
-): LineSurface {
+): Generator<number, LineSurface, void> {
   const { position } = geometry.attributes;
   const places = placesOf(position.count, (vertex, axis) => position.getComponent(vertex, axis));
   const vertexCount = position.count;
   const vertices = new Array<number>(STRIDE * vertexCount).fill(0);
   const writer = new VertexWriter(geometry, frame, vertices);
-  for (let v = 0; v < vertexCount; v++) writer.write(v, places[v]);
+  for (let v = 0; v < vertexCount; v++) {
+    if (v % CHUNK === 0) yield v / vertexCount;
+    writer.write(v, places[v]);
+  }
   const isMirrored = frame.toWorld.determinant() < 0;
   const triangles = Array.from(corners);
   if (isMirrored) {

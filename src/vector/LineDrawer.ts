@@ -2,7 +2,7 @@ import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
 import type { Chain } from './Chain.js';
 import { cutRun } from './cutRun.js';
-import type { DrawnScene, EngravedSurface } from './DrawnScene.js';
+import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { holdBack } from './holdBack.js';
 import type { LinePath } from './LinePath.js';
@@ -50,24 +50,24 @@ export class LineDrawer {
     private readonly projection: Projection,
     private readonly bvh: Bvh,
   ) {
-    const [least, most] = scene.corners.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [0, 0]);
-    this.above = ABOVE * (most - least);
+    this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
   }
 
   *drawOutlines(): Generator<number, void, void> {
+    const { outlines } = this.scene;
+    for (const [i, outlined] of outlines.entries())
+      yield* asPhase(this.drawOutline(outlined), i / outlines.length, (i + 1) / outlines.length);
+  }
+
+  private *drawOutline({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
-    for (const [i, { mesh, look, ink }] of scene.outlines.entries()) {
-      const pieces = yield* asPhase(
-        outlinePieces(mesh, look),
-        i / scene.outlines.length,
-        (i + 0.5) / scene.outlines.length,
-      );
-      const layer = this.layerOf('outlines', ink);
-      for (const chain of outlineChains(pieces, mesh, look, projection, scene.meanLight)) {
-        yield (i + 0.5) / scene.outlines.length;
-        weighByStanding(chain, bvh, projection);
-        this.addChain(layer, chain, outlineTest(chain, bvh, projection), false);
-      }
+    const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
+    const joining = outlineChains(pieces, mesh, look, projection, scene.meanLight);
+    const chains = yield* asPhase(joining, 0.4, 0.5);
+    for (const [i, chain] of chains.entries()) {
+      yield 0.5 + (0.5 * i) / chains.length;
+      weighByStanding(chain, bvh, projection);
+      this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection), false);
     }
   }
 
@@ -93,10 +93,10 @@ export class LineDrawer {
     look,
   }: EngravedSurface): Generator<number, { family: FamilyName; chain: Chain }[], void> {
     const { projection, bvh, pen, scene } = this;
-    yield* asPhase(subdivide(surface, projection), 0, 0.1);
+    yield* asPhase(subdivide(surface, projection), 0, 0.08);
     const engraver = new Engraver(engraved, field, surface.viewToField, projection);
     const toner = new Toner(look, scene.illumination, bvh, projection);
-    const sides = seenSides(surface, projection);
+    const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
     const tracing = { surface, engraver, toner, projection, sides, pen };
     const lines: { family: FamilyName; chain: Chain }[] = [];
     const step = 0.9 / engraver.families.length;

@@ -49,7 +49,8 @@ export function* finishPaths(
     counts.travelBefore += travelOf(ends, asDrawn(ends));
     counts.travelAfter += travelOf(ends, order);
     const data: string[] = [];
-    for (const step of order) {
+    for (const [k, step] of order.entries()) {
+      if (k % 32 === 31) yield (i + 1) / layers.length;
       const path = turned(kept[step.path], step);
       const text = dataOf(path, plan, projection, placement);
       if (text === '') continue;

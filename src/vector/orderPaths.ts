@@ -119,7 +119,7 @@ function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPat
     const [path, isReversed] = [end >> 1, (end & 1) === 1];
     order.push({ path, isReversed });
     place = isReversed ? paths[path].start : paths[path].end;
-    if (i % 256 === 255) yield i / paths.length;
+    if (i % 64 === 63) yield i / paths.length;
   }
   return order;
 }
@@ -129,7 +129,7 @@ function* reverseStretches(paths: readonly PathEnds[], order: OrderedPath[]): Ge
   const to = (i: number) => (order[i].isReversed ? paths[order[i].path].start : paths[order[i].path].end);
   let gained = 0;
   for (let i = 0; i < order.length - 1; i++) {
-    if (i % 64 === 63) yield i / order.length;
+    if (i % 16 === 15) yield i / order.length;
     const before = i === 0 ? ([0, 0] as const) : to(i - 1);
     const step = distance(before, from(i));
     if (step < LEAST_GAIN) continue;

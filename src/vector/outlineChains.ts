@@ -12,24 +12,30 @@ const SHARPEST = (40 * Math.PI) / 180;
 /** Points of outlines lie no farther apart than this, so that their weight can change along the way. Pixels. */
 const LONGEST_PIECE = 6;
 
-/** Weighs pieces by the light, and joins them to chains. */
-export function outlineChains(
+/** Weighs pieces by the light, and joins them to chains. Yields its progress. */
+export function* outlineChains(
   pieces: readonly OutlinePiece[],
   mesh: OutlineMesh,
   look: OutlineLook,
   projection: Projection,
   meanLight: MeanLight,
-): Chain[] {
-  for (const piece of pieces) shade(piece, mesh, look, projection, meanLight);
-  const joints = new Joints(pieces);
-  return joints.walks().map(({ steps, isClosed }) => {
+): Generator<number, Chain[], void> {
+  for (const [i, piece] of pieces.entries()) {
+    if (i % 1024 === 1023) yield (0.5 * i) / pieces.length;
+    shade(piece, mesh, look, projection, meanLight);
+  }
+  const chains: Chain[] = [];
+  const walks = new Joints(pieces).walks();
+  for (const [i, { steps, isClosed }] of walks.entries()) {
+    yield 0.5 + (0.5 * i) / walks.length;
     const drawing = new OutlineDrawing(mesh, look, projection);
     for (const { piece, isReversed } of steps) {
       const { start, end } = pieces[piece];
       drawing.add(pieces[piece], isReversed ? end : start, isReversed ? start : end);
     }
-    return drawing.finish(isClosed);
-  });
+    chains.push(drawing.finish(isClosed));
+  }
+  return chains;
 }
 
 function shade(

@@ -1,17 +1,19 @@
 import { contourAlong, depthAcross, taperAt } from '../engraving/outlines.js';
 import { combined, dot, mix, type Vec3 } from '../engraving/vectors.js';
+import { asPhase } from '../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
 /** Finds all pieces of outlines on a mesh, before light and visibility. Yields its progress. */
 export function* outlinePieces(mesh: OutlineMesh, look: OutlineLook): Generator<number, OutlinePiece[], void> {
   const finder = new PieceFinder(mesh, look);
+  yield* asPhase(finder.readPoints(), 0, 0.5);
   const pieces: OutlinePiece[] = [];
   const add = (piece: OutlinePiece | null) => {
     if (piece && Math.max(weightOf(piece.start), weightOf(piece.end)) > 0) pieces.push(piece);
   };
   const count = mesh.triangles.length / 3;
   for (let t = 0; t < count && look.contours > 0; t++) {
-    if (t % 4096 === 4095) yield t / count;
+    if (t % 4096 === 4095) yield 0.5 + (0.5 * t) / count;
     add(finder.contour(t));
   }
   for (const edge of mesh.edges) add(finder.featureEdge(edge));
@@ -29,10 +31,14 @@ class PieceFinder {
     private readonly mesh: OutlineMesh,
     private readonly look: OutlineLook,
   ) {
-    const count = mesh.positions.length / 3;
-    this.facing = new Float64Array(count);
-    this.bend = new Float64Array(count);
+    this.facing = new Float64Array(mesh.positions.length / 3);
+    this.bend = new Float64Array(mesh.positions.length / 3);
+  }
+
+  *readPoints(): Generator<number, void, void> {
+    const count = this.facing.length;
     for (let p = 0; p < count; p++) {
+      if (p % 4096 === 4095) yield p / count;
       const n = this.normalOf(p);
       const v = this.toEye(this.positionOf(p));
       const facing = dot(n, v);

@@ -1,3 +1,4 @@
+import { asPhase } from '../slices/asPhase.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 
@@ -19,9 +20,14 @@ interface Seen {
   isBefore: Uint8Array;
 }
 
-function seenPlaces({ vertices, placeOf }: LineSurface, projection: Projection, count: number): Seen {
+function* seenPlaces(
+  { vertices, placeOf }: LineSurface,
+  projection: Projection,
+  count: number,
+): Generator<number, Seen, void> {
   const seen = { x: new Float64Array(count), y: new Float64Array(count), isBefore: new Uint8Array(count) };
   for (let v = 0; v < placeOf.length; v++) {
+    if (v % 8192 === 8191) yield v / placeOf.length;
     const o = STRIDE * v + VIEW;
     const [x, y] = projection.project(vertices[o], vertices[o + 1], vertices[o + 2]);
     seen.x[placeOf[v]] = x;
@@ -48,7 +54,6 @@ class Halving {
   /** The new place in the middle of two, and the new vertex between two. */
   private readonly middles = new Map<number, number>();
   private readonly halves = new Map<number, number>();
-  private readonly seen: Seen;
   private readonly triangles: number[] = [];
   private readonly parents: number[] = [];
   private places: number;
@@ -58,16 +63,17 @@ class Halving {
     private readonly projection: Projection,
     placeCount: number,
     private readonly pass: number,
+    private readonly seen: Seen,
   ) {
     this.places = placeCount;
-    this.seen = seenPlaces(surface, projection, placeCount);
   }
 
-  /** Returns the number of places, or −1 if nothing was to be halved. */
-  run(): number {
+  /** Returns the number of places, or −1 if nothing was to be halved. Yields its progress. */
+  *run(): Generator<number, number, void> {
     const { surface, seen, projection } = this;
     const { triangles, parents, placeOf } = surface;
     for (let t = 0; 3 * t < triangles.length; t++) {
+      if (t % 1024 === 1023) yield (3 * t) / triangles.length;
       const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
       // What is not seen is left out for good.
       if (!mayBeSeen(seen, projection, placeOf[a], placeOf[b], placeOf[c])) continue;
@@ -145,7 +151,9 @@ class Halving {
 export function* subdivide(surface: LineSurface, projection: Projection): Generator<number, void, void> {
   let places = 1 + surface.placeOf.reduce((most, place) => Math.max(most, place), -1);
   for (let pass = 0; pass < MOST_PASSES && places >= 0; pass++) {
-    places = new Halving(surface, projection, places, pass).run();
-    yield (pass + 1) / MOST_PASSES;
+    // Each pass has about half of what there is left to do, until nothing is to be halved.
+    const [from, to] = [1 - 0.5 ** pass, 1 - 0.5 ** (pass + 1)];
+    const seen = yield* asPhase(seenPlaces(surface, projection, places), from, (from + to) / 2);
+    places = yield* asPhase(new Halving(surface, projection, places, pass, seen).run(), (from + to) / 2, to);
   }
 }

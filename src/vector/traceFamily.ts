@@ -1,6 +1,6 @@
 import { type Chain, ChainBuilder } from './Chain.js';
 import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
-import { between, flatNormalOf, type LineSurface, placeFrom, type SurfacePlace } from './LineSurface.js';
+import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
 import type { Projection } from './Projection.js';
 import type { Shadowing, Toner, Tones } from './Toner.js';
@@ -25,14 +25,16 @@ const EVERY_RANK = 1000;
 /** The edge of a shadow is found in so many halvings. */
 const HALVINGS = 10;
 
-/** Which side of each triangle of a surface is drawn on the picture. */
-export function seenSides(surface: LineSurface, projection: Projection): Int8Array {
+/** Which side of each triangle of a surface is drawn on the picture. Yields its progress. */
+export function* seenSides(surface: LineSurface, projection: Projection): Generator<number, Int8Array, void> {
   const { triangles, vertices, drawsFront, drawsBack } = surface;
   const sides = new Int8Array(triangles.length / 3);
   for (let t = 0; t < sides.length; t++) {
+    if (t % 2048 === 2047) yield t / sides.length;
     const corners = [0, 1, 2].map((k) => {
-      const place = placeFrom(between(vertices, triangles[3 * t + k], triangles[3 * t + k], 0), [0, 0, 1], 1);
-      return { at: projection.project(...place.view), isBefore: -place.view[2] < projection.camera.near };
+      const o = STRIDE * triangles[3 * t + k] + VIEW;
+      const [x, y, z] = [vertices[o], vertices[o + 1], vertices[o + 2]];
+      return { at: projection.project(x, y, z), isBefore: -z < projection.camera.near };
     });
     if (corners.some(({ isBefore }) => isBefore)) continue;
     const [a, b, c] = corners.map(({ at }) => at);

@@ -18,7 +18,7 @@ export interface ChainPlace {
 }
 
 /** Places are looked at so far apart, and where they begin or end to be seen is found as exactly as that. Pixels. */
-const STEP = 1;
+const STEP = 0.5;
 const TOLERANCE = 0.02;
 const MOST_HALVINGS = 24;
 

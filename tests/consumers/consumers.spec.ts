@@ -102,7 +102,7 @@ test.describe('the tarball', () => {
   });
 
   test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {
-    const imported = ['index.js', 'svg.js'].flatMap(withImports).flatMap(importsOf);
+    const imported = ['index.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     const ofReact = [

@@ -23,14 +23,16 @@ const BODIES: Record<string, () => BufferGeometry[]> = {
   ],
 };
 
-const SAMPLES = 1500;
+const SAMPLES = 1000;
 
 /** Whether a triangle that faces the eye lies between it and a place: by signed volumes, one triangle after the other. */
 function isHiddenBy(corners: Float64Array, place: readonly number[], way: readonly number[], except: number): boolean {
   const size = Math.hypot(...way);
+  /** The corners of a triangle, from the place. */
+  const p = new Float64Array(9);
   for (let t = 0; 9 * t < corners.length; t++) {
     if (t === except) continue;
-    const p = Array.from({ length: 9 }, (_, i) => corners[9 * t + i] - place[i % 3]);
+    for (let i = 0; i < 9; i++) p[i] = corners[9 * t + i] - place[i % 3];
     const volume = (a: number, b: number) =>
       way[0] * (p[b + 1] * p[a + 2] - p[b + 2] * p[a + 1]) +
       way[1] * (p[b + 2] * p[a] - p[b] * p[a + 2]) +
@@ -49,7 +51,7 @@ test.each(Object.keys(BODIES).flatMap((name) => [[name, false] as const, [name, 
   'engraved lines are hidden where a triangle lies before them: %s, orthographic: %s',
   async (name, isOrthographic) => {
     const meshes = await Promise.all(BODIES[name]().map((body) => hatchedMesh(body, { outlines: false })));
-    const { drawn } = readScene(sceneOf(...meshes), cameraAt(0.4, 1, 2.8, isOrthographic), false);
+    const { drawn } = finished(readScene(sceneOf(...meshes), cameraAt(0.4, 1, 2.8, isOrthographic), false));
     const projection = new Projection(drawn.camera, 400, 400);
     const bvh = finished(Bvh.build(drawn.corners, drawn.sides));
     const drawer = new LineDrawer(drawn, null, projection, bvh);
